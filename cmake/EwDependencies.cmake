@@ -1,0 +1,20 @@
+# Every outside library the project builds with. All of them are Debian 12 packages (resources/packages.txt names them).
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(TBB REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersGeneral FiltersModeling FiltersSources ImagingCore
+  IOGeometry IOImage IOPLY InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
+find_package(benchmark REQUIRED)
+if(EW_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  find_package(Qt5 5.15 REQUIRED COMPONENTS Test)
+endif()

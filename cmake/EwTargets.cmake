@@ -1,0 +1,71 @@
+# ew_add_library, ew_add_test, ew_add_gui_test: one way to make a target, so that flags and rules reach every one of them.
+
+add_library(ew_warnings INTERFACE)
+add_library(ew::warnings ALIAS ew_warnings)
+target_compile_options(ew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  -Wnull-dereference -Wdouble-promotion $<$<BOOL:${EW_WARNINGS_AS_ERRORS}>:-Werror>)
+
+add_library(ew_sanitizers INTERFACE)
+add_library(ew::sanitizers ALIAS ew_sanitizers)
+if(EW_SANITIZE)
+  target_compile_options(ew_sanitizers INTERFACE -fsanitize=${EW_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(ew_sanitizers INTERFACE -fsanitize=${EW_SANITIZE})
+  if(EW_SANITIZE MATCHES "undefined")
+    target_compile_options(ew_sanitizers INTERFACE -fno-sanitize-recover=undefined)
+  endif()
+endif()
+
+# ew_add_library(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ... [QT]): the static library ew_NAME, also known as ew::NAME.
+# include/ is its interface; src/ is nobody else's business. QT turns on moc for this target.
+function(ew_add_library name)
+  cmake_parse_arguments(arg "QT" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;RESOURCES" ${ARGN})
+  add_library(ew_${name} STATIC ${arg_HEADERS} ${arg_SOURCES} ${arg_RESOURCES})
+  add_library(ew::${name} ALIAS ew_${name})
+  target_include_directories(ew_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_compile_features(ew_${name} PUBLIC cxx_std_20)
+  target_link_libraries(ew_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:ew::warnings> $<BUILD_INTERFACE:ew::sanitizers>)
+  if(arg_QT)
+    set_target_properties(ew_${name} PROPERTIES AUTOMOC ON AUTORCC ON)
+    target_compile_definitions(ew_${name} PUBLIC QT_NO_KEYWORDS)
+  endif()
+endfunction()
+
+# ew_add_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT s]): a GoogleTest program tests/ run by ctest, one entry per TEST.
+function(ew_add_test name)
+  if(NOT EW_BUILD_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  if(NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif()
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  add_executable(test_${name} ${arg_SOURCES})
+  target_link_libraries(test_${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main rapidcheck ew::warnings ew::sanitizers)
+  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_definitions(test_${name} PRIVATE EW_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  include(GoogleTest)
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+endfunction()
+
+# ew_add_gui_test(NAME SOURCES ... LINK ...): a QtTest program with its own main, run on the one X server that ./check starts.
+function(ew_add_gui_test name)
+  if(NOT EW_BUILD_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif()
+  add_executable(test_gui_${name} ${arg_SOURCES})
+  set_target_properties(test_gui_${name} PROPERTIES AUTOMOC ON)
+  target_link_libraries(test_gui_${name} PRIVATE ${arg_LINK} Qt5::Test Qt5::Widgets ew::warnings ew::sanitizers)
+  target_include_directories(test_gui_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_definitions(test_gui_${name} PRIVATE QT_NO_KEYWORDS EW_SOURCE_DIR="${CMAKE_SOURCE_DIR}" EW_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  add_test(NAME gui_${name} COMMAND test_gui_${name})
+  set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${arg_TIMEOUT} RESOURCE_LOCK display
+    ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp")
+endfunction()

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ew/core/contract.h"
+
+namespace ew {
+
+/// A window onto pixels someone else owns: (width x height), row after row, `stride` elements from one row to the next.
+template <class T>
+struct ImageView {
+  T* data = nullptr;
+  int width = 0;
+  int height = 0;
+  std::ptrdiff_t stride = 0;
+
+  T* row(int y) const {
+    EW_EXPECTS(y >= 0 && y < height);
+    return data + y * stride;
+  }
+  T& at(int x, int y) const {
+    EW_EXPECTS(x >= 0 && x < width);
+    return row(y)[x];
+  }
+  operator ImageView<const T>() const { return {data, width, height, stride}; }
+};
+
+/// Pixels, row after row without padding. What a pixel measures in mm belongs to whoever made the image.
+template <class T>
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<T> pixels;
+
+  Image() = default;
+  Image(int width_, int height_, T fill = T{})
+      : width(width_), height(height_), pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), fill) {}
+  bool operator==(const Image&) const = default;
+};
+
+template <class T>
+ImageView<T> viewOf(Image<T>& image) {
+  return {image.pixels.data(), image.width, image.height, image.width};
+}
+template <class T>
+ImageView<const T> viewOf(const Image<T>& image) {
+  return {image.pixels.data(), image.width, image.height, image.width};
+}
+
+using GreyImage = Image<std::uint8_t>;
+
+}  // namespace ew

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ew {
+
+/// A number in the C locale whatever the user's locale is, with `1e-05` and `8.4e-005` alike; empty when `text` is anything else.
+[[nodiscard]] std::optional<double> parseNumber(std::string_view text);
+
+/// Numbers separated by any white space; empty when one piece is not a number or there is none.
+[[nodiscard]] std::optional<std::vector<double>> parseNumbers(std::string_view text);
+
+/// Whole numbers that fit 64 bits, separated by any white space; empty when one piece is anything else or there is none.
+[[nodiscard]] std::optional<std::vector<long long>> parseIntegers(std::string_view text);
+
+/// The shortest text that parses back to the same double, in the C locale.
+[[nodiscard]] std::string textOf(double value);
+
+}  // namespace ew

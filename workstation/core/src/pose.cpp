@@ -1,0 +1,52 @@
+#include "ew/core/pose.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "ew/core/numbers.h"
+
+namespace ew {
+
+Result<std::vector<Pose>> parsePoses(std::string_view text) {
+  std::vector<Pose> poses;
+  std::istringstream lines{std::string(text)};
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const auto first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    const auto numbers = parseNumbers(line);
+    if (!numbers || numbers->size() != 16)
+      return failure(ErrorCode::badField,
+                     "Line " + std::to_string(number) + " of the poses holds " +
+                         (numbers ? std::to_string(numbers->size()) + " numbers" : "something that is not a number") +
+                         "; a pose is 16 numbers, row by row.",
+                     {{"line", std::to_string(number)}});
+    std::array<double, 16> rows{};
+    std::copy(numbers->begin(), numbers->end(), rows.begin());
+    Pose pose;
+    pose.probeToWorld.matrix = matrixFromRows(rows);
+    if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) {
+      Error error = rigid.error();
+      error.context.emplace_back("line", std::to_string(number));
+      return passOn(std::move(error));
+    }
+    poses.push_back(pose);
+  }
+  if (poses.empty()) return failure(ErrorCode::badField, "There is no pose; give 16 numbers, row by row, or a file with one pose a line.");
+  return poses;
+}
+
+Result<std::vector<Pose>> posesFromArgument(const std::string& argument) {
+  if (parseNumbers(argument)) return parsePoses(argument);
+  std::ifstream file(argument);
+  if (!file)
+    return failure(ErrorCode::notFound,
+                   "'" + argument + "' is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.",
+                   {{"file", argument}});
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parsePoses(text.str());
+}
+
+}  // namespace ew

@@ -1,0 +1,21 @@
+#include "ew/core/progress.h"
+
+namespace ew {
+namespace {
+
+class Silence final : public Progress {
+ public:
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool cancelRequested() const override { return false; }
+};
+
+}  // namespace
+
+Progress::~Progress() = default;
+
+Progress& noProgress() {
+  static Silence silence;  // holds no state
+  return silence;
+}
+
+}  // namespace ew

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ew/core/image.h"
+#include "ew/imaging/knobs.h"
+
+namespace ew {
+
+/// The DGC factor at `position` of the depth (0 at the face, 1 at the bottom): a curve through the eight sliders, which sit at the
+/// middles of eight equal depth bands, constant beyond the first and the last. It never leaves the range of two neighbouring sliders
+/// (monotone cubic Hermite interpolation, Fritsch & Carlson, SIAM J. Numer. Anal. 17(2), 1980).
+[[nodiscard]] double dgcAt(const std::array<double, kDgcSliders>& sliders, double position);
+
+/// Eq. 5 for every grey level and row: table[256 * row + V] = MIN(Gain * MIN(DGC[row] * V, 255), 255), rounded once at the end.
+/// @param rowPosition depth of each row, 0..1; rows outside the fan's depth are clamped
+/// @param table receives 256 * rowPosition.size() bytes; does not allocate when it is large enough already
+void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
+                    std::vector<std::uint8_t>& table);
+
+/// Looks every pixel of the spans up in its row's part of the table.
+void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table);
+
+}  // namespace ew

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ew/core/frames.h"
+#include "ew/core/pose.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/io/volume_file.h"
+
+namespace ew {
+
+/// A transform between two named coordinate frames as a tracker or a device set gives it ("Probe" to "Tracker").
+struct NamedTransform {
+  std::string from;
+  std::string to;
+  glm::dmat4 matrix{1.0};
+  PoseStatus status = PoseStatus::ok;
+  bool operator==(const NamedTransform&) const = default;
+};
+
+/// What a tracked sequence says about one frame.
+struct SequenceFrame {
+  std::optional<double> time_s;             ///< Timestamp; arbitrary zero, uneven, absent when the file says nothing
+  PoseStatus imageStatus = PoseStatus::ok;  ///< ImageStatus, or Status in .nrrd; missing when the file says nothing about this frame
+  std::vector<NamedTransform> transforms;
+  std::vector<std::pair<std::string, std::string>>
+      otherFields;  ///< per-frame fields the program does not know, in file order, without prefix
+  bool operator==(const SequenceFrame&) const = default;
+};
+
+/// A recorded sweep: (frames x height x width) 8 bit pixels in the file's own orientation, and what each frame says.
+struct Sequence {
+  int width = 0;
+  int height = 0;
+  std::vector<SequenceFrame> frames;
+  std::vector<std::uint8_t> pixels;                              ///< frames.size() * height * width, or empty for a tracker-only recording
+  std::string orientation;                                       ///< UltrasoundImageOrientation: "MF", "MFA", "MN", "FM", "XX", ""
+  std::string imageType;                                         ///< UltrasoundImageType: "BRIGHTNESS", "RF_REAL", ... or ""
+  std::vector<std::pair<std::string, std::string>> otherFields;  ///< header fields the program does not know, in file order
+  std::vector<std::string> notes;                                ///< what the reader had to decide, in sentences
+  [[nodiscard]] std::span<const std::uint8_t> framePixels(std::size_t frame) const;
+};
+
+/// True when the file is a sequence rather than a volume: by `Kinds` where present, else by per-frame fields.
+[[nodiscard]] Result<bool> isSequence(const std::filesystem::path& file);
+
+/// Reads .igs.mha, .seq.mha, .mha, .mhd + raw, .igs.nrrd, .seq.nrrd, .nrrd.
+/// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported, cancelled
+[[nodiscard]] Result<Sequence> readSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                            const ReadLimits& limits = {});
+
+/// Writes .igs.mha (compressed), complete or not at all.
+[[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const std::filesystem::path& file, Progress& progress = noProgress());
+
+/// What a PLUS device set says about geometry and reconstruction.
+struct DeviceSet {
+  std::vector<NamedTransform> transforms;  ///< CoordinateDefinitions: calibration ("Image" to "Probe") and others
+  std::optional<glm::dvec3> outputSpacing_mm;
+  std::optional<glm::dvec2> clipOrigin_px;
+  std::optional<glm::dvec2> clipSize_px;
+  std::optional<glm::dvec2> fanAngles_deg;
+  std::optional<glm::dvec2> fanOrigin_px;
+  std::optional<double> fanRadiusStart_px;
+  std::optional<double> fanRadiusStop_px;
+  std::optional<std::string> interpolation;  ///< as written: NEAREST_NEIGHBOR, LINEAR
+  std::optional<std::string> compounding;    ///< as written: MEAN, MAXIMUM, LATEST (also from the older `Compounding`)
+};
+
+/// @error notFound, notReadable, badHeader (not XML or no PlusConfiguration), badField
+[[nodiscard]] Result<DeviceSet> readDeviceSet(const std::filesystem::path& file);
+
+/// The transform from one named frame to another through any chain of the given ones (forwards or inverted); empty when there is no chain
+/// of usable transforms. The shortest chain wins.
+[[nodiscard]] std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std::string_view from, std::string_view to);
+
+/// Names of all frames reachable from `from`, for messages.
+[[nodiscard]] std::vector<std::string> reachableFrom(std::span<const NamedTransform> transforms, std::string_view from);
+
+}  // namespace ew

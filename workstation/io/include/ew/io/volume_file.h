@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+
+namespace ew {
+
+/// What a reader may take from an untrusted file; sizes are checked before memory is taken.
+struct ReadLimits {
+  std::uint64_t maxBytes = 16ull << 30;  ///< of samples in memory
+};
+
+/// A volume as read, with what the reader had to decide, in sentences for the user ("Spacing is 1 x 1 x 1 with …: treat as unknown").
+struct LoadedVolume {
+  Volume volume;
+  std::vector<std::string> notes;
+};
+
+/// Reads .mha, .mhd (+ raw), .nrrd, .nhdr, .nii, .nii.gz into 8 bit echo levels with LPS directions. Other sample types are mapped
+/// linearly from their smallest..largest value to 0..255, and a note says so.
+/// @error notFound, notReadable, badHeader, badField (name, found, expected), truncated, tooLarge, unsupported, emptyVolume, cancelled
+[[nodiscard]] Result<LoadedVolume> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                              const ReadLimits& limits = {});
+
+struct WriteOptions {
+  bool compress = true;  ///< .mha only; a .mhd + .raw is never compressed, so that it can be mapped
+};
+
+/// Writes .mha or .mhd + .raw, aside first and renamed when complete: a failure leaves what was there before.
+/// Coverage goes to a file of its own: `writeCoverage`.
+/// @error notWritable, unsupported (ending), emptyVolume, cancelled
+[[nodiscard]] Result<void> writeVolume(const Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress(),
+                                       const WriteOptions& options = {});
+
+/// The coverage of a volume (0 absent, 1 interpolated, 2 measured) as a volume file of the same grid; and back.
+[[nodiscard]] Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress(),
+                                         const WriteOptions& options = {});
+[[nodiscard]] Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress());
+
+}  // namespace ew

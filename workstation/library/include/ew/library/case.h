@@ -1,0 +1,90 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/core/frames.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/imaging/frame.h"
+
+namespace ew {
+
+inline constexpr int kCaseFormat = 1;  ///< `format` of case.json; a file with a larger one is refused with newerFormat
+
+struct CasePatient {
+  std::string name;  ///< invented, never a real patient's
+  std::string sex;   ///< "female", "male", "other", ""
+  std::optional<int> age_years;
+  bool operator==(const CasePatient&) const = default;
+};
+
+/// Where the case's volume comes from and where it lies in the mannequin.
+struct CaseVolume {
+  std::string file;    ///< relative to the case folder ("volumes/abdomen.mha"), or empty when a recipe makes it
+  std::string recipe;  ///< virtual patient ("patient.json"), voxelised on first start into the cache; empty when there is a file
+  double recipeSpacing_mm = 1.0;
+  glm::dmat4 fileToWorld{1.0};  ///< rigid placement in the mannequin, mm, LPS
+  bool operator==(const CaseVolume&) const = default;
+};
+
+/// The manifest of a case folder: case.json, checked against resources/schemas/case.schema.json.
+struct Case {
+  std::string id;  ///< UUID or slug, unique in a library
+  std::string title;
+  std::string region;  ///< "upper abdomen"
+  CasePatient patient;
+  std::string history;
+  std::string indication;
+  std::string diagnosis;
+  CaseVolume volume;
+  std::string mannequin;            ///< file in resources/mannequin or in the case folder; empty: the default
+  std::vector<std::string> probes;  ///< ids; the first is the default; empty: all
+  Scene scene;
+  std::optional<Pose> startPose;
+  nlohmann::json otherFields = nlohmann::json::object();  ///< kept as they are
+
+  std::filesystem::path folder;  ///< where it was read from; not saved
+  bool operator==(const Case&) const = default;
+};
+
+/// Opens a case folder or its case.json and checks it against the schema and every file it names.
+/// @error notFound, badHeader, badField (field name, value found, value expected), newerFormat (with both version numbers), notRigid
+[[nodiscard]] Result<Case> loadCase(const std::filesystem::path& folderOrManifest);
+
+/// All problems of a case at once, each a sentence; empty when it is valid.
+[[nodiscard]] std::vector<Error> validateCase(const std::filesystem::path& folderOrManifest);
+
+/// Saves case.json, aside first, synced, renamed: a crash leaves the old or the new one, never half of one.
+/// @error notWritable, badField (what loadCase would refuse)
+[[nodiscard]] Result<void> saveCase(const Case& edited, const std::filesystem::path& folder);
+
+/// The cases in the sub-folders of `folder`, by title; folders that cannot be read come back as problems.
+struct CaseList {
+  std::vector<Case> cases;
+  std::vector<Error> problems;
+};
+[[nodiscard]] CaseList listCases(const std::filesystem::path& folder);
+
+/// The echo volume of a case, placed in the world: from its file, or from its recipe by way of the cache, making it when it is not there.
+/// @error as readVolume, readPatient, voxelise; notWritable for the cache is recovered (noted), not an error
+struct CaseEcho {
+  Volume volume;
+  std::vector<std::string> notes;
+};
+[[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress);
+
+/// Whether loadCaseVolume will have to make the volume first (and how long that takes is for the progress to say).
+[[nodiscard]] bool caseNeedsPreparation(const Case& opened);
+
+/// Where the program's own data are: $ECHOWEAVE_RESOURCES, beside the program, the source tree it was built from, or the installed place.
+[[nodiscard]] Result<std::filesystem::path> resourceFolder();
+[[nodiscard]] Result<std::filesystem::path> shippedCasesFolder();
+/// $ECHOWEAVE_CACHE, else $XDG_CACHE_HOME/echoweave, else ~/.cache/echoweave.
+[[nodiscard]] std::filesystem::path cacheFolder();
+
+}  // namespace ew

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+
+class QWidget;  // only named here; a plugin without a panel never includes Qt
+
+namespace ew::sdk {
+
+/// Volumes in files and in the workstation.
+class Volumes {
+ public:
+  virtual ~Volumes();
+  [[nodiscard]] virtual Result<Volume> read(const std::filesystem::path& file, Progress& progress) = 0;
+  [[nodiscard]] virtual Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
+  [[nodiscard]] virtual Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
+  /// Puts a volume into the scan view of the workstation; without a window it does nothing.
+  virtual void show(Volume volume, const std::string& title) = 0;
+};
+
+/// The case that is open, as the JSON of its manifest. The schema is the host's: a plugin sees values, the host checks them.
+class Cases {
+ public:
+  virtual ~Cases();
+  /// Manifest of the open case; empty when none is open.
+  [[nodiscard]] virtual std::optional<nlohmann::json> current() const = 0;
+  [[nodiscard]] virtual std::filesystem::path currentFolder() const = 0;
+  /// Replaces the manifest as one undoable step named `what`; checked against the schema first. Steps with the same non-empty mergeKey
+  /// in a row become one.
+  [[nodiscard]] virtual Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) = 0;
+  /// Saves the open case, crash-safely; into `folder` when given.
+  [[nodiscard]] virtual Result<void> save(const std::filesystem::path& folder = {}) = 0;
+  [[nodiscard]] virtual bool hasUnsavedChanges() const = 0;
+  /// Called on the window's thread whenever the open case or its saved state changed, also by undo. Returns a ticket; the callback lives
+  /// until the ticket is destroyed.
+  using Ticket = std::shared_ptr<void>;
+  [[nodiscard]] virtual Ticket onChanged(std::function<void()> callback) = 0;
+};
+
+/// Long work off the window's thread, shown as a progress card with cancel.
+class Jobs {
+ public:
+  virtual ~Jobs();
+  /// @param work runs on a worker; @param done runs on the window's thread afterwards, also after a failure or cancel
+  virtual void start(const std::string& title, std::function<Result<void>(Progress&)> work,
+                     std::function<void(const Result<void>&)> done) = 0;
+};
+
+/// Panels of the Author workspace.
+class Panels {
+ public:
+  virtual ~Panels();
+  /// The widget is made when the panel is first opened. Without a window nothing is made.
+  virtual void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget* parent)> make) = 0;
+};
+
+/// Headless commands: `echoweave NAME args…`.
+class Commands {
+ public:
+  virtual ~Commands();
+  struct Outcome {
+    std::vector<std::string> outputs;                     ///< files written
+    std::vector<std::pair<std::string, double>> quality;  ///< figures by name, unit in the name: for the report
+  };
+  /// @param usage one line; `args` are the words after the name without --report and --quiet, which the host handles
+  using Run = std::function<Result<Outcome>(const std::vector<std::string>& args, Progress& progress)>;
+  virtual void add(const std::string& name, const std::string& usage, Run run) = 0;
+};
+
+class Log {
+ public:
+  virtual ~Log();
+  virtual void info(const std::string& text) = 0;
+  virtual void warn(const std::string& text) = 0;
+  virtual void error(const std::string& text) = 0;
+};
+
+/// Everything a plugin may touch, handed in at creation; a test hands in a fake.
+class Host {
+ public:
+  virtual ~Host();
+  virtual Volumes& volumes() = 0;
+  virtual Cases& cases() = 0;
+  virtual Jobs& jobs() = 0;
+  virtual Panels& panels() = 0;
+  virtual Commands& commands() = 0;
+  virtual Log& log() = 0;
+};
+
+}  // namespace ew::sdk
