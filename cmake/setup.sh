@@ -1,0 +1,74 @@
+# Sourced by ./run and ./check: packages, configuration and build, in one place.
+# Call with the current directory at the top of the project.
+
+ew_say() { printf '%s\n' "$*" >&2; }
+
+# ew_missing_packages LIST...: the package names in resources/packages/LIST.txt that are not installed.
+ew_missing_packages() {
+  local list name
+  for list in "$@"; do
+    while read -r name; do
+      case $name in '' | \#*) continue ;; esac
+      [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || printf '%s\n' "$name"
+    done <"resources/packages/$list.txt"
+  done
+}
+
+# ew_install LIST...: installs what is missing, after saying what and how much.
+ew_install() {
+  local missing
+  missing=$(ew_missing_packages "$@" | tr '\n' ' ')
+  [ -n "${missing// /}" ] || return 0
+  if ! command -v apt-get >/dev/null; then
+    ew_say "These Debian packages are missing and there is no apt-get here to install them: $missing"
+    return 1
+  fi
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      ew_say "These packages are missing: $missing"
+      ew_say "Install them as root, then start again: apt-get install --no-install-recommends $missing"
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  ew_say "Missing Debian packages: $missing"
+  local log
+  log=$(mktemp)
+  # shellcheck disable=SC2086 — the names are words
+  if ! "${as_root[@]}" apt-get update >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    ew_say "The package lists could not be updated; check the network, then start again."
+    return 1
+  fi
+  "${as_root[@]}" env LC_ALL=C apt-get install --no-install-recommends --assume-no $missing 2>/dev/null |
+    grep -E '^Need to get|^After this operation|newly installed' >&2 || true
+  ew_say "Installing them now."
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    ew_say "The installation failed; the last lines above say why. The whole log is in $log."
+    return 1
+  fi
+  rm -f "$log"
+}
+
+# ew_build PRESET [TARGET...]: configures when needed, then builds.
+ew_build() {
+  local preset=$1
+  shift
+  local targets=()
+  [ $# -eq 0 ] || targets=(--target "$@")
+  export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
+  if [ ! -f "build/$preset/build.ninja" ]; then
+    local log
+    log=$(mktemp)
+    if ! cmake --preset "$preset" >"$log" 2>&1; then
+      tail -n 30 "$log" >&2
+      ew_say "The build could not be configured; the lines above say why. The whole log is in $log."
+      return 1
+    fi
+    rm -f "$log"
+  fi
+  cmake --build "build/$preset" "${targets[@]}" >&2
+}
