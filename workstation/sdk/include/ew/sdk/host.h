@@ -23,8 +23,21 @@ class Volumes {
   [[nodiscard]] virtual Result<Volume> read(const std::filesystem::path& file, Progress& progress) = 0;
   [[nodiscard]] virtual Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
   [[nodiscard]] virtual Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
+  /// Fills volume.coverage from a file of the same grid.
+  [[nodiscard]] virtual Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
   /// Puts a volume into the scan view of the workstation; without a window it does nothing.
   virtual void show(Volume volume, const std::string& title) = 0;
+};
+
+/// Text files: settings, projects, reports.
+class Files {
+ public:
+  virtual ~Files();
+  /// @error notFound, notReadable, tooLarge
+  [[nodiscard]] virtual Result<std::string> readText(const std::filesystem::path& file) = 0;
+  /// Complete or not at all: written aside, synced, renamed.
+  /// @error notWritable
+  [[nodiscard]] virtual Result<void> writeText(const std::filesystem::path& file, const std::string& text) = 0;
 };
 
 /// The case that is open, as the JSON of its manifest. The schema is the host's: a plugin sees values, the host checks them.
@@ -34,6 +47,8 @@ class Cases {
   /// Manifest of the open case; empty when none is open.
   [[nodiscard]] virtual std::optional<nlohmann::json> current() const = 0;
   [[nodiscard]] virtual std::filesystem::path currentFolder() const = 0;
+  /// Everything that is wrong with a manifest, one sentence each; `context` names the "field" ("patient.age_years"). Empty: it is valid.
+  [[nodiscard]] virtual std::vector<Error> check(const nlohmann::json& manifest) const = 0;
   /// Replaces the manifest as one undoable step named `what`; checked against the schema first. Steps with the same non-empty mergeKey
   /// in a row become one.
   [[nodiscard]] virtual Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) = 0;
@@ -89,6 +104,7 @@ class Host {
  public:
   virtual ~Host();
   virtual Volumes& volumes() = 0;
+  virtual Files& files() = 0;
   virtual Cases& cases() = 0;
   virtual Jobs& jobs() = 0;
   virtual Panels& panels() = 0;

@@ -1,0 +1,109 @@
+# ew_add_plugin(NAME LOGIC ... PANEL ... ENTRY ... [LINK ...] [PANEL_LINK ...] [DESCRIPTION text] [CAPABILITIES ...] [VERSION x.y.z]):
+# one plugin, the same way inside EchoWeave's own tree and outside it after find_package(EchoWeave REQUIRED COMPONENTS sdk).
+#   LOGIC  sources without Qt: the static library NAME_logic, which tests link on its own; LINK goes to it as well
+#   PANEL  Qt widgets (moc runs over them); Qt5::Widgets is linked when there are any
+#   ENTRY  the source with the three exported functions of ew/sdk/plugin.h
+# The library lands in <build>/lib/plugins/NAME/ with its manifest plugin.json beside it and installs to lib/echoweave/plugins/NAME.
+include_guard(GLOBAL)
+
+# The ABI number depends on the compiler, so the compiler is asked. Remembered per content of abi.h.
+function(ew_sdk_abi result)
+  get_target_property(folders ew::sdk INTERFACE_INCLUDE_DIRECTORIES)
+  foreach(folder ${folders})
+    string(REGEX REPLACE "\\$<BUILD_INTERFACE:([^>]*)>" "\\1" folder "${folder}")
+    if(EXISTS "${folder}/ew/sdk/abi.h")
+      set(header "${folder}/ew/sdk/abi.h")
+      break()
+    endif()
+  endforeach()
+  if(NOT header)
+    message(FATAL_ERROR "ew/sdk/abi.h was not found beside the target ew::sdk; the EchoWeave SDK is not complete.")
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+  file(SHA1 "${header}" hash)
+  string(SUBSTRING "${hash}" 0 12 hash)
+  if(NOT DEFINED EW_SDK_ABI_${hash})
+    set(probe "${CMAKE_CURRENT_BINARY_DIR}/ew_abi/probe.cpp")
+    file(WRITE "${probe}" "#include \"${header}\"\n#include <cstdio>\nint main() { std::printf(\"%u\", ew::sdk::kAbi); }\n")
+    try_run(ran compiled "${CMAKE_CURRENT_BINARY_DIR}/ew_abi" "${probe}" CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON
+      COMPILE_OUTPUT_VARIABLE said RUN_OUTPUT_VARIABLE number)
+    unset(ran CACHE)
+    unset(compiled CACHE)
+    if(NOT number MATCHES "^[0-9]+$")
+      message(FATAL_ERROR "The ABI number of the EchoWeave SDK could not be found out:\n${said}")
+    endif()
+    set(EW_SDK_ABI_${hash} ${number} CACHE INTERNAL "ABI number of the EchoWeave SDK")
+  endif()
+  set(${result} ${EW_SDK_ABI_${hash}} PARENT_SCOPE)
+endfunction()
+
+function(ew_add_plugin name)
+  cmake_parse_arguments(arg "" "DESCRIPTION;VERSION;TITLE" "LOGIC;PANEL;ENTRY;LINK;PANEL_LINK;CAPABILITIES" ${ARGN})
+  if(NOT arg_ENTRY)
+    message(FATAL_ERROR "ew_add_plugin(${name}): name the source with the exported functions after ENTRY.")
+  endif()
+  if(NOT arg_VERSION)
+    set(arg_VERSION ${PROJECT_VERSION})
+  endif()
+  if(NOT arg_VERSION)
+    set(arg_VERSION 0.0.0)
+  endif()
+  if(NOT arg_TITLE)
+    set(arg_TITLE ${name})
+  endif()
+
+  add_library(ew_plugin_${name} MODULE ${arg_ENTRY} ${arg_PANEL})
+  target_link_libraries(ew_plugin_${name} PRIVATE ew::sdk ${arg_PANEL_LINK})
+  if(arg_LOGIC)
+    add_library(ew_${name}_logic STATIC ${arg_LOGIC})
+    add_library(ew::${name}_logic ALIAS ew_${name}_logic)
+    target_include_directories(ew_${name}_logic PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(ew_${name}_logic PUBLIC ew::sdk ${arg_LINK})
+    target_link_libraries(ew_plugin_${name} PRIVATE ew_${name}_logic)
+  else()
+    target_include_directories(ew_plugin_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(ew_plugin_${name} PRIVATE ${arg_LINK})
+  endif()
+  if(arg_PANEL)
+    if(NOT TARGET Qt5::Widgets)
+      find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets)
+    endif()
+    set_target_properties(ew_plugin_${name} PROPERTIES AUTOMOC ON)
+    target_link_libraries(ew_plugin_${name} PRIVATE Qt5::Widgets)
+    target_compile_definitions(ew_plugin_${name} PRIVATE QT_NO_KEYWORDS)
+  endif()
+  foreach(target ew_plugin_${name} ew_${name}_logic)
+    if(TARGET ${target})
+      set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON POSITION_INDEPENDENT_CODE ON)
+      target_compile_features(${target} PUBLIC cxx_std_20)
+      if(TARGET ew::warnings)
+        target_link_libraries(${target} PRIVATE ew::warnings ew::sanitizers)
+      endif()
+    endif()
+  endforeach()
+  # Everything a plugin needs must be found when it is linked, and it stays loaded: what it registered with VTK or Qt lives on.
+  # A sanitizer's own symbols come from the program, so there the first check has to rest.
+  target_link_options(ew_plugin_${name} PRIVATE -Wl,-z,nodelete $<$<NOT:$<BOOL:${EW_SANITIZE}>>:-Wl,-z,defs>)
+  set(folder ${CMAKE_BINARY_DIR}/lib/plugins/${name})
+  set_target_properties(ew_plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${folder})
+
+  ew_sdk_abi(abi)
+  set(capabilities "")
+  foreach(capability ${arg_CAPABILITIES})
+    list(APPEND capabilities "\"${capability}\"")
+  endforeach()
+  list(JOIN capabilities ", " capabilities)
+  string(REPLACE "\"" "\\\"" description "${arg_DESCRIPTION}")
+  file(CONFIGURE OUTPUT ${folder}/plugin.json @ONLY CONTENT [[{
+  "name": "@name@",
+  "title": "@arg_TITLE@",
+  "version": "@arg_VERSION@",
+  "abi": @abi@,
+  "library": "@name@.so",
+  "capabilities": [@capabilities@],
+  "description": "@description@"
+}
+]])
+  install(TARGETS ew_plugin_${name} LIBRARY DESTINATION lib/echoweave/plugins/${name} COMPONENT runtime)
+  install(FILES ${folder}/plugin.json DESTINATION lib/echoweave/plugins/${name} COMPONENT runtime)
+endfunction()

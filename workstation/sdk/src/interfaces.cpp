@@ -1,0 +1,17 @@
+#include "ew/sdk/host.h"
+#include "ew/sdk/plugin.h"
+
+namespace ew::sdk {
+
+// Out of line, so that a vtable has one home per library and RTTI compares equal across the plugin's border.
+Volumes::~Volumes() = default;
+Files::~Files() = default;
+Cases::~Cases() = default;
+Jobs::~Jobs() = default;
+Panels::~Panels() = default;
+Commands::~Commands() = default;
+Log::~Log() = default;
+Host::~Host() = default;
+Plugin::~Plugin() = default;
+
+}  // namespace ew::sdk
