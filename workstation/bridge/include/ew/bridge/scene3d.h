@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ew/bridge/mannequin.h"
+#include "ew/core/image.h"
+#include "ew/core/pose.h"
+#include "ew/core/volume.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/probe.h"
+#include "ew/tracking/hand.h"
+
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace ew::bridge {
+
+enum class CameraPreset { front, back, right, left, top };  ///< seen from the patient's front, ..., head
+
+struct Ray {
+  glm::dvec3 from_mm{0.0};
+  glm::dvec3 direction{0.0};  ///< unit length, away from the viewer
+};
+
+/// Red, green, blue, each 0..1.
+struct SceneColours {
+  glm::dvec3 groundTop{0.125, 0.130, 0.145};
+  glm::dvec3 groundBottom{0.095, 0.100, 0.112};
+  glm::dvec3 skin{0.80, 0.69, 0.615};
+  glm::dvec3 box{0.78, 0.80, 0.83};
+  glm::dvec3 accent{0.310, 0.706, 0.753};
+  glm::dvec3 housing{0.90, 0.91, 0.93};
+};
+[[nodiscard]] SceneColours darkColours();
+[[nodiscard]] SceneColours lightColours();
+
+/// What stands in the 3D view: mannequin, volume box, probe, fan; and the camera that looks at it. Draws into a render window it is
+/// given, and only when render() is called. Points on the screen are in device pixels from the window's upper left corner.
+/// The fan, the box and the probe lie in a layer over the body, so the body never hides the fan; a probe behind the body turns
+/// translucent. Body triangles facing away are not drawn; no multisampling, no depth peeling (both cost a multiple on software GL).
+class Scene3D {
+ public:
+  explicit Scene3D(vtkRenderWindow& window);
+  ~Scene3D();
+  Scene3D(const Scene3D&) = delete;
+  Scene3D& operator=(const Scene3D&) = delete;
+
+  void setMannequin(std::shared_ptr<const Mannequin> mannequin);
+  [[nodiscard]] std::shared_ptr<const Mannequin> mannequin() const;
+  void setBodyOpacity(double opacity);  ///< 0..1; 1 is opaque
+
+  void setVolumeBox(const Grid& grid);
+  void clearVolumeBox();
+
+  /// Housing and fan of a probe, the fan down to `depth_mm`; nothing is shown before the first pose.
+  void setProbe(const Probe& probe, double depth_mm);
+  void setPose(const Pose& pose);  ///< one that is not ok hides probe and fan
+  void setProbeVisible(bool visible);
+  /// The live picture, drawn inside the fan's outline where it belongs; copied.
+  void setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry);
+  void clearFanImage();  ///< the fan becomes a tinted pane
+  /// Corners of the drawn fan in the world, in the order of fanOutline_mm; empty while it is hidden.
+  [[nodiscard]] std::vector<glm::dvec3> fanCorners_mm() const;
+
+  void setColours(const SceneColours& colours);
+
+  void showFrom(CameraPreset preset);
+  void fitToVolume();                           ///< keeps the direction of view; the trunk when there is no box
+  void orbit(double right_rad, double up_rad);  ///< the viewer moves around the focal point; 85 degrees up or down at most
+  void pan(glm::dvec2 by_px);                   ///< the scene follows the pointer; the focal point stays near the body
+  void zoom(double factor);                     ///< above 1 comes closer; from 150 mm to 6 m
+  [[nodiscard]] glm::dmat4 worldToView() const;
+
+  [[nodiscard]] Ray rayAt(glm::dvec2 at_px) const;
+  [[nodiscard]] std::optional<Skin::Contact> contactAt(glm::dvec2 at_px) const;
+  [[nodiscard]] bool isProbeAt(glm::dvec2 at_px) const;
+  [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_world_mm) const;
+  [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_world_mm) const;
+  [[nodiscard]] glm::dvec3 cameraRight() const;  ///< unit, world
+  [[nodiscard]] glm::dvec3 cameraUp() const;     ///< unit, world
+
+  void render();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ew::bridge

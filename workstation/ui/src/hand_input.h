@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QKeyEvent>
+#include <QMetaType>
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <memory>
+
+#include "ew/tracking/hand.h"
+
+class QGestureEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace ew::ui {
+
+class View3D;
+
+/// The mouse and the keyboard as a hand on the probe. Watches the 3D view and the scan view, changes the hold and says so.
+///   3D view    left drag on probe or body: slide, the contact follows the pointer; click elsewhere on the skin: put it there
+///              right drag: orbit; middle drag: pan; Ctrl or Alt + right drag, or pinch: zoom
+///   scan view  left drag: slide along lateral and elevational
+///   both       wheel: tilt; Shift + wheel: rock; Ctrl + wheel: rotate
+///   keys       arrows: slide 2 mm (Shift: 10 mm), Q/E: rotate, A/D: rock, W/S: tilt, Home: back to the start
+/// It changes nothing while disabled (setEnabled) except the camera.
+class HandInput : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HandInput(QObject* parent = nullptr);
+  ~HandInput() override;
+
+  /// Watches the 3D view; its skin is the one the probe slides on, in both views.
+  void watch(View3D* view);
+  /// Watches a scan view. @param lateralPerPixel_mm what one pixel to the right in the picture is along the probe's lateral axis, in mm;
+  ///        negative when the picture shows the marker's side at the left (the sign of imageToProbe's first entry)
+  void watch(QWidget* scanView, std::function<double()> lateralPerPixel_mm);
+
+  [[nodiscard]] const Hold& hold() const;
+  /// Sets without a signal: for undo, replay, a case that opens.
+  void setHold(const Hold& hold);
+  /// Where Home goes; the first hold set is the start until this is called.
+  void setStartHold(const Hold& hold);
+  void setEnabled(bool enabled);
+
+  /// Acts on a key as described above. @return whether the key was one of these
+  bool handleKey(const QKeyEvent& key, const QWidget* where = nullptr);
+
+ Q_SIGNALS:
+  void holdChanged(const ew::Hold& hold);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ew::ui
+
+Q_DECLARE_METATYPE(ew::Hold)

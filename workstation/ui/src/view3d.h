@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QPoint>
+#include <QWidget>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "ew/bridge/mannequin.h"
+#include "ew/bridge/scene3d.h"
+#include "ew/core/image.h"
+#include "ew/core/pose.h"
+#include "ew/core/volume.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/probe.h"
+#include "ew/tracking/hand.h"
+
+namespace ew::ui {
+
+/// The mannequin with volume box, probe and live fan, as an interactive picture. Every setter asks for one redraw at the end of the
+/// current turn of the event loop; nothing is drawn twice. Points are in logical pixels of this widget.
+class View3D : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit View3D(QWidget* parent = nullptr);
+  ~View3D() override;
+
+  /// The body: a recipe (.json) or a mesh (.stl, .ply, .obj). On an error the present body stays. Takes about half a second for a recipe;
+  /// a window that must not wait calls bridge::loadMannequin on a worker and setMannequin afterwards.
+  /// @error as bridge::loadMannequin
+  [[nodiscard]] Result<void> setMannequinFile(const std::filesystem::path& file);
+  void setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
+  /// The surface the probe slides on; before a mannequin is set an ellipsoid of a trunk's size, never null.
+  [[nodiscard]] std::shared_ptr<const Skin> skin() const;
+
+  void setVolumeBox(const Grid& grid);
+  void clearVolumeBox();
+
+  void setProbe(const Probe& probe, double depth_mm);
+  void setPose(const Pose& pose);  ///< a pose that is not ok hides probe and fan
+  void setProbeVisible(bool visible);
+  /// Pixels and where they lie; copied, so the view may change afterwards.
+  void setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry);
+  void clearFanImage();  ///< the fan becomes a tinted pane
+
+  void setDarkTheme(bool dark);
+  void setBodyOpacity(double opacity);  ///< 0..1
+  void setHint(const QString& text);    ///< the line at the lower left; empty hides it
+  [[nodiscard]] QString defaultHint() const;
+
+  void showFrom(bridge::CameraPreset preset);
+  void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
+
+  /// Draws once, at the end of this turn of the event loop.
+  void render();
+  /// Draws at once, for screenshots; the picture is complete when this returns.
+  void renderNow();
+
+  /// Where the ray through a pixel first meets the skin.
+  [[nodiscard]] std::optional<Skin::Contact> contactAt(const QPoint& at) const;
+  /// Line of sight through a pixel.
+  [[nodiscard]] bridge::Ray rayAt(const QPointF& at) const;
+  /// Whether the pixel shows the probe's housing.
+  [[nodiscard]] bool isProbeAt(const QPoint& at) const;
+  [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
+
+  /// The widget that receives mouse, wheel and keys.
+  [[nodiscard]] QWidget* canvas() const;
+  [[nodiscard]] bridge::Scene3D& scene();
+  [[nodiscard]] const bridge::Scene3D& scene() const;
+
+ Q_SIGNALS:
+  void mannequinChanged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ew::ui
