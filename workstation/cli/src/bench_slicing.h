@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+
+namespace ew {
+
+/// What `echoweave bench slicing` measures; the defaults take about a minute.
+struct BenchOptions {
+  std::vector<int> volumeSides = {256, 512};  ///< cubes of this many voxels a side, 8..1024
+  int sliceSide = 400;                        ///< pixels a side of each slice, one voxel a pixel; 16..4096
+  int poses = 40;                             ///< per kind of pose (random, smooth), 2..1000
+  int repetitions = 7;                        ///< interleaved; the medians are reported; 1..1000
+  bool peers = true;                          ///< also measure vtkImageReslice
+  std::filesystem::path html;                 ///< folder that receives slicing.html; empty: no page
+};
+
+/// Times every slicer on one thread against vtkImageReslice (also on one thread) and measures each against an analytic band-limited
+/// field. The result is the `quality` and `steps` part of the report: {"machine", "threads", "sliceSide", "poses", "results": [{"name",
+/// "method", "peer", "volumeSide", "poseKind", "median_us", "psnr_db", "worst_grey"}], "ratios": [{"volumeSide", "poseKind", "quality",
+/// "timesFaster"}], "steps": [{"name", "count", "median_us", "p99_us", "max_us"}]}.
+/// @error badUsage (an option outside its range), notWritable (the page), cancelled
+[[nodiscard]] Result<nlohmann::json> benchSlicing(const BenchOptions& options, Progress& progress);
+
+}  // namespace ew
