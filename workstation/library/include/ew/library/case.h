@@ -59,8 +59,26 @@ struct Case {
 /// All problems of a case at once, each a sentence; empty when it is valid.
 [[nodiscard]] std::vector<Error> validateCase(const std::filesystem::path& folderOrManifest);
 
-/// Saves case.json, aside first, synced, renamed: a crash leaves the old or the new one, never half of one.
-/// @error notWritable, badField (what loadCase would refuse)
+/// A case from the JSON of its manifest, with the checks of loadCase.
+/// @param folder the case folder, against which named files are checked; empty: no file is looked for (a new case, not saved yet)
+/// @error badField, newerFormat, notRigid, notFound
+[[nodiscard]] Result<Case> caseFromManifest(const nlohmann::json& manifest, const std::filesystem::path& folder);
+
+/// The manifest of a case, unknown fields included: caseFromManifest(manifestOf(c), c.folder) == c.
+[[nodiscard]] nlohmann::json manifestOf(const Case& edited);
+
+/// All problems of a manifest at once, each a sentence with the context "field"; empty when caseFromManifest takes it.
+[[nodiscard]] std::vector<Error> checkManifest(const nlohmann::json& manifest, const std::filesystem::path& folder);
+
+/// A relative path of a manifest as a path on disk.
+/// @param field how the sentences call it ("volume.file")
+/// @error badField when it is empty, absolute, contains "..", or leaves the folder through a symbolic link; notFound
+[[nodiscard]] Result<std::filesystem::path> fileOfCase(const std::filesystem::path& folder, const std::string& relative,
+                                                       const std::string& field);
+
+/// Saves case.json, aside first, synced, renamed: a crash leaves the old or the new one, never half of one. When `folder` is not the
+/// folder the case came from, everything in that folder is copied first; the new folder appears complete or not at all.
+/// @error notWritable (also when `folder` holds something else already), badField (what loadCase would refuse)
 [[nodiscard]] Result<void> saveCase(const Case& edited, const std::filesystem::path& folder);
 
 /// The cases in the sub-folders of `folder`, by title; folders that cannot be read come back as problems.

@@ -1,0 +1,183 @@
+#include "ew/library/case.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "ew/io/safe_file.h"
+#include "ew/library/schema.h"
+#include "manifest.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestManifest_bytes = 4u << 20;
+
+fs::path folderOf(const fs::path& folderOrManifest) {
+  std::error_code ignored;
+  if (fs::is_directory(folderOrManifest, ignored)) return folderOrManifest;
+  return folderOrManifest.has_parent_path() ? folderOrManifest.parent_path() : fs::path(".");
+}
+
+Result<nlohmann::json> readManifest(const fs::path& folderOrManifest) {
+  std::error_code ignored;
+  const bool isFolder = fs::is_directory(folderOrManifest, ignored);
+  const fs::path file = isFolder ? folderOrManifest / kManifestName : folderOrManifest;
+  if (isFolder && !fs::exists(file, ignored))
+    return failure(
+        ErrorCode::notFound,
+        "The folder '" + folderOrManifest.string() + "' holds no " + kManifestName + ", so it is not a case; choose a case folder.",
+        {{"file", file.string()}});
+  auto text = readTextFile(file, kLargestManifest_bytes);
+  if (!text) return passOn(text.error());
+  auto manifest = parseJson(*text, file.filename().string());
+  if (!manifest) {
+    Error problem = manifest.error();
+    problem.context.emplace_back("path", file.string());
+    return passOn(std::move(problem));
+  }
+  return manifest;
+}
+
+bool inside(const fs::path& file, const fs::path& folder) {
+  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return end == folder.end() && rest != file.end();
+}
+
+bool sameFolder(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+Result<std::string> manifestText(const Case& edited) {
+  try {
+    return orderedManifestOf(edited).dump(2) + "\n";
+  } catch (const nlohmann::json::exception&) {
+    return failure(ErrorCode::badField, "A text of the case is not valid UTF-8 and cannot be saved; type it again.");
+  }
+}
+
+Result<void> writeManifest(const Case& edited, const fs::path& folder) {
+  auto text = manifestText(edited);
+  if (!text) return passOn(text.error());
+  if (auto problems = checkManifest(manifestOf(edited), folder); !problems.empty()) return passOn(std::move(problems.front()));
+  return writeFileSafely(folder / kManifestName, *text);
+}
+
+/// A copy of the whole case under another name, made aside and renamed, so that a half-copied case never carries the final name.
+Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && fs::is_empty(folder, error)))
+    return failure(ErrorCode::notWritable,
+                   "'" + folder.string() + "' is not empty, and nothing in it is overwritten; choose a new or an empty folder.",
+                   {{"file", folder.string()}});
+  fs::path target = fs::absolute(folder, error);
+  if (!target.has_filename()) target = target.parent_path();
+  if (inside(fs::weakly_canonical(target, error), fs::weakly_canonical(edited.folder, error)))
+    return failure(ErrorCode::notWritable, "A case cannot be saved inside its own folder; choose a folder beside it.",
+                   {{"file", folder.string()}});
+  const fs::path aside = target.parent_path() / ("." + target.filename().string() + ".new-" + std::to_string(::getpid()));
+  const auto giveUp = [&](const std::string& reason) {
+    std::error_code ignored;
+    fs::remove_all(aside, ignored);
+    return failure(
+        ErrorCode::notWritable,
+        "The case cannot be saved to '" + folder.string() + "' (" + reason + "); choose a folder you may write to, with enough space.",
+        {{"file", folder.string()}});
+  };
+  fs::remove_all(aside, error);
+  fs::create_directories(target.parent_path(), error);
+  if (error) return giveUp(error.message());
+  fs::copy(edited.folder, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
+  if (error) return giveUp(error.message());
+  if (auto written = writeManifest(edited, aside); !written) {
+    fs::remove_all(aside, error);
+    return written;
+  }
+  fs::rename(aside, target, error);  // replaces an empty folder, fails on anything else
+  if (error) return giveUp(error.message());
+  return {};
+}
+
+}  // namespace
+
+Result<fs::path> fileOfCase(const fs::path& folder, const std::string& relative, const std::string& field) {
+  const fs::path path(relative);
+  const auto refuse = [&](ErrorCode code, const std::string& why) {
+    return failure(code, "'" + field + "' in " + kManifestName + " is \"" + relative + "\", " + why,
+                   {{"field", field}, {"found", relative}, {"expected", "a file inside the case folder"}});
+  };
+  if (relative.empty() || path.is_absolute() || relative.find('\0') != std::string::npos || relative.find('\\') != std::string::npos ||
+      std::find(path.begin(), path.end(), "..") != path.end())
+    return refuse(ErrorCode::badField,
+                  "which is not a relative path inside the case folder; copy the file into the case folder and name it there.");
+  if (folder.empty()) return path;
+  std::error_code error;
+  const fs::path root = fs::canonical(folder, error);
+  if (error) return refuse(ErrorCode::notFound, "but the case folder cannot be opened; check that it is still there.");
+  const fs::path file = fs::weakly_canonical(root / path, error);
+  if (error || !inside(file, root))
+    return refuse(ErrorCode::badField, "which leads out of the case folder through a link; copy the file itself into the case folder.");
+  if (!fs::is_regular_file(file, error))
+    return refuse(ErrorCode::notFound, "but there is no such file in the case folder; put it there or correct the name.");
+  return file;
+}
+
+Result<Case> loadCase(const fs::path& folderOrManifest) {
+  auto manifest = readManifest(folderOrManifest);
+  if (!manifest) return passOn(manifest.error());
+  return caseFromManifest(*manifest, folderOf(folderOrManifest));
+}
+
+std::vector<Error> validateCase(const fs::path& folderOrManifest) {
+  auto manifest = readManifest(folderOrManifest);
+  if (!manifest) return {manifest.error()};
+  return checkManifest(*manifest, folderOf(folderOrManifest));
+}
+
+Result<void> saveCase(const Case& edited, const fs::path& folder) {
+  if (!edited.folder.empty() && !sameFolder(edited.folder, folder)) return saveElsewhere(edited, folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    return failure(ErrorCode::notWritable,
+                   "The case folder '" + folder.string() + "' cannot be made (" + error.message() + "); choose a folder you may write to.",
+                   {{"file", folder.string()}});
+  return writeManifest(edited, folder);
+}
+
+CaseList listCases(const fs::path& folder) {
+  CaseList found;
+  std::error_code error;
+  fs::directory_iterator entries(folder, error);
+  if (error) {
+    found.problems.push_back(
+        {ErrorCode::notReadable,
+         "The case library '" + folder.string() + "' cannot be opened (" + error.message() + "); choose another folder.",
+         {{"file", folder.string()}}});
+    return found;
+  }
+  for (; entries != fs::directory_iterator(); entries.increment(error)) {
+    const fs::path& entry = entries->path();
+    std::error_code ignored;
+    // A hidden folder is a save in progress or a tool's own; a folder without a manifest is not a case.
+    if (entry.filename().string().starts_with('.') || !fs::exists(entry / kManifestName, ignored)) continue;
+    auto opened = loadCase(entry);
+    if (opened)
+      found.cases.push_back(std::move(*opened));
+    else {
+      Error problem = opened.error();
+      problem.context.emplace_back("case", entry.string());
+      found.problems.push_back(std::move(problem));
+    }
+  }
+  std::sort(found.cases.begin(), found.cases.end(),
+            [](const Case& a, const Case& b) { return std::tie(a.title, a.id) < std::tie(b.title, b.id); });
+  std::sort(found.problems.begin(), found.problems.end(), [](const Error& a, const Error& b) { return a.sentence < b.sentence; });
+  return found;
+}
+
+}  // namespace ew

@@ -1,0 +1,230 @@
+#include "ew/library/schema.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "schema_text.h"
+
+namespace ew {
+namespace {
+
+constexpr int kDeepestNesting = 64;
+
+struct LoadedSchema {
+  nlohmann::json document;
+  valijson::Schema rules;
+};
+
+const LoadedSchema& loadedSchema(SchemaName name) {
+  const auto load = [](const char* text, LoadedSchema& into) {
+    into.document = nlohmann::json::parse(text);
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(into.document), into.rules);
+    return true;
+  };
+  if (name == SchemaName::caseManifest) {
+    static LoadedSchema caseSchema;
+    static const bool ready = load(kCaseSchemaText, caseSchema);
+    static_cast<void>(ready);
+    return caseSchema;
+  }
+  static LoadedSchema pluginSchema;
+  static const bool ready = load(kPluginSchemaText, pluginSchema);
+  static_cast<void>(ready);
+  return pluginSchema;
+}
+
+/// One step into a document: a property's name or an index.
+using Path = std::vector<std::string>;
+
+/// valijson writes a place as "<root>", "[patient]", "[3]".
+Path pathOf(const std::vector<std::string>& context) {
+  Path path;
+  for (std::size_t i = 1; i < context.size(); ++i) {
+    const std::string& step = context[i];
+    path.push_back(step.size() >= 2 && step.front() == '[' && step.back() == ']' ? step.substr(1, step.size() - 2) : step);
+  }
+  return path;
+}
+
+bool isIndex(const std::string& step) {
+  return !step.empty() && step.size() < 10 && std::all_of(step.begin(), step.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string fieldName(const Path& path) {
+  std::string name;
+  for (const auto& step : path) {
+    if (isIndex(step))
+      name += "[" + step + "]";
+    else
+      name += (name.empty() ? "" : ".") + step;
+  }
+  return name;
+}
+
+const nlohmann::json* valueAt(const nlohmann::json& document, const Path& path) {
+  const nlohmann::json* at = &document;
+  for (const auto& step : path) {
+    if (at->is_object() && at->contains(step))
+      at = &(*at)[step];
+    else if (at->is_array() && isIndex(step) && std::stoul(step) < at->size())
+      at = &(*at)[std::stoul(step)];
+    else
+      return nullptr;
+  }
+  return at;
+}
+
+std::string expectedAt(const nlohmann::json& schema, const Path& path) {
+  const nlohmann::json* at = &schema;
+  for (const auto& step : path) {
+    if (at->contains("properties") && (*at)["properties"].contains(step))
+      at = &(*at)["properties"][step];
+    else if (at->contains("items"))
+      at = &(*at)["items"];
+    else
+      return {};
+  }
+  return at->value("description", std::string());
+}
+
+/// A value as a person can recognise it: short, on one line.
+std::string shown(const nlohmann::json& value) {
+  if (value.is_object()) return value.empty() ? "an empty object" : "an object with " + std::to_string(value.size()) + " fields";
+  if (value.is_array()) return "a list of " + std::to_string(value.size());
+  if (value.is_string()) {
+    const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) return text;
+    return "a text of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";
+  }
+  return value.dump();
+}
+
+std::optional<std::string> missingProperty(const std::string& description) {
+  constexpr std::string_view opening = "Missing required property '";
+  if (!description.starts_with(opening) || !description.ends_with("'.")) return std::nullopt;
+  return description.substr(opening.size(), description.size() - opening.size() - 2);
+}
+
+/// valijson reports the failure of a child once more at each of its parents; those say nothing new.
+bool onlyRepeatsAChild(const std::string& description) {
+  constexpr std::array<std::string_view, 4> repeats = {"Failed to validate against schema associated with property name",
+                                                       "Failed to validate item #", "Failed to validate against child schema #",
+                                                       "Failed to validate against additional"};
+  return std::any_of(repeats.begin(), repeats.end(), [&](std::string_view r) { return description.starts_with(r); });
+}
+
+Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, const Path& path, const std::string& documentName) {
+  const nlohmann::json* found = valueAt(document, path);
+  const std::string field = fieldName(path);
+  const std::string expected = expectedAt(schema, path);
+  const std::string foundText = found == nullptr ? "missing" : shown(*found);
+  std::string sentence = field.empty() ? documentName + " is " + foundText : "'" + field + "' in " + documentName + " is " + foundText;
+  sentence += expected.empty() ? ", which cannot be used." : "; it must be " + expected + ".";
+  return {ErrorCode::badField, sentence, {{"field", field}, {"found", foundText}, {"expected", expected}}};
+}
+
+/// Texts that are too long for their pattern. std::regex recurses once per character, so these must never reach it.
+std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohmann::json& schema, const std::string& documentName) {
+  std::vector<Error> problems;
+  if (!document.is_object()) return problems;
+  for (const auto& [name, rule] : schema["properties"].items()) {
+    if (!rule.contains("pattern") || !document.contains(name) || !document[name].is_string()) continue;
+    if (document[name].get_ref<const std::string&>().size() > rule["maxLength"].get<std::size_t>())
+      problems.push_back(problemAt(document, schema, {name}, documentName));
+  }
+  return problems;
+}
+
+bool nestsDeeperThan(const std::string& text, int limit) {
+  int depth = 0;
+  bool inString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        inString = false;
+    } else if (c == '"') {
+      inString = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > limit) return true;
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const std::string& documentName) {
+  const LoadedSchema& schema = loadedSchema(name);
+  if (auto overlong = overlongPatterns(document, schema.document, documentName); !overlong.empty()) return overlong;
+  valijson::Validator validator(valijson::Validator::kStrongTypes);
+  valijson::ValidationResults results;
+  if (validator.validate(schema.rules, valijson::adapters::NlohmannJsonAdapter(document), &results)) return {};
+
+  std::vector<Error> problems;
+  const auto add = [&](Error problem) {
+    // A value that breaks two rules (type and range) is one problem to its author.
+    if (std::none_of(problems.begin(), problems.end(), [&](const Error& p) { return p.context.front() == problem.context.front(); }))
+      problems.push_back(std::move(problem));
+  };
+  valijson::ValidationResults::Error error;
+  std::vector<valijson::ValidationResults::Error> all;
+  while (results.popError(error)) all.push_back(error);
+  for (const auto& each : all) {
+    Path path = pathOf(each.context);
+    if (const auto missing = missingProperty(each.description)) {
+      // The branches of a oneOf report their own requirements; only the oneOf as a whole is a sentence worth saying.
+      const nlohmann::json* owner = &schema.document;
+      for (const auto& step : path)
+        if (owner->contains("properties") && (*owner)["properties"].contains(step)) owner = &(*owner)["properties"][step];
+      const auto required = owner->value("required", nlohmann::json::array());
+      if (std::find(required.begin(), required.end(), *missing) == required.end()) continue;
+      path.push_back(*missing);
+    } else if (onlyRepeatsAChild(each.description)) {
+      continue;
+    }
+    add(problemAt(document, schema.document, path, documentName));
+  }
+  // Whatever valijson found must never be lost by the filters above.
+  if (problems.empty())
+    add(problemAt(document, schema.document, pathOf(all.empty() ? std::vector<std::string>{} : all.front().context), documentName));
+  return problems;
+}
+
+Result<nlohmann::json> parseJson(const std::string& text, const std::string& documentName) {
+  if (nestsDeeperThan(text, kDeepestNesting))
+    return failure(ErrorCode::badHeader,
+                   documentName + " nests deeper than " + std::to_string(kDeepestNesting) +
+                       " levels, which no file of this program does; "
+                       "check that it is the right file.",
+                   {{"file", documentName}});
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& problem) {
+    const std::size_t end = std::min(problem.byte == 0 ? 0 : problem.byte - 1, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    const std::size_t lineStart = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    const std::size_t column = lineStart == std::string::npos ? end + 1 : end - lineStart;
+    return failure(ErrorCode::badHeader,
+                   documentName + " is not valid JSON: it breaks at line " + std::to_string(line) + ", column " + std::to_string(column) +
+                       "; correct it there or restore an earlier copy.",
+                   {{"file", documentName}, {"line", std::to_string(line)}, {"column", std::to_string(column)}});
+  } catch (const std::exception& problem) {
+    return failure(ErrorCode::badHeader, documentName + " cannot be read as JSON; restore an earlier copy.", {{"reason", problem.what()}});
+  }
+}
+
+}  // namespace ew

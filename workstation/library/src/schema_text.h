@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ew {
+
+/// Text of resources/schemas/*.schema.json, put in by CMake.
+extern const char* const kCaseSchemaText;
+extern const char* const kPluginSchemaText;
+
+}  // namespace ew
