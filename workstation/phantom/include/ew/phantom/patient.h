@@ -11,6 +11,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/phantom/body_shape.h"
 
 namespace ew {
 
@@ -54,22 +55,5 @@ struct VoxelisedPatient {
 /// Samples the anatomy on a grid: echo with speckle, bright organ borders, shadow-free truth, and a label per voxel.
 /// @error tooLarge (with the forecast), cancelled
 [[nodiscard]] Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
-
-/// A triangle mesh in world coordinates (LPS, mm), outward normals, counter-clockwise seen from outside.
-struct SurfaceMesh {
-  std::vector<glm::vec3> points_mm;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::ivec3> triangles;
-};
-
-/// The implicit body of a mannequin recipe (resources/mannequin/*.json): blended ellipsoids and tapered capsules.
-class BodyShape {
- public:
-  virtual ~BodyShape();
-  /// Signed distance in mm, negative inside.
-  [[nodiscard]] virtual double signedDistance_mm(const glm::dvec3& p_world_mm) const = 0;
-  [[nodiscard]] virtual Bounds bounds() const = 0;
-};
-[[nodiscard]] Result<std::unique_ptr<BodyShape>> readBodyShape(const std::filesystem::path& recipe);
 
 }  // namespace ew

@@ -1,0 +1,215 @@
+#include "shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ew/core/contract.h"
+
+namespace ew::phantom {
+namespace {
+
+// Half spaces reach beyond any scene; a finite box keeps arithmetic on bounds free of infinities.
+constexpr double kFar_mm = 1e5;
+
+class EllipsoidShape final : public Shape {
+ public:
+  explicit EllipsoidShape(const Ellipsoid& e)
+      : centre_(e.centre_mm), toAxes_(glm::transpose(e.axes)), smallest_(glm::min(e.radii_mm.x, glm::min(e.radii_mm.y, e.radii_mm.z))) {
+    inverse_ = 1.0 / e.radii_mm;
+    glm::dvec3 half;
+    for (int axis = 0; axis < 3; ++axis) {
+      const glm::dvec3 row(e.axes[0][axis] * e.radii_mm.x, e.axes[1][axis] * e.radii_mm.y, e.axes[2][axis] * e.radii_mm.z);
+      half[axis] = glm::length(row);
+    }
+    bounds_ = {centre_ - half, centre_ + half};
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override {
+    const glm::dvec3 scaled = (toAxes_ * (p_mm - centre_)) * inverse_;
+    const double level = glm::length(scaled);
+    if (level < 1e-9) return -smallest_;
+    return level * (level - 1.0) / glm::length(scaled * inverse_);
+  }
+
+ private:
+  glm::dvec3 centre_;
+  glm::dmat3 toAxes_;
+  glm::dvec3 inverse_;
+  double smallest_;
+};
+
+class HalfSpace final : public Shape {
+ public:
+  HalfSpace(const glm::dvec3& point_mm, const glm::dvec3& normal) : point_(point_mm), normal_(glm::normalize(normal)) {
+    bounds_ = {glm::dvec3(-kFar_mm), glm::dvec3(kFar_mm)};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(std::abs(normal_[axis]) - 1.0) > 1e-12) continue;
+      (normal_[axis] > 0.0 ? bounds_.highest_mm : bounds_.lowest_mm)[axis] = point_[axis];
+    }
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override { return glm::dot(p_mm - point_, normal_); }
+
+ private:
+  glm::dvec3 point_;
+  glm::dvec3 normal_;
+};
+
+class Shell final : public Shape {
+ public:
+  Shell(ShapePtr of, double from, double to) : of_(std::move(of)), from_(from), to_(to) {
+    bounds_ = {of_->bounds().lowest_mm + glm::dvec3(std::min(from, 0.0)), of_->bounds().highest_mm - glm::dvec3(std::min(from, 0.0))};
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override {
+    const double d = of_->distance_mm(p_mm);
+    return std::max(d + from_, -d - to_);
+  }
+
+ private:
+  ShapePtr of_;
+  double from_;
+  double to_;
+};
+
+class Offset final : public Shape {
+ public:
+  Offset(ShapePtr of, double grow) : of_(std::move(of)), grow_(grow) {
+    bounds_ = {of_->bounds().lowest_mm - glm::dvec3(std::max(grow, 0.0)), of_->bounds().highest_mm + glm::dvec3(std::max(grow, 0.0))};
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(p_mm) - grow_; }
+
+ private:
+  ShapePtr of_;
+  double grow_;
+};
+
+class Mirrored final : public Shape {
+ public:
+  Mirrored(ShapePtr of, double smoothing) : of_(std::move(of)), squared_(smoothing * smoothing) {
+    bounds_ = of_->bounds();
+    const double reach = std::max(std::abs(bounds_.lowest_mm.x), std::abs(bounds_.highest_mm.x));
+    bounds_.lowest_mm.x = -reach;
+    bounds_.highest_mm.x = reach;
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(folded(p_mm)); }
+  double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(folded(p_mm)); }
+
+ private:
+  [[nodiscard]] glm::dvec3 folded(const glm::dvec3& p_mm) const { return {std::sqrt(p_mm.x * p_mm.x + squared_), p_mm.y, p_mm.z}; }
+
+  ShapePtr of_;
+  double squared_;
+};
+
+class Union final : public Shape {
+ public:
+  explicit Union(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
+    bounds_ = parts_.front().shape->bounds();
+    double blend = 0.0;
+    for (const BlendedPart& part : parts_) {
+      bounds_.lowest_mm = glm::min(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
+      bounds_.highest_mm = glm::max(bounds_.highest_mm, part.shape->bounds().highest_mm);
+      blend = std::max(blend, part.blend_mm);
+    }
+    bounds_.lowest_mm -= glm::dvec3(0.25 * blend);  // how far a blend can bulge beyond what it joins
+    bounds_.highest_mm += glm::dvec3(0.25 * blend);
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override {
+    double joined = std::numeric_limits<double>::infinity();
+    for (const BlendedPart& part : parts_) {
+      // A part whose box alone is farther than the result plus the blend cannot change it.
+      const double atLeast = part.shape->atLeast_mm(p_mm);
+      if (atLeast > 0.0 && atLeast > joined + part.blend_mm) continue;
+      const double d = part.shape->distance_mm(p_mm);
+      joined = std::isinf(joined) ? d : smoothMin(joined, d, part.blend_mm);
+    }
+    return joined;
+  }
+
+ private:
+  std::vector<BlendedPart> parts_;
+};
+
+class Intersection final : public Shape {
+ public:
+  explicit Intersection(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
+    bounds_ = parts_.front().shape->bounds();
+    for (const BlendedPart& part : parts_) {
+      bounds_.lowest_mm = glm::max(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
+      bounds_.highest_mm = glm::min(bounds_.highest_mm, part.shape->bounds().highest_mm);
+    }
+    bounds_.highest_mm = glm::max(bounds_.highest_mm, bounds_.lowest_mm);  // parts that do not meet: an empty box, not an inverted one
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override {
+    double joined = parts_.front().shape->distance_mm(p_mm);
+    for (std::size_t n = 1; n < parts_.size(); ++n) joined = smoothMax(joined, parts_[n].shape->distance_mm(p_mm), parts_[n].blend_mm);
+    return joined;
+  }
+
+ private:
+  std::vector<BlendedPart> parts_;
+};
+
+class Difference final : public Shape {
+ public:
+  explicit Difference(std::vector<BlendedPart> parts) : parts_(std::move(parts)) { bounds_ = parts_.front().shape->bounds(); }
+  double distance_mm(const glm::dvec3& p_mm) const override {
+    double joined = parts_.front().shape->distance_mm(p_mm);
+    for (std::size_t n = 1; n < parts_.size(); ++n) {
+      const double atLeast = parts_[n].shape->atLeast_mm(p_mm);
+      if (atLeast > 0.0 && -atLeast < joined - parts_[n].blend_mm) continue;
+      joined = smoothMax(joined, -parts_[n].shape->distance_mm(p_mm), parts_[n].blend_mm);
+    }
+    return joined;
+  }
+
+ private:
+  std::vector<BlendedPart> parts_;
+};
+
+}  // namespace
+
+double distanceToBox_mm(const glm::dvec3& p_mm, const Bounds& box) {
+  const glm::dvec3 outside = glm::max(glm::max(box.lowest_mm - p_mm, p_mm - box.highest_mm), glm::dvec3(0.0));
+  return glm::length(outside);
+}
+
+double smoothMin(double a_mm, double b_mm, double blend_mm) {
+  const double smaller = std::min(a_mm, b_mm);
+  const double overlap = blend_mm - std::abs(a_mm - b_mm);
+  return overlap > 0.0 ? smaller - overlap * overlap / (4.0 * blend_mm) : smaller;
+}
+
+ShapePtr makeEllipsoid(const Ellipsoid& ellipsoid) {
+  EW_EXPECTS(ellipsoid.radii_mm.x > 0.0 && ellipsoid.radii_mm.y > 0.0 && ellipsoid.radii_mm.z > 0.0);
+  return std::make_shared<EllipsoidShape>(ellipsoid);
+}
+ShapePtr makeHalfSpace(const glm::dvec3& point_mm, const glm::dvec3& outwardNormal) {
+  EW_EXPECTS(glm::length(outwardNormal) > 0.0);
+  return std::make_shared<HalfSpace>(point_mm, outwardNormal);
+}
+ShapePtr makeShell(ShapePtr of, double fromDepth_mm, double toDepth_mm) {
+  EW_EXPECTS(of && fromDepth_mm < toDepth_mm);
+  return std::make_shared<Shell>(std::move(of), fromDepth_mm, toDepth_mm);
+}
+ShapePtr makeOffset(ShapePtr of, double grow_mm) {
+  EW_EXPECTS(of);
+  return std::make_shared<Offset>(std::move(of), grow_mm);
+}
+ShapePtr makeMirrored(ShapePtr of, double smoothing_mm) {
+  EW_EXPECTS(of && smoothing_mm >= 0.0);
+  return std::make_shared<Mirrored>(std::move(of), smoothing_mm);
+}
+ShapePtr makeUnion(std::vector<BlendedPart> parts) {
+  EW_EXPECTS(!parts.empty());
+  return std::make_shared<Union>(std::move(parts));
+}
+ShapePtr makeIntersection(std::vector<BlendedPart> parts) {
+  EW_EXPECTS(!parts.empty());
+  return std::make_shared<Intersection>(std::move(parts));
+}
+ShapePtr makeDifference(std::vector<BlendedPart> parts) {
+  EW_EXPECTS(!parts.empty());
+  return std::make_shared<Difference>(std::move(parts));
+}
+
+}  // namespace ew::phantom

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "ew/core/volume.h"
+
+namespace ew::phantom {
+
+/// Distance from a point to a box; 0 inside. A lower bound of the distance to whatever the box holds.
+[[nodiscard]] double distanceToBox_mm(const glm::dvec3& p_mm, const Bounds& box);
+
+/// An implicit solid: signed distance in mm (negative inside) and a box that holds all of it.
+/// Distances are exact for spheres, capsules, tubes and planes; ellipsoids and lofts give the first-order distance F / |grad F|,
+/// which has the exact sign everywhere and the exact distance on the surface and on the axes.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+  [[nodiscard]] virtual double distance_mm(const glm::dvec3& p_mm) const = 0;
+  /// At most the distance (0 inside), and cheaper to have.
+  [[nodiscard]] virtual double atLeast_mm(const glm::dvec3& p_mm) const { return distanceToBox_mm(p_mm, bounds_); }
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+
+ protected:
+  Bounds bounds_;
+};
+using ShapePtr = std::shared_ptr<const Shape>;
+
+/// Minimum of two distances with the crease rounded over `blend_mm` (quadratic, so the gradient is continuous); the plain minimum
+/// where they differ by more than `blend_mm`. Never above the minimum, at most blend_mm / 4 below it.
+[[nodiscard]] double smoothMin(double a_mm, double b_mm, double blend_mm);
+[[nodiscard]] inline double smoothMax(double a_mm, double b_mm, double blend_mm) { return -smoothMin(-a_mm, -b_mm, blend_mm); }
+
+struct Ellipsoid {
+  glm::dvec3 centre_mm{0.0};
+  glm::dvec3 radii_mm{1.0};
+  glm::dmat3 axes{1.0};  ///< columns: directions of the three radii, orthonormal
+};
+struct RoundCone {
+  glm::dvec3 from_mm{0.0};
+  glm::dvec3 to_mm{0.0};
+  double fromRadius_mm = 1.0;
+  double toRadius_mm = 1.0;
+};
+/// A cross-section of a loft at height z: half an ellipse to the front (-y), half to the back, boxier with `squareness` 0..1.
+struct LoftSection {
+  double z_mm = 0.0;
+  double centreX_mm = 0.0;
+  double centreY_mm = 0.0;
+  double halfWidth_mm = 1.0;
+  double front_mm = 1.0;
+  double back_mm = 1.0;
+  double squareness = 0.0;
+};
+
+[[nodiscard]] ShapePtr makeEllipsoid(const Ellipsoid& ellipsoid);
+[[nodiscard]] ShapePtr makeRoundCone(const RoundCone& cone);
+/// A tube along the Catmull-Rom spline through the points (at least two), its radius interpolated with them.
+[[nodiscard]] ShapePtr makeTube(const std::vector<glm::dvec3>& points_mm, const std::vector<double>& radii_mm);
+/// Sections by rising z (at least two), joined by a cubic spline, capped at both ends with rims rounded by `capRounding_mm`.
+[[nodiscard]] ShapePtr makeLoft(const std::vector<LoftSection>& sections, double capRounding_mm);
+/// The half space behind the plane: inside where (p - point) . normal < 0.
+[[nodiscard]] ShapePtr makeHalfSpace(const glm::dvec3& point_mm, const glm::dvec3& outwardNormal);
+/// The part of `of` that lies between two depths below its surface.
+[[nodiscard]] ShapePtr makeShell(ShapePtr of, double fromDepth_mm, double toDepth_mm);
+/// `of` grown (or, below 0, shrunk) by a distance.
+[[nodiscard]] ShapePtr makeOffset(ShapePtr of, double grow_mm);
+/// `of` (drawn on the left side, x > 0) and its mirror image; |x| is rounded over `smoothing_mm` so that the midline has no crease.
+[[nodiscard]] ShapePtr makeMirrored(ShapePtr of, double smoothing_mm);
+
+/// Parts joined one after the other, each with its own blend.
+struct BlendedPart {
+  ShapePtr shape;
+  double blend_mm = 0.0;
+};
+[[nodiscard]] ShapePtr makeUnion(std::vector<BlendedPart> parts);
+[[nodiscard]] ShapePtr makeIntersection(std::vector<BlendedPart> parts);
+/// The first part without the others.
+[[nodiscard]] ShapePtr makeDifference(std::vector<BlendedPart> parts);
+
+}  // namespace ew::phantom
