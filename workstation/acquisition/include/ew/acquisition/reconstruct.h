@@ -13,7 +13,15 @@
 
 namespace ew {
 
+/// nearest: a pixel goes into the voxel whose centre is nearest, floor(at + 0.5) along each axis.
+/// linear: a pixel is shared among the 8 voxels around it, by trilinear weights.
 enum class Interpolation { nearest, linear };
+
+/// What a voxel takes from the pixels that reach it.
+/// mean:    floor(sum of weight * value / sum of weight + 0.5). With linear, a voxel is measured when its weight exceeds 1e-9 pixels.
+/// maximum: the largest. A measured zero counts as measured.
+/// latest:  the last one in the order of the frames, and within a frame of rows and columns.
+/// For maximum and latest with linear, a pixel reaches those of the 8 voxels where its weight is at least 1/8, so always one.
 enum class Compounding { mean, maximum, latest };
 
 /// Which pixels of a frame are image: a rectangle, and within it optionally a fan. Pixel coordinates, centres at integers.
@@ -27,8 +35,8 @@ struct ClipFan {
 };
 struct Clip {
   glm::dvec2 origin_px{0.0};
-  std::optional<glm::dvec2> size_px;  ///< absent: the whole frame
-  std::optional<ClipFan> fan;
+  std::optional<glm::dvec2> size_px = {};  ///< absent: the whole frame
+  std::optional<ClipFan> fan = {};
   bool operator==(const Clip&) const = default;
 };
 
@@ -36,9 +44,10 @@ struct ReconstructOptions {
   double spacing_mm = 0.5;
   Interpolation interpolation = Interpolation::linear;
   Compounding compounding = Compounding::mean;
-  int fillReach_voxels = 0;  ///< holes at most this far between measured voxels are filled; 0: none
-  Clip clip;
-  int threads = 0;  ///< 0: all cores; the voxels do not depend on it
+  int fillReach_voxels = 0;  ///< holes between measured voxels at most this far apart are filled (see fill_holes.h); 0: none
+  Clip clip = {};
+  int threads = 0;           ///< 0: all cores; the voxels do not depend on it
+  bool keepWeights = false;  ///< also return each voxel's weight; compounding mean only
   std::uint64_t maxBytes = 16ull << 30;
 };
 
@@ -49,26 +58,32 @@ struct PosedFrame {
 };
 
 struct ReconstructResult {
-  Volume volume;  ///< with coverage
+  Volume volume;               ///< with coverage
+  std::vector<float> weights;  ///< with keepWeights: pixels that went into each voxel, before hole filling; else empty
   std::size_t framesUsed = 0;
-  std::size_t pixelsPasted = 0;
+  std::size_t pixelsPasted = 0;  ///< clipped pixels of all frames
   std::size_t measuredVoxels = 0;
   std::size_t interpolatedVoxels = 0;
   double pasteSeconds = 0.0;
   double fillSeconds = 0.0;
 };
 
-/// Bytes the reconstruction will need at its peak, for the forecast shown before it starts.
+/// Bytes the reconstruction will need at its peak beside the frames, for the forecast shown before it starts: the volume and its coverage
+/// (2 bytes a voxel), the weights when they are kept, the hole filling's marks (1 bit a voxel) and the sums of the bricks in work.
 [[nodiscard]] std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options);
 
 /// The grid that holds every clipped pixel: aligned with the world, origin at the smallest corner coordinate over all frames, samples per
 /// axis = round((largest - smallest) / spacing) + 1.
-/// @error noValidPose (no frames), tooLarge (with the forecast), badField (spacing, clip outside the frame)
+/// Frames are of one size; their matrices may be mirrored, oblique or sheared.
+/// @error noValidPose (no frames), tooLarge (with the forecast), badField (spacing, threads, reach, clip outside the frame, frames of
+///        different sizes, a matrix that is not affine, not finite or maps the image onto a line or point)
 [[nodiscard]] Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options);
 
 /// Pastes every clipped pixel of every frame into the volume, compounds, fills holes of bounded reach and says per voxel which is which.
-/// Sums are exact (64 bit for nearest), rounded once at the end.
-/// @error as gridFor, cancelled
+/// Pixel positions are stepped along a row with 40 bits after the point: after 10^5 pixels they are off by less than 1e-7 voxel.
+/// Sums are exact for nearest (64 bit integers) and of doubles for linear, each rounded once at the end. The volume is worked on in bricks,
+/// each by one thread in the order of frames, rows and columns, so the voxels are the same however many threads there are.
+/// @error as gridFor, cancelled; tooLarge also when 2^28 pixels or more fall into one voxel
 [[nodiscard]] Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options,
                                                     Progress& progress);
 

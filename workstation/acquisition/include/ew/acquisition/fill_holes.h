@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+
+namespace ew {
+
+struct FillOptions {
+  int reach_voxels = 8;  ///< longest distance between the two measured voxels a hole lies between; 0 to kMaxFillReach_voxels
+  int threads = 0;       ///< 0: all cores; the voxels do not depend on it
+};
+inline constexpr int kMaxFillReach_voxels = 256;
+
+struct FilledVolume {
+  Volume volume;
+  std::size_t filledVoxels = 0;
+};
+
+/// Fills holes between measured voxels; measured and earlier interpolated voxels keep their values. Move the volume in and no copy is made.
+/// An absent voxel is a hole when, along at least one of the 13 directions to its neighbours, the next voxels on both sides are measured
+/// ones and at most `reach_voxels` (Euclidean, in voxels) apart. So nothing is filled outside the hull of what was measured, and nothing
+/// further from it than the reach. Its echo is the mean, over those directions, of the linear interpolation between the two ends, weighted
+/// with 1 / distance², rounded once; its coverage becomes interpolated. All sums are of integers: the order of work does not matter.
+/// Cost: words of 64 voxels without a measured one are skipped, so empty space costs next to nothing.
+/// @param volume with coverage (an empty coverage means that everything is measured: nothing to do)
+/// @error badField (reach, or sizes that do not fit the grid), tooLarge (no memory), cancelled
+[[nodiscard]] Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress);
+
+/// Bytes fillHoles needs beside the volume.
+[[nodiscard]] std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options);
+
+}  // namespace ew

@@ -1,0 +1,292 @@
+#include "ew/acquisition/fill_holes.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "parallel.h"
+
+namespace ew {
+namespace {
+
+constexpr int kWordBits = 64;
+
+/// One bit per voxel, rows padded with zero words on both sides, so that a row may be read at any offset up to the reach.
+class MeasuredBits {
+ public:
+  MeasuredBits(const Volume& volume, int reach_voxels)
+      : padWords_(padWords(reach_voxels)),
+        wordsPerRow_(wordsPerRow(volume.grid, reach_voxels)),
+        rowsPerLayer_(volume.grid.dims.y),
+        words_(static_cast<std::size_t>(wordsPerRow_) * static_cast<std::size_t>(volume.grid.dims.y) *
+               static_cast<std::size_t>(volume.grid.dims.z)) {}
+
+  static std::ptrdiff_t padWords(int reach_voxels) { return reach_voxels / kWordBits + 2; }
+  static std::ptrdiff_t dataWords(const Grid& grid) { return (grid.dims.x + kWordBits - 1) / kWordBits; }
+  static std::ptrdiff_t wordsPerRow(const Grid& grid, int reach_voxels) { return dataWords(grid) + 2 * padWords(reach_voxels); }
+
+  /// Marks one layer. Layers share no word, so they may be marked by different threads.
+  void markLayer(const Volume& volume, int k) {
+    for (int j = 0; j < volume.grid.dims.y; ++j) {
+      const std::uint8_t* coverage = volume.coverage.data() + volume.grid.indexOf(0, j, k);
+      std::uint64_t* row = words_.data() + rowStart(j, k);
+      for (int i = 0; i < volume.grid.dims.x; ++i)
+        row[i / kWordBits] |= std::uint64_t{coverage[i] == static_cast<std::uint8_t>(Coverage::measured)} << (i % kWordBits);
+    }
+  }
+
+  /// The word `word` of row (j, k).
+  [[nodiscard]] std::uint64_t at(std::ptrdiff_t word, int j, int k) const {
+    return words_[rowStart(j, k) + static_cast<std::size_t>(word)];
+  }
+  /// The 64 bits of row (j, k) that begin `shift` voxels after bit 0 of `word`; shift may be negative, down to the reach.
+  [[nodiscard]] std::uint64_t shifted(std::ptrdiff_t word, int shift, int j, int k) const {
+    const int whole = shift >> 6;
+    const int rest = shift & (kWordBits - 1);
+    const std::uint64_t* from = words_.data() + rowStart(j, k) + word + whole;
+    return rest == 0 ? from[0] : (from[0] >> rest) | (from[1] << (kWordBits - rest));
+  }
+
+ private:
+  [[nodiscard]] std::size_t rowStart(int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(rowsPerLayer_) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(wordsPerRow_) +
+           static_cast<std::size_t>(padWords_);
+  }
+
+  std::ptrdiff_t padWords_;
+  std::ptrdiff_t wordsPerRow_;
+  int rowsPerLayer_;
+  std::vector<std::uint64_t> words_;
+};
+
+struct Direction13 {
+  glm::ivec3 step{0};
+  int longest = 0;  ///< steps from one measured end to the other
+};
+
+std::vector<Direction13> directionsFor(int reach_voxels) {
+  std::vector<Direction13> directions;
+  for (int z = 0; z <= 1; ++z)
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) {
+        if (z == 0 && (y < 0 || (y == 0 && x <= 0))) continue;  // the opposite one is in the list
+        const double length = std::sqrt(x * x + y * y + z * z);
+        const int longest = static_cast<int>(std::floor(reach_voxels / length + 1e-9));
+        if (longest >= 2) directions.push_back({{x, y, z}, longest});
+      }
+  return directions;
+}
+
+/// Sums of one voxel: integers, so that their order does not matter. At most one bridge of each of 13 directions crosses a voxel.
+struct Sums {
+  std::uint64_t total = 0;
+  std::uint64_t weight = 0;
+};
+
+/// A tile of rows: all i, j in [jBegin, jEnd), k in [kBegin, kEnd).
+struct Tile {
+  int jBegin = 0, jEnd = 0, kBegin = 0, kEnd = 0;
+};
+
+struct TilePlan {
+  int rows = 1;    ///< tile height in j
+  int layers = 1;  ///< tile depth in k
+  int tilesY = 1;
+  int tilesZ = 1;
+};
+
+TilePlan tilesFor(const Grid& grid) {
+  constexpr double kScratchBytes = 4 << 20;
+  TilePlan plan;
+  const double rows = std::max(1.0, kScratchBytes / (sizeof(Sums) * static_cast<double>(grid.dims.x)));
+  plan.layers = std::clamp(static_cast<int>(std::sqrt(rows)), 1, grid.dims.z);
+  plan.rows = std::clamp(static_cast<int>(rows / plan.layers), 1, grid.dims.y);
+  plan.tilesY = (grid.dims.y + plan.rows - 1) / plan.rows;
+  plan.tilesZ = (grid.dims.z + plan.layers - 1) / plan.layers;
+  return plan;
+}
+
+class Filler {
+ public:
+  Filler(Volume& volume, const FillOptions& options)
+      : volume_(volume),
+        directions_(directionsFor(options.reach_voxels)),
+        tiles_(tilesFor(volume.grid)),
+        bits_(volume, options.reach_voxels),
+        workers_(workersFor(options.threads)) {
+    scratch_.resize(static_cast<std::size_t>(std::min(workers_, tiles_.tilesY * tiles_.tilesZ)));
+    const std::size_t cells =
+        static_cast<std::size_t>(volume.grid.dims.x) * static_cast<std::size_t>(tiles_.rows) * static_cast<std::size_t>(tiles_.layers);
+    for (Scratch& scratch : scratch_) {
+      scratch.sums.resize(cells);
+      scratch.reached.resize((cells + kWordBits - 1) / kWordBits);
+    }
+  }
+
+  Result<std::size_t> run(Progress& progress) {
+    const auto stop = [] { return failure(ErrorCode::cancelled, "The filling of holes was stopped before it was complete."); };
+    PartOfProgress marking(progress, 0.0, 0.1), filling(progress, 0.1, 1.0);
+    if (!forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes",
+                     [this](int k, int, const auto&) { bits_.markLayer(volume_, k); }))
+      return stop();
+    if (!forEachTask(
+            tiles_.tilesY * tiles_.tilesZ, static_cast<int>(scratch_.size()), filling, "Filling holes",
+            [this](int task, int worker, const auto& stopped) {
+              const int y = task % tiles_.tilesY * tiles_.rows, z = task / tiles_.tilesY * tiles_.layers;
+              const Tile tile{y, std::min(y + tiles_.rows, volume_.grid.dims.y), z, std::min(z + tiles_.layers, volume_.grid.dims.z)};
+              fillTile(tile, scratch_[static_cast<std::size_t>(worker)], stopped);
+            }))
+      return stop();
+    return filled_.load();
+  }
+
+ private:
+  struct Scratch {
+    std::vector<Sums> sums;
+    std::vector<std::uint64_t> reached;  ///< one bit per voxel of the tile that has sums
+  };
+
+  [[nodiscard]] std::size_t cellOf(const Tile& tile, int i, int j, int k) const {
+    return (static_cast<std::size_t>(k - tile.kBegin) * static_cast<std::size_t>(tiles_.rows) + static_cast<std::size_t>(j - tile.jBegin)) *
+               static_cast<std::size_t>(volume_.grid.dims.x) +
+           static_cast<std::size_t>(i);
+  }
+
+  template <class Stopped>
+  void fillTile(const Tile& tile, Scratch& scratch, const Stopped& stopped) {
+    const glm::ivec3 dims = volume_.grid.dims;
+    bool any = false;
+    for (const Direction13& direction : directions_) {
+      // Bridges that cross the tile begin in it or before it against their direction, by less than their length.
+      const int ahead = direction.longest - 1;
+      const int jBegin = std::max(0, tile.jBegin - (direction.step.y > 0 ? ahead : 0));
+      const int jEnd = std::min(dims.y, tile.jEnd + (direction.step.y < 0 ? ahead : 0));
+      const int kBegin = std::max(0, tile.kBegin - (direction.step.z > 0 ? ahead : 0));
+      for (int k = kBegin; k < tile.kEnd; ++k) {
+        if (stopped()) return;
+        for (int j = jBegin; j < jEnd; ++j) any = bridgeRow(direction, tile, j, k, scratch) || any;
+      }
+    }
+    if (any) finish(tile, scratch);
+  }
+
+  /// Adds the bridges that begin in row (j, k); true when there is one.
+  bool bridgeRow(const Direction13& direction, const Tile& tile, int j, int k, Scratch& scratch) {
+    const glm::ivec3 dims = volume_.grid.dims;
+    bool any = false;
+    for (std::ptrdiff_t word = 0; word < MeasuredBits::dataWords(volume_.grid); ++word) {
+      // Open: measured voxels of this word whose way in this direction has met no other measured one yet.
+      std::uint64_t open = bits_.at(word, j, k);
+      for (int steps = 1; steps <= direction.longest && open != 0; ++steps) {
+        const int jFar = j + steps * direction.step.y, kFar = k + steps * direction.step.z;
+        if (jFar < 0 || jFar >= dims.y || kFar >= dims.z) break;
+        const std::uint64_t met = bits_.shifted(word, steps * direction.step.x, jFar, kFar);
+        if (steps > 1) {
+          for (std::uint64_t hits = open & met; hits != 0; hits &= hits - 1) {
+            bridge(direction, tile, {static_cast<int>(word) * kWordBits + std::countr_zero(hits), j, k}, steps, scratch);
+            any = true;
+          }
+        }
+        open &= ~met;
+      }
+    }
+    return any;
+  }
+
+  void bridge(const Direction13& direction, const Tile& tile, const glm::ivec3& begin, int steps, Scratch& scratch) {
+    const glm::ivec3 end = begin + steps * direction.step;
+    const std::uint64_t first = volume_.echo[volume_.grid.indexOf(begin.x, begin.y, begin.z)];
+    const std::uint64_t last = volume_.echo[volume_.grid.indexOf(end.x, end.y, end.z)];
+    const glm::ivec3 d = direction.step;
+    // 1 / distance² in units of 2^-32, shared among the steps so that the interpolation stays whole numbers.
+    const auto squaredDistance = static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(steps) *
+                                 static_cast<std::uint64_t>(d.x * d.x + d.y * d.y + d.z * d.z);
+    const std::uint64_t share = (std::uint64_t{1} << 32) / (squaredDistance * static_cast<std::uint64_t>(steps));
+    for (int n = 1; n < steps; ++n) {
+      const glm::ivec3 at = begin + n * d;
+      if (at.y < tile.jBegin || at.y >= tile.jEnd || at.z < tile.kBegin || at.z >= tile.kEnd) continue;
+      const std::size_t cell = cellOf(tile, at.x, at.y, at.z);
+      const auto before = static_cast<std::uint64_t>(n), after = static_cast<std::uint64_t>(steps - n);
+      scratch.sums[cell].total += share * (first * after + last * before);
+      scratch.sums[cell].weight += share * static_cast<std::uint64_t>(steps);
+      scratch.reached[cell / kWordBits] |= std::uint64_t{1} << (cell % kWordBits);
+    }
+  }
+
+  /// Writes what the tile's sums say into its absent voxels and leaves the scratch zero.
+  void finish(const Tile& tile, Scratch& scratch) {
+    const auto width = static_cast<std::size_t>(volume_.grid.dims.x);
+    std::size_t filled = 0;
+    for (std::size_t word = 0; word < scratch.reached.size(); ++word) {
+      for (std::uint64_t bits = scratch.reached[word]; bits != 0; bits &= bits - 1) {
+        const std::size_t cell = word * kWordBits + static_cast<std::size_t>(std::countr_zero(bits));
+        const std::size_t row = cell / width;
+        const int j = tile.jBegin + static_cast<int>(row % static_cast<std::size_t>(tiles_.rows));
+        const int k = tile.kBegin + static_cast<int>(row / static_cast<std::size_t>(tiles_.rows));
+        const std::size_t index = volume_.grid.indexOf(static_cast<int>(cell % width), j, k);
+        Sums& sums = scratch.sums[cell];
+        if (volume_.coverage[index] == static_cast<std::uint8_t>(Coverage::absent)) {
+          volume_.echo[index] = static_cast<std::uint8_t>((2 * sums.total + sums.weight) / (2 * sums.weight));
+          volume_.coverage[index] = static_cast<std::uint8_t>(Coverage::interpolated);
+          ++filled;
+        }
+        sums = {};
+      }
+      scratch.reached[word] = 0;
+    }
+    filled_ += filled;
+  }
+
+  Volume& volume_;
+  std::vector<Direction13> directions_;
+  TilePlan tiles_;
+  MeasuredBits bits_;
+  int workers_;
+  std::vector<Scratch> scratch_;
+  std::atomic<std::size_t> filled_{0};
+};
+
+}  // namespace
+
+Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
+  if (options.reach_voxels < 0 || options.reach_voxels > kMaxFillReach_voxels)
+    return failure(ErrorCode::badField,
+                   "A hole filling reach of " + std::to_string(options.reach_voxels) + " voxels cannot be used; give 0 to " +
+                       std::to_string(kMaxFillReach_voxels) + ".",
+                   {{"field", "fill reach"}});
+  if (options.threads < 0)
+    return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
+                   {{"field", "threads"}});
+  if (const auto checked = checkGrid(volume.grid); !checked) return passOn(checked.error());
+  const std::size_t voxels = volume.grid.voxelCount();
+  if (volume.echo.size() != voxels || (!volume.coverage.empty() && volume.coverage.size() != voxels))
+    return failure(ErrorCode::badField, "The volume's voxels do not fit its grid; read it again.", {{"field", "voxels"}});
+  if (volume.coverage.empty() || options.reach_voxels < 2) return FilledVolume{std::move(volume), 0};
+  try {
+    Filler filler(volume, options);
+    const auto filled = filler.run(progress);
+    if (!filled) return passOn(filled.error());
+    return FilledVolume{std::move(volume), *filled};
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge, "There is not enough memory to fill holes; use fewer threads or a coarser spacing.");
+  }
+}
+
+std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options) {
+  if (options.reach_voxels < 2) return 0;
+  const TilePlan tiles = tilesFor(grid);
+  const std::uint64_t cells =
+      static_cast<std::uint64_t>(grid.dims.x) * static_cast<std::uint64_t>(tiles.rows) * static_cast<std::uint64_t>(tiles.layers);
+  const auto workers = static_cast<std::uint64_t>(std::min(workersFor(options.threads), tiles.tilesY * tiles.tilesZ));
+  const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, options.reach_voxels)) *
+                             static_cast<std::uint64_t>(grid.dims.y) * static_cast<std::uint64_t>(grid.dims.z) * sizeof(std::uint64_t);
+  return bits + workers * (cells * sizeof(Sums) + cells / kWordBits * sizeof(std::uint64_t));
+}
+
+}  // namespace ew

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "ew/acquisition/reconstruct.h"
+
+namespace ew::paste {
+
+/// Voxel coordinates with 40 bits after the point: 22 bits remain for the index, and stepping along a row is exact integer arithmetic, so a
+/// row cut at a brick's border lands on the same voxels as the whole row.
+inline constexpr int kFractionBits = 40;
+inline constexpr std::int64_t kOneVoxel = std::int64_t{1} << kFractionBits;
+inline constexpr double kMeasuredWeight = 1e-9;
+
+/// One piece of a row: fixed-point position of its first pixel relative to the first cell of a brick, and the step to the next pixel.
+struct Walk {
+  std::int64_t at[3];
+  std::int64_t step[3];
+  const std::uint8_t* pixels;
+  int count;
+};
+
+/// Cells of a brick: the sums of its voxels, a guard of one cell around it for the linear modes, rows padded to whole blocks.
+template <class Cell>
+struct Cells {
+  Cell* cells;
+  std::uint8_t* touched;  ///< one flag for each block of kBlock cells a pixel's first cell fell into
+  std::ptrdiff_t rowStride;
+  std::ptrdiff_t layerStride;
+};
+inline constexpr int kBlockBits = 5;
+inline constexpr int kBlock = 1 << kBlockBits;
+
+template <class Cell, class Put>
+inline void walkNearest(const Walk& walk, const Cells<Cell>& brick, const Put& put) {
+  std::int64_t x = walk.at[0], y = walk.at[1], z = walk.at[2];
+  for (int n = 0; n < walk.count; ++n) {
+    const std::ptrdiff_t cell = (z >> kFractionBits) * brick.layerStride + (y >> kFractionBits) * brick.rowStride + (x >> kFractionBits);
+    put(brick.cells[cell], walk.pixels[n]);
+    brick.touched[cell >> kBlockBits] = 1;
+    x += walk.step[0];
+    y += walk.step[1];
+    z += walk.step[2];
+  }
+}
+
+template <class Cell, class Put>
+inline void walkLinear(const Walk& walk, const Cells<Cell>& brick, const Put& put) {
+  constexpr double kPerUnit = 1.0 / static_cast<double>(kOneVoxel);
+  constexpr std::int64_t kFraction = kOneVoxel - 1;
+  std::int64_t x = walk.at[0], y = walk.at[1], z = walk.at[2];
+  for (int n = 0; n < walk.count; ++n) {
+    const std::ptrdiff_t cell = (z >> kFractionBits) * brick.layerStride + (y >> kFractionBits) * brick.rowStride + (x >> kFractionBits);
+    const double fx = static_cast<double>(x & kFraction) * kPerUnit;
+    const double fy = static_cast<double>(y & kFraction) * kPerUnit;
+    const double fz = static_cast<double>(z & kFraction) * kPerUnit;
+    Cell* const near = brick.cells + cell;
+    Cell* const far = near + brick.layerStride;
+    put(near, brick.rowStride, far, fx, fy, fz, walk.pixels[n]);
+    brick.touched[cell >> kBlockBits] = 1;
+    x += walk.step[0];
+    y += walk.step[1];
+    z += walk.step[2];
+  }
+}
+
+/// What a cell says in the end.
+struct Voxel {
+  bool measured = false;
+  std::uint8_t echo = 0;
+  double weight = 0.0;
+};
+
+struct NearestMean {
+  using Cell = std::uint64_t;  // sum in the low 36 bits, count in the high 28: one addition per pixel
+  static constexpr int kGuard = 0;
+  static constexpr int kSumBits = 36;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell += (Cell{1} << kSumBits) | value; });
+  }
+  static Voxel voxelOf(Cell cell) {
+    const Cell count = cell >> kSumBits;
+    if (count == 0) return {};
+    const double pixels = static_cast<double>(count);
+    const double sum = static_cast<double>(cell & ((Cell{1} << kSumBits) - 1));
+    return {true, static_cast<std::uint8_t>(sum / pixels + 0.5), pixels};
+  }
+};
+
+/// Cells that keep one pixel: its value + 1, so that a measured zero differs from nothing.
+using KeptPixel = std::uint16_t;
+inline Voxel voxelOfKept(KeptPixel cell) { return cell == 0 ? Voxel{} : Voxel{true, static_cast<std::uint8_t>(cell - 1), 1.0}; }
+inline KeptPixel kept(std::uint8_t value) { return static_cast<KeptPixel>(value + 1); }
+
+struct NearestMaximum {
+  using Cell = KeptPixel;
+  static constexpr int kGuard = 0;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell = std::max(cell, kept(value)); });
+  }
+  static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
+};
+
+struct NearestLatest {
+  using Cell = KeptPixel;
+  static constexpr int kGuard = 0;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell = kept(value); });
+  }
+  static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
+};
+
+struct LinearMean {
+  using Pair = double __attribute__((vector_size(16)));
+  struct Cell {
+    Pair sums;  // of weight * value, of weight: one vector addition per corner
+  };
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
+      const Pair pixel = {static_cast<double>(value), 1.0};
+      const Pair left = pixel * (1.0 - fx);
+      const Pair right = pixel * fx;
+      const double w00 = (1.0 - fy) * (1.0 - fz), w10 = fy * (1.0 - fz), w01 = (1.0 - fy) * fz, w11 = fy * fz;
+      near[0].sums += left * w00;
+      near[1].sums += right * w00;
+      near[rowStride].sums += left * w10;
+      near[rowStride + 1].sums += right * w10;
+      far[0].sums += left * w01;
+      far[1].sums += right * w01;
+      far[rowStride].sums += left * w11;
+      far[rowStride + 1].sums += right * w11;
+    });
+  }
+  static Voxel voxelOf(const Cell& cell) {
+    const double total = cell.sums[0], weight = cell.sums[1];
+    if (!(weight > kMeasuredWeight)) return {};
+    return {true, static_cast<std::uint8_t>(std::min(total / weight + 0.5, 255.0)), weight};
+  }
+};
+
+template <class Keep>
+inline void putWhereWeighty(KeptPixel* near, std::ptrdiff_t rowStride, KeptPixel* far, double fx, double fy, double fz, std::uint8_t value,
+                            const Keep& keep) {
+  constexpr double kLeastWeight = 0.125;
+  const KeptPixel candidate = kept(value);
+  const double wx[2] = {1.0 - fx, fx};
+  const double wyz[4] = {(1.0 - fy) * (1.0 - fz), fy * (1.0 - fz), (1.0 - fy) * fz, fy * fz};
+  KeptPixel* const rows[4] = {near, near + rowStride, far, far + rowStride};
+  for (int row = 0; row < 4; ++row)
+    for (int side = 0; side < 2; ++side)
+      if (wx[side] * wyz[row] >= kLeastWeight) rows[row][side] = keep(rows[row][side], candidate);
+}
+
+struct LinearMaximum {
+  using Cell = KeptPixel;
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
+      putWhereWeighty(near, rowStride, far, fx, fy, fz, value, [](Cell before, Cell now) { return std::max(before, now); });
+    });
+  }
+  static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
+};
+
+struct LinearLatest {
+  using Cell = KeptPixel;
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
+      putWhereWeighty(near, rowStride, far, fx, fy, fz, value, [](Cell, Cell now) { return now; });
+    });
+  }
+  static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
+};
+
+}  // namespace ew::paste

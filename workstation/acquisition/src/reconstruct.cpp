@@ -1,0 +1,185 @@
+#include "ew/acquisition/reconstruct.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "clip_spans.h"
+#include "ew/acquisition/fill_holes.h"
+#include "ew/core/numbers.h"
+#include "paste.h"
+
+namespace ew {
+namespace {
+
+std::string gibibytes(std::uint64_t bytes) {
+  const double gib = static_cast<double>(bytes) / static_cast<double>(1ull << 30);
+  return textOf(std::ceil(gib * 10.0) / 10.0) + " GiB";
+}
+
+/// A grid before anybody knows whether it can be had; sizes are doubles because anything may come out.
+struct Extent {
+  glm::dvec3 origin_mm{0.0};
+  glm::dvec3 samples{0.0};
+};
+
+std::string sizeOf(const Extent& extent) {
+  return textOf(extent.samples.x) + " x " + textOf(extent.samples.y) + " x " + textOf(extent.samples.z);
+}
+
+Result<void> checkMatrix(const glm::dmat4& m, std::size_t frame) {
+  const auto refuse = [&](const char* why) {
+    return failure(ErrorCode::badField,
+                   "The matrix of frame " + std::to_string(frame) + " from image to world " + why +
+                       "; check the calibration and the pose of this frame.",
+                   {{"field", "imageToWorld"}, {"frame", std::to_string(frame)}});
+  };
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!std::isfinite(m[column][row])) return refuse("contains a value that is not a finite number");
+  if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0) return refuse("does not end with the row 0 0 0 1");
+  const glm::dvec3 x = glm::dvec3(m[0]), y = glm::dvec3(m[1]);
+  const double lengths = glm::length(x) * glm::length(y);
+  // Also false when the lengths overflow or vanish.
+  if (!(lengths > 0.0 && std::isfinite(lengths) && glm::length(glm::cross(x, y)) > 1e-9 * lengths))
+    return refuse("maps the image onto a line or a point");
+  return {};
+}
+
+Result<void> checkFrames(std::span<const PosedFrame> frames) {
+  if (frames.empty())
+    return failure(ErrorCode::noValidPose, "The sweep has no frame with a usable pose; check the tracking of the recording.");
+  const auto& first = frames.front().pixels;
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    const auto& pixels = frames[n].pixels;
+    if (pixels.width < 1 || pixels.height < 1 || pixels.data == nullptr)
+      return failure(ErrorCode::badField, "Frame " + std::to_string(n) + " has no pixels; reconstruct a sweep with images.",
+                     {{"field", "pixels"}, {"frame", std::to_string(n)}});
+    if (pixels.width != first.width || pixels.height != first.height)
+      return failure(ErrorCode::badField,
+                     "Frame " + std::to_string(n) + " has " + std::to_string(pixels.width) + " x " + std::to_string(pixels.height) +
+                         " pixels and frame 0 has " + std::to_string(first.width) + " x " + std::to_string(first.height) +
+                         "; reconstruct frames of one size at a time.",
+                     {{"field", "pixels"}, {"frame", std::to_string(n)}});
+    if (const auto checked = checkMatrix(frames[n].imageToWorld.matrix, n); !checked) return passOn(checked.error());
+  }
+  return {};
+}
+
+Result<void> checkOptions(const ReconstructOptions& options) {
+  if (!(options.spacing_mm > 0.0) || !std::isfinite(options.spacing_mm))
+    return failure(ErrorCode::badField,
+                   "A voxel spacing of " + textOf(options.spacing_mm) + " mm cannot be used; give a positive number of millimetres.",
+                   {{"field", "spacing"}});
+  if (options.threads < 0)
+    return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
+                   {{"field", "threads"}});
+  if (options.fillReach_voxels < 0 || options.fillReach_voxels > kMaxFillReach_voxels)
+    return failure(ErrorCode::badField,
+                   "A hole filling reach of " + std::to_string(options.fillReach_voxels) + " voxels cannot be used; give 0 to " +
+                       std::to_string(kMaxFillReach_voxels) + ".",
+                   {{"field", "fill reach"}});
+  if (options.keepWeights && options.compounding != Compounding::mean)
+    return failure(ErrorCode::badField, "Only the mean has weights; ask for the mean or do not ask for weights.", {{"field", "weights"}});
+  return {};
+}
+
+/// Smallest corner of the clip rectangle over all frames, and samples per axis = round((largest - smallest) / spacing) + 1.
+Extent extentOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle, double spacing_mm) {
+  glm::dvec3 lowest_mm(std::numeric_limits<double>::infinity()), highest_mm(-std::numeric_limits<double>::infinity());
+  for (const PosedFrame& frame : frames)
+    for (const double x : {rectangle.left, rectangle.right})
+      for (const double y : {rectangle.top, rectangle.bottom}) {
+        const glm::dvec3 corner_mm = (frame.imageToWorld * Point<frame::Image>{{x, y, 0.0}}).at;
+        lowest_mm = glm::min(lowest_mm, corner_mm);
+        highest_mm = glm::max(highest_mm, corner_mm);
+      }
+  return {lowest_mm, glm::floor((highest_mm - lowest_mm) / spacing_mm + 0.5) + 1.0};
+}
+
+Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(extent.origin_mm[axis]) || !(extent.samples[axis] <= kMaxPasteDim))
+      return failure(ErrorCode::tooLarge,
+                     "The volume would have " + sizeOf(extent) + " voxels, more than " + std::to_string(kMaxPasteDim) +
+                         " along one axis; use a coarser spacing, or check the calibration and poses for a wrong scale.",
+                     {{"dims", sizeOf(extent)}});
+  Grid grid;
+  grid.dims = glm::ivec3(extent.samples);
+  grid.spacing_mm = glm::dvec3(options.spacing_mm);
+  grid.origin_mm = extent.origin_mm;
+  // Above 2^40 voxels the byte count below might not fit its type.
+  const double voxels = extent.samples.x * extent.samples.y * extent.samples.z;
+  const bool countable = voxels <= std::ldexp(1.0, 40);
+  const std::uint64_t bytes = countable ? forecastBytes(grid, options) : std::numeric_limits<std::uint64_t>::max();
+  if (bytes > options.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "The volume would have " + sizeOf(extent) + " voxels and need " + (countable ? gibibytes(bytes) : "more than 2048 GiB") +
+                       " of memory, more than the " + gibibytes(options.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
+                   {{"dims", sizeOf(extent)}, {"bytes", std::to_string(bytes)}, {"maxBytes", std::to_string(options.maxBytes)}});
+  return grid;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options) {
+  const std::uint64_t volume = grid.voxelCount() * (2 + (options.keepWeights ? sizeof(float) : 0));
+  const std::uint64_t filling = forecastFillBytes(grid, {options.fillReach_voxels, options.threads});
+  return volume + std::max(pasteScratchBytes(grid, options), filling);
+}
+
+Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options) {
+  if (const auto checked = checkFrames(frames); !checked) return passOn(checked.error());
+  if (const auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
+  if (!rectangle) return passOn(rectangle.error());
+  return checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
+}
+
+Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options, Progress& progress) {
+  const auto grid = gridFor(frames, options);
+  if (!grid) return passOn(grid.error());
+  const auto clip = ClipSpans::of(options.clip, frames.front().pixels.width, frames.front().pixels.height);
+  if (!clip) return passOn(clip.error());
+
+  const double filledFrom = options.fillReach_voxels >= 2 ? 0.7 : 1.0;
+  const auto started = std::chrono::steady_clock::now();
+  ReconstructResult result;
+  try {
+    result.volume.grid = *grid;
+    result.volume.echo.resize(grid->voxelCount());
+    result.volume.coverage.resize(grid->voxelCount());
+    if (options.keepWeights) result.weights.resize(grid->voxelCount());
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge,
+                   "There is not enough memory for a volume of " + gibibytes(forecastBytes(*grid, options)) + "; use a coarser spacing.");
+  }
+  PartOfProgress pasting(progress, 0.0, filledFrom);
+  const auto measured = pasteFrames(
+      frames, *clip, options,
+      {*grid, result.volume.echo.data(), result.volume.coverage.data(), options.keepWeights ? result.weights.data() : nullptr}, pasting);
+  if (!measured) return passOn(measured.error());
+  result.measuredVoxels = *measured;
+  result.framesUsed = frames.size();
+  result.pixelsPasted = frames.size() * clip->pixelCount();
+  result.pasteSeconds = secondsSince(started);
+
+  if (options.fillReach_voxels >= 2) {
+    const auto fillStarted = std::chrono::steady_clock::now();
+    PartOfProgress filling(progress, filledFrom, 1.0);
+    auto filled = fillHoles(std::move(result.volume), {options.fillReach_voxels, options.threads}, filling);
+    if (!filled) return passOn(filled.error());
+    result.volume = std::move(filled->volume);
+    result.interpolatedVoxels = filled->filledVoxels;
+    result.fillSeconds = secondsSince(fillStarted);
+  }
+  return result;
+}
+
+}  // namespace ew
