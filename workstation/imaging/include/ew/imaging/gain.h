@@ -7,21 +7,28 @@
 
 #include "ew/core/image.h"
 #include "ew/imaging/knobs.h"
+#include "ew/imaging/slicing.h"
 
 namespace ew {
 
 /// The DGC factor at `position` of the depth (0 at the face, 1 at the bottom): a curve through the eight sliders, which sit at the
 /// middles of eight equal depth bands, constant beyond the first and the last. It never leaves the range of two neighbouring sliders
-/// (monotone cubic Hermite interpolation, Fritsch & Carlson, SIAM J. Numer. Anal. 17(2), 1980).
+/// (monotone cubic Hermite interpolation, Fritsch & Carlson, SIAM J. Numer. Anal. 17(2), 1980; slopes are the mean of the neighbouring
+/// secants, 0 at the first and last slider so that the curve runs smoothly into its constant ends).
 [[nodiscard]] double dgcAt(const std::array<double, kDgcSliders>& sliders, double position);
 
 /// Eq. 5 for every grey level and row: table[256 * row + V] = MIN(Gain * MIN(DGC[row] * V, 255), 255), rounded once at the end.
 /// @param rowPosition depth of each row, 0..1; rows outside the fan's depth are clamped
-/// @param table receives 256 * rowPosition.size() bytes; does not allocate when it is large enough already
+/// @param gain, dgc >= 0; a factor that is not a number counts as 0
+/// @param table receives 256 * rowPosition.size() bytes, each row monotone in V; does not allocate when it is large enough already
 void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
                     std::vector<std::uint8_t>& table);
 
-/// Looks every pixel of the spans up in its row's part of the table.
+/// Looks every pixel up in its row's part of the table, in place.
+/// @param table 256 x image.height entries, as buildGainTable makes them
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table);
+
+/// The same for the pixels of `spans` (one entry a row) alone.
+void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::vector<RowSpan>> spans, std::span<const std::uint8_t> table);
 
 }  // namespace ew

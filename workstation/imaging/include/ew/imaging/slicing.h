@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ew/core/frames.h"
@@ -9,18 +12,35 @@
 
 namespace ew {
 
-/// Scratch memory of the slicers; keep one per thread and reuse it, then slicing allocates nothing.
-struct SliceScratch {
-  std::vector<std::ptrdiff_t> templateOffsets;  ///< dT_i of Eq. 1
-  std::vector<int> templateI, templateJ, templateK;
-  GreyImage voxelSized;            ///< intermediate image of the zoom-in
-  std::vector<std::uint8_t> rows;  ///< stretched rows waiting for their vertical stretch
+/// Pixels begin .. end - 1 of a row; both 0 when there are none.
+struct RowSpan {
+  int begin = 0;
+  int end = 0;
+  bool operator==(const RowSpan&) const = default;
 };
 
-/// Samples the plane z = 0 of the image frame, one voxel a pixel, by replicating a voxelised template line along a voxelised base
-/// line (weaving). A pixel outside the volume becomes 0. Each row is clipped once.
-/// @param imageToVoxel affine; pixel centres at integer coordinates
-/// Source: Aiger & Cohen-Or 1998, Eq. 1, Fig. 3-4.
+/// Per row of an image the pixels that matter, left to right and without overlap: outside them a slicer neither reads nor writes.
+using Spans = std::vector<std::vector<RowSpan>>;
+
+/// Scratch memory of the slicers; keep one per thread and reuse it, then slicing allocates nothing.
+struct SliceScratch {
+  std::array<std::vector<std::int64_t>, 3> templatePosition;  ///< T_x along i, j, k in voxels with 31 fraction bits
+  std::array<std::vector<std::int32_t>, 3> templateFraction;  ///< the fraction bits of T_x alone
+  std::vector<std::uint32_t> templateOffset;                  ///< dT_x of Eq. 1, from the integer parts, modulo 2^32
+  std::vector<std::uint64_t> longTemplateOffset;              ///< the same, for volumes of more than 2^32 voxels
+  std::vector<std::uint8_t> rows;                             ///< zoom-in: a row of voxels and the two stretched rows it is blended from
+  double zoomSampling_us = 0.0;                               ///< what the last zoom-in spent on sampling alone; for reports
+};
+
+/// Samples the plane z = 0 of the image frame by replicating a voxelized template line along a voxelized base line (weaving). A pixel
+/// outside the volume becomes 0. Each row is clipped once; a pixel costs one load from the volume.
+/// @param volume       voxels; one without voxels gives a black picture
+/// @param imageToVoxel affine, pixel centres at integer coordinates; a matrix that is not finite or reaches beyond 2^30 voxels gives a
+///                     black picture
+/// Source: Aiger & Cohen-Or 1998, Eq. 1, Fig. 3-4. Ours differs: base and template keep their fractions (31 bits), and where the two
+/// together reach a whole voxel the offset carries one stride. The sum of two separately rounded lines can miss the plane by a whole
+/// voxel along each axis; with the carry every pixel is the voxel nearest to its centre, so no pixel shows a voxel that the plane does
+/// not pierce and none is left out.
 void sliceWeave(const VolumeView<const std::uint8_t>& volume, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
                 ImageView<std::uint8_t> out, SliceScratch& scratch);
 
@@ -29,9 +49,15 @@ void sliceWeave(const VolumeView<const std::uint8_t>& volume, const Transform<fr
 void sliceLinear(const VolumeView<const std::uint8_t>& volume, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
                  ImageView<std::uint8_t> out, SliceScratch& scratch);
 
-/// The slicer of a quality. Zooming in (several pixels a voxel) with Quality::weave runs the paper's two interleaved stretches.
+/// The slicer of a quality. Zooming in (several pixels a voxel) with Quality::weave runs the paper's two interleaved stretches: rows of
+/// voxel-sized samples are stretched as they are sampled, and blended downwards as soon as two of them are there. The direction along
+/// which a pixel is not smaller than a voxel is not stretched. Pixels beside the volume's edge blend towards 0.
 void slice(Quality quality, const VolumeView<const std::uint8_t>& volume, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
            ImageView<std::uint8_t> out, SliceScratch& scratch);
+
+/// The same within `spans` alone (one entry a row); other pixels of `out` are left as they are.
+void slice(Quality quality, const VolumeView<const std::uint8_t>& volume, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
+           std::span<const std::vector<RowSpan>> spans, ImageView<std::uint8_t> out, SliceScratch& scratch);
 
 /// Pixel (x, y) of a width x height image lies at ((x - (width - 1) / 2) pixel_mm, y pixel_mm, 0) of the probe frame: the geometry of
 /// `echoweave slice`.

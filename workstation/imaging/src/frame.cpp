@@ -1,0 +1,150 @@
+#include "ew/imaging/frame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ostream>
+#include <utility>
+
+#include "ew/imaging/gain.h"
+
+namespace ew {
+namespace {
+
+// Nanoseconds a pixel inside the fan, measured with `echoweave bench slicing`.
+constexpr double kWeave_ns = 1.5;
+constexpr double kLinear_ns = 4.0;
+constexpr double kStretch_ns = 1.5;
+constexpr double kTable_ns = 0.7;
+
+double pixelsOf(const Spans& spans) {
+  double pixels = 0.0;
+  for (const auto& row : spans)
+    for (const RowSpan& span : row) pixels += span.end - span.begin;
+  return pixels;
+}
+
+bool hasTable(const Knobs& knobs, const Scene& scene) {
+  const bool neutral = knobs.gain == 1.0 && std::all_of(knobs.dgc.begin(), knobs.dgc.end(), [](double factor) { return factor == 1.0; });
+  return scene.gainAndDgc && !neutral;
+}
+
+Plan planFor(double pixels, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid) {
+  const auto estimate = [pixels](double perPixel_ns) { return 1e-3 * perPixel_ns * pixels; };
+  Plan plan;
+  if (knobs.quality == Quality::linear) {
+    plan.steps.push_back({StepKind::sampleLinear, estimate(kLinear_ns)});
+  } else {
+    plan.steps.push_back({StepKind::sampleWeave, estimate(kWeave_ns)});
+    const double largestVoxel_mm = std::max({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+    if (geometry.pixel_mm < largestVoxel_mm) plan.steps.push_back({StepKind::zoomStretch, estimate(kStretch_ns)});
+  }
+  if (hasTable(knobs, scene)) plan.steps.push_back({StepKind::table, estimate(kTable_ns)});
+  return plan;
+}
+
+}  // namespace
+
+const char* nameOf(StepKind kind) {
+  switch (kind) {
+    case StepKind::sampleWeave:
+      return "weave";
+    case StepKind::sampleLinear:
+      return "linear";
+    case StepKind::zoomStretch:
+      return "zoom stretch";
+    case StepKind::table:
+      return "gain and DGC";
+  }
+  return "unknown";
+}
+
+std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+  const char* separator = "";
+  for (const Step& step : plan.steps) {
+    out << separator << nameOf(step.kind);
+    separator = " + ";
+  }
+  return out;
+}
+
+Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid) {
+  return planFor(pixelsOf(fanSpans(probe, geometry)), knobs, scene, geometry, grid);
+}
+
+void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height) {
+  EW_EXPECTS(width >= 1 && height >= 1);
+  if (configured_ && probe == probe_ && knobs == knobs_ && scene == scene_ && grid == grid_ && width == geometry_.width &&
+      height == geometry_.height)
+    return;
+  const DisplayGeometry geometry = fitDisplay(probe, knobs, width, height);
+  const bool geometryChanged = !configured_ || geometry != geometry_ || probe != probe_;
+  const bool gainChanged = geometryChanged || knobs.gain != knobs_.gain || knobs.dgc != knobs_.dgc;
+  probe_ = probe;
+  knobs_ = knobs;
+  scene_ = scene;
+  grid_ = grid;
+  geometry_ = geometry;
+  if (geometryChanged) {
+    spans_ = fanSpans(probe_, geometry_);
+    spanPixels_ = pixelsOf(spans_);
+    rowPosition_.resize(static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y) {
+      const double axial_mm = (static_cast<double>(y) - geometry_.face_px.y) * geometry_.pixel_mm;
+      rowPosition_[static_cast<std::size_t>(y)] = std::clamp(axial_mm / geometry_.depth_mm, 0.0, 1.0);
+    }
+    // Slicing writes inside the fan alone, so what surrounds it stays black from here on.
+    picture_.width = width;
+    picture_.height = height;
+    picture_.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  }
+  plan_ = planFor(spanPixels_, knobs_, scene_, geometry_, grid_);
+  if (gainChanged || table_.empty()) {
+    if (hasTable(knobs_, scene_))
+      buildGainTable(knobs_.gain, knobs_.dgc, rowPosition_, table_);
+    else
+      table_.clear();
+  }
+  times_.reserve(4);
+  configured_ = true;
+}
+
+ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+  EW_EXPECTS(configured_);
+  times_.clear();
+  status_ = pose.status;
+  if (status_ == PoseStatus::ok && !checkRigid(pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
+  if (status_ != PoseStatus::ok) {
+    std::fill(picture_.pixels.begin(), picture_.pixels.end(), std::uint8_t{0});
+    return viewOf(std::as_const(picture_));
+  }
+
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) { return std::chrono::duration<double, std::micro>(Clock::now() - start).count(); };
+  const ImageView<std::uint8_t> picture = viewOf(picture_);
+  const Transform<frame::Voxel, frame::Image> imageToVoxel = volume.grid.worldToVoxel() * pose.probeToWorld * geometry_.imageToProbe();
+
+  const auto sliceStart = Clock::now();
+  scratch_.zoomSampling_us = 0.0;
+  slice(knobs_.quality, volume, imageToVoxel, spans_, picture, scratch_);
+  const double slice_us = since(sliceStart);
+  for (const Step& step : plan_.steps) {
+    switch (step.kind) {
+      case StepKind::sampleWeave:
+      case StepKind::sampleLinear:
+        times_.push_back({step.kind, scratch_.zoomSampling_us > 0.0 ? scratch_.zoomSampling_us : slice_us});
+        break;
+      case StepKind::zoomStretch:
+        times_.push_back({step.kind, scratch_.zoomSampling_us > 0.0 ? slice_us - scratch_.zoomSampling_us : 0.0});
+        break;
+      case StepKind::table: {
+        const auto start = Clock::now();
+        applyGainTable(picture, spans_, table_);
+        times_.push_back({step.kind, since(start)});
+        break;
+      }
+    }
+  }
+  return viewOf(std::as_const(picture_));
+}
+
+}  // namespace ew

@@ -1,0 +1,160 @@
+#include "ew/imaging/probe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "ew/core/numbers.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uintmax_t kLargestFile_bytes = 1 << 20;
+constexpr int kFormatVersion = 1;
+constexpr double kDegree_rad = std::numbers::pi / 180.0;
+
+constexpr std::array<std::string_view, 12> kFields = {
+    "formatVersion",           "name",        "kind",        "width_mm",       "radius_mm", "opening_deg", "lines", "carrier_hz",
+    "elevationalThickness_mm", "minDepth_mm", "maxDepth_mm", "defaultDepth_mm"};
+
+/// Reads fields one after another and keeps the first complaint.
+class FieldReader {
+ public:
+  FieldReader(const json& object, std::string file) : object_(object), file_(std::move(file)) {}
+
+  double number(const char* field, double lowest, double highest) {
+    const auto found = object_.find(field);
+    if (found == object_.end()) return complain(field, "nothing", rangeText(lowest, highest)), lowest;
+    if (!found->is_number()) return complain(field, shown(*found), rangeText(lowest, highest)), lowest;
+    const double value = found->get<double>();
+    if (!(value >= lowest && value <= highest)) return complain(field, shown(*found), rangeText(lowest, highest)), lowest;
+    return value;
+  }
+  int wholeNumber(const char* field, int lowest, int highest) {
+    const double value = number(field, lowest, highest);
+    if (!complaint_ && value != std::floor(value)) complain(field, shown(object_[field]), "a whole number");
+    return static_cast<int>(value);
+  }
+  std::string text(const char* field) {
+    const auto found = object_.find(field);
+    if (found == object_.end()) return complain(field, "nothing", "a text"), std::string();
+    if (!found->is_string() || found->get_ref<const std::string&>().empty()) return complain(field, shown(*found), "a text"), std::string();
+    return found->get<std::string>();
+  }
+  void complain(const std::string& field, const std::string& found, const std::string& expected) {
+    if (complaint_) return;
+    complaint_ = Error{ErrorCode::badField,
+                       "The probe file " + file_ + " has " + found + " for \"" + field + "\"; it must be " + expected + ".",
+                       {{"file", file_}, {"field", field}, {"found", found}, {"expected", expected}}};
+  }
+  [[nodiscard]] const std::optional<Error>& complaint() const { return complaint_; }
+
+ private:
+  static std::string shown(const json& value) {
+    std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+    if (text.size() > 40) text = text.substr(0, 40) + "...";
+    return text;
+  }
+  static std::string rangeText(double lowest, double highest) { return "a number from " + textOf(lowest) + " to " + textOf(highest); }
+
+  const json& object_;
+  std::string file_;
+  std::optional<Error> complaint_;
+};
+
+Result<json> readObject(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code problem;
+  if (!std::filesystem::exists(file, problem))
+    return failure(ErrorCode::notFound, "There is no probe file " + name + "; check the name.", {{"file", name}});
+  const std::uintmax_t size = std::filesystem::file_size(file, problem);
+  if (problem)
+    return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read: " + problem.message() + ".", {{"file", name}});
+  if (size > kLargestFile_bytes)
+    return failure(ErrorCode::badHeader, "The file " + name + " is too large to be a probe; a probe is a small JSON text.",
+                   {{"file", name}});
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+    return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read; check its permissions.", {{"file", name}});
+  json object = json::parse(text, nullptr, false);
+  if (!object.is_object())
+    return failure(ErrorCode::badHeader, "The probe file " + name + " is not a JSON object; compare it with a shipped probe.",
+                   {{"file", name}});
+  return object;
+}
+
+}  // namespace
+
+Result<Probe> readProbe(const std::filesystem::path& file) {
+  const auto object = readObject(file);
+  if (!object) return passOn(object.error());
+  const std::string name = file.string();
+  FieldReader fields(*object, name);
+
+  const int version = fields.wholeNumber("formatVersion", 1, 1000000);
+  if (!fields.complaint() && version > kFormatVersion)
+    return failure(ErrorCode::newerFormat,
+                   "The probe file " + name + " has format " + std::to_string(version) + ", this program reads up to " +
+                       std::to_string(kFormatVersion) + "; update EchoWeave.",
+                   {{"file", name}, {"found", std::to_string(version)}, {"known", std::to_string(kFormatVersion)}});
+
+  Probe probe;
+  probe.id = file.stem().string();
+  probe.name = fields.text("name");
+  const std::string kind = fields.text("kind");
+  if (kind == "linear") {
+    probe.kind = ProbeKind::linear;
+    probe.width_mm = fields.number("width_mm", 5.0, 300.0);
+  } else if (kind == "convex") {
+    probe.kind = ProbeKind::convex;
+    probe.radius_mm = fields.number("radius_mm", 3.0, 300.0);
+    probe.halfAngle_rad = 0.5 * kDegree_rad * fields.number("opening_deg", 5.0, 170.0);
+    probe.width_mm = 2.0 * probe.radius_mm * probe.halfAngle_rad;
+  } else {
+    fields.complain("kind", "\"" + kind + "\"", "\"linear\" or \"convex\"");
+  }
+  probe.lines = fields.wholeNumber("lines", 2, 4096);
+  probe.carrier_hz = fields.number("carrier_hz", 1e5, 1e8);
+  probe.elevationalThickness_mm = fields.number("elevationalThickness_mm", 0.05, 50.0);
+  probe.minDepth_mm = fields.number("minDepth_mm", 1.0, 1000.0);
+  probe.maxDepth_mm = fields.number("maxDepth_mm", probe.minDepth_mm, 1000.0);
+  probe.defaultDepth_mm = fields.number("defaultDepth_mm", probe.minDepth_mm, probe.maxDepth_mm);
+  for (const auto& item : object->items()) {
+    const bool foreign = (kind == "linear" && (item.key() == "radius_mm" || item.key() == "opening_deg")) ||
+                         (kind == "convex" && item.key() == "width_mm") ||
+                         std::find(kFields.begin(), kFields.end(), item.key()) == kFields.end();
+    if (foreign) fields.complain(item.key(), "a value", "left out, because a " + kind + " probe has no such field");
+  }
+  if (fields.complaint()) return passOn(*fields.complaint());
+  return probe;
+}
+
+Result<std::vector<Probe>> readProbes(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::directory_iterator entries(folder, problem);
+  if (problem)
+    return failure(ErrorCode::notFound, "The folder of probes " + folder.string() + " cannot be opened: " + problem.message() + ".",
+                   {{"folder", folder.string()}});
+  std::vector<Probe> probes;
+  for (; entries != std::filesystem::directory_iterator(); entries.increment(problem)) {
+    if (problem)
+      return failure(ErrorCode::notReadable, "The folder of probes " + folder.string() + " cannot be read: " + problem.message() + ".",
+                     {{"folder", folder.string()}});
+    if (entries->path().extension() != ".json") continue;
+    auto probe = readProbe(entries->path());
+    if (!probe) return passOn(probe.error());
+    probes.push_back(std::move(*probe));
+  }
+  std::sort(probes.begin(), probes.end(), [](const Probe& a, const Probe& b) { return a.name < b.name; });
+  return probes;
+}
+
+}  // namespace ew

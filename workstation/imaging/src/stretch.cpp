@@ -1,0 +1,39 @@
+#include "ew/imaging/stretch.h"
+
+#include <cstddef>
+
+#include "ew/core/contract.h"
+
+namespace ew {
+
+void stretch(std::span<const std::uint8_t> in, std::span<std::uint8_t> out) {
+  EW_EXPECTS(!in.empty());
+  if (in.empty() || out.empty()) return;
+  const std::size_t m = in.size();
+  const std::size_t n = out.size();
+  out[0] = in[0];
+  if (n == 1) return;
+  constexpr std::uint64_t kOne = std::uint64_t{1} << 32;
+  // Rounded down, so that no position passes the last value; the remainder is at most n - 1 times 2^-32 of an interval.
+  const std::uint64_t intervals = m - 1;
+  const std::uint64_t steps = n - 1;
+  const std::uint64_t wholeStep = intervals / steps;
+  const std::uint64_t fractionStep = ((intervals % steps) << 32) / steps;
+  std::size_t left = 0;
+  std::uint64_t w = 0;
+  for (std::size_t x = 1; x < n - 1; ++x) {
+    left += wholeStep;
+    w += fractionStep;
+    if (w >= kOne) {
+      w -= kOne;
+      ++left;
+    }
+    // Eq. 2 with the two ends of the interval in their order; left < m - 1 here unless m = 1, where w stays 0.
+    const std::uint64_t cl = in[left];
+    const std::uint64_t cr = m > 1 ? in[left + 1] : cl;
+    out[x] = static_cast<std::uint8_t>((cl * (kOne - w) + cr * w + kOne / 2) >> 32);
+  }
+  out[n - 1] = in[m - 1];
+}
+
+}  // namespace ew
