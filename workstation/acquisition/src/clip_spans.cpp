@@ -78,6 +78,8 @@ Result<ClipSpans> ClipSpans::of(const Clip& clip, int width, int height) {
   spans.rectangle_ = *rectangle;
   spans.firstColumn_ = static_cast<int>(std::ceil(rectangle->left));
   const int lastColumn = static_cast<int>(std::floor(rectangle->right));
+  spans.firstRow_ = static_cast<int>(std::ceil(rectangle->top));
+  spans.lastRow_ = static_cast<int>(std::floor(rectangle->bottom));
   spans.firstOfRow_.reserve(static_cast<std::size_t>(height) + 1);
   for (int y = 0; y < height; ++y) {
     spans.firstOfRow_.push_back(spans.spans_.size());

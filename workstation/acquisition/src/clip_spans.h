@@ -37,6 +37,8 @@ class ClipSpans {
   }
   [[nodiscard]] int height() const { return static_cast<int>(firstOfRow_.size()) - 1; }
   [[nodiscard]] int firstColumn() const { return firstColumn_; }
+  [[nodiscard]] int firstRow() const { return firstRow_; }
+  [[nodiscard]] int lastRow() const { return lastRow_; }
   [[nodiscard]] std::size_t pixelCount() const { return pixelCount_; }
   [[nodiscard]] const ClipRectangle& rectangle() const { return rectangle_; }
 
@@ -45,6 +47,8 @@ class ClipSpans {
   std::vector<Span> spans_;
   std::vector<std::size_t> firstOfRow_;
   int firstColumn_ = 0;
+  int firstRow_ = 0;
+  int lastRow_ = 0;
   std::size_t pixelCount_ = 0;
 };
 
