@@ -1,0 +1,20 @@
+#include "ew/sdk/plugin.h"
+
+#include "logic/project.h"
+
+namespace {
+
+class StitchingPlugin final : public ew::sdk::Plugin {
+ public:
+  explicit StitchingPlugin(ew::sdk::Host& host) {
+    host.commands().add("stitch", ew::stitching::kStitchUsage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
+      return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), host.log(), progress);
+    });
+  }
+};
+
+}  // namespace
+
+extern "C" EW_EXPORT std::uint32_t ewPluginAbi() { return ew::sdk::kAbi; }
+extern "C" EW_EXPORT ew::sdk::Plugin* ewPluginCreate(ew::sdk::Host& host) { return new StitchingPlugin(host); }
+extern "C" EW_EXPORT void ewPluginDestroy(ew::sdk::Plugin* plugin) { delete plugin; }
