@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <pugixml.hpp>
+
+#include "ew/core/numbers.h"
+#include "ew/io/safe_file.h"
+#include "ew/io/sequence.h"
+#include "image_header.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+/// The first attribute of these names, newest name first; null when there is none.
+pugi::xml_attribute attributeOf(const pugi::xml_node& node, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const auto attribute = node.attribute(name)) return attribute;
+  return {};
+}
+
+Result<std::optional<std::vector<double>>> numbersOf(const fs::path& file, const pugi::xml_attribute& attribute, std::size_t count) {
+  if (!attribute) return std::optional<std::vector<double>>();
+  auto numbers = parseNumbers(attribute.value());
+  if (!numbers || numbers->size() != count ||
+      std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
+    return badField(file, attribute.name(), attribute.value(), std::to_string(count) + (count == 1 ? " finite number" : " finite numbers"));
+  return std::optional(*std::move(numbers));
+}
+
+Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
+  const std::string from = node.attribute("From").value();
+  const std::string to = node.attribute("To").value();
+  if (from.empty() || to.empty()) return badField(file, "Transform", from + " to " + to, "two frame names (From and To)");
+  const auto matrix = node.attribute("Matrix");
+  const auto numbers = parseNumbers(matrix.value());
+  if (!numbers || numbers->size() != 16 ||
+      std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
+    return badField(file, "the Matrix of " + from + " to " + to, matrix.value(), "16 finite numbers (4 x 4, row by row)");
+  std::array<double, 16> rows{};
+  std::copy_n(numbers->begin(), 16, rows.begin());
+  set.transforms.push_back({from, to, matrixFromRows(rows), PoseStatus::ok});
+  return {};
+}
+
+Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
+  const auto vector2 = [&](std::optional<glm::dvec2>& target, std::initializer_list<const char*> names) -> Result<void> {
+    const auto numbers = numbersOf(file, attributeOf(node, names), 2);
+    if (!numbers) return passOn(numbers.error());
+    if (*numbers) target = glm::dvec2((**numbers)[0], (**numbers)[1]);
+    return {};
+  };
+  const auto scalar = [&](std::optional<double>& target, std::initializer_list<const char*> names) -> Result<void> {
+    const auto numbers = numbersOf(file, attributeOf(node, names), 1);
+    if (!numbers) return passOn(numbers.error());
+    if (*numbers) target = (**numbers)[0];
+    return {};
+  };
+  const auto spacing = node.attribute("OutputSpacing");
+  const auto numbers = numbersOf(file, spacing, 3);
+  if (!numbers) return passOn(numbers.error());
+  if (*numbers) {
+    const auto& mm = **numbers;
+    if (!(mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0)) return badField(file, "OutputSpacing", spacing.value(), "three numbers above 0 (mm)");
+    set.outputSpacing_mm = glm::dvec3(mm[0], mm[1], mm[2]);
+  }
+  if (auto read = vector2(set.clipOrigin_px, {"ClipRectangleOrigin"}); !read) return read;
+  if (auto read = vector2(set.clipSize_px, {"ClipRectangleSize"}); !read) return read;
+  if (auto read = vector2(set.fanAngles_deg, {"FanAnglesDeg", "FanAngles"}); !read) return read;
+  if (auto read = vector2(set.fanOrigin_px, {"FanOriginPixel", "FanOrigin"}); !read) return read;
+  if (auto read = scalar(set.fanRadiusStart_px, {"FanRadiusStartPixel"}); !read) return read;
+  if (auto read = scalar(set.fanRadiusStop_px, {"FanRadiusStopPixel"}); !read) return read;
+  if (const auto text = node.attribute("Interpolation")) set.interpolation = text.value();
+  if (const auto text = node.attribute("CompoundingMode")) {
+    set.compounding = text.value();
+  } else if (const auto older = node.attribute("Compounding")) {
+    // Before there were modes, compounding could only be switched: on averaged, off kept the newest pixel.
+    const std::string value = older.value();
+    set.compounding = value == "ON" ? "MEAN" : value == "OFF" ? "LATEST" : value;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<DeviceSet> readDeviceSet(const fs::path& file) {
+  const auto text = readTextFile(file);
+  if (!text) return passOn(text.error());
+  pugi::xml_document document;
+  const auto parsed = document.load_buffer(text->data(), text->size());
+  if (!parsed)
+    return failure(ErrorCode::badHeader,
+                   quoted(file) + " is not well-formed XML (" + parsed.description() + " at byte " + std::to_string(parsed.offset) +
+                       "); give the device set the sweep was recorded with.",
+                   {{"file", file.string()}});
+  const auto root = document.child("PlusConfiguration");
+  if (!root)
+    return failure(
+        ErrorCode::badHeader,
+        quoted(file) + " is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.",
+        {{"file", file.string()}});
+  DeviceSet set;
+  for (const auto& definitions : root.children("CoordinateDefinitions"))
+    for (const auto& node : definitions.children("Transform"))
+      if (auto read = readTransform(file, node, set); !read) return passOn(read.error());
+  if (const auto reconstruction = root.child("VolumeReconstruction"))
+    if (auto read = readReconstruction(file, reconstruction, set); !read) return passOn(read.error());
+  return set;
+}
+
+}  // namespace ew

@@ -1,0 +1,249 @@
+#include "grey_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "byte_source.h"
+#include "ew/core/numbers.h"
+
+namespace ew::detail {
+namespace {
+
+constexpr std::size_t kChunk = 1u << 20;
+
+Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits) {
+  const std::uint64_t perPixel = header.channels * bytesOf(header.type);
+  const std::array<std::uint64_t, 3> factors{request.promised, header.channels, bytesOf(header.type)};
+  const auto promised = productOf(factors);
+  const bool direct = header.type == SampleType::u8 && header.channels == 1;
+  // Samples that must be converted stand beside their 8 bit result for a moment.
+  const std::array<std::uint64_t, 2> needs{request.pixels, direct ? 1 : perPixel + 1};
+  const auto needed = productOf(needs);
+  if (!promised || !needed || *needed > limits.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "The header of " + quoted(header.file) + " promises " + sizesText(header.sizes) + " samples, for which " +
+                       countText(needed) + " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
+                       "; check that the file is undamaged, or cut it into parts.",
+                   {{"file", header.file.string()}, {"needed", countText(needed)}, {"limit", std::to_string(limits.maxBytes)}});
+  return {};
+}
+
+Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedBytes, std::uint64_t promisedSamples,
+                              std::uint64_t packedBytes) {
+  // Deflate cannot pack more tightly than 1032 to 1, and a number in text takes at least one character.
+  constexpr std::uint64_t tightest = 1032;
+  const bool deflated = header.packing == Packing::deflated;
+  const std::uint64_t largest = deflated ? packedBytes * tightest + tightest : packedBytes;
+  const std::uint64_t wanted = header.packing == Packing::text ? promisedSamples : promisedBytes;
+  if (wanted <= largest) return {};
+  return failure(ErrorCode::truncated,
+                 quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
+                     " bytes of samples, the file has " + std::to_string(packedBytes) + (deflated ? " compressed" : "") +
+                     " bytes of them; get the file again.",
+                 {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
+}
+
+Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::uint8_t> target, std::string_view what,
+                  Progress& progress) {
+  std::size_t filled = 0;
+  while (filled < target.size()) {
+    if (progress.cancelRequested()) return stopped(header.file);
+    const auto part = target.subspan(filled, std::min(kChunk, target.size() - filled));
+    const auto got = source.read(part);
+    if (!got) {
+      if (got.error().code != ErrorCode::truncated) return passOn(got.error());
+      Error error = got.error();
+      error.context.emplace_back("promised", std::to_string(target.size()));
+      error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off: the header promises " +
+                       std::to_string(target.size()) + " bytes, fewer are there; get the file again.";
+      for (const auto& [name, value] : got.error().context)
+        if (name == "unpacked")
+          error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off after " + value + " of " +
+                           std::to_string(target.size()) + " bytes; get the file again.";
+      return passOn(std::move(error));
+    }
+    filled += *got;
+    if (*got < part.size())
+      return failure(ErrorCode::truncated,
+                     quoted(header.dataFile) + " is too short: its header promises " + std::to_string(target.size()) +
+                         " bytes of samples, the file has " + std::to_string(filled) + "; get the file again.",
+                     {{"file", header.dataFile.string()}, {"promised", std::to_string(target.size())}, {"found", std::to_string(filled)}});
+    progress.report(what, 0.9 * static_cast<double>(filled) / static_cast<double>(target.size()));
+  }
+  return {};
+}
+
+/// After the last promised byte: nothing may follow in a packed stream, and its checksum must hold.
+Result<void> checkEnd(const ImageHeader& header, ByteSource& source, std::uint64_t promisedBytes, Progress& progress,
+                      std::vector<std::string>& notes) {
+  constexpr std::uint64_t worthCounting = 64u << 20;
+  std::vector<std::uint8_t> rest(64u << 10);
+  std::uint64_t extra = 0;
+  for (;;) {
+    if (progress.cancelRequested()) return stopped(header.file);
+    const auto got = source.read(rest);
+    if (!got) return passOn(got.error());
+    extra += *got;
+    if (*got < rest.size() || extra > worthCounting) break;
+  }
+  if (extra == 0) return {};
+  const std::string found = (extra > worthCounting ? "more than " : "") + std::to_string(promisedBytes + extra);
+  if (header.packing == Packing::raw) {
+    notes.push_back(quoted(header.dataFile) + " has " + (extra > worthCounting ? "more than " : "") + std::to_string(extra) +
+                    " bytes after its samples, which were not read.");
+    return {};
+  }
+  return failure(ErrorCode::badHeader,
+                 "The header of " + quoted(header.file) + " promises " + std::to_string(promisedBytes) + " bytes of samples, but " + found +
+                     " are there; correct the header's sizes or export the file again.",
+                 {{"file", header.file.string()}, {"promised", std::to_string(promisedBytes)}, {"found", found}});
+}
+
+template <class T>
+T sampleAt(const std::uint8_t* bytes, bool swap) {
+  std::array<std::uint8_t, sizeof(T)> copy;
+  std::memcpy(copy.data(), bytes, sizeof(T));
+  if (swap) std::reverse(copy.begin(), copy.end());
+  return std::bit_cast<T>(copy);
+}
+
+/// The value of a pixel: its one channel, or the luminance of red, green and blue (ITU-R BT.601 weights; alpha is left out).
+template <class T>
+double valueOf(const std::uint8_t* pixel, std::uint64_t channels, bool swap, double slope, double intercept) {
+  double value = static_cast<double>(sampleAt<T>(pixel, swap));
+  if (channels >= 3)
+    value = 0.299 * value + 0.587 * static_cast<double>(sampleAt<T>(pixel + sizeof(T), swap)) +
+            0.114 * static_cast<double>(sampleAt<T>(pixel + 2 * sizeof(T), swap));
+  return slope * value + intercept;
+}
+
+template <class T>
+Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
+                    Progress& progress, std::vector<std::string>& notes) {
+  const bool swap = header.bigEndian != (std::endian::native == std::endian::big);
+  const std::size_t step = static_cast<std::size_t>(header.channels) * sizeof(T);
+  const auto value = [&](std::size_t pixel) {
+    return valueOf<T>(stored.data() + pixel * step, header.channels, swap, header.slope, header.intercept);
+  };
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  std::uint64_t notFinite = 0;
+  for (std::size_t pixel = 0; pixel < grey.size(); ++pixel) {
+    if (pixel % kChunk == 0 && progress.cancelRequested()) return stopped(header.file);
+    const double here = value(pixel);
+    if (!std::isfinite(here)) {
+      ++notFinite;
+      continue;
+    }
+    lowest = std::min(lowest, here);
+    highest = std::max(highest, here);
+  }
+  if (!rescale) {
+    lowest = 0.0;
+    highest = 255.0;
+  }
+  // Halves keep the width finite when the values span the whole range of a double.
+  const double width = highest * 0.5 - lowest * 0.5;
+  for (std::size_t pixel = 0; pixel < grey.size(); ++pixel) {
+    if (pixel % kChunk == 0 && progress.cancelRequested()) return stopped(header.file);
+    const double here = value(pixel);
+    const double share = width > 0.0 && std::isfinite(here) ? (here * 0.5 - lowest * 0.5) / width : 0.0;
+    grey[pixel] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  }
+  if (notFinite > 0) notes.push_back(std::to_string(notFinite) + " samples are not finite numbers and became 0.");
+  if (rescale && width > 0.0)
+    notes.push_back("The samples are " + std::string(nameOf(header.type)) + ": values from " + textOf(lowest) + " to " + textOf(highest) +
+                    " were mapped to 0 to 255.");
+  else if (rescale && lowest <= highest)
+    notes.push_back("The samples are " + std::string(nameOf(header.type)) + " and all have the value " + textOf(lowest) +
+                    "; they became 0.");
+  return {};
+}
+
+Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
+                     Progress& progress, std::vector<std::string>& notes) {
+  switch (header.type) {
+    case SampleType::u8:
+      return toGrey<std::uint8_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::i8:
+      return toGrey<std::int8_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::u16:
+      return toGrey<std::uint16_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::i16:
+      return toGrey<std::int16_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::u32:
+      return toGrey<std::uint32_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::i32:
+      return toGrey<std::int32_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::u64:
+      return toGrey<std::uint64_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::i64:
+      return toGrey<std::int64_t>(header, stored, grey, rescale, progress, notes);
+    case SampleType::f32:
+      return toGrey<float>(header, stored, grey, rescale, progress, notes);
+    case SampleType::f64:
+      return toGrey<double>(header, stored, grey, rescale, progress, notes);
+    case SampleType::none:
+      break;
+  }
+  return failure(ErrorCode::unsupported, quoted(header.file) + " has samples of no known type; export it as 8 bit samples.");
+}
+
+Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
+                                                  Progress& progress, std::vector<std::string>& notes) {
+  if (header.channels != 1 && header.channels != 3 && header.channels != 4)
+    return failure(ErrorCode::unsupported,
+                   quoted(header.file) + " has " + std::to_string(header.channels) +
+                       " values per sample, but one value or a colour is needed; export the echo levels alone.",
+                   {{"file", header.file.string()}, {"channels", std::to_string(header.channels)}});
+  if (const auto sizes = checkSizes(header, request, limits); !sizes) return passOn(sizes.error());
+  const std::uint64_t perPixel = header.channels * bytesOf(header.type);
+  const std::uint64_t promisedBytes = request.promised * perPixel;
+  auto opened = openSamples(header, promisedBytes);
+  if (!opened) return passOn(opened.error());
+  const auto fits = checkAgainstFile(header, promisedBytes, request.promised * header.channels, opened->packedBytes);
+  if (!fits) return passOn(fits.error());
+
+  progress.report(request.what, 0.0);
+  std::vector<std::uint8_t> stored(static_cast<std::size_t>(request.pixels * perPixel));
+  if (const auto filled = fill(header, *opened->source, stored, request.what, progress); !filled) return passOn(filled.error());
+  if (request.pixels == request.promised)
+    if (const auto ended = checkEnd(header, *opened->source, promisedBytes, progress, notes); !ended) return passOn(ended.error());
+
+  const bool scaled = header.slope != 1.0 || header.intercept != 0.0;
+  if (header.channels > 1) notes.push_back("The samples are colours; their luminance became the echo level.");
+  if (header.type == SampleType::u8 && header.channels == 1 && header.slope > 0.0) {
+    if (scaled) notes.push_back("The header's rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.");
+    return stored;
+  }
+  std::vector<std::uint8_t> grey(static_cast<std::size_t>(request.pixels));
+  const bool rescale = header.type != SampleType::u8 || scaled;
+  if (const auto converted = convert(header, stored, grey, rescale, progress, notes); !converted) return passOn(converted.error());
+  return grey;
+}
+
+}  // namespace
+
+tl::unexpected<Error> stopped(const std::filesystem::path& file) {
+  return failure(ErrorCode::cancelled, "Work on " + quoted(file) + " was stopped as you asked; nothing was changed.",
+                 {{"file", file.string()}});
+}
+
+Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
+                                           Progress& progress, std::vector<std::string>& notes) {
+  try {
+    return readGreyOrThrow(header, request, limits, progress, notes);
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge,
+                   "There is not enough memory for the " + std::to_string(request.pixels) + " samples of " + quoted(header.file) +
+                       "; close other programs, or cut the file into parts.",
+                   {{"file", header.file.string()}});
+  }
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/io/volume_file.h"
+#include "image_header.h"
+
+namespace ew::detail {
+
+/// How many of the samples are wanted: `pixels` from the front of the `promised` the header speaks of.
+struct SampleRequest {
+  std::uint64_t pixels = 0;
+  std::uint64_t promised = 0;
+  std::string_view what = "Reading";
+};
+
+/// The samples as 8 bit grey levels: 8 bit unsigned ones as they are, colours as luminance, other types linearly from smallest..largest to
+/// 0..255. What was decided is appended to `notes`. Sizes are checked against the limits and the file before memory is taken.
+/// @error truncated, tooLarge, badHeader (more samples than promised), notReadable, badField, unsupported (channels), cancelled
+[[nodiscard]] Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
+                                                         Progress& progress, std::vector<std::string>& notes);
+
+/// Says in one sentence that the user stopped the reading or writing of `file`.
+[[nodiscard]] tl::unexpected<Error> stopped(const std::filesystem::path& file);
+
+}  // namespace ew::detail

@@ -1,0 +1,107 @@
+#include "ew/io/image_file.h"
+
+#include <png.h>
+
+#include <new>
+#include <vector>
+
+#include "ew/core/contract.h"
+#include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
+#include "image_header.h"
+#include "meta_writer.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestPng = 256u << 20;
+constexpr std::uint64_t kMostPixels = 1ull << 28;
+
+Result<void> writePng(const GreyImage& picture, const fs::path& file) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(picture.width);
+  png.height = static_cast<png_uint_32>(picture.height);
+  png.format = PNG_FORMAT_GRAY;
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), picture.width, nullptr) == 0)
+    return failure(ErrorCode::internal, quoted(file) + " could not be packed as PNG; try another size.",
+                   {{"file", file.string()}, {"reason", png.message}});
+  bytes.resize(size);
+  return writeFileSafely(file, bytes);
+}
+
+Result<GreyImage> readPng(const fs::path& file) {
+  const auto bytes = readTextFile(file, kLargestPng);
+  if (!bytes) return passOn(bytes.error());
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const auto damaged = [&] {
+    const std::string reason = png.message;
+    png_image_free(&png);
+    return failure(ErrorCode::badHeader, quoted(file) + " is not a PNG that can be read (" + reason + "); save the picture again.",
+                   {{"file", file.string()}, {"reason", reason}});
+  };
+  if (png_image_begin_read_from_memory(&png, bytes->data(), bytes->size()) == 0) return damaged();
+  if (const std::uint64_t pixels = std::uint64_t{png.width} * png.height; pixels > kMostPixels) {
+    png_image_free(&png);
+    return failure(ErrorCode::tooLarge,
+                   quoted(file) + " promises " + std::to_string(pixels) + " pixels, but the limit is " + std::to_string(kMostPixels) +
+                       "; save a smaller picture.",
+                   {{"file", file.string()}, {"pixels", std::to_string(pixels)}, {"limit", std::to_string(kMostPixels)}});
+  }
+  png.format = PNG_FORMAT_GRAY;
+  GreyImage picture(static_cast<int>(png.width), static_cast<int>(png.height));
+  const png_color black{0, 0, 0};
+  if (png_image_finish_read(&png, &black, picture.pixels.data(), picture.width, nullptr) == 0) return damaged();
+  return picture;
+}
+
+}  // namespace
+
+Result<void> writeImage(ImageView<const std::uint8_t> image, double pixel_mm, const fs::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending != ".png" && ending != ".mha")
+    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .png or .mha.",
+                   {{"file", file.string()}});
+  EW_EXPECTS(image.width > 0 && image.height > 0);
+  if (image.width <= 0 || image.height <= 0)
+    return failure(ErrorCode::internal, "The picture has no pixels, so " + quoted(file) + " was not written.");
+  GreyImage packed(image.width, image.height);
+  for (int y = 0; y < image.height; ++y)
+    std::copy_n(image.row(y), image.width, packed.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width);
+  if (ending == ".png") return writePng(packed, file);
+  EW_EXPECTS(pixel_mm > 0.0);
+  MetaText text{.sizes = {static_cast<std::uint64_t>(image.width), static_cast<std::uint64_t>(image.height)},
+                .geometry = {},
+                .kinds = {},
+                .samples = true,
+                .fields = {}};
+  text.geometry.spacing_mm = glm::dvec3(pixel_mm);
+  return writeMetaFile(file, text, packed.pixels, false, "Writing picture", noProgress());
+}
+
+Result<GreyImage> readImage(const fs::path& file) try {
+  if (const auto status = checkIsFile(file); !status) return passOn(status.error());
+  if (lowerCase(file.extension().string()) == ".png") return readPng(file);
+  auto loaded = readVolume(file);
+  if (!loaded) return passOn(loaded.error());
+  const Grid& grid = loaded->volume.grid;
+  if (grid.dims.z != 1)
+    return failure(ErrorCode::unsupported,
+                   quoted(file) + " is a volume of " + std::to_string(grid.dims.z) + " slices, not a picture; open it as a volume.",
+                   {{"file", file.string()}});
+  GreyImage picture;
+  picture.width = grid.dims.x;
+  picture.height = grid.dims.y;
+  picture.pixels = std::move(loaded->volume.echo);
+  return picture;
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
+                 {{"file", file.string()}});
+}
+
+}  // namespace ew

@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <array>
+
+#include "ew/core/numbers.h"
+#include "image_header.h"
+#include "line_reader.h"
+
+namespace ew::detail {
+namespace {
+namespace fs = std::filesystem;
+
+struct NamedType {
+  const char* name;
+  SampleType type;
+};
+// MET_LONG is 4 bytes in this format whatever the machine's long is.
+constexpr std::array<NamedType, 13> kTypes{{{"MET_UCHAR", SampleType::u8},
+                                            {"MET_CHAR", SampleType::i8},
+                                            {"MET_USHORT", SampleType::u16},
+                                            {"MET_SHORT", SampleType::i16},
+                                            {"MET_UINT", SampleType::u32},
+                                            {"MET_INT", SampleType::i32},
+                                            {"MET_ULONG", SampleType::u32},
+                                            {"MET_LONG", SampleType::i32},
+                                            {"MET_ULONG_LONG", SampleType::u64},
+                                            {"MET_LONG_LONG", SampleType::i64},
+                                            {"MET_FLOAT", SampleType::f32},
+                                            {"MET_DOUBLE", SampleType::f64},
+                                            {"MET_OTHER", SampleType::none}}};
+
+std::optional<bool> parseBool(std::string_view text) {
+  const std::string lower = lowerCase(text);
+  if (lower == "true" || lower == "1" || lower == "t" || lower == "yes") return true;
+  if (lower == "false" || lower == "0" || lower == "f" || lower == "no") return false;
+  return std::nullopt;
+}
+
+/// The header while its lines are read: what is known so far in raw form, because NDims may come after what needs it.
+struct Draft {
+  ImageHeader header;
+  std::optional<std::uint64_t> dimensions;
+  std::string spacing;
+  std::string size_mm;
+  std::string offset;
+  std::string matrix;
+  bool binary = true;
+  bool hasType = false;
+  long long headerSize = 0;
+};
+
+Result<void> take(Draft& draft, const std::string& key, const std::string& value) {
+  ImageHeader& header = draft.header;
+  const auto bad = [&](std::string_view expected) { return badField(header.file, key, value, expected); };
+  const auto boolean = [&](bool& target) -> Result<void> {
+    const auto parsed = parseBool(value);
+    if (!parsed) return bad("True or False");
+    target = *parsed;
+    return {};
+  };
+  if (key == "ObjectType") {
+    if (lowerCase(value) != "image") return bad("Image");
+  } else if (key == "NDims") {
+    const auto number = parseIntegers(value);
+    if (!number || number->size() != 1 || number->front() < 1 || number->front() > 10) return bad("a number from 1 to 10");
+    draft.dimensions = static_cast<std::uint64_t>(number->front());
+  } else if (key == "DimSize") {
+    const auto numbers = parseIntegers(value);
+    if (!numbers || std::any_of(numbers->begin(), numbers->end(), [](long long size) { return size < 0; }))
+      return bad("one whole number per dimension, none negative,");
+    header.sizes.assign(numbers->begin(), numbers->end());
+  } else if (key == "ElementType") {
+    std::string name = value;
+    if (name.ends_with("_ARRAY")) name.resize(name.size() - 6);
+    const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const NamedType& type) { return name == type.name; });
+    if (found == kTypes.end()) return bad("a type from MET_UCHAR to MET_DOUBLE");
+    header.type = found->type;
+    draft.hasType = true;
+  } else if (key == "ElementNumberOfChannels") {
+    const auto number = parseIntegers(value);
+    if (!number || number->size() != 1 || number->front() < 1) return bad("a number above 0");
+    header.channels = static_cast<std::uint64_t>(number->front());
+  } else if (key == "BinaryData") {
+    return boolean(draft.binary);
+  } else if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB") {
+    return boolean(header.bigEndian);
+  } else if (key == "CompressedData") {
+    bool compressed = false;
+    if (auto read = boolean(compressed); !read) return read;
+    header.packing = compressed ? Packing::deflated : Packing::raw;
+  } else if (key == "CompressedDataSize") {
+    const auto number = parseIntegers(value);
+    if (!number || number->size() != 1 || number->front() < 0) return bad("a number of bytes");
+    if (number->front() > 0) header.packedBytes = static_cast<std::uint64_t>(number->front());
+  } else if (key == "HeaderSize") {
+    const auto number = parseIntegers(value);
+    if (!number || number->size() != 1 || number->front() < -1) return bad("a number of bytes or -1");
+    draft.headerSize = number->front();
+  } else if (key == "ElementSpacing") {
+    draft.spacing = value;
+  } else if (key == "ElementSize") {
+    draft.size_mm = value;
+  } else if (key == "Offset" || key == "Position" || key == "Origin") {
+    draft.offset = value;
+  } else if (key == "TransformMatrix" || key == "Rotation" || key == "Orientation") {
+    draft.matrix = value;
+  } else if (key == "Kinds") {
+    header.kinds = wordsOf(value);
+  } else if (key != "AnatomicalOrientation" && key != "CenterOfRotation" && key != "CompressedDataSeekTable") {
+    header.fields.emplace_back(key, value);
+  }
+  return {};
+}
+
+/// `count` finite numbers from `text`; further ones (a 4D file's last axis) are left out.
+Result<std::vector<double>> numbersFor(const ImageHeader& header, std::string_view field, const std::string& text, std::size_t count) {
+  auto numbers = parseNumbers(text);
+  if (!numbers || numbers->size() != count ||
+      std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
+    return badField(header.file, field, text, std::to_string(count) + " finite numbers");
+  return *std::move(numbers);
+}
+
+Result<void> takeGeometry(Draft& draft) {
+  ImageHeader& header = draft.header;
+  const std::size_t n = header.sizes.size();
+  const std::size_t spatial = std::min<std::size_t>(n, 3);
+  // ElementSpacing is the distance between samples; ElementSize, their extent, only stands in for it.
+  const bool spaced = !draft.spacing.empty();
+  if (const std::string& text = spaced ? draft.spacing : draft.size_mm; !text.empty()) {
+    const auto numbers = numbersFor(header, spaced ? "ElementSpacing" : "ElementSize", text, n);
+    if (!numbers) return passOn(numbers.error());
+    for (std::size_t axis = 0; axis < spatial; ++axis) header.geometry.spacing_mm[static_cast<int>(axis)] = (*numbers)[axis];
+  }
+  if (!draft.offset.empty()) {
+    const auto numbers = numbersFor(header, "Offset", draft.offset, n);
+    if (!numbers) return passOn(numbers.error());
+    for (std::size_t axis = 0; axis < spatial; ++axis) header.geometry.origin_mm[static_cast<int>(axis)] = (*numbers)[axis];
+  }
+  if (!draft.matrix.empty()) {
+    const auto numbers = numbersFor(header, "TransformMatrix", draft.matrix, n * n);
+    if (!numbers) return passOn(numbers.error());
+    for (std::size_t axis = 0; axis < spatial; ++axis)
+      for (std::size_t row = 0; row < spatial; ++row)
+        header.geometry.directions[static_cast<int>(axis)][static_cast<int>(row)] = (*numbers)[axis * n + row];
+    if (n == 2) header.geometry.directions[2] = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
+  }
+  completeGeometry(header);
+  return {};
+}
+
+Result<void> takeDataFile(Draft& draft, const std::string& name, std::uint64_t headerBytes) {
+  ImageHeader& header = draft.header;
+  const std::string lower = lowerCase(name);
+  if (name.empty()) return badField(header.file, "ElementDataFile", name, "LOCAL or the name of a file");
+  if (lower.starts_with("list") && (lower.size() == 4 || lower[4] == ' '))
+    return failure(ErrorCode::unsupported,
+                   quoted(header.file) + " lists one file per slice, which is not read; convert it to a single .mha.",
+                   {{"file", header.file.string()}});
+  if (lower == "local") {
+    header.dataFile = header.file;
+    header.dataOffset = headerBytes;
+  } else {
+    if (name.find('%') != std::string::npos)
+      return failure(ErrorCode::unsupported,
+                     quoted(header.file) + " names one file per slice by a pattern, which is not read; convert it to a single .mha.",
+                     {{"file", header.file.string()}});
+    auto file = resolveDataFile(header.file, name);
+    if (!file) return passOn(file.error());
+    header.dataFile = *std::move(file);
+  }
+  if (draft.headerSize < 0)
+    header.dataAtEnd = true;
+  else
+    header.dataOffset += static_cast<std::uint64_t>(draft.headerSize);
+  return {};
+}
+
+}  // namespace
+
+Result<ImageHeader> readMetaHeader(const fs::path& file) {
+  LineReader lines(file);
+  Draft draft;
+  draft.header.file = file;
+  std::optional<std::string> dataFile;
+  bool anyKnown = false;
+  while (!dataFile) {
+    auto line = lines.next();
+    if (!line) return passOn(line.error());
+    if (!*line) break;
+    if (trimmed(**line).empty()) continue;
+    const auto equals = (*line)->find('=');
+    if (equals == std::string::npos)
+      return failure(ErrorCode::badHeader, quoted(file) + " is not a MetaImage: a header line has no \"=\"; check what kind of file it is.",
+                     {{"file", file.string()}});
+    const std::string key(trimmed(std::string_view(**line).substr(0, equals)));
+    const std::string value(trimmed(std::string_view(**line).substr(equals + 1)));
+    if (key == "ElementDataFile") {
+      dataFile = value;
+      break;
+    }
+    anyKnown = true;
+    if (const auto taken = take(draft, key, value); !taken) return passOn(taken.error());
+  }
+  if (!dataFile)
+    return failure(anyKnown ? ErrorCode::truncated : ErrorCode::badHeader,
+                   "The header of " + quoted(file) + " ends before it says where the samples are (ElementDataFile); get the file again.",
+                   {{"file", file.string()}});
+  ImageHeader& header = draft.header;
+  if (header.sizes.empty()) return badField(file, "DimSize", "", "one whole number per dimension");
+  if (draft.dimensions && *draft.dimensions != header.sizes.size())
+    return badField(file, "DimSize", sizesText(header.sizes), std::to_string(*draft.dimensions) + " numbers (NDims)");
+  if (!draft.hasType) return badField(file, "ElementType", "", "a type from MET_UCHAR to MET_DOUBLE");
+  if (header.type == SampleType::none && productOf(header.sizes) != std::optional<std::uint64_t>(0))
+    return badField(file, "ElementType", "MET_OTHER", "a type from MET_UCHAR to MET_DOUBLE");
+  if (!draft.binary) header.packing = Packing::text;
+  if (header.packing != Packing::deflated) header.packedBytes.reset();
+  if (const auto taken = takeGeometry(draft); !taken) return passOn(taken.error());
+  if (productOf(header.sizes) == std::optional<std::uint64_t>(0)) {
+    header.dataFile = file;  // a recording of poses alone: whatever file is named has nothing in it
+    return std::move(draft.header);
+  }
+  if (const auto taken = takeDataFile(draft, *dataFile, lines.consumed()); !taken) return passOn(taken.error());
+  return std::move(draft.header);
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/volume.h"
+
+namespace ew::detail {
+
+/// Everything a MetaImage file says besides its samples.
+struct MetaText {
+  std::vector<std::uint64_t> sizes;
+  Grid geometry;        ///< spacing, origin, directions; the first sizes.size() axes count
+  std::string kinds;    ///< "domain domain list"; empty for none
+  bool samples = true;  ///< false for MET_OTHER
+  std::vector<std::pair<std::string, std::string>> fields;
+};
+
+/// A single file, header and samples.
+[[nodiscard]] Result<void> writeMetaFile(const std::filesystem::path& file, const MetaText& text, std::span<const std::uint8_t> samples,
+                                         bool compress, std::string_view what, Progress& progress);
+
+/// A header and a raw file of the same name beside it: both are complete, or both are as before.
+[[nodiscard]] Result<void> writeMetaPair(const std::filesystem::path& file, const MetaText& text, std::span<const std::uint8_t> samples,
+                                         std::string_view what, Progress& progress);
+
+}  // namespace ew::detail

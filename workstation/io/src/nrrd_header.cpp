@@ -1,0 +1,345 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ew/core/numbers.h"
+#include "image_header.h"
+#include "line_reader.h"
+
+namespace ew::detail {
+namespace {
+namespace fs = std::filesystem;
+
+struct NamedType {
+  const char* name;
+  SampleType type;
+};
+constexpr std::array<NamedType, 36> kTypes{{
+    {"signed char", SampleType::i8},
+    {"int8", SampleType::i8},
+    {"int8_t", SampleType::i8},
+    {"uchar", SampleType::u8},
+    {"unsigned char", SampleType::u8},
+    {"uint8", SampleType::u8},
+    {"uint8_t", SampleType::u8},
+    {"short", SampleType::i16},
+    {"short int", SampleType::i16},
+    {"signed short", SampleType::i16},
+    {"int16", SampleType::i16},
+    {"int16_t", SampleType::i16},
+    {"ushort", SampleType::u16},
+    {"unsigned short", SampleType::u16},
+    {"unsigned short int", SampleType::u16},
+    {"uint16", SampleType::u16},
+    {"uint16_t", SampleType::u16},
+    {"int", SampleType::i32},
+    {"signed int", SampleType::i32},
+    {"int32", SampleType::i32},
+    {"int32_t", SampleType::i32},
+    {"uint", SampleType::u32},
+    {"unsigned int", SampleType::u32},
+    {"uint32", SampleType::u32},
+    {"uint32_t", SampleType::u32},
+    {"longlong", SampleType::i64},
+    {"long long", SampleType::i64},
+    {"long long int", SampleType::i64},
+    {"int64", SampleType::i64},
+    {"int64_t", SampleType::i64},
+    {"ulonglong", SampleType::u64},
+    {"unsigned long long", SampleType::u64},
+    {"uint64", SampleType::u64},
+    {"uint64_t", SampleType::u64},
+    {"float", SampleType::f32},
+    {"double", SampleType::f64},
+}};
+
+/// A vector "(a,b,c)", or empty for "none".
+using Axis = std::optional<std::vector<double>>;
+
+/// Vectors as `space directions` and `space origin` write them; empty when the text is anything else.
+std::optional<std::vector<Axis>> parseVectors(std::string_view text) {
+  std::vector<Axis> axes;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    if (lowerCase(text.substr(0, 4)) == "none") {
+      axes.emplace_back(std::nullopt);
+      text.remove_prefix(4);
+      continue;
+    }
+    const auto close = text.find(')');
+    if (text.front() != '(' || close == std::string_view::npos) return std::nullopt;
+    std::string inside(text.substr(1, close - 1));
+    std::replace(inside.begin(), inside.end(), ',', ' ');
+    auto numbers = parseNumbers(inside);
+    if (!numbers) return std::nullopt;
+    axes.emplace_back(*std::move(numbers));
+    text.remove_prefix(close + 1);
+  }
+  return axes;
+}
+
+/// `\n` and `\\` in values of key/value pairs stand for a line break and a backslash. A break would not survive in a line of ours.
+std::string unescaped(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == 'n' || text[i + 1] == '\\')) {
+      plain.push_back(text[++i] == 'n' ? ' ' : '\\');
+    } else {
+      plain.push_back(text[i]);
+    }
+  }
+  return plain;
+}
+
+struct Draft {
+  ImageHeader header;
+  std::optional<std::uint64_t> dimension;
+  std::string space;
+  std::optional<long long> spaceDimension;
+  std::string directions;
+  std::string origin;
+  std::string spacings;
+  std::string dataFile;
+  std::string encoding;
+  std::string endian;
+  long long byteSkip = 0;
+  long long lineSkip = 0;
+  bool hasType = false;
+};
+
+Result<void> take(Draft& draft, std::string field, const std::string& value) {
+  ImageHeader& header = draft.header;
+  const auto bad = [&](std::string_view expected) { return badField(header.file, field, value, expected); };
+  const auto whole = [&](long long& target, long long smallest) -> Result<void> {
+    const auto number = parseIntegers(value);
+    if (!number || number->size() != 1 || number->front() < smallest) return bad("a whole number from " + std::to_string(smallest));
+    target = number->front();
+    return {};
+  };
+  field = lowerCase(field);
+  if (field == "type") {
+    const std::string name = lowerCase(value);
+    const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const NamedType& type) { return name == type.name; });
+    if (found == kTypes.end()) return bad("a type from uchar to double");
+    header.type = found->type;
+    draft.hasType = true;
+  } else if (field == "dimension") {
+    long long number = 0;
+    if (auto read = whole(number, 1); !read) return read;
+    if (number > 16) return bad("a number from 1 to 16");
+    draft.dimension = static_cast<std::uint64_t>(number);
+  } else if (field == "sizes") {
+    const auto numbers = parseIntegers(value);
+    if (!numbers || std::any_of(numbers->begin(), numbers->end(), [](long long size) { return size < 0; }))
+      return bad("one whole number per axis, none negative,");
+    header.sizes.assign(numbers->begin(), numbers->end());
+  } else if (field == "kinds") {
+    header.kinds = wordsOf(value);
+  } else if (field == "endian") {
+    draft.endian = lowerCase(value);
+  } else if (field == "encoding") {
+    draft.encoding = lowerCase(value);
+  } else if (field == "space") {
+    draft.space = lowerCase(value);
+  } else if (field == "space dimension") {
+    long long number = 0;
+    if (auto read = whole(number, 1); !read) return read;
+    draft.spaceDimension = number;
+  } else if (field == "space directions") {
+    draft.directions = value;
+  } else if (field == "space origin") {
+    draft.origin = value;
+  } else if (field == "spacings") {
+    draft.spacings = value;
+  } else if (field == "data file" || field == "datafile") {
+    draft.dataFile = value;
+  } else if (field == "byte skip" || field == "byteskip") {
+    return whole(draft.byteSkip, -1);
+  } else if (field == "line skip" || field == "lineskip") {
+    return whole(draft.lineSkip, 0);
+  } else if (field == "content") {
+    header.fields.emplace_back("content", value);
+  }
+  return {};
+}
+
+Result<void> takeStorage(Draft& draft, std::uint64_t headerBytes) {
+  ImageHeader& header = draft.header;
+  if (draft.encoding == "raw") {
+    header.packing = Packing::raw;
+  } else if (draft.encoding == "gzip" || draft.encoding == "gz") {
+    header.packing = Packing::deflated;
+  } else if (draft.encoding == "ascii" || draft.encoding == "text" || draft.encoding == "txt") {
+    header.packing = Packing::text;
+  } else {
+    return failure(
+        ErrorCode::unsupported,
+        quoted(header.file) + " is packed as \"" + draft.encoding.substr(0, 40) + "\", which is not read; save it as raw or gzip.",
+        {{"file", header.file.string()}, {"encoding", draft.encoding.substr(0, 40)}});
+  }
+  const bool orderMatters = header.packing != Packing::text && bytesOf(header.type) > 1;
+  if (orderMatters && draft.endian != "little" && draft.endian != "big")
+    return badField(header.file, "endian", draft.endian, "little or big");
+  header.bigEndian = draft.endian == "big";
+  if (draft.lineSkip > 0)
+    return failure(ErrorCode::unsupported, quoted(header.file) + " asks to skip lines of its data file, which is not read; use byte skip.",
+                   {{"file", header.file.string()}});
+  const std::string lower = lowerCase(draft.dataFile);
+  if (draft.dataFile.empty()) {
+    header.dataFile = header.file;
+    header.dataOffset = headerBytes;
+  } else if (lower == "list" || lower.starts_with("list ") || draft.dataFile.find('%') != std::string::npos) {
+    return failure(ErrorCode::unsupported,
+                   quoted(header.file) + " keeps its samples in many files, which is not read; save it as one .nrrd.",
+                   {{"file", header.file.string()}});
+  } else {
+    auto file = resolveDataFile(header.file, draft.dataFile);
+    if (!file) return passOn(file.error());
+    header.dataFile = *std::move(file);
+  }
+  // In packed samples the bytes to skip are counted after unpacking, in raw ones from where they begin.
+  if (draft.byteSkip < 0)
+    header.dataAtEnd = true;
+  else
+    (header.packing == Packing::deflated ? header.skipUnpacked : header.dataOffset) += static_cast<std::uint64_t>(draft.byteSkip);
+  return {};
+}
+
+/// Takes an axis of colours or components out of the sizes: it must be the fastest.
+Result<std::size_t> takeChannels(Draft& draft, const std::optional<std::vector<Axis>>& axes) {
+  ImageHeader& header = draft.header;
+  if (header.sizes.size() < 3) return std::size_t{0};
+  const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds.front());
+  const bool named = kind.find("color") != std::string::npos || kind.find("vector") != std::string::npos || kind == "complex" ||
+                     kind.find("matrix") != std::string::npos || kind == "quaternion" || kind.starts_with("3-") || kind.starts_with("4-") ||
+                     kind.starts_with("2-");
+  const bool first = kind == "list" || (axes && !axes->empty() && !axes->front());
+  if (!named && !first) return std::size_t{0};
+  header.channels = header.sizes.front();
+  if (header.channels == 0) return badField(header.file, "sizes", sizesText(header.sizes), "at least one value per sample");
+  header.sizes.erase(header.sizes.begin());
+  if (!header.kinds.empty()) header.kinds.erase(header.kinds.begin());
+  return std::size_t{1};
+}
+
+/// +1 or -1 for x, y, z: what takes the file's world to left-posterior-superior. Empty when the space is no patient's.
+std::optional<glm::dvec3> signsOf(std::string space) {
+  if (space.ends_with("-time")) space.resize(space.size() - 5);
+  if (space == "left-posterior-superior" || space == "lps") return glm::dvec3(1, 1, 1);
+  if (space == "right-anterior-superior" || space == "ras") return glm::dvec3(-1, -1, 1);
+  if (space == "left-anterior-superior" || space == "las") return glm::dvec3(1, -1, 1);
+  return std::nullopt;
+}
+
+Result<void> takeGeometry(Draft& draft, const std::optional<std::vector<Axis>>& axes, std::size_t channelAxes) {
+  ImageHeader& header = draft.header;
+  const std::size_t spatial = std::min<std::size_t>(header.sizes.size(), 3);
+  const auto signs = signsOf(draft.space);
+  if (!signs && (!draft.space.empty() || axes) && header.sizes.size() > 2)
+    header.notes.push_back("The file's space is " +
+                           (draft.space.empty() ? std::string("not named") : "\"" + draft.space.substr(0, 40) + "\"") +
+                           "; its axes were taken for left, posterior and superior.");
+  const glm::dvec3 toLps = signs.value_or(glm::dvec3(1.0));
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  if (axes) {
+    std::array<bool, 3> given{};
+    for (std::size_t axis = 0; axis < spatial; ++axis) {
+      const Axis& step = (*axes)[axis + channelAxes];
+      if (!step) continue;
+      glm::dvec3 step_mm(0.0);
+      if (step->size() > 4 || !finite(*step))
+        return badField(header.file, "space directions", draft.directions, "finite vectors of 2 or 3 numbers");
+      for (std::size_t row = 0; row < std::min<std::size_t>(step->size(), 3); ++row) step_mm[static_cast<int>(row)] = (*step)[row];
+      const double length = glm::length(step_mm);
+      if (!(length > 0.0) || !std::isfinite(length))
+        return badField(header.file, "space directions", draft.directions, "vectors longer than 0");
+      header.geometry.spacing_mm[static_cast<int>(axis)] = length;
+      header.geometry.directions[static_cast<int>(axis)] = step_mm / length * toLps;
+      given[axis] = true;
+    }
+    // An axis without a direction (frames, or the missing third one of a picture) stands upright on the other two.
+    if (given[0] && given[1] && !given[2]) {
+      const glm::dvec3 upright = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
+      if (glm::length(upright) > 1e-6) header.geometry.directions[2] = glm::normalize(upright);
+    }
+  } else if (!draft.spacings.empty()) {
+    // "nan" marks axes that have no spacing.
+    const auto numbers = parseNumbers(draft.spacings);
+    if (!numbers || numbers->size() != header.sizes.size() + channelAxes)
+      return badField(header.file, "spacings", draft.spacings, "one number per axis");
+    for (std::size_t axis = 0; axis < spatial; ++axis) {
+      const double spacing = (*numbers)[axis + channelAxes];
+      if (!std::isnan(spacing)) header.geometry.spacing_mm[static_cast<int>(axis)] = spacing;
+    }
+  }
+  if (!draft.origin.empty()) {
+    const auto origin = parseVectors(draft.origin);
+    if (!origin || origin->size() != 1 || !origin->front() || origin->front()->size() > 4 || !finite(*origin->front()))
+      return badField(header.file, "space origin", draft.origin, "one finite vector");
+    glm::dvec3 origin_mm(0.0);
+    for (std::size_t row = 0; row < std::min<std::size_t>(origin->front()->size(), 3); ++row)
+      origin_mm[static_cast<int>(row)] = (*origin->front())[row];
+    header.geometry.origin_mm = origin_mm * toLps;
+  }
+  completeGeometry(header);
+  return {};
+}
+
+}  // namespace
+
+Result<ImageHeader> readNrrdHeader(const fs::path& file) {
+  LineReader lines(file);
+  Draft draft;
+  ImageHeader& header = draft.header;
+  header.file = file;
+  const auto notNrrd = [&] {
+    return failure(ErrorCode::badHeader, quoted(file) + " is not a NRRD file; check what kind of file it is.", {{"file", file.string()}});
+  };
+  const auto magic = lines.next();
+  if (!magic) return magic.error().code == ErrorCode::badHeader ? notNrrd() : passOn(magic.error());
+  if (!*magic || !(*magic)->starts_with("NRRD000")) return notNrrd();
+  bool ended = false;
+  while (!ended) {
+    auto line = lines.next();
+    if (!line) return passOn(line.error());
+    if (!*line || trimmed(**line).empty()) {
+      ended = line->has_value();
+      break;
+    }
+    const std::string& text = **line;
+    if (text.front() == '#') continue;
+    const auto colon = text.find(':');
+    if (colon == std::string::npos) return notNrrd();
+    const std::string key(trimmed(std::string_view(text).substr(0, colon)));
+    if (colon + 1 < text.size() && text[colon + 1] == '=') {
+      header.fields.emplace_back(key, trimmed(unescaped(std::string_view(text).substr(colon + 2))));
+    } else if (auto taken = take(draft, key, std::string(trimmed(std::string_view(text).substr(colon + 1)))); !taken) {
+      return passOn(taken.error());
+    }
+  }
+  // A detached header may end with the file; one with samples behind it needs its blank line.
+  if (!ended && draft.dataFile.empty())
+    return failure(ErrorCode::truncated, "The header of " + quoted(file) + " breaks off before its samples; get the file again.",
+                   {{"file", file.string()}});
+  if (!draft.hasType) return badField(file, "type", "", "a type from uchar to double");
+  if (header.sizes.empty()) return badField(file, "sizes", "", "one whole number per axis");
+  if (draft.dimension && *draft.dimension != header.sizes.size())
+    return badField(file, "sizes", sizesText(header.sizes), std::to_string(*draft.dimension) + " numbers (dimension)");
+  if (!header.kinds.empty() && header.kinds.size() != header.sizes.size())
+    return badField(file, "kinds", std::to_string(header.kinds.size()) + " words",
+                    std::to_string(header.sizes.size()) + " words, one per axis,");
+  std::optional<std::vector<Axis>> axes;
+  if (!draft.directions.empty()) {
+    axes = parseVectors(draft.directions);
+    if (!axes || axes->size() != header.sizes.size())
+      return badField(file, "space directions", draft.directions, "one vector or none per axis");
+  }
+  const auto channelAxes = takeChannels(draft, axes);
+  if (!channelAxes) return passOn(channelAxes.error());
+  if (auto taken = takeGeometry(draft, axes, *channelAxes); !taken) return passOn(taken.error());
+  if (auto taken = takeStorage(draft, lines.consumed()); !taken) return passOn(taken.error());
+  return std::move(draft.header);
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+#include "ew/core/contract.h"
+#include "ew/core/numbers.h"
+#include "ew/io/sequence.h"
+#include "grey_samples.h"
+#include "image_header.h"
+#include "transform_name.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+struct Layout {
+  std::uint64_t width = 0;
+  std::uint64_t height = 0;
+  std::uint64_t frames = 0;
+};
+
+Result<Layout> layoutOf(const ImageHeader& header) {
+  const auto& sizes = header.sizes;
+  // Newer writers give each frame a third axis of one slice.
+  const bool flatFrames = sizes.size() == 4 && sizes[2] == 1;
+  if (sizes.size() != 2 && sizes.size() != 3 && !flatFrames)
+    return failure(ErrorCode::unsupported,
+                   quoted(header.file) + " has sizes " + sizesText(sizes) + ", but a recording is width x height x frames; " +
+                       "sequences of volumes are not read, export its frames.",
+                   {{"file", header.file.string()}, {"sizes", sizesText(sizes)}});
+  const Layout layout{sizes[0], sizes[1], sizes.size() == 2 ? 1 : sizes.back()};
+  constexpr std::uint64_t largest = 1u << 30;
+  if (layout.width > largest || layout.height > largest || layout.frames > largest)
+    return failure(ErrorCode::tooLarge,
+                   "The header of " + quoted(header.file) + " promises " + sizesText(sizes) + " samples, but an axis may have " +
+                       std::to_string(largest) + " at most; check that the file is undamaged.",
+                   {{"file", header.file.string()}, {"promised", sizesText(sizes)}, {"limit", std::to_string(largest)}});
+  if (layout.frames == 0) return badField(header.file, "the number of frames", "0", "at least one frame");
+  return layout;
+}
+
+Result<void> checkFrameCount(const ImageHeader& header, const Layout& layout, const ReadLimits& limits) {
+  std::uint64_t headerBytes = 0;
+  for (const auto& [key, value] : header.fields) headerBytes += key.size() + value.size();
+  // Frames without pixels exist only through their fields, so a recording of poses cannot have more frames than header bytes.
+  if (layout.width * layout.height == 0 && layout.frames > headerBytes)
+    return failure(ErrorCode::badHeader,
+                   "The header of " + quoted(header.file) + " promises " + std::to_string(layout.frames) +
+                       " frames without pixels, but describes far fewer in its " + std::to_string(headerBytes) +
+                       " bytes of fields; check that the file is undamaged.",
+                   {{"file", header.file.string()}, {"frames", std::to_string(layout.frames)}});
+  if (layout.frames > limits.maxBytes / sizeof(SequenceFrame))
+    return failure(ErrorCode::tooLarge,
+                   "The header of " + quoted(header.file) + " promises " + std::to_string(layout.frames) + " frames, but only " +
+                       std::to_string(limits.maxBytes / sizeof(SequenceFrame)) + " fit the memory limit; cut the recording into parts.",
+                   {{"file", header.file.string()}, {"frames", std::to_string(layout.frames)}});
+  return {};
+}
+
+PoseStatus statusOf(std::string_view text) {
+  if (text == "OK") return PoseStatus::ok;
+  return text == "MISSING" ? PoseStatus::missing : PoseStatus::invalid;
+}
+
+/// What the reader noticed on the way, told once instead of once per frame.
+struct Remarks {
+  std::uint64_t withoutStatus = 0;
+  std::uint64_t beyondEnd = 0;
+};
+
+/// Whether a transform of this frame waits for its status, by position.
+struct OpenFrame {
+  std::vector<std::pair<std::string, std::string>> statuses;
+};
+
+Result<void> takeTransform(const ImageHeader& header, std::string_view key, std::string_view value, const TransformName& name,
+                           SequenceFrame& frame) {
+  const auto numbers = parseNumbers(value);
+  if (!numbers || numbers->size() != 16) return badField(header.file, key, value, "16 numbers (4 x 4, row by row)");
+  std::array<double, 16> rows{};
+  std::copy_n(numbers->begin(), 16, rows.begin());
+  const NamedTransform read{name.from, name.to, matrixFromRows(rows), PoseStatus::ok};
+  const auto same = std::find_if(frame.transforms.begin(), frame.transforms.end(),
+                                 [&](const NamedTransform& known) { return known.from == name.from && known.to == name.to; });
+  if (same == frame.transforms.end())
+    frame.transforms.push_back(read);
+  else
+    *same = read;
+  return {};
+}
+
+Result<void> takeFrameField(const ImageHeader& header, std::string_view key, std::string_view name, const std::string& value,
+                            SequenceFrame& frame, OpenFrame& open) {
+  constexpr std::string_view transform = "Transform";
+  constexpr std::string_view transformStatus = "TransformStatus";
+  if (name == "Timestamp") {
+    const auto time = parseNumber(value);
+    if (!time || !std::isfinite(*time)) return badField(header.file, key, value, "a time in seconds");
+    frame.time_s = *time;
+    return {};
+  }
+  if (name == "ImageStatus" || name == "Status") {
+    frame.imageStatus = statusOf(value);
+    return {};
+  }
+  if (name.ends_with(transform))
+    if (const auto split = splitTransformName(name.substr(0, name.size() - transform.size())))
+      return takeTransform(header, key, value, *split, frame);
+  if (name.ends_with(transformStatus) && splitTransformName(name.substr(0, name.size() - transformStatus.size()))) {
+    open.statuses.emplace_back(name.substr(0, name.size() - transformStatus.size()), value);
+    return {};
+  }
+  frame.otherFields.emplace_back(name, value);
+  return {};
+}
+
+void applyStatuses(SequenceFrame& frame, OpenFrame& open, Remarks& remarks) {
+  std::vector<bool> told(frame.transforms.size(), false);
+  for (auto& [joined, value] : open.statuses) {
+    const auto name = splitTransformName(joined);
+    const auto found = std::find_if(frame.transforms.begin(), frame.transforms.end(),
+                                    [&](const NamedTransform& known) { return known.from == name->from && known.to == name->to; });
+    if (found == frame.transforms.end()) {
+      frame.otherFields.emplace_back(joined + "TransformStatus", value);  // a status without numbers: kept, but no transform
+      continue;
+    }
+    found->status = statusOf(value);
+    told[static_cast<std::size_t>(found - frame.transforms.begin())] = true;
+  }
+  remarks.withoutStatus += static_cast<std::uint64_t>(std::count(told.begin(), told.end(), false));
+}
+
+Result<void> takeFields(const ImageHeader& header, Sequence& sequence) {
+  std::vector<OpenFrame> open(sequence.frames.size());
+  Remarks remarks;
+  for (const auto& [key, value] : header.fields) {
+    if (const auto frame = frameKey(key)) {
+      if (frame->frame >= sequence.frames.size()) {
+        ++remarks.beyondEnd;
+        sequence.otherFields.emplace_back(key, value);
+        continue;
+      }
+      const auto index = static_cast<std::size_t>(frame->frame);
+      const auto taken = takeFrameField(header, key, frame->name, value, sequence.frames[index], open[index]);
+      if (!taken) return passOn(taken.error());
+    } else if (key == "UltrasoundImageOrientation") {
+      sequence.orientation = value;
+    } else if (key == "UltrasoundImageType") {
+      sequence.imageType = value;
+    } else {
+      sequence.otherFields.emplace_back(key, value);
+    }
+  }
+  for (std::size_t frame = 0; frame < sequence.frames.size(); ++frame) applyStatuses(sequence.frames[frame], open[frame], remarks);
+  const auto silent = std::count_if(sequence.frames.begin(), sequence.frames.end(), [](const SequenceFrame& frame) {
+    return !frame.time_s && frame.transforms.empty() && frame.otherFields.empty() && frame.imageStatus == PoseStatus::missing;
+  });
+  if (silent > 0)
+    sequence.notes.push_back("The header says nothing about " + std::to_string(silent) + " of " + std::to_string(sequence.frames.size()) +
+                             " frames; their poses and times count as missing.");
+  if (remarks.withoutStatus > 0)
+    sequence.notes.push_back(std::to_string(remarks.withoutStatus) + " transforms come without a status and count as valid.");
+  if (remarks.beyondEnd > 0)
+    sequence.notes.push_back("The header has " + std::to_string(remarks.beyondEnd) + " fields about frames after the last image, number " +
+                             std::to_string(sequence.frames.size() - 1) + "; they were kept but not used.");
+  return {};
+}
+
+Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  const std::string name = lowerCase(file.filename().string());
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
+    return failure(ErrorCode::unsupported, quoted(file) + " is a volume, not a recorded sweep; open it as a volume.",
+                   {{"file", file.string()}});
+  const bool asSequence = describesSequence(*header);
+  if (!asSequence && header->hasGeometry && header->sizes.size() > 2)
+    return failure(ErrorCode::unsupported,
+                   quoted(file) + " is a volume, not a recorded sweep: its voxels have a place of their own; open it as a volume.",
+                   {{"file", file.string()}});
+  const auto layout = layoutOf(*header);
+  if (!layout) return passOn(layout.error());
+  const std::array<std::uint64_t, 3> sizes{layout->width, layout->height, layout->frames};
+  const auto pixels = productOf(sizes);
+  // What cannot be a real recording is refused before a single frame is made.
+  if (!pixels || *pixels > limits.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "The header of " + quoted(file) + " promises " + sizesText(sizes) + " samples, for which " + countText(pixels) +
+                       " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
+                       "; check that the file is undamaged, or cut it into parts.",
+                   {{"file", file.string()}, {"needed", countText(pixels)}, {"limit", std::to_string(limits.maxBytes)}});
+  if (const auto counted = checkFrameCount(*header, *layout, limits); !counted) return passOn(counted.error());
+
+  Sequence sequence;
+  sequence.width = static_cast<int>(layout->width);
+  sequence.height = static_cast<int>(layout->height);
+  sequence.notes = header->notes;
+  if (!asSequence) sequence.notes.push_back("The file does not say that it is a recording; each slice was taken for a frame.");
+  if (*pixels > 0) {
+    auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = "Reading frames"}, limits, progress, sequence.notes);
+    if (!grey) return passOn(grey.error());
+    sequence.pixels = *std::move(grey);
+  } else {
+    sequence.notes.push_back("The recording has poses but no images.");
+  }
+  sequence.frames.resize(static_cast<std::size_t>(layout->frames));
+  if (const auto taken = takeFields(*header, sequence); !taken) return passOn(taken.error());
+  progress.report("Reading frames", 1.0);
+  return sequence;
+}
+
+}  // namespace
+
+std::span<const std::uint8_t> Sequence::framePixels(std::size_t frame) const {
+  EW_EXPECTS(frame < frames.size());
+  if (pixels.empty()) return {};
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return std::span(pixels).subspan(frame * size, size);
+}
+
+Result<bool> isSequence(const fs::path& file) {
+  const auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  return describesSequence(*header);
+}
+
+Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  try {
+    return readSequenceOrThrow(file, progress, limits);
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge,
+                   "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",
+                   {{"file", file.string()}});
+  }
+}
+
+}  // namespace ew

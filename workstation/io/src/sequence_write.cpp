@@ -1,0 +1,76 @@
+#include <cstdio>
+
+#include "ew/core/contract.h"
+#include "ew/core/numbers.h"
+#include "ew/io/sequence.h"
+#include "image_header.h"
+#include "meta_writer.h"
+#include "transform_name.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+const char* textOfStatus(PoseStatus status) {
+  switch (status) {
+    case PoseStatus::ok:
+      return "OK";
+    case PoseStatus::invalid:
+      return "INVALID";
+    case PoseStatus::missing:
+      return "MISSING";
+  }
+  return "INVALID";
+}
+
+std::string prefixOf(std::size_t frame) {
+  std::string number = std::to_string(frame);
+  if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+  return "Seq_Frame" + number + "_";
+}
+
+Result<void> addFrame(const fs::path& file, const SequenceFrame& frame, const std::string& prefix, Fields& fields) {
+  for (const NamedTransform& transform : frame.transforms) {
+    const std::string joined = transform.from + "To" + transform.to;
+    const auto split = splitTransformName(joined);
+    if (!split || split->from != transform.from || split->to != transform.to)
+      return badField(file, "a transform's name", joined, "two frame names that \"To\" joins in one way only");
+    std::string numbers;
+    for (const double value : rowsOf(transform.matrix)) numbers += (numbers.empty() ? "" : " ") + textOf(value);
+    fields.emplace_back(prefix + joined + "Transform", numbers);
+    fields.emplace_back(prefix + joined + "TransformStatus", textOfStatus(transform.status));
+  }
+  if (frame.time_s) fields.emplace_back(prefix + "Timestamp", textOf(*frame.time_s));
+  for (const auto& [key, value] : frame.otherFields) fields.emplace_back(prefix + key, value);
+  if (frame.imageStatus != PoseStatus::missing) fields.emplace_back(prefix + "ImageStatus", textOfStatus(frame.imageStatus));
+  return {};
+}
+
+}  // namespace
+
+Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progress& progress) {
+  if (!lowerCase(file.filename().string()).ends_with(".mha"))
+    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .igs.mha.",
+                   {{"file", file.string()}});
+  if (sequence.frames.empty())
+    return failure(ErrorCode::badField, "The recording has no frames, so " + quoted(file) + " was not written; record or open one first.",
+                   {{"file", file.string()}});
+  const bool hasImages = !sequence.pixels.empty();
+  const std::uint64_t width = hasImages ? static_cast<std::uint64_t>(sequence.width) : 0;
+  const std::uint64_t height = hasImages ? static_cast<std::uint64_t>(sequence.height) : 0;
+  const bool complete = sequence.width >= 0 && sequence.height >= 0 && sequence.pixels.size() == width * height * sequence.frames.size();
+  EW_EXPECTS(complete);
+  if (!complete)
+    return failure(ErrorCode::internal, "The recording's pixels do not match its size, so " + quoted(file) + " was not written.");
+  MetaText text{
+      .sizes = {width, height, sequence.frames.size()}, .geometry = {}, .kinds = "domain domain list", .samples = hasImages, .fields = {}};
+  if (!sequence.orientation.empty()) text.fields.emplace_back("UltrasoundImageOrientation", sequence.orientation);
+  if (!sequence.imageType.empty()) text.fields.emplace_back("UltrasoundImageType", sequence.imageType);
+  text.fields.insert(text.fields.end(), sequence.otherFields.begin(), sequence.otherFields.end());
+  for (std::size_t frame = 0; frame < sequence.frames.size(); ++frame)
+    if (auto added = addFrame(file, sequence.frames[frame], prefixOf(frame), text.fields); !added) return added;
+  return writeMetaFile(file, text, sequence.pixels, true, "Writing frames", progress);
+}
+
+}  // namespace ew

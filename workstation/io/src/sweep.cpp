@@ -1,0 +1,188 @@
+#include "ew/io/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "ew/core/numbers.h"
+#include "usable_transform.h"
+
+namespace ew {
+namespace {
+
+constexpr std::string_view kImage = "Image";
+
+bool sameFrames(const NamedTransform& a, const NamedTransform& b) {
+  return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
+}
+
+/// All transforms that hold for a frame: the calibration's, and the frame's own where the calibration says nothing.
+std::vector<NamedTransform> transformsOf(const SequenceFrame& frame, std::span<const NamedTransform> calibration) {
+  std::vector<NamedTransform> all(calibration.begin(), calibration.end());
+  for (const NamedTransform& own : frame.transforms)
+    if (std::none_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); }))
+      all.push_back(own);
+  return all;
+}
+
+/// The names alone: every transform counts, whatever its status and numbers are.
+std::vector<NamedTransform> namesOnly(std::span<const NamedTransform> transforms) {
+  std::vector<NamedTransform> names;
+  std::set<std::pair<std::string_view, std::string_view>> known;
+  for (const NamedTransform& transform : transforms)
+    if (known.emplace(transform.from, transform.to).second)
+      names.push_back({transform.from, transform.to, glm::dmat4(1.0), PoseStatus::ok});
+  return names;
+}
+
+std::vector<NamedTransform> allNames(const Sequence& sequence, std::span<const NamedTransform> calibration) {
+  std::vector<NamedTransform> names = namesOnly(calibration);
+  std::set<std::pair<std::string, std::string>> known;
+  for (const NamedTransform& transform : names) known.emplace(transform.from, transform.to);
+  for (const SequenceFrame& frame : sequence.frames)
+    for (const NamedTransform& transform : frame.transforms)
+      if (known.emplace(transform.from, transform.to).second)
+        names.push_back({transform.from, transform.to, glm::dmat4(1.0), PoseStatus::ok});
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTransform> names, bool calibrated, std::string_view toFrame) {
+  const auto reachable = reachableFrom(names, kImage);
+  std::set<std::string> others;
+  for (const NamedTransform& name : names) {
+    others.insert(name.from);
+    others.insert(name.to);
+  }
+  for (const std::string& name : reachable) others.erase(name);
+  others.erase(std::string(kImage));
+  const std::string goal = toFrame.empty() ? "Reference, Tracker or World" : std::string(toFrame);
+  std::string sentence = "There is no way from the pixels (frame Image) to " + goal + ": ";
+  sentence += reachable.empty() ? "nothing can be reached from Image" : "from Image only " + listed(reachable) + " can be reached";
+  if (!others.empty()) sentence += ", and " + listed(std::vector<std::string>(others.begin(), others.end())) + " stand apart";
+  if (reachable.empty() && !calibrated) {
+    const std::string tool = others.contains("Probe") ? "Probe" : "the tracked probe";
+    sentence += "; give the device set (.xml) with the calibration from Image to " + tool + ".";
+  } else if (reachable.empty()) {
+    sentence += "; the device set given has no transform from or to Image, give the one this sweep was recorded with.";
+  } else if (!toFrame.empty()) {
+    sentence += "; choose one of those frames, or give the device set (.xml) that leads on.";
+  } else {
+    sentence += "; name one of those frames as the target, or give the device set (.xml) that leads on.";
+  }
+  return failure(ErrorCode::missingCalibration, std::move(sentence),
+                 {{"to", std::string(toFrame)}, {"reachable", listed(reachable)}, {"frames", std::to_string(sequence.frames.size())}});
+}
+
+SweepPoses posesTo(const Sequence& sequence, std::span<const NamedTransform> calibration, std::string_view toFrame) {
+  SweepPoses poses;
+  poses.toFrame = toFrame;
+  poses.imageToWorld.resize(sequence.frames.size());
+  for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+    const SequenceFrame& frame = sequence.frames[i];
+    const auto transforms = transformsOf(frame, calibration);
+    const auto found = chain(transforms, kImage, toFrame);
+    if (found && frame.imageStatus != PoseStatus::invalid) {
+      poses.imageToWorld[i] = Transform<frame::World, frame::Image>{*found};
+      ++poses.usable;
+    } else if (found) {
+      ++poses.invalid;
+    } else {
+      // A transform marked MISSING is as good as not written: what is left tells a broken chain from an absent one.
+      std::vector<NamedTransform> written;
+      std::copy_if(transforms.begin(), transforms.end(), std::back_inserter(written),
+                   [](const NamedTransform& transform) { return transform.status != PoseStatus::missing; });
+      ++(chain(namesOnly(written), kImage, toFrame) ? poses.invalid : poses.missing);
+    }
+  }
+  return poses;
+}
+
+/// Percent by which the worst pair of columns is off the right angle.
+double skewPercent(const glm::dmat4& matrix) {
+  double worst = 0.0;
+  for (int a = 0; a < 3; ++a)
+    for (int b = a + 1; b < 3; ++b)
+      worst = std::max(worst, std::abs(glm::dot(glm::normalize(glm::dvec3(matrix[a])), glm::normalize(glm::dvec3(matrix[b])))));
+  return 100.0 * worst;
+}
+
+std::string withOneDecimal(double value) { return textOf(std::round(value * 10.0) / 10.0); }
+
+void noteGeometry(const glm::dmat4& imageToWorld, std::vector<std::string>& notes) {
+  if (const double skew = skewPercent(imageToWorld); skew > 1.0)
+    notes.push_back("The calibration's axes are up to " + withOneDecimal(skew) + " % off the right angle; they were used as they are.");
+  if (glm::determinant(glm::dmat3(imageToWorld)) < 0.0)
+    notes.push_back("The calibration is mirrored (a left-handed frame); it was used as it is.");
+}
+
+void noteTimes(const Sequence& sequence, std::vector<std::string>& notes) {
+  std::size_t equal = 0;
+  std::size_t backwards = 0;
+  std::optional<double> before_s;
+  for (const SequenceFrame& frame : sequence.frames) {
+    if (!frame.time_s) continue;
+    if (before_s && *frame.time_s == *before_s) ++equal;
+    if (before_s && *frame.time_s < *before_s) ++backwards;
+    before_s = frame.time_s;
+  }
+  if (equal > 0) notes.push_back(std::to_string(equal) + " frames carry the same time as the frame before.");
+  if (backwards > 0) notes.push_back("Time runs backwards at " + std::to_string(backwards) + " frames; their order in the file was kept.");
+}
+
+void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<std::string>& notes) {
+  std::set<std::string> replaced;
+  for (const SequenceFrame& frame : sequence.frames)
+    for (const NamedTransform& own : frame.transforms)
+      if (std::any_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); }))
+        replaced.insert(own.from + " to " + own.to);
+  for (const std::string& name : replaced)
+    notes.push_back("The recording and the device set both say " + name + "; the device set was used.");
+}
+
+}  // namespace
+
+Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibration, std::string_view toFrame) {
+  const std::span<const NamedTransform> given =
+      calibration != nullptr ? std::span<const NamedTransform>(calibration->transforms) : std::span<const NamedTransform>();
+  const auto names = allNames(sequence, given);
+  constexpr std::array<std::string_view, 3> usual{"Reference", "Tracker", "World"};
+  const std::span<const std::string_view> wanted = toFrame.empty() ? std::span<const std::string_view>(usual) : std::span(&toFrame, 1);
+  std::optional<SweepPoses> best;
+  std::vector<std::string> notes;
+  for (const std::string_view target : wanted) {
+    if (!chain(names, kImage, target)) continue;
+    SweepPoses found = posesTo(sequence, given, target);
+    if (found.usable == 0 && toFrame.empty())
+      notes.push_back("No frame has a valid way to " + std::string(target) + ", so it was not used.");
+    const bool better = !best || (best->usable == 0 && found.usable > 0);
+    if (better) best = std::move(found);
+    if (best->usable > 0) break;
+  }
+  if (!best) return noChain(sequence, names, calibration != nullptr, toFrame);
+  if (best->usable == 0)
+    return failure(ErrorCode::noValidPose,
+                   "None of the " + std::to_string(sequence.frames.size()) + " frames has a usable pose to " + best->toFrame + ": " +
+                       std::to_string(best->invalid) + " are INVALID and " + std::to_string(best->missing) +
+                       " missing; check that the tracker saw the probe, or choose another target frame.",
+                   {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
+  best->notes = std::move(notes);
+  if (toFrame.empty()) best->notes.push_back("The volume is placed in the recording's frame " + best->toFrame + ".");
+  if (best->invalid + best->missing > 0)
+    best->notes.push_back(std::to_string(best->invalid) + " frames with an INVALID and " + std::to_string(best->missing) +
+                          " with a missing pose were left out; " + std::to_string(best->usable) + " are used.");
+  const auto first = std::find_if(best->imageToWorld.begin(), best->imageToWorld.end(), [](const auto& pose) { return pose.has_value(); });
+  noteGeometry((*first)->matrix, best->notes);
+  noteOverride(sequence, given, best->notes);
+  noteTimes(sequence, best->notes);
+  return *std::move(best);
+}
+
+}  // namespace ew

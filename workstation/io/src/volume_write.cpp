@@ -1,0 +1,78 @@
+#include <algorithm>
+
+#include "ew/core/contract.h"
+#include "ew/io/volume_file.h"
+#include "image_header.h"
+#include "meta_writer.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> samples, const fs::path& file, std::string_view what,
+                          Progress& progress, const WriteOptions& options) {
+  if (const auto usable = checkGrid(grid); !usable) return usable;
+  EW_EXPECTS(samples.size() == grid.voxelCount());
+  if (samples.size() != grid.voxelCount())
+    return failure(ErrorCode::internal, "The volume has " + std::to_string(samples.size()) + " voxels, but its grid " +
+                                            std::to_string(grid.voxelCount()) + "; it was not written.");
+  const MetaText text{
+      .sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y), static_cast<std::uint64_t>(grid.dims.z)},
+      .geometry = grid,
+      .kinds = {},
+      .samples = true,
+      .fields = {}};
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending == ".mha") return writeMetaFile(file, text, samples, options.compress, what, progress);
+  if (ending == ".mhd") return writeMetaPair(file, text, samples, what, progress);
+  return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .mha or .mhd.",
+                 {{"file", file.string()}});
+}
+
+}  // namespace
+
+Result<void> writeVolume(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
+  return writeSamples(volume.grid, volume.echo, file, "Writing voxels", progress, options);
+}
+
+Result<void> writeCoverage(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
+  if (!volume.coverage.empty()) return writeSamples(volume.grid, volume.coverage, file, "Writing coverage", progress, options);
+  if (const auto usable = checkGrid(volume.grid); !usable) return usable;
+  const std::vector<std::uint8_t> measured(volume.grid.voxelCount(), static_cast<std::uint8_t>(Coverage::measured));
+  return writeSamples(volume.grid, measured, file, "Writing coverage", progress, options);
+}
+
+Result<void> readCoverageInto(Volume& volume, const fs::path& file, Progress& progress) {
+  auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  if (header->type != SampleType::u8)
+    return badField(file, "the sample type", std::string(nameOf(header->type)), "8 bit unsigned (0 absent, 1 interpolated, 2 measured)");
+  auto loaded = readVolume(file, progress);
+  if (!loaded) return passOn(loaded.error());
+  const Grid& found = loaded->volume.grid;
+  const Grid& expected = volume.grid;
+  const double nearly_mm = 1e-3;
+  const auto farthest = [](const glm::dvec3& difference) {
+    return std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+  };
+  // Compared where the corners lie, so that six written digits are enough however far the origin is.
+  bool same = found.dims == expected.dims;
+  for (int corner = 0; same && corner < 8; ++corner) {
+    const Point<frame::Voxel> p_voxel{glm::dvec3((corner & 1) * (expected.dims.x - 1), ((corner >> 1) & 1) * (expected.dims.y - 1),
+                                                 (corner >> 2) * (expected.dims.z - 1))};
+    same = farthest((found.voxelToWorld() * p_voxel).at - (expected.voxelToWorld() * p_voxel).at) <= nearly_mm;
+  }
+  if (!same)
+    return failure(ErrorCode::badField,
+                   "The coverage in " + quoted(file) + " lies on another grid than its volume; give the coverage made with this volume.",
+                   {{"file", file.string()}});
+  if (const auto beyond =
+          std::find_if(loaded->volume.echo.begin(), loaded->volume.echo.end(), [](std::uint8_t value) { return value > 2; });
+      beyond != loaded->volume.echo.end())
+    return badField(file, "a coverage value", std::to_string(*beyond), "0 (absent), 1 (interpolated) or 2 (measured)");
+  volume.coverage = std::move(loaded->volume.echo);
+  return {};
+}
+
+}  // namespace ew
