@@ -73,7 +73,6 @@ class Scene3D {
   void orbit(double right_rad, double up_rad);  ///< the viewer moves around the focal point; 85 degrees up or down at most
   void pan(glm::dvec2 by_px);                   ///< the scene follows the pointer; the focal point stays near the body
   void zoom(double factor);                     ///< above 1 comes closer; from 150 mm to 6 m
-  [[nodiscard]] glm::dmat4 worldToView() const;
 
   [[nodiscard]] Ray rayAt(glm::dvec2 at_px) const;
   [[nodiscard]] std::optional<Skin::Contact> contactAt(glm::dvec2 at_px) const;

@@ -1,0 +1,182 @@
+#include "fan_picture.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolygon.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <cmath>
+
+#include "ew/bridge/convert.h"
+
+namespace ew::bridge {
+
+FanPicture::FanPicture() {
+  vtkNew<vtkPolyDataMapper> paneMapper;
+  paneMapper->SetInputData(paneMesh_);
+  pane_->SetMapper(paneMapper);
+  pane_->GetProperty()->LightingOff();
+  pane_->ForceOpaqueOn();
+  vtkNew<vtkPolyDataMapper> edgeMapper;
+  edgeMapper->SetInputData(edgeMesh_);
+  edgeMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  // The edge lies in the pane's plane; it is to win on both of its sides.
+  edgeMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -4.0);
+  edge_->SetMapper(edgeMapper);
+  edge_->GetProperty()->LightingOff();
+  edge_->GetProperty()->SetLineWidth(2.0F);
+  texture_->SetInputData(pixels_);
+  texture_->InterpolateOn();
+  texture_->SetWrap(vtkTexture::ClampToEdge);
+  texture_->SetColorModeToDirectScalars();
+  setAccent(accent_);
+}
+
+FanPicture::~FanPicture() = default;
+
+void FanPicture::addTo(vtkRenderer& renderer) {
+  renderer.AddActor(pane_);
+  renderer.AddActor(edge_);
+}
+
+void FanPicture::setOutline(const Probe& probe, double depth_mm) {
+  outline_mm_ = fanOutline_mm(probe, depth_mm);
+  if (outline_mm_.size() > 1 && outline_mm_.front() == outline_mm_.back()) outline_mm_.pop_back();
+  const auto count = static_cast<vtkIdType>(outline_mm_.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkPolygon> polygon;
+  for (const glm::dvec2& p : outline_mm_) {
+    const vtkIdType id = points->InsertNextPoint(p.x, p.y, 0.0);
+    polygon->GetPointIds()->InsertNextId(id);
+    polygon->GetPoints()->InsertNextPoint(p.x, p.y, 0.0);
+  }
+  vtkNew<vtkIdList> corners;
+  polygon->NonDegenerateTriangulate(corners);
+  if (corners->GetNumberOfIds() < 3) polygon->Triangulate(corners);
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType i = 0; i + 2 < corners->GetNumberOfIds(); i += 3) {
+    const std::array<vtkIdType, 3> ids{corners->GetId(i), corners->GetId(i + 1), corners->GetId(i + 2)};
+    triangles->InsertNextCell(3, ids.data());
+  }
+  paneMesh_->SetPoints(points);
+  paneMesh_->SetPolys(triangles);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(count) + 1);
+  for (vtkIdType id = 0; id <= count; ++id) lines->InsertCellPoint(id % count);
+  edgeMesh_->SetPoints(points);
+  edgeMesh_->SetLines(lines);
+  updateTextureCoordinates();
+}
+
+void FanPicture::updateTextureCoordinates() {
+  if (!hasPicture_ || outline_mm_.empty()) return;
+  const glm::dmat4 probeToImage = inverse(geometry_.imageToProbe()).matrix;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("Texture");
+  coordinates->SetNumberOfComponents(2);
+  for (const glm::dvec2& p : outline_mm_) {
+    const glm::dvec4 at_px = probeToImage * glm::dvec4(p, 0.0, 1.0);
+    // Pixel centres are whole numbers in the image frame and halves in a texture.
+    coordinates->InsertNextTuple2((at_px.x + 0.5) / geometry_.width, (at_px.y + 0.5) / geometry_.height);
+  }
+  paneMesh_->GetPointData()->SetTCoords(coordinates);
+  paneMesh_->Modified();
+}
+
+void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
+  if (picture.width < 1 || picture.height < 1) return clearPicture();
+  const bool sameGeometry = hasPicture_ && geometry == geometry_;
+  const int step = picture.width > kTextureLimit_px && picture.height > 1 ? 2 : 1;
+  const int width = picture.width / step;
+  const int height = picture.height / step;
+  int dims[3];
+  pixels_->GetDimensions(dims);
+  if (dims[0] != width || dims[1] != height || pixels_->GetScalarType() != VTK_UNSIGNED_CHAR) {
+    pixels_->SetDimensions(width, height, 1);
+    pixels_->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  }
+  auto* out = static_cast<unsigned char*>(pixels_->GetScalarPointer());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      int grey = 0;
+      if (step == 1)
+        grey = picture.row(y)[x];
+      else {
+        const std::uint8_t* upper = picture.row(2 * y) + 2 * x;
+        const std::uint8_t* lower = picture.row(2 * y + 1) + 2 * x;
+        grey = (upper[0] + upper[1] + lower[0] + lower[1] + 2) / 4;
+      }
+      // Black on a dark ground would be a hole: the floor of the pane is a trace of its edge's colour.
+      for (int c = 0; c < 3; ++c) {
+        const int floor = static_cast<int>(30.0 * accent_[c]);
+        *out++ = static_cast<unsigned char>(floor + grey * (255 - floor) / 255);
+      }
+    }
+  pixels_->Modified();
+  geometry_ = geometry;
+  hasPicture_ = true;
+  if (!sameGeometry) updateTextureCoordinates();
+  showTexture(true);
+}
+
+void FanPicture::clearPicture() {
+  hasPicture_ = false;
+  showTexture(false);
+}
+
+void FanPicture::showTexture(bool show) {
+  pane_->SetTexture(show ? texture_.Get() : nullptr);
+  pane_->GetProperty()->SetOpacity(show ? 1.0 : 0.35);
+  pane_->SetForceOpaque(show);
+  pane_->SetForceTranslucent(!show);
+  if (show)
+    pane_->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  else
+    pane_->GetProperty()->SetColor(accent_.r, accent_.g, accent_.b);
+}
+
+void FanPicture::setAccent(const glm::dvec3& accent) {
+  accent_ = accent;
+  edge_->GetProperty()->SetColor(accent.r, accent.g, accent.b);
+  showTexture(hasPicture_);
+}
+
+void FanPicture::setVisible(bool visible) {
+  pane_->SetVisibility(visible);
+  edge_->SetVisibility(visible);
+}
+
+void FanPicture::setProbeToWorld(vtkMatrix4x4* matrix) {
+  probeToWorld_ = matrix;
+  pane_->SetUserMatrix(matrix);
+  edge_->SetUserMatrix(matrix);
+}
+
+std::vector<glm::dvec3> FanPicture::corners_mm() const {
+  std::vector<glm::dvec3> corners;
+  if (!pane_->GetVisibility() || paneMesh_->GetNumberOfPoints() == 0) return corners;
+  vtkNew<vtkMatrix4x4> placed;
+  // GetMatrix is what the mapper draws with.
+  const_cast<vtkActor*>(pane_.Get())->GetMatrix(placed);
+  const glm::dmat4 toWorld = toGlm(*placed);
+  for (vtkIdType id = 0; id < paneMesh_->GetNumberOfPoints(); ++id) {
+    glm::dvec3 p;
+    paneMesh_->GetPoint(id, &p.x);
+    corners.emplace_back(toWorld * glm::dvec4(p, 1.0));
+  }
+  return corners;
+}
+
+}  // namespace ew::bridge

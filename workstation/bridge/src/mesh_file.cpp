@@ -1,0 +1,253 @@
+#include "mesh_file.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <glm/glm.hpp>
+#include <optional>
+#include <sstream>
+
+#include "ew/core/numbers.h"
+
+namespace ew::bridge {
+namespace {
+
+constexpr std::uint64_t kMostTriangles = 20'000'000;
+
+struct MeshFile {
+  std::filesystem::path path;
+  std::uint64_t bytes = 0;
+
+  [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const std::string& what) const {
+    return failure(code, path.filename().string() + " " + what, {{"file", path.string()}});
+  }
+  [[nodiscard]] tl::unexpected<Error> tooManyTriangles(std::uint64_t count) const {
+    return refuse(ErrorCode::tooLarge, "promises " + std::to_string(count) + " triangles; use a mesh with at most 20 million.");
+  }
+};
+
+/// A binary STL says in its header how many triangles of 50 bytes follow; the reader would believe it.
+Result<void> checkStl(const MeshFile& file) {
+  std::ifstream in(file.path, std::ios::binary);
+  std::array<char, 84> head{};
+  in.read(head.data(), head.size());
+  const bool startsAsText = std::strncmp(head.data(), "solid", 5) == 0;
+  if (in.gcount() < 84) {
+    if (startsAsText) return {};
+    return file.refuse(ErrorCode::truncated, "ends inside the header of a binary STL file; export the mesh again.");
+  }
+  std::uint32_t count = 0;
+  std::memcpy(&count, head.data() + 80, 4);
+  const std::uint64_t promised = 84 + 50ull * count;
+  // Some programs write "solid" into binary files as well: then only the size tells.
+  if (startsAsText && promised != file.bytes) return {};
+  if (count > kMostTriangles && promised <= file.bytes) return file.tooManyTriangles(count);
+  if (promised > file.bytes)
+    return file.refuse(ErrorCode::truncated, "promises " + std::to_string(count) + " triangles but ends after " +
+                                                 std::to_string((file.bytes - 84) / 50) + "; export the mesh again.");
+  return {};
+}
+
+int plySize(const std::string& type) {
+  static const std::array<std::pair<const char*, int>, 16> kTypes{{{"char", 1},
+                                                                   {"uchar", 1},
+                                                                   {"int8", 1},
+                                                                   {"uint8", 1},
+                                                                   {"short", 2},
+                                                                   {"ushort", 2},
+                                                                   {"int16", 2},
+                                                                   {"uint16", 2},
+                                                                   {"int", 4},
+                                                                   {"uint", 4},
+                                                                   {"int32", 4},
+                                                                   {"uint32", 4},
+                                                                   {"float", 4},
+                                                                   {"float32", 4},
+                                                                   {"double", 8},
+                                                                   {"float64", 8}}};
+  for (const auto& [name, size] : kTypes)
+    if (type == name) return size;
+  return 0;
+}
+
+/// The PLY reader takes memory for what the header promises, so the promise is held against the file's size: an element takes at
+/// least the bytes of its scalars (in text, two characters each) and one count for each list.
+Result<void> checkPly(const MeshFile& file) {
+  std::ifstream in(file.path, std::ios::binary);
+  std::string line;
+  const auto next = [&]() -> bool {
+    line.clear();
+    for (char c = 0; line.size() < 4096 && in.get(c) && c != '\n';) line.push_back(c);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    return static_cast<bool>(in);
+  };
+  if (!next() || line != "ply") return file.refuse(ErrorCode::badHeader, "does not begin with \"ply\"; it is not a PLY file.");
+  bool text = false;
+  bool ended = false;
+  bool hasVertices = false;
+  bool hasFaces = false;
+  double promised = 0.0;
+  double count = 0.0;
+  for (int lines = 0; lines < 1000 && !ended && next(); ++lines) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "format") {
+      words >> word;
+      text = word == "ascii";
+      if (!text && word != "binary_little_endian" && word != "binary_big_endian")
+        return file.refuse(ErrorCode::badHeader, "has the unknown PLY format \"" + word + "\"; export it as ascii or binary.");
+    } else if (word == "element") {
+      std::string name;
+      std::string number;
+      words >> name >> number;
+      const auto parsed = parseIntegers(number);
+      if (!parsed || parsed->size() != 1 || parsed->front() < 0)
+        return file.refuse(ErrorCode::badHeader, "says \"" + line + "\" where a count is expected; export the mesh again.");
+      count = static_cast<double>(parsed->front());
+      hasVertices = hasVertices || (name == "vertex" && count > 0);
+      hasFaces = hasFaces || (name == "face" && count > 0);
+      if (count > static_cast<double>(kMostTriangles)) return file.tooManyTriangles(static_cast<std::uint64_t>(count));
+    } else if (word == "property") {
+      std::string type;
+      words >> type;
+      const bool list = type == "list";
+      if (list) words >> type;
+      const int size = plySize(type);
+      if (size == 0) return file.refuse(ErrorCode::badHeader, "has the unknown property \"" + line + "\"; export the mesh again.");
+      promised += count * (text ? 2 : size);
+    }
+    ended = word == "end_header";
+  }
+  if (!ended) return file.refuse(ErrorCode::badHeader, "has no end of its PLY header; export the mesh again.");
+  if (!hasVertices || !hasFaces) return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+  if (promised > static_cast<double>(file.bytes))
+    return file.refuse(ErrorCode::truncated, "is shorter than its header promises; export the mesh again.");
+  return {};
+}
+
+/// Corners that do not exist would be looked up all the same, so the faces of an OBJ file are checked before the reader sees them.
+Result<void> checkObj(const MeshFile& file) {
+  std::ifstream in(file.path);
+  std::string line;
+  std::array<long long, 3> counts{0, 0, 0};  // v, vt, vn
+  std::uint64_t faces = 0;
+  for (std::uint64_t number = 1; std::getline(in, line); ++number) {
+    if (line.find('\0') != std::string::npos)
+      return file.refuse(ErrorCode::badHeader, "is not text, which an OBJ file is; export the mesh again.");
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    const auto where = [&] { return " (line " + std::to_string(number) + "); export the mesh again."; };
+    if (word == "v" || word == "vt" || word == "vn") {
+      ++counts[word == "v" ? 0 : word == "vt" ? 1 : 2];
+      const int least = word == "vt" ? 1 : 3;
+      int found = 0;
+      for (std::string value; words >> value; ++found)
+        if (!parseNumber(value)) return file.refuse(ErrorCode::badField, "has \"" + value + "\" for a coordinate" + where());
+      if (found < least) return file.refuse(ErrorCode::badField, "has a point with fewer than three coordinates" + where());
+    } else if (word == "f") {
+      ++faces;
+      if (faces > kMostTriangles) return file.tooManyTriangles(faces);
+      int corners = 0;
+      for (std::string corner; words >> corner; ++corners) {
+        std::istringstream parts(corner);
+        std::string part;
+        for (std::size_t kind = 0; kind < 3 && std::getline(parts, part, '/'); ++kind) {
+          if (part.empty() && kind == 1) continue;
+          const auto parsed = parseIntegers(part);
+          const long long index = parsed && parsed->size() == 1 ? parsed->front() : 0;
+          if (index == 0 || std::abs(index) > counts[kind])
+            return file.refuse(ErrorCode::badField, "has a face with the corner \"" + corner + "\", which does not exist" + where());
+        }
+      }
+      if (corners < 3) return file.refuse(ErrorCode::badField, "has a face with fewer than three corners" + where());
+    }
+  }
+  if (faces == 0) return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+  return {};
+}
+
+template <class Reader>
+Result<vtkSmartPointer<vtkPolyData>> readWith(const MeshFile& file) {
+  vtkNew<Reader> reader;
+  std::string problem;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&problem);
+  listener->SetCallback([](vtkObject*, unsigned long, void* to, void* text) {
+    auto& kept = *static_cast<std::string*>(to);
+    if (kept.empty() && text != nullptr) kept = static_cast<const char*>(text);
+  });
+  reader->AddObserver(vtkCommand::ErrorEvent, listener);
+  reader->AddObserver(vtkCommand::WarningEvent, listener);
+  reader->SetFileName(file.path.c_str());
+  try {
+    reader->Update();
+  } catch (const std::exception& thrown) {
+    problem = thrown.what();
+  }
+  if (!problem.empty() || reader->GetErrorCode() != 0) {
+    auto refused = file.refuse(ErrorCode::badHeader, "cannot be read as a mesh; export it again as STL, PLY or OBJ.");
+    refused.value().context.emplace_back("reader", problem);
+    return refused;
+  }
+  return vtkSmartPointer<vtkPolyData>(reader->GetOutput());
+}
+
+Result<void> checkMesh(const MeshFile& file, vtkPolyData& mesh) {
+  const vtkIdType points = mesh.GetNumberOfPoints();
+  if (points == 0 || mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0)
+    return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+  if (static_cast<std::uint64_t>(mesh.GetNumberOfPolys()) > kMostTriangles)
+    return file.tooManyTriangles(static_cast<std::uint64_t>(mesh.GetNumberOfPolys()));
+  for (vtkIdType id = 0; id < points; ++id) {
+    glm::dvec3 p;
+    mesh.GetPoint(id, &p.x);
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(p[axis]))
+        return file.refuse(ErrorCode::badField, "has a point whose coordinates are not finite; export the mesh again.");
+  }
+  for (vtkCellArray* cells : {mesh.GetPolys(), mesh.GetStrips()})
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      cells->GetCellAtId(cell, count, ids);
+      for (vtkIdType corner = 0; corner < count; ++corner)
+        if (ids[corner] < 0 || ids[corner] >= points)
+          return file.refuse(ErrorCode::badField,
+                             "has a face with corner " + std::to_string(ids[corner]) + ", which does not exist; export the mesh again.");
+    }
+  return {};
+}
+
+}  // namespace
+
+Result<vtkSmartPointer<vtkPolyData>> readMeshFile(const std::filesystem::path& file, const std::string& ending) {
+  std::error_code problem;
+  const MeshFile mesh{file, std::filesystem::file_size(file, problem)};
+  if (problem || !std::ifstream(file, std::ios::binary))
+    return mesh.refuse(ErrorCode::notReadable, "cannot be read; check that you may open it.");
+  if (mesh.bytes == 0) return mesh.refuse(ErrorCode::emptyVolume, "is an empty file; export the mesh again.");
+  const auto checked = ending == ".stl" ? checkStl(mesh) : ending == ".ply" ? checkPly(mesh) : checkObj(mesh);
+  if (!checked) return passOn(checked.error());
+  auto read = ending == ".stl"   ? readWith<vtkSTLReader>(mesh)
+              : ending == ".ply" ? readWith<vtkPLYReader>(mesh)
+                                 : readWith<vtkOBJReader>(mesh);
+  if (!read) return read;
+  if (const auto whole = checkMesh(mesh, **read); !whole) return passOn(whole.error());
+  return read;
+}
+
+}  // namespace ew::bridge

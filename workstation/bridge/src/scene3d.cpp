@@ -1,0 +1,365 @@
+#include "ew/bridge/scene3d.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "camera.h"
+#include "ew/bridge/convert.h"
+#include "ew/core/contract.h"
+#include "fan_picture.h"
+#include "probe_model.h"
+
+namespace ew::bridge {
+namespace {
+
+void setColour(vtkProperty& property, const glm::dvec3& colour) { property.SetColor(colour.r, colour.g, colour.b); }
+
+vtkSmartPointer<vtkLight> cameraLight(const glm::dvec3& from, const glm::dvec3& colour, double strength) {
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(from.x, from.y, from.z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetColor(colour.r, colour.g, colour.b);
+  light->SetIntensity(strength);
+  return light;
+}
+
+/// Distance between a ray and a segment, both in mm.
+double distance_mm(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b) {
+  double least = 1e300;
+  // The housing is short and the answer only decides what the pointer is over: points every few millimetres are enough.
+  constexpr int kPieces = 24;
+  for (int i = 0; i <= kPieces; ++i) {
+    const glm::dvec3 p = glm::mix(a, b, static_cast<double>(i) / kPieces) - ray.from_mm;
+    const double along = std::max(0.0, glm::dot(p, ray.direction));
+    least = std::min(least, glm::length(p - along * ray.direction));
+  }
+  return least;
+}
+
+}  // namespace
+
+SceneColours darkColours() { return {}; }
+
+SceneColours lightColours() {
+  SceneColours colours;
+  colours.groundTop = {0.965, 0.968, 0.975};
+  colours.groundBottom = {0.900, 0.906, 0.918};
+  colours.skin = {0.86, 0.745, 0.665};
+  colours.box = {0.33, 0.36, 0.40};
+  colours.accent = {0.055, 0.520, 0.575};
+  colours.housing = {0.95, 0.955, 0.965};
+  return colours;
+}
+
+struct Scene3D::Parts {
+  explicit Parts(vtkRenderWindow& renderWindow) : window(&renderWindow) {}
+
+  vtkSmartPointer<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> bodyLayer;
+  vtkNew<vtkRenderer> overlay;
+  vtkNew<vtkCamera> vtkView;
+  OrbitCamera camera;
+  SceneColours colours;
+
+  std::shared_ptr<const Mannequin> mannequin;
+  vtkNew<vtkActor> body;
+  vtkNew<vtkPolyDataMapper> bodyMapper;
+
+  vtkNew<vtkActor> box;
+  vtkNew<vtkPolyData> boxMesh;
+  std::optional<Bounds> volume;
+
+  vtkNew<vtkActor> housing;
+  vtkNew<vtkPolyDataMapper> housingMapper;
+  FanPicture fan;
+  Probe probe;
+  bool hasProbe = false;
+  bool hasPose = false;
+  bool probeWanted = true;
+  Pose pose;
+  vtkNew<vtkMatrix4x4> probeToWorld;
+
+  void applyColours() {
+    bodyLayer->SetBackground(colours.groundBottom.r, colours.groundBottom.g, colours.groundBottom.b);
+    bodyLayer->SetBackground2(colours.groundTop.r, colours.groundTop.g, colours.groundTop.b);
+    setColour(*body->GetProperty(), colours.skin);
+    setColour(*box->GetProperty(), colours.box);
+    fan.setAccent(colours.accent);
+    rebuildHousing();
+  }
+
+  void rebuildHousing() {
+    if (!hasProbe) return;
+    housingMapper->SetInputData(probeModel(probe, {colours.housing, 0.42 * colours.housing, colours.accent, glm::dvec3(0.40, 0.43, 0.47)}));
+  }
+
+  void updateVisibility() {
+    const bool visible = hasProbe && hasPose && probeWanted;
+    housing->SetVisibility(visible);
+    fan.setVisible(visible);
+  }
+
+  [[nodiscard]] glm::dvec3 inWorld(const glm::dvec3& p_probe_mm) const { return (pose.probeToWorld * Point<frame::Probe>{p_probe_mm}).at; }
+
+  /// How much of the housing the viewer sees past the body, 0..1.
+  [[nodiscard]] double seenPart() const {
+    if (mannequin == nullptr || body->GetProperty()->GetOpacity() < 0.99) return 1.0;
+    const glm::dvec3 eye_mm = camera.eye_mm();
+    int seen = 0;
+    constexpr std::array<double, 4> kHeights_mm{12.0, 40.0, 70.0, 100.0};
+    for (const double height_mm : kHeights_mm) {
+      const glm::dvec3 target_mm = inWorld({0.0, -height_mm, 0.0});
+      const auto hit = mannequin->skin->hit(eye_mm, target_mm - eye_mm);
+      seen += !hit || glm::distance(hit->point_mm, eye_mm) > glm::distance(target_mm, eye_mm) - 6.0 ? 1 : 0;
+    }
+    return seen / static_cast<double>(kHeights_mm.size());
+  }
+
+  [[nodiscard]] Bounds bodyBounds() const {
+    return mannequin != nullptr ? mannequin->bounds : Bounds{{-260.0, -120.0, -1280.0}, {260.0, 120.0, 470.0}};
+  }
+
+  /// Upper body for a person's height; the whole of anything smaller.
+  [[nodiscard]] OrbitCamera::Framing trunkFraming() const {
+    const Bounds bounds = bodyBounds();
+    const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
+    const glm::dvec3 middle_mm = 0.5 * (bounds.lowest_mm + bounds.highest_mm);
+    if (extent_mm.z < 1200.0) return {middle_mm, 1.1 * std::max(extent_mm.x, extent_mm.y), 1.15 * extent_mm.z};
+    return {{middle_mm.x, middle_mm.y, bounds.highest_mm.z - 0.26 * extent_mm.z}, std::min(extent_mm.x, 620.0), 0.53 * extent_mm.z};
+  }
+
+  void syncCamera() {
+    const int* size = window->GetSize();
+    camera.setWindow(size[0], size[1]);
+    const glm::dvec3 eye = camera.eye_mm();
+    const glm::dvec3 focal = camera.focal_mm();
+    const glm::dvec3 up = camera.up();
+    vtkView->SetPosition(eye.x, eye.y, eye.z);
+    vtkView->SetFocalPoint(focal.x, focal.y, focal.z);
+    vtkView->SetViewUp(up.x, up.y, up.z);
+    vtkView->SetViewAngle(glm::degrees(OrbitCamera::kOpening_rad));
+    const Bounds bounds = bodyBounds();
+    const double reach_mm = 0.5 * glm::distance(bounds.lowest_mm, bounds.highest_mm) + 350.0;
+    const double toMiddle_mm = glm::distance(eye, 0.5 * (bounds.lowest_mm + bounds.highest_mm));
+    const double far_mm = toMiddle_mm + reach_mm;
+    vtkView->SetClippingRange(std::max(far_mm / 500.0, std::max(10.0, toMiddle_mm - reach_mm)), far_mm);
+  }
+};
+
+Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
+  Parts& p = *parts_;
+  window.SetMultiSamples(0);
+  window.SetNumberOfLayers(2);
+  p.bodyLayer->SetLayer(0);
+  p.bodyLayer->GradientBackgroundOn();
+  p.overlay->SetLayer(1);
+  p.overlay->InteractiveOff();
+  const std::array<vtkSmartPointer<vtkLight>, 3> lights{cameraLight({-0.55, 0.75, 0.85}, {1.0, 0.985, 0.96}, 0.66),
+                                                        cameraLight({0.9, 0.15, 0.6}, {0.93, 0.96, 1.0}, 0.26),
+                                                        cameraLight({0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, 0.16)};
+  for (vtkRenderer* layer : {p.bodyLayer.Get(), p.overlay.Get()}) {
+    layer->SetActiveCamera(p.vtkView);
+    layer->AutomaticLightCreationOff();
+    for (const auto& light : lights) layer->AddLight(light);
+    window.AddRenderer(layer);
+  }
+  p.body->SetMapper(p.bodyMapper);
+  p.bodyMapper->ScalarVisibilityOff();
+  vtkProperty& skin = *p.body->GetProperty();
+  skin.BackfaceCullingOn();
+  skin.SetInterpolationToPhong();
+  skin.SetAmbient(0.10);
+  skin.SetDiffuse(1.0);
+  skin.SetSpecular(0.05);
+  skin.SetSpecularPower(12.0);
+  p.body->VisibilityOff();
+  p.bodyLayer->AddActor(p.body);
+
+  vtkNew<vtkPolyDataMapper> boxMapper;
+  boxMapper->SetInputData(p.boxMesh);
+  p.box->SetMapper(boxMapper);
+  p.box->GetProperty()->LightingOff();
+  p.box->GetProperty()->SetLineWidth(1.0F);
+  p.box->VisibilityOff();
+  p.overlay->AddActor(p.box);
+
+  p.housing->SetMapper(p.housingMapper);
+  p.housingMapper->SetColorModeToDirectScalars();
+  p.housing->GetProperty()->SetInterpolationToPhong();
+  p.housing->GetProperty()->SetAmbient(0.16);
+  p.housing->GetProperty()->SetSpecular(0.22);
+  p.housing->GetProperty()->SetSpecularPower(30.0);
+  p.housing->SetUserMatrix(p.probeToWorld);
+  p.overlay->AddActor(p.housing);
+  p.fan.addTo(*p.overlay);
+  p.fan.setProbeToWorld(p.probeToWorld);
+  p.updateVisibility();
+  p.applyColours();
+  showFrom(CameraPreset::front);
+}
+
+Scene3D::~Scene3D() {
+  parts_->window->RemoveRenderer(parts_->overlay);
+  parts_->window->RemoveRenderer(parts_->bodyLayer);
+}
+
+void Scene3D::setMannequin(std::shared_ptr<const Mannequin> mannequin) {
+  Parts& p = *parts_;
+  const bool first = p.mannequin == nullptr;
+  p.mannequin = std::move(mannequin);
+  if (p.mannequin != nullptr) p.bodyMapper->SetInputData(p.mannequin->surface);
+  p.body->SetVisibility(p.mannequin != nullptr);
+  if (first) p.camera.frame(p.trunkFraming());
+}
+
+std::shared_ptr<const Mannequin> Scene3D::mannequin() const { return parts_->mannequin; }
+
+void Scene3D::setBodyOpacity(double opacity) { parts_->body->GetProperty()->SetOpacity(std::clamp(opacity, 0.0, 1.0)); }
+
+void Scene3D::setVolumeBox(const Grid& grid) {
+  EW_EXPECTS(checkGrid(grid).has_value());
+  Parts& p = *parts_;
+  p.volume = boundsOf(grid);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const auto voxelToWorld = grid.voxelToWorld();
+  for (int corner = 0; corner < 8; ++corner) {
+    // The box encloses the voxels, not only their centres.
+    const glm::dvec3 voxel(corner & 1 ? grid.dims.x - 0.5 : -0.5, corner & 2 ? grid.dims.y - 0.5 : -0.5,
+                           corner & 4 ? grid.dims.z - 0.5 : -0.5);
+    const glm::dvec3 at = (voxelToWorld * Point<frame::Voxel>{voxel}).at;
+    points->InsertNextPoint(at.x, at.y, at.z);
+  }
+  vtkNew<vtkCellArray> lines;
+  for (int corner = 0; corner < 8; ++corner)
+    for (const int bit : {1, 2, 4})
+      if ((corner & bit) == 0) {
+        const std::array<vtkIdType, 2> ends{corner, corner | bit};
+        lines->InsertNextCell(2, ends.data());
+      }
+  p.boxMesh->SetPoints(points);
+  p.boxMesh->SetLines(lines);
+  p.box->VisibilityOn();
+}
+
+void Scene3D::clearVolumeBox() {
+  parts_->volume.reset();
+  parts_->box->VisibilityOff();
+}
+
+void Scene3D::setProbe(const Probe& probe, double depth_mm) {
+  EW_EXPECTS(depth_mm > 0.0);
+  Parts& p = *parts_;
+  const bool sameHousing = p.hasProbe && probe == p.probe;
+  p.probe = probe;
+  p.hasProbe = true;
+  if (!sameHousing) p.rebuildHousing();
+  p.fan.setOutline(probe, depth_mm);
+  p.updateVisibility();
+}
+
+void Scene3D::setPose(const Pose& pose) {
+  Parts& p = *parts_;
+  p.hasPose = pose.status == PoseStatus::ok;
+  if (p.hasPose) {
+    p.pose = pose;
+    copyTo(*p.probeToWorld, pose.probeToWorld.matrix);
+  }
+  p.updateVisibility();
+}
+
+void Scene3D::setProbeVisible(bool visible) {
+  parts_->probeWanted = visible;
+  parts_->updateVisibility();
+}
+
+void Scene3D::setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
+  parts_->fan.setPicture(picture, geometry);
+}
+
+void Scene3D::clearFanImage() { parts_->fan.clearPicture(); }
+
+std::vector<glm::dvec3> Scene3D::fanCorners_mm() const { return parts_->fan.corners_mm(); }
+
+void Scene3D::setColours(const SceneColours& colours) {
+  parts_->colours = colours;
+  parts_->applyColours();
+}
+
+void Scene3D::showFrom(CameraPreset preset) { parts_->camera.look(preset, parts_->trunkFraming()); }
+
+void Scene3D::fitToVolume() {
+  Parts& p = *parts_;
+  if (!p.volume) return p.camera.frame(p.trunkFraming());
+  const double diagonal_mm = glm::distance(p.volume->lowest_mm, p.volume->highest_mm);
+  p.camera.frame({0.5 * (p.volume->lowest_mm + p.volume->highest_mm), 1.5 * diagonal_mm, 1.5 * diagonal_mm});
+}
+
+void Scene3D::orbit(double right_rad, double up_rad) { parts_->camera.orbit(right_rad, up_rad); }
+
+void Scene3D::pan(glm::dvec2 by_px) {
+  Bounds near = parts_->bodyBounds();
+  near.lowest_mm -= 150.0;
+  near.highest_mm += 150.0;
+  parts_->camera.pan(by_px, near);
+}
+
+void Scene3D::zoom(double factor) { parts_->camera.zoom(factor); }
+
+Ray Scene3D::rayAt(glm::dvec2 at_px) const {
+  parts_->syncCamera();
+  return parts_->camera.rayAt(at_px);
+}
+
+std::optional<Skin::Contact> Scene3D::contactAt(glm::dvec2 at_px) const {
+  if (parts_->mannequin == nullptr) return std::nullopt;
+  const Ray ray = rayAt(at_px);
+  return parts_->mannequin->skin->hit(ray.from_mm, ray.direction);
+}
+
+bool Scene3D::isProbeAt(glm::dvec2 at_px) const {
+  const Parts& p = *parts_;
+  if (!p.housing->GetVisibility()) return false;
+  const Ray ray = rayAt(at_px);
+  const double halfFace_mm =
+      p.probe.kind == ProbeKind::convex ? p.probe.radius_mm * std::sin(p.probe.halfAngle_rad) : 0.5 * p.probe.width_mm;
+  return distance_mm(ray, p.inWorld({0.0, -10.0, 0.0}), p.inWorld({0.0, -112.0, 0.0})) < 17.0 ||
+         distance_mm(ray, p.inWorld({-halfFace_mm, -16.0, 0.0}), p.inWorld({halfFace_mm, -16.0, 0.0})) < 16.0;
+}
+
+glm::dvec2 Scene3D::pixelOf(const glm::dvec3& p_world_mm) const {
+  parts_->syncCamera();
+  return parts_->camera.pixelOf(p_world_mm);
+}
+
+double Scene3D::mmPerPixelAt(const glm::dvec3& p_world_mm) const {
+  parts_->syncCamera();
+  return parts_->camera.mmPerPixelAt(p_world_mm);
+}
+
+glm::dvec3 Scene3D::cameraRight() const { return parts_->camera.right(); }
+glm::dvec3 Scene3D::cameraUp() const { return parts_->camera.up(); }
+
+void Scene3D::render() {
+  Parts& p = *parts_;
+  p.syncCamera();
+  if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());
+  p.window->Render();
+}
+
+}  // namespace ew::bridge
