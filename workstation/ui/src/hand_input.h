@@ -3,13 +3,11 @@
 #include <QKeyEvent>
 #include <QMetaType>
 #include <QObject>
-#include <QPointer>
 #include <functional>
 #include <memory>
 
 #include "ew/tracking/hand.h"
 
-class QGestureEvent;
 class QMouseEvent;
 class QWheelEvent;
 
@@ -54,6 +52,16 @@ class HandInput : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void change(const Hold& hold);
+  void slide(double alongLateral_mm, double alongElevational_mm);
+  void slideOnScreen(glm::dvec2 direction, double length_mm);
+  void dragInView(const QPointF& at);
+  bool pressInView(const QMouseEvent& event);
+  bool moveInView(const QMouseEvent& event);
+  bool viewEvent(QEvent* event);
+  bool scanEvent(QEvent* event);
+  bool turnByWheel(const QWheelEvent& event);
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -80,6 +80,9 @@ class View3D : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void retranslate();
+  void placeOverlays();
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

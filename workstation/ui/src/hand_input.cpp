@@ -1,0 +1,322 @@
+#include "hand_input.h"
+
+#include <QEvent>
+#include <QGestureEvent>
+#include <QMouseEvent>
+#include <QPointer>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <utility>
+
+#include "view3d.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr double kSlide_mm = 2.0;
+constexpr double kFastSlide_mm = 10.0;
+constexpr double kKeyTurn_rad = glm::radians(2.0);
+constexpr double kNotchTip_rad = glm::radians(2.0);
+constexpr double kNotchTurn_rad = glm::radians(4.0);
+constexpr double kOrbitPerPixel_rad = glm::radians(0.4);
+constexpr double kZoomPerPixel = 0.006;
+
+/// Notches of a wheel, with the fractions of a touchpad; Alt swaps the axes on X11, so the other one counts too.
+double notchesOf(const QWheelEvent& event) {
+  const QPoint angle = event.angleDelta();
+  return (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+}
+
+}  // namespace
+
+struct HandInput::State {
+  enum class Drag { none, probe3d, probeScan, orbit, pan, zoom };
+
+  QPointer<View3D> view;
+  QPointer<QWidget> scan;
+  std::function<double()> lateralPerPixel_mm;
+  Hold hold;
+  Hold start;
+  bool hasStart = false;
+  bool enabled = true;
+  Drag drag = Drag::none;
+  QPointF last;        ///< pointer at the last event of this drag
+  QPointF grabOffset;  ///< from the pointer to the pixel of the contact, so that grabbing the housing does not move it
+};
+
+HandInput::HandInput(QObject* parent) : QObject(parent), state_(std::make_unique<State>()) { qRegisterMetaType<ew::Hold>("ew::Hold"); }
+
+HandInput::~HandInput() = default;
+
+void HandInput::watch(View3D* view) {
+  if (state_->view != nullptr) state_->view->canvas()->removeEventFilter(this);
+  state_->view = view;
+  if (view != nullptr) view->canvas()->installEventFilter(this);
+}
+
+void HandInput::watch(QWidget* scanView, std::function<double()> lateralPerPixel_mm) {
+  if (state_->scan != nullptr) state_->scan->removeEventFilter(this);
+  state_->scan = scanView;
+  state_->lateralPerPixel_mm = std::move(lateralPerPixel_mm);
+  if (scanView != nullptr) {
+    scanView->installEventFilter(this);
+    if (scanView->focusPolicy() == Qt::NoFocus) scanView->setFocusPolicy(Qt::StrongFocus);
+  }
+}
+
+const Hold& HandInput::hold() const { return state_->hold; }
+
+void HandInput::setHold(const Hold& hold) {
+  state_->hold = hold;
+  if (!state_->hasStart) setStartHold(hold);
+}
+
+void HandInput::setStartHold(const Hold& hold) {
+  state_->start = hold;
+  state_->hasStart = true;
+}
+
+void HandInput::setEnabled(bool enabled) {
+  state_->enabled = enabled;
+  if (!enabled && (state_->drag == State::Drag::probe3d || state_->drag == State::Drag::probeScan)) state_->drag = State::Drag::none;
+}
+
+void HandInput::change(const Hold& hold) {
+  if (!state_->enabled || hold == state_->hold) return;
+  state_->hold = hold;
+  Q_EMIT holdChanged(hold);
+}
+
+void HandInput::slide(double alongLateral_mm, double alongElevational_mm) {
+  if (state_->view != nullptr) change(slid(state_->hold, *state_->view->skin(), alongLateral_mm, alongElevational_mm));
+}
+
+void HandInput::slideOnScreen(glm::dvec2 direction, double length_mm) {
+  if (state_->view == nullptr) return;
+  const bridge::Scene3D& scene = state_->view->scene();
+  const glm::dmat4 upright = uprightPoseOf(state_->hold).probeToWorld.matrix;
+  const glm::dvec3 wanted = direction.x * scene.cameraRight() + direction.y * scene.cameraUp();
+  glm::dvec2 along(glm::dot(wanted, glm::dvec3(upright[0])), glm::dot(wanted, glm::dvec3(upright[2])));
+  // Seen edge on, the skin has no such direction; then the keys act along the probe's own axes.
+  if (glm::length(along) < 0.15) along = glm::dvec2(-direction.x, -direction.y);
+  along *= length_mm / glm::length(along);
+  slide(along.x, along.y);
+}
+
+void HandInput::dragInView(const QPointF& at) {
+  View3D& view = *state_->view;
+  const QPointF target = at + state_->grabOffset;
+  const bridge::Ray ray = view.rayAt(target);
+  const glm::dvec3 from_mm = state_->hold.contact.point_mm;
+  const auto skin = view.skin();
+  const auto hit = skin->hit(ray.from_mm, ray.direction);
+  const double moved_mm = std::hypot(at.x() - state_->last.x(), at.y() - state_->last.y()) * view.canvas()->devicePixelRatioF() *
+                          view.scene().mmPerPixelAt(from_mm);
+  // A hit far beyond what the pointer moved lies on another part of the body, seen past the edge of this one.
+  if (hit && glm::distance(hit->point_mm, from_mm) < 40.0 + 4.0 * moved_mm) return change(movedTo(state_->hold, *hit));
+  // Off the body: the skin nearest to the line of sight, where that passes the probe.
+  const double along_mm = glm::dot(from_mm - ray.from_mm, ray.direction);
+  const Skin::Contact rim = skin->nearest(ray.from_mm + along_mm * ray.direction);
+  if (glm::distance(rim.point_mm, from_mm) < 40.0 + 4.0 * moved_mm) change(movedTo(state_->hold, rim));
+}
+
+bool HandInput::pressInView(const QMouseEvent& event) {
+  View3D& view = *state_->view;
+  state_->last = event.localPos();
+  switch (event.button()) {
+    case Qt::LeftButton: {
+      if (!state_->enabled) return true;
+      const QPointF contact = view.pixelOf(state_->hold.contact.point_mm);
+      const QPointF toContact = contact - event.localPos();
+      constexpr double kNear_px = 24.0;
+      if (view.isProbeAt(event.pos()) || std::hypot(toContact.x(), toContact.y()) < kNear_px) {
+        state_->grabOffset = toContact;
+        state_->drag = State::Drag::probe3d;
+      } else if (const auto hit = view.contactAt(event.pos())) {
+        state_->grabOffset = QPointF();
+        state_->drag = State::Drag::probe3d;
+        change(movedTo(state_->hold, *hit));
+      }
+      return true;
+    }
+    case Qt::RightButton:
+      state_->drag = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) != 0 ? State::Drag::zoom : State::Drag::orbit;
+      return true;
+    case Qt::MiddleButton:
+      state_->drag = State::Drag::pan;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool HandInput::moveInView(const QMouseEvent& event) {
+  View3D& view = *state_->view;
+  const QPointF at = event.localPos();
+  const QPointF by = at - state_->last;
+  switch (state_->drag) {
+    case State::Drag::probe3d:
+      dragInView(at);
+      break;
+    case State::Drag::orbit:
+      view.scene().orbit(-kOrbitPerPixel_rad * by.x(), kOrbitPerPixel_rad * by.y());
+      view.render();
+      break;
+    case State::Drag::pan: {
+      const double ratio = view.canvas()->devicePixelRatioF();
+      view.scene().pan({by.x() * ratio, by.y() * ratio});
+      view.render();
+      break;
+    }
+    case State::Drag::zoom:
+      view.scene().zoom(std::exp(-kZoomPerPixel * by.y()));
+      view.render();
+      break;
+    default: {
+      const bool overProbe = state_->enabled && view.isProbeAt(event.pos());
+      view.canvas()->setCursor(overProbe ? Qt::OpenHandCursor : Qt::ArrowCursor);
+      return false;
+    }
+  }
+  if (state_->drag == State::Drag::probe3d) view.canvas()->setCursor(Qt::ClosedHandCursor);
+  state_->last = at;
+  return true;
+}
+
+bool HandInput::scanEvent(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress: {
+      const auto& mouse = *static_cast<QMouseEvent*>(event);
+      if (mouse.button() != Qt::LeftButton || !state_->enabled) return false;
+      state_->drag = State::Drag::probeScan;
+      state_->last = mouse.localPos();
+      return true;
+    }
+    case QEvent::MouseMove: {
+      if (state_->drag != State::Drag::probeScan) return false;
+      const auto& mouse = *static_cast<QMouseEvent*>(event);
+      const QPointF by = mouse.localPos() - state_->last;
+      state_->last = mouse.localPos();
+      const double perPixel_mm = state_->lateralPerPixel_mm ? state_->lateralPerPixel_mm() : 0.0;
+      // Upwards on the screen is away from the viewer who looks along -elevational, as on the skin seen from the probe's handle.
+      if (std::isfinite(perPixel_mm)) slide(perPixel_mm * by.x(), std::abs(perPixel_mm) * by.y());
+      return true;
+    }
+    case QEvent::MouseButtonRelease:
+      if (state_->drag != State::Drag::probeScan) return false;
+      state_->drag = State::Drag::none;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool HandInput::viewEvent(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      state_->view->canvas()->setFocus(Qt::MouseFocusReason);
+      return pressInView(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove:
+      return moveInView(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease:
+      state_->drag = State::Drag::none;
+      state_->view->canvas()->setCursor(Qt::ArrowCursor);
+      return true;
+    case QEvent::Gesture:
+      if (auto* pinch = static_cast<QPinchGesture*>(static_cast<QGestureEvent*>(event)->gesture(Qt::PinchGesture))) {
+        if ((pinch->changeFlags() & QPinchGesture::ScaleFactorChanged) != 0) {
+          state_->view->scene().zoom(pinch->scaleFactor());
+          state_->view->render();
+        }
+        return true;
+      }
+      return false;
+    case QEvent::ContextMenu:
+      return true;  // the right button orbits
+    default:
+      return false;
+  }
+}
+
+bool HandInput::turnByWheel(const QWheelEvent& event) {
+  const double notches = notchesOf(event);
+  if (notches == 0.0) return false;
+  if (event.modifiers() & Qt::ControlModifier)
+    change(turned(state_->hold, notches * kNotchTurn_rad, 0.0, 0.0));
+  else if (event.modifiers() & Qt::ShiftModifier)
+    change(turned(state_->hold, 0.0, notches * kNotchTip_rad, 0.0));
+  else
+    change(turned(state_->hold, 0.0, 0.0, notches * kNotchTip_rad));
+  return true;
+}
+
+bool HandInput::handleKey(const QKeyEvent& key, const QWidget* where) {
+  if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
+  const double length_mm = (key.modifiers() & Qt::ShiftModifier) != 0 ? kFastSlide_mm : kSlide_mm;
+  const bool inScan = where != nullptr && where == state_->scan;
+  const auto arrow = [&](double right, double up) {
+    if (!inScan) return slideOnScreen({right, up}, length_mm);
+    const double side = state_->lateralPerPixel_mm && state_->lateralPerPixel_mm() < 0.0 ? -1.0 : 1.0;
+    slide(side * right * length_mm, -up * length_mm);
+  };
+  switch (key.key()) {
+    case Qt::Key_Left:
+      arrow(-1.0, 0.0);
+      break;
+    case Qt::Key_Right:
+      arrow(1.0, 0.0);
+      break;
+    case Qt::Key_Up:
+      arrow(0.0, 1.0);
+      break;
+    case Qt::Key_Down:
+      arrow(0.0, -1.0);
+      break;
+    case Qt::Key_Q:
+      change(turned(state_->hold, -kKeyTurn_rad, 0.0, 0.0));
+      break;
+    case Qt::Key_E:
+      change(turned(state_->hold, kKeyTurn_rad, 0.0, 0.0));
+      break;
+    case Qt::Key_A:
+      change(turned(state_->hold, 0.0, -kKeyTurn_rad, 0.0));
+      break;
+    case Qt::Key_D:
+      change(turned(state_->hold, 0.0, kKeyTurn_rad, 0.0));
+      break;
+    case Qt::Key_W:
+      change(turned(state_->hold, 0.0, 0.0, kKeyTurn_rad));
+      break;
+    case Qt::Key_S:
+      change(turned(state_->hold, 0.0, 0.0, -kKeyTurn_rad));
+      break;
+    case Qt::Key_Home:
+      change(state_->start);
+      break;
+    default:
+      return false;
+  }
+  return true;
+}
+
+bool HandInput::eventFilter(QObject* watched, QEvent* event) {
+  const bool inView = state_->view != nullptr && watched == state_->view->canvas();
+  const bool inScan = state_->scan != nullptr && watched == state_->scan;
+  if (!inView && !inScan) return QObject::eventFilter(watched, event);
+  if (event->type() == QEvent::Wheel) {
+    const bool used = turnByWheel(*static_cast<QWheelEvent*>(event));
+    if (used) event->accept();
+    return used;
+  }
+  if (event->type() == QEvent::KeyPress) {
+    const bool used = handleKey(*static_cast<QKeyEvent*>(event), static_cast<QWidget*>(watched));
+    if (used) event->accept();
+    return used;
+  }
+  return inView ? viewEvent(event) : scanEvent(event);
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,305 @@
+#include "view3d.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/contract.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kMargin_px = 16;
+
+/// A trunk's size, so that there is something to slide on before a mannequin is loaded.
+class EllipsoidSkin final : public Skin {
+ public:
+  [[nodiscard]] std::optional<Contact> hit(const glm::dvec3& from_mm, const glm::dvec3& direction) const override {
+    const glm::dvec3 p = from_mm / kRadii_mm;
+    const glm::dvec3 d = direction / kRadii_mm;
+    const double a = glm::dot(d, d);
+    const double b = glm::dot(p, d);
+    const double c = glm::dot(p, p) - 1.0;
+    const double root = b * b - a * c;
+    if (root < 0.0 || -b < std::sqrt(root)) return std::nullopt;
+    return at(from_mm + (-b - std::sqrt(root)) / a * direction);
+  }
+  /// Eberly's one-dimensional root: p scaled by r^2 / (r^2 + t) lies on the surface for one t.
+  [[nodiscard]] Contact nearest(const glm::dvec3& p_mm) const override {
+    const glm::dvec3 r2 = kRadii_mm * kRadii_mm;
+    const glm::dvec3 p = glm::length(p_mm) > 1e-6 ? p_mm : glm::dvec3(0.0, -1e-6, 0.0);
+    const auto excess = [&](double t) {
+      const glm::dvec3 q = kRadii_mm * p / (r2 + t);
+      return glm::dot(q, q) - 1.0;
+    };
+    double low = -std::min({r2.x, r2.y, r2.z}) * (1.0 - 1e-12);
+    double high = glm::length(kRadii_mm * p);
+    for (int i = 0; i < 100; ++i) {
+      const double middle = 0.5 * (low + high);
+      (excess(middle) > 0.0 ? low : high) = middle;
+    }
+    const glm::dvec3 foot = r2 * p / (r2 + high);
+    return at(foot / glm::length(foot / kRadii_mm));
+  }
+
+ private:
+  static constexpr glm::dvec3 kRadii_mm{160.0, 105.0, 420.0};
+  static Contact at(const glm::dvec3& p_mm) { return {p_mm, glm::normalize(p_mm / (kRadii_mm * kRadii_mm))}; }
+};
+
+}  // namespace
+
+struct View3D::Parts {
+  explicit Parts(View3D* view) : canvas(new QVTKOpenGLNativeWidget(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
+    canvas->setRenderWindow(window);
+    // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
+    canvas->setEnableHiDPI(true);
+    window->SetMultiSamples(0);
+    if (auto* interactor = canvas->interactor()) {
+      interactor->SetInteractorStyle(nullptr);
+      interactor->EnableRenderOff();
+    }
+    scene = std::make_unique<bridge::Scene3D>(*window);
+  }
+
+  [[nodiscard]] glm::dvec2 device(const QPointF& at) const {
+    const double ratio = canvas->devicePixelRatioF();
+    return {at.x() * ratio, at.y() * ratio};
+  }
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  QVTKOpenGLNativeWidget* canvas;
+  QLabel* hint;
+  QWidget* buttons;
+  std::unique_ptr<bridge::Scene3D> scene;
+  std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
+  bool renderAsked = false;
+  QString hintText;
+  bool ownHint = false;  ///< somebody set other words than the default ones
+};
+
+View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
+  setMinimumSize(240, 240);
+  setFocusPolicy(Qt::StrongFocus);
+  parts_->canvas->setFocusPolicy(Qt::StrongFocus);
+  setFocusProxy(parts_->canvas);
+  parts_->canvas->setMouseTracking(true);
+  parts_->canvas->grabGesture(Qt::PinchGesture);
+
+  parts_->hint->setObjectName(QStringLiteral("viewHints"));
+  parts_->hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  parts_->hint->setProperty("small", true);
+  parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
+  auto* row = new QHBoxLayout(parts_->buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  const auto addButton = [&](const char* name, auto action) {
+    auto* button = new QToolButton(parts_->buttons);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setAutoRaise(true);
+    button->setProperty("small", true);
+    connect(button, &QToolButton::clicked, this, action);
+    row->addWidget(button);
+  };
+  addButton("viewFront", [this] { showFrom(bridge::CameraPreset::front); });
+  addButton("viewRight", [this] { showFrom(bridge::CameraPreset::right); });
+  addButton("viewLeft", [this] { showFrom(bridge::CameraPreset::left); });
+  addButton("viewTop", [this] { showFrom(bridge::CameraPreset::top); });
+  addButton("viewFit", [this] { fitToVolume(); });
+  auto* skinButton = new QToolButton(parts_->buttons);
+  skinButton->setObjectName(QStringLiteral("viewThrough"));
+  skinButton->setFocusPolicy(Qt::NoFocus);
+  skinButton->setAutoRaise(true);
+  skinButton->setCheckable(true);
+  skinButton->setProperty("small", true);
+  connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? 0.45 : 1.0); });
+  row->addWidget(skinButton);
+  retranslate();
+}
+
+View3D::~View3D() = default;
+
+void View3D::retranslate() {
+  const auto name = [this](const char* button, const QString& text, const QString& tip) {
+    if (auto* found = parts_->buttons->findChild<QToolButton*>(QString::fromLatin1(button))) {
+      found->setText(text);
+      found->setToolTip(tip);
+      found->setAccessibleName(tip);
+    }
+  };
+  name("viewFront", tr("Front"), tr("Look from the front"));
+  name("viewRight", tr("Right"), tr("Look from the patient's right"));
+  name("viewLeft", tr("Left"), tr("Look from the patient's left"));
+  name("viewTop", tr("Head"), tr("Look from the head"));
+  name("viewFit", tr("Fit"), tr("Show the whole volume"));
+  name("viewThrough", tr("See through"), tr("Make the body translucent"));
+  if (!parts_->ownHint) parts_->hint->setText(defaultHint());
+  placeOverlays();
+}
+
+QString View3D::defaultHint() const {
+  return tr("drag: slide on skin   wheel: tilt   Shift: rock   Ctrl: rotate   right drag: look around");
+}
+
+Result<void> View3D::setMannequinFile(const std::filesystem::path& file) {
+  auto loaded = bridge::loadMannequin(file);
+  if (!loaded) return passOn(loaded.error());
+  setMannequin(std::make_shared<const bridge::Mannequin>(std::move(*loaded)));
+  return {};
+}
+
+void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
+  EW_EXPECTS(mannequin != nullptr);
+  parts_->scene->setMannequin(std::move(mannequin));
+  render();
+  Q_EMIT mannequinChanged();
+}
+
+std::shared_ptr<const Skin> View3D::skin() const {
+  const auto mannequin = parts_->scene->mannequin();
+  return mannequin != nullptr ? mannequin->skin : parts_->bareSkin;
+}
+
+void View3D::setVolumeBox(const Grid& grid) {
+  parts_->scene->setVolumeBox(grid);
+  render();
+}
+
+void View3D::clearVolumeBox() {
+  parts_->scene->clearVolumeBox();
+  render();
+}
+
+void View3D::setProbe(const Probe& probe, double depth_mm) {
+  parts_->scene->setProbe(probe, depth_mm);
+  render();
+}
+
+void View3D::setPose(const Pose& pose) {
+  parts_->scene->setPose(pose);
+  render();
+}
+
+void View3D::setProbeVisible(bool visible) {
+  parts_->scene->setProbeVisible(visible);
+  render();
+}
+
+void View3D::setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
+  parts_->scene->setFanImage(picture, geometry);
+  render();
+}
+
+void View3D::clearFanImage() {
+  parts_->scene->clearFanImage();
+  render();
+}
+
+void View3D::setDarkTheme(bool dark) {
+  parts_->scene->setColours(dark ? bridge::darkColours() : bridge::lightColours());
+  render();
+}
+
+void View3D::setBodyOpacity(double opacity) {
+  parts_->scene->setBodyOpacity(opacity);
+  render();
+}
+
+void View3D::setHint(const QString& text) {
+  parts_->ownHint = true;
+  parts_->hint->setText(text);
+  placeOverlays();
+}
+
+void View3D::showFrom(bridge::CameraPreset preset) {
+  parts_->scene->showFrom(preset);
+  render();
+}
+
+void View3D::fitToVolume() {
+  parts_->scene->fitToVolume();
+  render();
+}
+
+void View3D::render() {
+  if (parts_->renderAsked) return;
+  parts_->renderAsked = true;
+  QTimer::singleShot(0, this, [this] {
+    if (parts_->renderAsked) renderNow();
+  });
+}
+
+void View3D::renderNow() {
+  parts_->renderAsked = false;
+  // Without a context there is nothing to draw into; the widget asks again when it is shown.
+  if (!isVisible() || !parts_->canvas->isValid()) return;
+  parts_->scene->render();
+}
+
+std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {
+  const bridge::Ray ray = rayAt(at);
+  return skin()->hit(ray.from_mm, ray.direction);
+}
+
+bridge::Ray View3D::rayAt(const QPointF& at) const { return parts_->scene->rayAt(parts_->device(at)); }
+
+bool View3D::isProbeAt(const QPoint& at) const { return parts_->scene->isProbeAt(parts_->device(at)); }
+
+QPointF View3D::pixelOf(const glm::dvec3& p_world_mm) const {
+  const glm::dvec2 at = parts_->scene->pixelOf(p_world_mm) / parts_->canvas->devicePixelRatioF();
+  return {at.x, at.y};
+}
+
+QWidget* View3D::canvas() const { return parts_->canvas; }
+bridge::Scene3D& View3D::scene() { return *parts_->scene; }
+const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
+
+void View3D::placeOverlays() {
+  QLabel& hint = *parts_->hint;
+  hint.setVisible(!hint.text().isEmpty());
+  // A narrow view wraps the words; it never cuts them.
+  hint.setWordWrap(false);
+  hint.adjustSize();
+  const int room = std::max(80, width() - 2 * kMargin_px);
+  if (hint.width() > room) {
+    hint.setWordWrap(true);
+    hint.resize(room, hint.heightForWidth(room));
+  }
+  hint.move(kMargin_px, height() - kMargin_px - hint.height());
+  parts_->buttons->adjustSize();
+  parts_->buttons->move(std::max(0, width() - kMargin_px - parts_->buttons->width()), kMargin_px - 4);
+  hint.raise();
+  parts_->buttons->raise();
+}
+
+void View3D::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  parts_->canvas->setGeometry(rect());
+  placeOverlays();
+  render();
+}
+
+void View3D::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  placeOverlays();
+  render();
+}
+
+void View3D::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) placeOverlays();
+}
+
+}  // namespace ew::ui
