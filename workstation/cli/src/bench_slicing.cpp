@@ -1,0 +1,414 @@
+#include "bench_slicing.h"
+
+#include <benchmark/benchmark.h>
+#include <time.h>
+#include <vtkImageData.h>
+#include <vtkImageReslice.h>
+#include <vtkMatrix4x4.h>
+#include <vtkMultiThreader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "bench_page.h"
+#include "ew/imaging/slicing.h"
+#include "ew/io/safe_file.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
+
+/// A sum of products of cosines: known everywhere, no wavelength below 7 voxels, grey levels from 8 to 248.
+class Field {
+ public:
+  explicit Field(int side) {
+    std::mt19937 random(20240607);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (Term& term : terms_)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        term.perVoxel[axis] = 2.0 * std::numbers::pi / (7.0 + 33.0 * unit(random));
+        term.phase[axis] = 2.0 * std::numbers::pi * unit(random);
+        term.table[axis].resize(static_cast<std::size_t>(side));
+        for (std::size_t n = 0; n < term.table[axis].size(); ++n)
+          term.table[axis][n] = static_cast<float>(std::cos(term.perVoxel[axis] * static_cast<double>(n) + term.phase[axis]));
+      }
+  }
+
+  [[nodiscard]] double at(const glm::dvec3& p_voxel) const {
+    double sum = kMean;
+    for (const Term& term : terms_) {
+      double product = kAmplitude;
+      for (int axis = 0; axis < 3; ++axis)
+        product *= std::cos(term.perVoxel[static_cast<std::size_t>(axis)] * p_voxel[axis] + term.phase[static_cast<std::size_t>(axis)]);
+      sum += product;
+    }
+    return sum;
+  }
+
+  void fillRow(std::size_t j, std::size_t k, std::uint8_t* row) const {
+    std::array<float, kTerms> factor{};
+    for (std::size_t t = 0; t < kTerms; ++t) factor[t] = static_cast<float>(kAmplitude) * terms_[t].table[1][j] * terms_[t].table[2][k];
+    for (std::size_t i = 0; i < terms_[0].table[0].size(); ++i) {
+      float sum = static_cast<float>(kMean) + 0.5F;
+      for (std::size_t t = 0; t < kTerms; ++t) sum += factor[t] * terms_[t].table[0][i];
+      row[i] = static_cast<std::uint8_t>(sum);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kTerms = 6;
+  static constexpr double kMean = 128.0;
+  static constexpr double kAmplitude = 20.0;
+  struct Term {
+    std::array<double, 3> perVoxel{}, phase{};
+    std::array<std::vector<float>, 3> table;
+  };
+  std::array<Term, kTerms> terms_;
+};
+
+struct Scene {
+  Volume volume;
+  Field field;
+  std::map<std::string, std::vector<ImageToVoxel>> poses;  // by kind
+};
+
+ImageToVoxel planeThrough(const glm::dvec3& middle_voxel, const glm::dquat& turn, int side) {
+  const glm::dmat3 axes = glm::mat3_cast(turn);
+  ImageToVoxel plane;
+  for (int axis = 0; axis < 3; ++axis) plane.matrix[axis] = glm::dvec4(axes[axis], 0.0);
+  plane.matrix[3] = glm::dvec4(middle_voxel - 0.5 * (side - 1) * (axes[0] + axes[1]), 1.0);
+  return plane;
+}
+
+/// Random poses pass within a tenth of the volume's middle; smooth ones rock and slide like a hand, 30 to the second.
+std::map<std::string, std::vector<ImageToVoxel>> posesFor(const BenchOptions& options, int volumeSide) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> offset(-0.1, 0.1);
+  std::map<std::string, std::vector<ImageToVoxel>> poses;
+  const glm::dvec3 middle(0.5 * (volumeSide - 1));
+  for (int n = 0; n < options.poses; ++n) {
+    const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
+    const double dx = offset(random), dy = offset(random), dz = offset(random);
+    const glm::dvec3 aside = glm::dvec3(dx, dy, dz) * static_cast<double>(volumeSide);
+    poses["random"].push_back(planeThrough(middle + aside, glm::normalize(glm::dquat(w, x, y, z)), options.sliceSide));
+    const double t = n / 30.0;
+    const glm::dquat turn = glm::angleAxis(0.6 + 0.25 * std::sin(2.1 * t), glm::normalize(glm::dvec3(0.8, 0.3, 0.5 + 0.2 * std::sin(t))));
+    const glm::dvec3 slide = 0.06 * volumeSide * glm::dvec3(std::sin(1.3 * t), std::sin(0.7 * t), std::cos(1.1 * t));
+    poses["smooth"].push_back(planeThrough(middle + slide, turn, options.sliceSide));
+  }
+  return poses;
+}
+
+Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volumeSide, Progress& progress) {
+  auto scene = std::make_unique<Scene>(Scene{{}, Field(volumeSide), posesFor(options, volumeSide)});
+  Grid& grid = scene->volume.grid;
+  grid.dims = glm::ivec3(volumeSide);
+  scene->volume.echo.resize(grid.voxelCount());
+  for (int k = 0; k < volumeSide; ++k) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+    for (int j = 0; j < volumeSide; ++j)
+      scene->field.fillRow(static_cast<std::size_t>(j), static_cast<std::size_t>(k), scene->volume.echo.data() + grid.indexOf(0, j, k));
+  }
+  return scene;
+}
+
+/// One way of making a slice; the returned pixels stay valid until the next call.
+using Slicer = std::function<const std::uint8_t*(const ImageToVoxel&)>;
+
+Slicer ownSlicer(Quality quality, const Scene& scene, int side) {
+  struct State {
+    SliceScratch scratch;
+    GreyImage image;
+  };
+  auto state = std::make_shared<State>();
+  state->image = GreyImage(side, side);
+  const VolumeView<const std::uint8_t> view = scene.volume.view();
+  return [state, view, quality](const ImageToVoxel& plane) {
+    quality == Quality::weave ? sliceWeave(view, plane, viewOf(state->image), state->scratch)
+                              : sliceLinear(view, plane, viewOf(state->image), state->scratch);
+    return static_cast<const std::uint8_t*>(state->image.pixels.data());
+  };
+}
+
+Slicer peerSlicer(Quality quality, const Scene& scene, int side) {
+  struct State {
+    vtkNew<vtkImageData> volume;
+    vtkNew<vtkImageReslice> reslice;
+    vtkNew<vtkMatrix4x4> axes;
+  };
+  auto state = std::make_shared<State>();
+  vtkNew<vtkUnsignedCharArray> voxels;
+  // VTK takes a mutable pointer; the reslice filter only reads.
+  voxels->SetArray(const_cast<unsigned char*>(scene.volume.echo.data()), static_cast<vtkIdType>(scene.volume.echo.size()), 1);
+  const glm::ivec3 dims = scene.volume.grid.dims;
+  state->volume->SetDimensions(dims.x, dims.y, dims.z);
+  state->volume->GetPointData()->SetScalars(voxels);
+  vtkImageReslice* reslice = state->reslice;
+  reslice->SetInputData(state->volume);
+  reslice->SetOutputDimensionality(2);
+  reslice->SetOutputExtent(0, side - 1, 0, side - 1, 0, 0);
+  reslice->SetOutputOrigin(0.0, 0.0, 0.0);
+  reslice->SetOutputSpacing(1.0, 1.0, 1.0);
+  reslice->SetOptimization(1);
+  reslice->SetBorder(1);
+  reslice->SetBackgroundLevel(0.0);
+  quality == Quality::weave ? reslice->SetInterpolationModeToNearestNeighbor() : reslice->SetInterpolationModeToLinear();
+  reslice->SetEnableSMP(false);
+  reslice->SetNumberOfThreads(1);
+  reslice->SetResliceAxes(state->axes);
+  return [state](const ImageToVoxel& plane) {
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column) state->axes->SetElement(row, column, plane.matrix[column][row]);
+    state->reslice->Update();
+    return static_cast<const std::uint8_t*>(state->reslice->GetOutput()->GetScalarPointer());
+  };
+}
+
+struct Case {
+  std::string name;  ///< "slice_400x400_of_256cubed/weave/random"
+  std::string method;
+  Quality quality = Quality::weave;
+  bool peer = false;
+  std::string poseKind;
+  Slicer slicer;
+  std::vector<double> slices_us;       ///< every slice
+  std::vector<double> repetitions_us;  ///< mean of each repetition
+  double psnr_db = 0.0;
+  double worst_grey = 0.0;
+};
+
+void measureError(Case& tested, const Scene& scene, int side) {
+  double squares = 0.0;
+  double count = 0.0;
+  const glm::dvec3 last = glm::dvec3(scene.volume.grid.dims - 1);
+  const auto& poses = scene.poses.at(tested.poseKind);
+  const std::size_t step = std::max<std::size_t>(1, poses.size() / 8);  // eight poses hold a million pixels
+  for (std::size_t n = 0; n < poses.size(); n += step) {
+    const std::uint8_t* pixels = tested.slicer(poses[n]);
+    for (int y = 0; y < side; y += 2)
+      for (int x = 0; x < side; x += 2) {
+        const glm::dvec3 p(poses[n].matrix * glm::dvec4(x, y, 0.0, 1.0));
+        if (glm::any(glm::lessThan(p, glm::dvec3(0.0))) || glm::any(glm::greaterThan(p, last))) continue;
+        const double error = pixels[static_cast<std::ptrdiff_t>(y) * side + x] - scene.field.at(p);
+        squares += error * error;
+        count += 1.0;
+        tested.worst_grey = std::max(tested.worst_grey, std::abs(error));
+      }
+  }
+  const double mean = count > 0.0 ? squares / count : 0.0;
+  tested.psnr_db = mean > 0.0 ? 10.0 * std::log10(255.0 * 255.0 / mean) : 0.0;
+}
+
+double cpuTime_s(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Whether everything `work` did was done by the calling thread.
+bool runsOnThisThreadAlone(const std::function<void()>& work) {
+  work();  // pools start on first use
+  const double process = cpuTime_s(CLOCK_PROCESS_CPUTIME_ID), thread = cpuTime_s(CLOCK_THREAD_CPUTIME_ID);
+  work();
+  const double spentByAll = cpuTime_s(CLOCK_PROCESS_CPUTIME_ID) - process, spentHere = cpuTime_s(CLOCK_THREAD_CPUTIME_ID) - thread;
+  return spentByAll < 1.1 * spentHere + 1e-4;
+}
+
+/// Collects the mean of each repetition.
+class Collector final : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(std::map<std::string, Case*> cases) : cases_(std::move(cases)) {}
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      const auto found = cases_.find(run.run_name.function_name);
+      if (found == cases_.end() || run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      found->second->repetitions_us.push_back(run.GetAdjustedRealTime());
+    }
+  }
+
+ private:
+  std::map<std::string, Case*> cases_;
+};
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+void timeCases(std::vector<Case>& cases, const Scene& scene, const BenchOptions& options, Progress& progress) {
+  using Clock = std::chrono::steady_clock;
+  std::map<std::string, Case*> byName;
+  const double total = static_cast<double>(cases.size()) * options.repetitions;
+  double done = 0.0;
+  benchmark::ClearRegisteredBenchmarks();
+  for (Case& tested : cases) {
+    byName[tested.name] = &tested;
+    const auto body = [&](benchmark::State& state) {
+      const auto& poses = scene.poses.at(tested.poseKind);
+      std::size_t next = 0;
+      for ([[maybe_unused]] auto unused : state) {
+        if (progress.cancelRequested()) {
+          state.SkipWithError("cancelled");
+          break;
+        }
+        const auto start = Clock::now();
+        benchmark::DoNotOptimize(tested.slicer(poses[next++ % poses.size()]));
+        const double spent_s = std::chrono::duration<double>(Clock::now() - start).count();
+        state.SetIterationTime(spent_s);
+        tested.slices_us.push_back(1e6 * spent_s);
+      }
+      progress.report("Timing the slicers", (done += 1.0) / total);
+    };
+    benchmark::RegisterBenchmark(tested.name.c_str(), body)
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond)
+        ->Iterations(options.poses)
+        ->Repetitions(options.repetitions);
+  }
+  Collector collector(byName);
+  benchmark::RunSpecifiedBenchmarks(&collector, ".");
+  benchmark::ClearRegisteredBenchmarks();
+}
+
+json stepOf(const Case& tested) {
+  std::vector<double> sorted = tested.slices_us;
+  std::sort(sorted.begin(), sorted.end());
+  const auto rank = [&](double share) {
+    const auto n = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+    return sorted[std::clamp<std::size_t>(n, 1, sorted.size()) - 1];
+  };
+  if (sorted.empty()) sorted.push_back(0.0);
+  return {{"name", tested.name},
+          {"count", tested.slices_us.size()},
+          {"median_us", medianOf(sorted)},
+          {"p99_us", rank(0.99)},
+          {"max_us", sorted.back()}};
+}
+
+std::string machineName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0 && line.find(':') != std::string::npos) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+Result<void> checkOptions(const BenchOptions& options) {
+  const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
+  if (options.volumeSides.empty()) return refuse("The slicing benchmark needs at least one volume side; give --side 256.");
+  for (const int side : options.volumeSides)
+    if (side < 8 || side > 1024) return refuse("A volume side must lie between 8 and 1024 voxels.");
+  if (options.sliceSide < 16 || options.sliceSide > 4096) return refuse("The side of a slice must lie between 16 and 4096 pixels.");
+  if (options.poses < 2 || options.poses > 1000) return refuse("The number of poses must lie between 2 and 1000.");
+  if (options.repetitions < 1 || options.repetitions > 1000) return refuse("The number of repetitions must lie between 1 and 1000.");
+  return {};
+}
+
+std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int volumeSide) {
+  std::vector<Case> cases;
+  const std::string size = std::to_string(options.sliceSide);
+  const std::string prefix = "slice_" + size + "x" + size + "_of_" + std::to_string(volumeSide) + "cubed/";
+  for (const std::string kind : {"random", "smooth"})
+    for (const Quality quality : {Quality::weave, Quality::linear})
+      for (const bool peer : {false, true}) {
+        if (peer && !options.peers) continue;
+        Case tested;
+        const bool weave = quality == Quality::weave;
+        tested.method = peer ? (weave ? "VTK nearest" : "VTK linear") : (weave ? "weave" : "linear");
+        tested.name = prefix + (peer ? (weave ? "vtk_nearest" : "vtk_linear") : tested.method) + "/" + kind;
+        tested.quality = quality;
+        tested.peer = peer;
+        tested.poseKind = kind;
+        tested.slicer = peer ? peerSlicer(quality, scene, options.sliceSide) : ownSlicer(quality, scene, options.sliceSide);
+        cases.push_back(std::move(tested));
+      }
+  return cases;
+}
+
+void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
+  for (const Case& tested : cases) {
+    report["results"].push_back({{"name", tested.name},
+                                 {"method", tested.method},
+                                 {"peer", tested.peer},
+                                 {"volumeSide", volumeSide},
+                                 {"poseKind", tested.poseKind},
+                                 {"median_us", medianOf(tested.repetitions_us)},
+                                 {"psnr_db", tested.psnr_db},
+                                 {"worst_grey", tested.worst_grey}});
+    report["steps"].push_back(stepOf(tested));
+    for (const Case& peer : cases)
+      if (!tested.peer && peer.peer && peer.quality == tested.quality && peer.poseKind == tested.poseKind)
+        report["ratios"].push_back({{"volumeSide", volumeSide},
+                                    {"poseKind", tested.poseKind},
+                                    {"quality", tested.method},
+                                    {"timesFaster", medianOf(peer.repetitions_us) / std::max(1e-3, medianOf(tested.repetitions_us))}});
+  }
+}
+
+}  // namespace
+
+Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
+  if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
+  vtkMultiThreader::SetGlobalMaximumNumberOfThreads(1);
+  {
+    std::string program = "echoweave", interleaved = "--benchmark_enable_random_interleaving=true";
+    std::array<char*, 3> words = {program.data(), interleaved.data(), nullptr};
+    int count = 2;
+    benchmark::Initialize(&count, words.data());
+  }
+  json report = {{"machine", machineName()},
+                 {"threads", 1},
+                 {"sliceSide", options.sliceSide},
+                 {"poses", options.poses},
+                 {"repetitions", options.repetitions},
+                 {"results", json::array()},
+                 {"ratios", json::array()},
+                 {"steps", json::array()}};
+  for (std::size_t n = 0; n < options.volumeSides.size(); ++n) {
+    const int volumeSide = options.volumeSides[n];
+    const double share = 1.0 / static_cast<double>(options.volumeSides.size());
+    PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
+    part.report("Filling a volume of " + std::to_string(volumeSide) + " cubed", 0.0);
+    auto made = makeScene(options, volumeSide, progress);
+    if (!made) return passOn(made.error());
+    const Scene& scene = **made;
+    std::vector<Case> cases = casesFor(options, scene, volumeSide);
+    for (Case& tested : cases) {
+      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+      measureError(tested, scene, options.sliceSide);
+      const auto sliceAll = [&] {
+        for (const ImageToVoxel& pose : scene.poses.at(tested.poseKind)) tested.slicer(pose);
+      };
+      if (tested.peer && !runsOnThisThreadAlone(sliceAll))
+        return failure(ErrorCode::internal, "VTK's reslice used more than one thread, so its times cannot be compared; report this.");
+    }
+    timeCases(cases, scene, options, part);
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+    addToReport(cases, volumeSide, report);
+  }
+  if (!options.html.empty()) {
+    std::error_code problem;
+    std::filesystem::create_directories(options.html, problem);
+    if (auto written = writeFileSafely(options.html / "slicing.html", slicingPage(report)); !written) return passOn(written.error());
+  }
+  return report;
+}
+
+}  // namespace ew
