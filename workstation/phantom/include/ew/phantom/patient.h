@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <string>
@@ -15,12 +14,21 @@
 
 namespace ew {
 
+/// Slow variation of a tissue's grey level, on top of speckle.
+struct TissueTexture {
+  double level = 0.0;           ///< grey levels up and down
+  glm::dvec3 scale_mm{10.0};    ///< size of its grains along x, y, z; with followsTheSkin along x, depth below the skin, z
+  bool followsTheSkin = false;  ///< grains lie in layers parallel to the skin, as in fat and muscle
+  bool operator==(const TissueTexture&) const = default;
+};
+
 /// What a tissue looks like to an ultrasound machine.
 struct Tissue {
   std::string name;
   double echoLevel = 0.0;  ///< mean grey level after log compression, 0..255
   double speckle = 0.0;    ///< 0: anechoic or specular; 1: fully developed
   double attenuation_dbPerCmMhz = 0.5;
+  TissueTexture texture;
   bool operator==(const Tissue&) const = default;
 };
 
@@ -33,13 +41,28 @@ struct OrganName {
   std::string name;
 };
 
-/// @error notFound, badHeader, badField (organ, field, value found, expected), newerFormat
-[[nodiscard]] Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file);
+/// Reads a virtual patient (resources/schemas/patient.schema.json says what it may hold). The mannequin it names gives its skin and is
+/// looked for beside the recipe, in `mannequins`, in resources/mannequin of the folders above the recipe, then of $ECHOWEAVE_RESOURCES.
+/// @error notFound, notReadable, tooLarge, badHeader, badField (organ, field, value found, expected), newerFormat
+[[nodiscard]] Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file,
+                                                                 const std::filesystem::path& mannequins = {});
 
 [[nodiscard]] std::vector<OrganName> organsOf(const Patient& patient);
+[[nodiscard]] const std::vector<Tissue>& tissuesOf(const Patient& patient);
 
-/// Signed distance in mm (negative inside, exact near the surface within the blend radius) of a named organ, for tests and lessons.
+/// The box that voxelise fills.
+[[nodiscard]] Bounds boxOf(const Patient& patient);
+
+/// A number that changes with the recipe, its mannequin and the way voxels are made: the key for whoever keeps voxelised patients.
+[[nodiscard]] std::uint64_t fingerprintOf(const Patient& patient);
+
+/// Signed distance in mm (negative inside; sign exact, value first order, right near the surface) of a named organ as it was drawn,
+/// without what organs of higher priority take from it. "skin surface" is the surface of the whole body.
+/// @error badField when there is no such organ
 [[nodiscard]] Result<double> signedDistance_mm(const Patient& patient, const std::string& organ, const glm::dvec3& p_world_mm);
+
+/// The label voxelise gives to a voxel centred here: 0 outside every organ.
+[[nodiscard]] int labelAt(const Patient& patient, const glm::dvec3& p_world_mm);
 
 struct VoxeliseOptions {
   double spacing_mm = 1.0;
@@ -53,7 +76,13 @@ struct VoxelisedPatient {
 };
 
 /// Samples the anatomy on a grid: echo with speckle, bright organ borders, shadow-free truth, and a label per voxel.
-/// @error tooLarge (with the forecast), cancelled
+/// Speckle is the envelope of a complex scatterer field, hashed from seed and voxel, behind an isotropic point spread function of one
+/// voxel standard deviation, log compressed at 60 dB over 255 grey levels (so fully developed speckle spreads by 23.7 levels).
+/// Nothing casts a shadow: shadows belong to the view, not to the volume (Aiger and Cohen-Or 1998, "Shadows").
+/// @error badField (spacing), tooLarge (with the forecast), cancelled (within 0.1 s)
 [[nodiscard]] Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
+
+/// Bytes that voxelise holds at its peak at this spacing.
+[[nodiscard]] double voxeliseForecast_bytes(const Patient& patient, double spacing_mm);
 
 }  // namespace ew

@@ -1,0 +1,207 @@
+#include "ew/phantom/patient.h"
+
+#include <cstdlib>
+#include <set>
+#include <system_error>
+
+#include "anatomy.h"
+#include "kept_distance.h"
+#include "recipe.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+using phantom::FieldReader;
+
+constexpr double kSkinSpacing_mm = 4.0;
+constexpr std::uint64_t kVoxelVersion = 1;  // raise when the same recipe starts to give other voxels
+
+std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
+  for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ull;
+  return hash;
+}
+
+std::filesystem::path findMannequin(const std::string& name, const std::filesystem::path& recipe, const std::filesystem::path& mannequins) {
+  std::vector<std::filesystem::path> candidates{recipe.parent_path() / name};
+  if (!mannequins.empty()) candidates.push_back(mannequins / name);
+  std::error_code failed;
+  std::filesystem::path above = std::filesystem::absolute(recipe, failed).parent_path();
+  for (int level = 0; level < 4 && above.has_relative_path(); ++level) {
+    above = above.parent_path();
+    candidates.push_back(above / "resources" / "mannequin" / name);
+  }
+  if (const char* resources = std::getenv("ECHOWEAVE_RESOURCES"))
+    candidates.push_back(std::filesystem::path(resources) / "mannequin" / name);
+  for (const auto& candidate : candidates) {
+    if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
+  }
+  return {};
+}
+
+Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
+  Tissue tissue;
+  reader.allow(object, place, {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "texture"});
+  if (reader.problem()) return tissue;
+  tissue.name = reader.text(object, place, "name");
+  tissue.echoLevel = reader.number(object, place, "echo_level", 0.0, 255.0);
+  tissue.speckle = reader.number(object, place, "speckle", 0.0, 1.0);
+  tissue.attenuation_dbPerCmMhz = reader.number(object, place, "attenuation_db_per_cm_mhz", 0.0, 100.0, 0.5);
+  if (const auto texture = object.find("texture"); texture != object.end()) {
+    const std::string at = place + ".texture";
+    reader.allow(*texture, at, {"level", "scale_mm", "follows_the_skin"});
+    if (reader.problem()) return tissue;
+    tissue.texture.level = reader.number(*texture, at, "level", 0.0, 255.0);
+    tissue.texture.scale_mm = reader.vector(*texture, at, "scale_mm");
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(tissue.texture.scale_mm[axis] >= 0.1)) reader.refuse(at + ".scale_mm", "not positive", "three sizes of at least 0.1 mm");
+    }
+    tissue.texture.followsTheSkin = reader.flag(*texture, at, "follows_the_skin", false);
+  }
+  return tissue;
+}
+
+std::size_t tissueNamed(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
+                        const std::vector<Tissue>& tissues) {
+  const std::string name = reader.text(object, place, field);
+  if (reader.problem()) return 0;
+  std::string names;
+  for (std::size_t n = 0; n < tissues.size(); ++n) {
+    if (tissues[n].name == name) return n;
+    names += (names.empty() ? "" : ", ") + tissues[n].name;
+  }
+  reader.refuse(place + "." + field, '"' + name + '"', "one of the tissues (" + names + ")");
+  return 0;
+}
+
+std::optional<phantom::Border> readBorder(FieldReader& reader, const json& object, const std::string& place) {
+  const auto border = object.find("border");
+  if (border == object.end()) return std::nullopt;
+  const std::string at = place + ".border";
+  reader.allow(*border, at, {"echo_level", "width_mm", "facing"});
+  if (reader.problem()) return std::nullopt;
+  phantom::Border read;
+  read.echoLevel = reader.number(*border, at, "echo_level", 0.0, 255.0);
+  read.width_mm = reader.number(*border, at, "width_mm", 0.05, 50.0);
+  if (border->contains("facing")) {
+    read.facing = reader.vector(*border, at, "facing");
+    if (!reader.problem() && !(glm::length(read.facing) > 1e-6)) reader.refuse(at + ".facing", "zero", "a direction");
+    if (!reader.problem()) read.facing = glm::normalize(read.facing);
+  }
+  return read;
+}
+
+void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes known, Patient& patient) {
+  if (recipe.contains("shapes")) {
+    const json& shapes = reader.list(recipe, "patient", "shapes", 0, 200);
+    for (std::size_t n = 0; n < shapes.size() && !reader.problem(); ++n) {
+      const std::string at = "shapes[" + std::to_string(n) + "]";
+      if (!shapes[n].is_object()) return reader.refuse(at, "not an object", "a named shape");
+      const std::string name = reader.text(shapes[n], at, "name");
+      if (known.count(name) > 0) reader.refuse(at + ".name", '"' + name + '"', "a name that is not taken yet");
+      phantom::ShapePtr shape = phantom::readShape(reader, shapes[n], at + " (" + name + ")", known);
+      if (!reader.problem()) known.emplace(name, std::move(shape));
+    }
+  }
+  const json& organs = reader.list(recipe, "patient", "organs", 1, 254);
+  for (std::size_t n = 0; n < organs.size() && !reader.problem(); ++n) {
+    std::string at = "organs[" + std::to_string(n) + "]";
+    reader.allow(organs[n], at, {"tissue", "shape", "border"});
+    if (reader.problem()) return;
+    phantom::Organ organ;
+    organ.name = reader.text(organs[n], at, "name");
+    at += " (" + organ.name + ")";
+    if (known.count(organ.name) > 0) reader.refuse(at + ".name", '"' + organ.name + '"', "a name that is not taken yet");
+    organ.tissue = tissueNamed(reader, organs[n], at, "tissue", patient.tissues);
+    if (!organs[n].contains("shape")) reader.refuse(at + ".shape", "missing", "a shape");
+    if (reader.problem()) return;
+    organ.shape = phantom::readShape(reader, organs[n]["shape"], at + ".shape", known);
+    organ.border = readBorder(reader, organs[n], at);
+    if (reader.problem()) return;
+    known.emplace(organ.name, organ.shape);
+    patient.organs.push_back(std::move(organ));
+  }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins) {
+  const auto recipe = phantom::readRecipe(file, "virtual patient");
+  if (!recipe) return passOn(recipe.error());
+  FieldReader reader(file.string());
+  auto patient = std::make_shared<Patient>();
+  reader.allow(*recipe, "patient", {"format", "mannequin", "box", "tissues", "background", "shapes", "organs"});
+  patient->name = reader.text(*recipe, "patient", "name");
+
+  const auto box = recipe->find("box");
+  if (box == recipe->end()) reader.refuse("box", "missing", "an object with lowest_mm and highest_mm");
+  if (!reader.problem()) reader.allow(*box, "box", {"lowest_mm", "highest_mm"});
+  if (!reader.problem()) {
+    patient->box = {reader.vector(*box, "box", "lowest_mm"), reader.vector(*box, "box", "highest_mm")};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = patient->box.highest_mm[axis] - patient->box.lowest_mm[axis];
+      if (!(size >= 1.0 && size <= 3000.0))
+        reader.refuse("box.highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
+    }
+  }
+
+  std::set<std::string> tissueNames;
+  const json& tissues = reader.list(*recipe, "patient", "tissues", 1, 254);
+  for (std::size_t n = 0; n < tissues.size() && !reader.problem(); ++n) {
+    const std::string at = "tissues[" + std::to_string(n) + "]";
+    patient->tissues.push_back(readTissue(reader, tissues[n], at));
+    if (!reader.problem() && !tissueNames.insert(patient->tissues.back().name).second)
+      reader.refuse(at + ".name", '"' + patient->tissues.back().name + '"', "a name that is not taken yet");
+  }
+  patient->backgroundTissue = tissueNamed(reader, *recipe, "patient", "background", patient->tissues);
+  const std::string mannequin = reader.text(*recipe, "patient", "mannequin");
+  if (!reader.problem() && std::filesystem::path(mannequin).has_parent_path())
+    reader.refuse("mannequin", '"' + mannequin + '"', "the name of a file in resources/mannequin, without a folder");
+  if (reader.problem()) return passOn(*reader.problem());
+
+  const std::filesystem::path bodyFile = findMannequin(mannequin, file, mannequins);
+  if (bodyFile.empty())
+    return failure(
+        ErrorCode::notFound,
+        file.string() + " needs the mannequin " + mannequin + ", which is neither beside it nor in resources/mannequin; put it there.",
+        {{"file", file.string()}, {"mannequin", mannequin}});
+  auto body = readBodyShape(bodyFile);
+  if (!body) return passOn(body.error());
+  const auto bodyRecipe = phantom::readRecipe(bodyFile, "mannequin recipe");
+  if (!bodyRecipe) return passOn(bodyRecipe.error());
+  patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm);
+  readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
+  if (reader.problem()) return passOn(*reader.problem());
+  patient->fingerprint = fnv1a(bodyRecipe->dump(), fnv1a(recipe->dump(), 14695981039346656037ull ^ kVoxelVersion));
+  return patient;
+}
+
+std::vector<OrganName> organsOf(const Patient& patient) {
+  std::vector<OrganName> names;
+  for (std::size_t n = 0; n < patient.organs.size(); ++n) names.push_back({static_cast<int>(n) + 1, patient.organs[n].name});
+  return names;
+}
+
+const std::vector<Tissue>& tissuesOf(const Patient& patient) { return patient.tissues; }
+Bounds boxOf(const Patient& patient) { return patient.box; }
+std::uint64_t fingerprintOf(const Patient& patient) { return patient.fingerprint; }
+
+Result<double> signedDistance_mm(const Patient& patient, const std::string& organ, const glm::dvec3& p_world_mm) {
+  for (const phantom::Organ& each : patient.organs) {
+    if (each.name == organ) return each.shape->distance_mm(p_world_mm);
+  }
+  if (organ == "skin surface") return patient.skin->distance_mm(p_world_mm);
+  std::string names;
+  for (const phantom::Organ& each : patient.organs) names += (names.empty() ? "" : ", ") + each.name;
+  return failure(ErrorCode::badField, "The patient has no organ " + organ + "; its organs are " + names + ".", {{"organ", organ}});
+}
+
+int labelAt(const Patient& patient, const glm::dvec3& p_world_mm) {
+  if (patient.skin->distance_mm(p_world_mm) >= 0.0) return 0;
+  for (std::size_t n = 0; n < patient.organs.size(); ++n) {
+    if (patient.organs[n].shape->distance_mm(p_world_mm) < 0.0) return static_cast<int>(n) + 1;
+  }
+  return 0;
+}
+
+}  // namespace ew

@@ -1,0 +1,216 @@
+#include <array>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+#include "anatomy.h"
+#include "ew/core/numbers.h"
+#include "ew/phantom/speckle.h"
+#include "parallel.h"
+
+namespace ew {
+namespace {
+
+using phantom::Organ;
+
+constexpr int kBlock = 8;
+// As in sampleDistance: how far a first-order distance may exceed the true one before a block is wrongly left out.
+constexpr double kReserve = 1.5;
+constexpr double kLevelsPerDecibel = 255.0 / 60.0;  // 60 dB of dynamic range over the grey scale
+constexpr double kMeanDecibel = -2.507;             // of the power of speckle: 10 log10(e^-gamma)
+constexpr double kDeepestNull_db = -22.0;           // speckle nulls go to -infinity dB; a screen shows none below this
+constexpr double kBorderSpeckle = 0.45;             // a reflecting surface is rough: part of its echo is still speckle
+constexpr std::uint64_t kTextureSeed = 0x7465787475726521ull;
+
+/// What one point sends back before speckle: mean grey level, how much speckle, and the strongest border.
+struct Look {
+  double level = 0.0;
+  double speckle = 0.0;
+  double borderLevel = 0.0;
+  double borderWeight = 0.0;
+  int label = 0;
+};
+
+class Painter {
+ public:
+  Painter(const Patient& patient, const VoxeliseOptions& options) : patient_(patient), options_(options) {}
+
+  /// Organs that can matter within `radius_mm` of a point, by priority.
+  void select(const glm::dvec3& centre_mm, double radius_mm, std::vector<const Organ*>& near) const {
+    near.clear();
+    for (const Organ& organ : patient_.organs) {
+      const double margin = std::max(organ.border ? organ.border->width_mm : 0.0, options_.spacing_mm);
+      if (organ.shape->atLeast_mm(centre_mm) > radius_mm + margin) continue;
+      const double d = organ.shape->distance_mm(centre_mm);
+      if (d > kReserve * (radius_mm + margin)) continue;
+      near.push_back(&organ);
+      if (d < -kReserve * (radius_mm + margin)) break;  // whatever comes later is hidden by this one
+    }
+  }
+
+  [[nodiscard]] Look at(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near) const {
+    Look look;
+    double remaining = 1.0;
+    for (const Organ* organ : near) {
+      const double d = organ->shape->distance_mm(p_mm);
+      if (organ->border) addBorder(*organ, p_mm, d, remaining, look);
+      if (d < 0.0 && look.label == 0) look.label = static_cast<int>(organ - patient_.organs.data()) + 1;
+      // The part of the voxel that the organ fills, so that edges are not stairs.
+      const double part = std::clamp(0.5 - d / options_.spacing_mm, 0.0, 1.0);
+      if (part <= 0.0) continue;
+      addTissue(patient_.tissues[organ->tissue], organ->tissue, p_mm, skin_mm, remaining * part, look);
+      remaining *= 1.0 - part;
+      if (remaining < 1e-3) return look;
+    }
+    addTissue(patient_.tissues[patient_.backgroundTissue], patient_.backgroundTissue, p_mm, skin_mm, remaining, look);
+    return look;
+  }
+
+  [[nodiscard]] std::uint8_t greyOf(const Look& look, double speckle_db, const glm::dvec3& p_mm) const {
+    const double swing = kLevelsPerDecibel * (std::max(speckle_db, kDeepestNull_db) - kMeanDecibel);
+    double grey = look.level + look.speckle * swing;
+    if (look.borderWeight > 0.0) {
+      const double uneven = 0.85 + 0.15 * valueNoise(options_.seed ^ kTextureSeed, p_mm / 7.0);
+      const double border = look.borderLevel * uneven + kBorderSpeckle * swing;
+      if (border > grey) grey += look.borderWeight * (border - grey);
+    }
+    return static_cast<std::uint8_t>(std::clamp(grey + 0.5, 0.0, 255.0));
+  }
+
+ private:
+  void addTissue(const Tissue& tissue, std::size_t number, const glm::dvec3& p_mm, double skin_mm, double weight, Look& look) const {
+    double level = tissue.echoLevel;
+    if (tissue.texture.level > 0.0) {
+      const glm::dvec3 place(p_mm.x, tissue.texture.followsTheSkin ? skin_mm : p_mm.y, p_mm.z);
+      level += tissue.texture.level * valueNoise(options_.seed + kTextureSeed * (number + 1), place / tissue.texture.scale_mm);
+    }
+    look.level += weight * level;
+    look.speckle += weight * tissue.speckle;
+  }
+
+  static void addBorder(const Organ& organ, const glm::dvec3& p_mm, double d, double remaining, Look& look) {
+    const double t = d / organ.border->width_mm;
+    if (t * t >= 1.0) return;
+    double weight = remaining * (1.0 - t * t) * (1.0 - t * t);
+    if (organ.border->facing != glm::dvec3(0.0)) {
+      constexpr double kStep_mm = 0.5;
+      glm::dvec3 normal;
+      for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 step(0.0);
+        step[axis] = kStep_mm;
+        normal[axis] = organ.shape->distance_mm(p_mm + step) - d;
+      }
+      const double length = glm::length(normal);
+      const double towards = length > 0.0 ? glm::dot(normal, organ.border->facing) / length : 0.0;
+      weight *= std::max(0.0, towards);
+    }
+    if (weight * organ.border->echoLevel <= look.borderWeight * look.borderLevel) return;
+    look.borderWeight = weight;
+    look.borderLevel = organ.border->echoLevel;
+  }
+
+  const Patient& patient_;
+  const VoxeliseOptions& options_;
+};
+
+Grid gridOf(const Patient& patient, double spacing_mm) {
+  Grid grid;
+  grid.spacing_mm = glm::dvec3(spacing_mm);
+  grid.origin_mm = patient.box.lowest_mm;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double steps = std::floor((patient.box.highest_mm[axis] - patient.box.lowest_mm[axis]) / spacing_mm + 1e-9);
+    grid.dims[axis] = static_cast<int>(std::min(steps, 1e6)) + 1;
+  }
+  return grid;
+}
+
+}  // namespace
+
+double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
+  const Grid grid = gridOf(patient, spacing_mm);
+  const double slice = static_cast<double>(grid.dims.x) * grid.dims.y;
+  const double perThread = slice * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
+  return slice * grid.dims.z * 3.0 + perThread * phantom::threadCount(0);
+}
+
+Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
+  if (!(options.spacing_mm >= 0.01 && options.spacing_mm <= 1000.0))
+    return failure(ErrorCode::badField, "The voxel spacing is " + textOf(options.spacing_mm) + " mm; choose one from 0.01 to 1000 mm.",
+                   {{"field", "spacing_mm"}});
+  const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm);
+  const auto tooLarge = [&] {
+    const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
+    return failure(ErrorCode::tooLarge,
+                   "This patient at " + textOf(options.spacing_mm) + " mm needs " + mebibytes(forecast) + " of memory, " +
+                       mebibytes(static_cast<double>(options.maxBytes)) + " are allowed; choose a coarser spacing.",
+                   {{"forecast_bytes", textOf(forecast)}});
+  };
+  if (forecast > static_cast<double>(options.maxBytes)) return tooLarge();
+
+  VoxelisedPatient made;
+  Volume& volume = made.volume;
+  volume.grid = gridOf(patient, options.spacing_mm);
+  const Grid& grid = volume.grid;
+  if (const auto usable = checkGrid(grid); !usable) return passOn(usable.error());
+  try {
+    volume.echo.assign(grid.voxelCount(), 0);
+    volume.coverage.assign(grid.voxelCount(), static_cast<std::uint8_t>(Coverage::absent));
+    made.labels.assign(grid.voxelCount(), 0);
+  } catch (const std::bad_alloc&) {
+    return tooLarge();
+  } catch (const std::length_error&) {
+    return tooLarge();
+  }
+
+  const Painter painter(patient, options);
+  const Decibel decibel;
+  const double h = options.spacing_mm;
+  const double radius = 0.5 * std::sqrt(3.0) * (kBlock - 1) * h;
+  const int slabs = (grid.dims.z + kBlock - 1) / kBlock;
+  std::atomic<bool> stopped{false};
+  std::atomic<bool> outOfMemory{false};
+
+  const auto paintBlock = [&](const glm::ivec3& first, const std::vector<float>& power, std::vector<const Organ*>& near) {
+    const glm::ivec3 last = glm::min(first + kBlock, grid.dims);
+    const glm::dvec3 centre = grid.origin_mm + h * (glm::dvec3(first) + 0.5 * (kBlock - 1));
+    if (patient.skin->distance_mm(centre) > kReserve * radius) return;
+    painter.select(centre, radius, near);
+    for (int k = first.z; k < last.z; ++k) {
+      for (int j = first.y; j < last.y; ++j) {
+        for (int i = first.x; i < last.x; ++i) {
+          const glm::dvec3 p = grid.origin_mm + h * glm::dvec3(i, j, k);
+          const double skin = patient.skin->distance_mm(p);
+          if (skin >= 0.0) continue;
+          const Look look = painter.at(p, skin, near);
+          const std::size_t at = grid.indexOf(i, j, k);
+          volume.echo[at] = painter.greyOf(look, static_cast<double>(decibel.of(power[at - grid.indexOf(0, 0, first.z)])), p);
+          volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
+          made.labels[at] = static_cast<std::uint8_t>(look.label);
+        }
+      }
+    }
+  };
+  const auto paintSlab = [&](int slab) {
+    std::vector<float> power;
+    std::vector<const Organ*> near;
+    const int firstSlice = slab * kBlock, slices = std::min(kBlock, grid.dims.z - firstSlice);
+    try {
+      SpeckleScratch scratch;
+      specklePower(options.seed, grid.dims, firstSlice, slices, scratch, power);
+      near.reserve(patient.organs.size());
+    } catch (const std::bad_alloc&) {
+      outOfMemory = true;
+      stopped = true;
+    }
+    for (int j = 0; j < grid.dims.y && !stopped; j += kBlock) {
+      for (int i = 0; i < grid.dims.x; i += kBlock) paintBlock({i, j, firstSlice}, power, near);
+      if (progress.cancelRequested()) stopped = true;
+    }
+  };
+  const bool finished = phantom::parallelFor(slabs, options.threads, progress, "Building the virtual patient", paintSlab);
+  if (outOfMemory) return tooLarge();
+  if (!finished || stopped) return failure(ErrorCode::cancelled, "Building the virtual patient was stopped.");
+  return made;
+}
+
+}  // namespace ew
