@@ -114,7 +114,7 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
   const double voxels = extent.samples.x * extent.samples.y * extent.samples.z;
   const bool countable = voxels <= std::ldexp(1.0, 40);
   const std::uint64_t bytes = countable ? forecastBytes(grid, options) : std::numeric_limits<std::uint64_t>::max();
-  if (bytes > options.maxBytes)
+  if (!countable || bytes > options.maxBytes)
     return failure(ErrorCode::tooLarge,
                    "The volume would have " + sizeOf(extent) + " voxels and need " + (countable ? gibibytes(bytes) : "more than 2048 GiB") +
                        " of memory, more than the " + gibibytes(options.maxBytes) + " allowed; use a coarser spacing or allow more memory.",

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ew/acquisition/reconstruct.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+#include "ew/io/sequence.h"
+#include "ew/io/sweep.h"
+
+namespace ew {
+
+/// How a recorded sweep becomes a volume. The defaults need no knowledge of the recording; what a device set says about geometry is used
+/// where the switches below allow it, and what was used is in the plan.
+struct SweepImportOptions {
+  std::filesystem::path calibration;    ///< device set (.xml) of the recording; empty: the recording says everything itself
+  std::string toFrame;                  ///< the file's name of the frame that becomes the world; empty: see sweepPoses
+  ReconstructOptions reconstruct = {};  ///< its clip is replaced when the device set has one and clipFromCalibration is on
+  bool clipFromCalibration = true;      ///< clip rectangle and fan of the device set
+  bool spacingFromCalibration = false;  ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
+  bool methodFromCalibration = false;   ///< interpolation and compounding of the device set instead of those of `reconstruct`
+};
+
+struct SweepCounts {
+  std::size_t total = 0;    ///< frames in the file
+  std::size_t used = 0;     ///< frames with a usable pose
+  std::size_t invalid = 0;  ///< frames whose image or pose is marked invalid or cannot be used
+  std::size_t missing = 0;  ///< frames about which the file does not say enough
+};
+
+/// What an import will make, known before any large memory is taken.
+struct ImportPlan {
+  Grid grid;
+  std::uint64_t bytes = 0;       ///< at the peak: frames, volume, coverage and what the reconstruction needs beside them
+  std::uint64_t frameBytes = 0;  ///< of these: the frames
+  bool fits = true;              ///< bytes <= reconstruct.maxBytes; importSweep refuses otherwise
+  SweepCounts frames;
+  std::string toFrame;             ///< the frame of the recording that becomes the world
+  ReconstructOptions reconstruct;  ///< as it will be done, after what the device set said
+  std::vector<std::string> notes;  ///< what had to be decided, in sentences
+};
+
+/// A sweep that has been read and planned, but not yet reconstructed, so that a user can be asked before a huge one.
+struct OpenedSweep {
+  Sequence sequence;  ///< images turned to orientation MF: x towards the marker, y away from the probe
+  SweepPoses poses;
+  ImportPlan plan;
+  double readSeconds = 0.0;
+};
+
+struct ImportedSweep {
+  ReconstructResult reconstruction;  ///< the volume, its coverage, counts of voxels and pixels, seconds of pasting and filling
+  ImportPlan plan;
+  double readSeconds = 0.0;
+  double totalSeconds = 0.0;  ///< reading, planning and reconstructing
+};
+
+/// Reads a sweep, its poses and, where given, its device set, and works out grid and memory.
+/// Images recorded mirrored or upside down (UN, MN, ...) are turned to MF, with a note; clip and calibration count pixels in MF.
+/// @error as readSequence, readDeviceSet, sweepPoses and gridFor (but a volume over maxBytes is not an error here: see `fits`);
+///        unsupported (no images, or lines that are not scan converted); badField (an OutputSpacing, interpolation or compounding of the
+///        device set that cannot be used)
+[[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+/// The plan of openSweep alone.
+[[nodiscard]] Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+/// Reconstructs an opened sweep. The sweep is given up, so that its frames are freed with it.
+/// @error as reconstruct; tooLarge when the plan does not fit
+[[nodiscard]] Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress);
+
+/// Reads and reconstructs in one go.
+[[nodiscard]] Result<ImportedSweep> importSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+}  // namespace ew

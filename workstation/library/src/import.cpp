@@ -1,0 +1,210 @@
+#include "ew/library/import.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "ew/core/numbers.h"
+
+namespace ew {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
+
+Result<void> checkImages(const Sequence& sequence) {
+  if (sequence.width < 1 || sequence.height < 1 || sequence.pixels.empty())
+    return failure(ErrorCode::unsupported,
+                   "The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.");
+  const std::string& orientation = sequence.orientation;
+  const bool lines = orientation.size() >= 2 && (orientation[0] == 'F' || orientation[0] == 'N');
+  const bool rf = sequence.imageType.starts_with("RF");
+  if (lines || rf)
+    return failure(ErrorCode::unsupported,
+                   "The recording holds scan lines (" + (rf ? sequence.imageType : orientation) +
+                       "), not images; convert the lines to B-mode images first.",
+                   {{"orientation", orientation}, {"imageType", sequence.imageType}});
+  return {};
+}
+
+/// Turns every image to MF. An orientation that says nothing is taken as MF, which is what the calibration of such files counts in.
+Result<void> turnToMarkerFar(Sequence& sequence, std::vector<std::string>& notes, Progress& progress) {
+  const std::string& orientation = sequence.orientation;
+  if (orientation.size() < 2) {
+    notes.push_back("The recording does not name its image orientation; MF (marker side first, far side last) was assumed.");
+    return {};
+  }
+  const bool mirrored = orientation[0] == 'U', upsideDown = orientation[1] == 'N';
+  if ((orientation[0] != 'M' && !mirrored) || (orientation[1] != 'F' && !upsideDown))
+    return failure(ErrorCode::badField,
+                   "The image orientation " + orientation + " is not known; expected two of the letters M or U and F or N, as in MF.",
+                   {{"field", "UltrasoundImageOrientation"}, {"found", orientation}});
+  if (!mirrored && !upsideDown) return {};
+  const auto width = static_cast<std::ptrdiff_t>(sequence.width), height = static_cast<std::ptrdiff_t>(sequence.height);
+  for (auto frame = sequence.pixels.begin(); frame != sequence.pixels.end(); frame += width * height) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The import was stopped before it was complete.");
+    if (upsideDown)
+      for (std::ptrdiff_t y = 0; y < height / 2; ++y)
+        std::swap_ranges(frame + y * width, frame + (y + 1) * width, frame + (height - 1 - y) * width);
+    if (mirrored)
+      for (std::ptrdiff_t y = 0; y < height; ++y) std::reverse(frame + y * width, frame + (y + 1) * width);
+  }
+  notes.push_back("The images are stored in orientation " + orientation + " and were turned to MF.");
+  sequence.orientation = "MF";
+  return {};
+}
+
+std::optional<Clip> clipOf(const DeviceSet& device, std::vector<std::string>& notes) {
+  const bool fan = device.fanAngles_deg && device.fanAngles_deg->x != device.fanAngles_deg->y;
+  if (!device.clipOrigin_px && !device.clipSize_px && !fan) return std::nullopt;
+  Clip clip;
+  clip.origin_px = device.clipOrigin_px.value_or(glm::dvec2(0.0));
+  clip.size_px = device.clipSize_px;
+  if (fan) {
+    const glm::dvec2 angles_rad = *device.fanAngles_deg * (std::numbers::pi / 180.0);
+    clip.fan = ClipFan{device.fanOrigin_px.value_or(glm::dvec2(0.0)), angles_rad.x, angles_rad.y, device.fanRadiusStart_px.value_or(0.0),
+                       device.fanRadiusStop_px.value_or(1e9)};
+  }
+  notes.push_back(std::string("The images were clipped to the ") + (fan ? "fan" : "rectangle") + " of the device set.");
+  return clip;
+}
+
+Result<double> spacingOf(const DeviceSet& device) {
+  if (!device.outputSpacing_mm)
+    return failure(ErrorCode::badField, "The device set says no OutputSpacing; give the voxel spacing in mm.",
+                   {{"field", "OutputSpacing"}});
+  const glm::dvec3 spacing_mm = *device.outputSpacing_mm;
+  if (spacing_mm.x != spacing_mm.y || spacing_mm.x != spacing_mm.z)
+    return failure(ErrorCode::badField,
+                   "The OutputSpacing of the device set differs between axes (" + textOf(spacing_mm.x) + ", " + textOf(spacing_mm.y) +
+                       ", " + textOf(spacing_mm.z) + " mm); give one voxel spacing in mm.",
+                   {{"field", "OutputSpacing"}});
+  return spacing_mm.x;
+}
+
+Result<void> takeMethod(const DeviceSet& device, ReconstructOptions& options) {
+  const std::string interpolation = device.interpolation.value_or("");
+  if (interpolation == "NEAREST_NEIGHBOR") {
+    options.interpolation = Interpolation::nearest;
+  } else if (interpolation == "LINEAR") {
+    options.interpolation = Interpolation::linear;
+  } else if (!interpolation.empty()) {
+    return failure(ErrorCode::badField,
+                   "The device set asks for the interpolation " + interpolation + "; expected NEAREST_NEIGHBOR or LINEAR.",
+                   {{"field", "Interpolation"}, {"found", interpolation}});
+  }
+  const std::string compounding = device.compounding.value_or("");
+  if (compounding == "MEAN" || compounding == "ON") {
+    options.compounding = Compounding::mean;
+  } else if (compounding == "MAXIMUM") {
+    options.compounding = Compounding::maximum;
+  } else if (compounding == "LATEST" || compounding == "OFF") {
+    options.compounding = Compounding::latest;
+  } else if (!compounding.empty()) {
+    return failure(ErrorCode::badField, "The device set asks for the compounding " + compounding + "; expected MEAN, MAXIMUM or LATEST.",
+                   {{"field", "CompoundingMode"}, {"found", compounding}});
+  }
+  return {};
+}
+
+Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, const DeviceSet* device, std::vector<std::string>& notes) {
+  ReconstructOptions effective = options.reconstruct;
+  if (device == nullptr) return effective;
+  if (options.clipFromCalibration) {
+    if (auto clip = clipOf(*device, notes)) effective.clip = *clip;
+  }
+  if (options.spacingFromCalibration) {
+    const auto spacing_mm = spacingOf(*device);
+    if (!spacing_mm) return passOn(spacing_mm.error());
+    effective.spacing_mm = *spacing_mm;
+  }
+  if (options.methodFromCalibration) {
+    if (const auto taken = takeMethod(*device, effective); !taken) return passOn(taken.error());
+  }
+  return effective;
+}
+
+std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
+  std::vector<PosedFrame> frames;
+  frames.reserve(opened.poses.usable);
+  const Sequence& sequence = opened.sequence;
+  for (std::size_t n = 0; n < sequence.frames.size(); ++n)
+    if (opened.poses.imageToWorld[n])
+      frames.push_back({{sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width}, *opened.poses.imageToWorld[n]});
+  return frames;
+}
+
+}  // namespace
+
+Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
+  const auto started = Clock::now();
+  std::optional<DeviceSet> device;
+  if (!options.calibration.empty()) {
+    auto read = readDeviceSet(options.calibration);
+    if (!read) return passOn(read.error());
+    device = std::move(*read);
+  }
+  const DeviceSet* const calibration = device ? &*device : nullptr;
+  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes});
+  if (!sequence) return passOn(sequence.error());
+  if (const auto checked = checkImages(*sequence); !checked) return passOn(checked.error());
+  auto poses = sweepPoses(*sequence, calibration, options.toFrame);
+  if (!poses) return passOn(poses.error());
+
+  OpenedSweep opened{std::move(*sequence), std::move(*poses), {}, 0.0};
+  ImportPlan& plan = opened.plan;
+  plan.notes = opened.sequence.notes;
+  plan.notes.insert(plan.notes.end(), opened.poses.notes.begin(), opened.poses.notes.end());
+  if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
+  auto effective = effectiveOptions(options, calibration, plan.notes);
+  if (!effective) return passOn(effective.error());
+  plan.reconstruct = std::move(*effective);
+  plan.toFrame = opened.poses.toFrame;
+  plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
+
+  ReconstructOptions unlimited = plan.reconstruct;
+  unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
+  const auto grid = gridFor(posedFrames(opened), unlimited);
+  if (!grid) return passOn(grid.error());
+  plan.grid = *grid;
+  plan.frameBytes = opened.sequence.pixels.size();
+  plan.bytes = plan.frameBytes + forecastBytes(plan.grid, plan.reconstruct);
+  plan.fits = plan.bytes <= plan.reconstruct.maxBytes;
+  opened.readSeconds = secondsSince(started);
+  return opened;
+}
+
+Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
+  auto opened = openSweep(sweep, options, progress);
+  if (!opened) return passOn(opened.error());
+  return std::move(opened->plan);
+}
+
+Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
+  const auto started = Clock::now();
+  const glm::ivec3 dims = opened.plan.grid.dims;
+  if (!opened.plan.fits)
+    return failure(ErrorCode::tooLarge,
+                   "The volume would have " + std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z) +
+                       " voxels and need " + mebibytes(opened.plan.bytes) + " of memory with the frames, more than the " +
+                       mebibytes(opened.plan.reconstruct.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
+                   {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
+  auto reconstruction = reconstruct(posedFrames(opened), opened.plan.reconstruct, progress);
+  if (!reconstruction) return passOn(reconstruction.error());
+  return ImportedSweep{std::move(*reconstruction), std::move(opened.plan), opened.readSeconds, opened.readSeconds + secondsSince(started)};
+}
+
+Result<ImportedSweep> importSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
+  PartOfProgress reading(progress, 0.0, 0.3), reconstructing(progress, 0.3, 1.0);
+  auto opened = openSweep(sweep, options, reading);
+  if (!opened) return passOn(opened.error());
+  return importSweep(std::move(*opened), reconstructing);
+}
+
+}  // namespace ew
