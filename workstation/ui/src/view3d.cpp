@@ -65,10 +65,7 @@ struct View3D::Parts {
     // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
     canvas->setEnableHiDPI(true);
     window->SetMultiSamples(0);
-    if (auto* interactor = canvas->interactor()) {
-      interactor->SetInteractorStyle(nullptr);
-      interactor->EnableRenderOff();
-    }
+    if (auto* interactor = canvas->interactor()) interactor->SetInteractorStyle(nullptr);
     scene = std::make_unique<bridge::Scene3D>(*window);
   }
 
