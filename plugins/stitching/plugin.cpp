@@ -1,6 +1,9 @@
+#include <QCoreApplication>
+
 #include "ew/sdk/plugin.h"
 
 #include "logic/project.h"
+#include "panel/stitch_panel.h"
 
 namespace {
 
@@ -10,6 +13,8 @@ class StitchingPlugin final : public ew::sdk::Plugin {
     host.commands().add("stitch", ew::stitching::kStitchUsage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
       return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), host.log(), progress);
     });
+    host.panels().add("stitching", QCoreApplication::translate("ew::stitching", "Stitching").toStdString(),
+                      [&host](QWidget* parent) -> QWidget* { return new ew::stitching::StitchPanel(host, parent); });
   }
 };
 

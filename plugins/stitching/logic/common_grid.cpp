@@ -110,6 +110,12 @@ Result<StitchForecast> forecastStitch(std::span<const PlacedVolume> inputs, cons
   return forecastStitch(grids, options);
 }
 
+Result<StitchForecast> forecastStitch(std::span<const PlacedView> inputs, const StitchOptions& options) {
+  std::vector<PlacedGrid> grids;
+  for (const auto& input : inputs) grids.push_back({input.volume->grid, input.toWorld, input.name});
+  return forecastStitch(grids, options);
+}
+
 std::optional<std::uint64_t> availableMemory_bytes() {
   std::ifstream table("/proc/meminfo");
   std::string name;

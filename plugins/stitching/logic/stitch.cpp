@@ -180,13 +180,13 @@ void addUp(const std::vector<SliceCounts>& slices, StitchResult& result) {
 
 }  // namespace
 
-Result<StitchResult> stitch(std::span<const PlacedVolume> inputs, const StitchOptions& options, Progress& progress) {
+Result<StitchResult> stitch(std::span<const PlacedView> inputs, const StitchOptions& options, Progress& progress) {
   const auto started = std::chrono::steady_clock::now();
   auto forecast = forecastStitch(inputs, options);
   if (!forecast) return passOn(forecast.error());
   for ([[maybe_unused]] const auto& [volume, toWorld, name] : inputs) {
-    EW_EXPECTS(volume.echo.size() == volume.grid.voxelCount());
-    EW_EXPECTS(volume.coverage.empty() || volume.coverage.size() == volume.grid.voxelCount());
+    EW_EXPECTS(volume->echo.size() == volume->grid.voxelCount());
+    EW_EXPECTS(volume->coverage.empty() || volume->coverage.size() == volume->grid.voxelCount());
   }
 
   const bool feathers = options.featherWidth_mm > 0.0;
@@ -197,12 +197,12 @@ Result<StitchResult> stitch(std::span<const PlacedVolume> inputs, const StitchOp
     if (feathers) {
       PartOfProgress part(progress, 0.3 * static_cast<double>(n) / static_cast<double>(inputs.size()),
                           0.3 * static_cast<double>(n + 1) / static_cast<double>(inputs.size()));
-      auto distance = distanceFromBorder_mm(inputs[n].volume, options.featherWidth_mm, options.threads, part);
+      auto distance = distanceFromBorder_mm(*inputs[n].volume, options.featherWidth_mm, options.threads, part);
       if (!distance) return passOn(distance.error());
       distances_mm[n] = std::move(*distance);
     }
-    const auto worldToVoxel = placed(inputs[n].volume.grid, inputs[n].toWorld).worldToVoxel();
-    sources[n] = {&inputs[n].volume, feathers ? &distances_mm[n] : nullptr, (worldToVoxel * forecast->grid.voxelToWorld()).matrix,
+    const auto worldToVoxel = placed(inputs[n].volume->grid, inputs[n].toWorld).worldToVoxel();
+    sources[n] = {inputs[n].volume, feathers ? &distances_mm[n] : nullptr, (worldToVoxel * forecast->grid.voxelToWorld()).matrix,
                   options.interpolatedWeight, options.featherWidth_mm};
     result.contributions.push_back({inputs[n].name, 0, 0});
   }
@@ -225,6 +225,12 @@ Result<StitchResult> stitch(std::span<const PlacedVolume> inputs, const StitchOp
   addUp(slices, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;
+}
+
+Result<StitchResult> stitch(std::span<const PlacedVolume> inputs, const StitchOptions& options, Progress& progress) {
+  std::vector<PlacedView> views;
+  for (const auto& input : inputs) views.push_back({&input.volume, input.toWorld, input.name});
+  return stitch(views, options, progress);
 }
 
 }  // namespace ew::stitching

@@ -26,6 +26,13 @@ enum class GridAxes {
   world   ///< left, posterior, superior
 };
 
+/// The same for a volume that someone else holds and keeps alive.
+struct PlacedView {
+  const Volume* volume = nullptr;
+  glm::dmat4 toWorld{1.0};
+  std::string name;
+};
+
 struct StitchOptions {
   double spacing_mm = 0.0;           ///< of the common grid; 0: per axis the finest of the inputs
   double featherWidth_mm = 10.0;     ///< how far from an input's border its weight reaches full height; 0: plain mean in overlaps
@@ -52,6 +59,7 @@ struct PlacedGrid {
 /// @error emptyVolume (no input), badField (spacing, feather width, interpolated weight, a grid), notRigid (naming the volume), tooLarge
 [[nodiscard]] Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const StitchOptions& options);
 [[nodiscard]] Result<StitchForecast> forecastStitch(std::span<const PlacedVolume> inputs, const StitchOptions& options);
+[[nodiscard]] Result<StitchForecast> forecastStitch(std::span<const PlacedView> inputs, const StitchOptions& options);
 
 /// What one input gave.
 struct Contribution {
@@ -78,6 +86,7 @@ struct StitchResult {
 /// Cost: one linear sample per voxel and covering input, plus a distance transform per input.
 /// @error as forecastStitch, cancelled
 [[nodiscard]] Result<StitchResult> stitch(std::span<const PlacedVolume> inputs, const StitchOptions& options, Progress& progress);
+[[nodiscard]] Result<StitchResult> stitch(std::span<const PlacedView> inputs, const StitchOptions& options, Progress& progress);
 
 /// Memory the system can give now; empty where it does not say.
 [[nodiscard]] std::optional<std::uint64_t> availableMemory_bytes();

@@ -1,0 +1,157 @@
+#pragma once
+
+// Small Qt conveniences for the panels of plugins. Not part of the library ew_sdk: a plugin that includes this links Qt5::Widgets itself.
+// Colours and sizes come from the workstation's theme by way of properties; a panel sets none of its own.
+
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "ew/sdk/placement.h"
+
+namespace ew::sdk {
+
+inline constexpr int kGap_px = 8;  ///< the workstation's grid
+
+inline QString words(const std::string& text) { return QString::fromStdString(text); }
+
+inline QLabel* headingLabel(const QString& text, QWidget* parent = nullptr) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("heading", true);
+  return label;
+}
+
+inline QLabel* quietLabel(const QString& text, QWidget* parent = nullptr) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("quiet", true);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// A line for what is wrong, in the theme's colour of danger, hidden while it is empty: setProblem shows and hides it.
+inline QLabel* problemLabel(QWidget* parent = nullptr) {
+  auto* label = new QLabel(parent);
+  label->setForegroundRole(QPalette::BrightText);
+  label->setWordWrap(true);
+  label->setVisible(false);
+  return label;
+}
+inline void setProblem(QLabel* label, const QString& sentence) {
+  label->setText(sentence);
+  label->setVisible(!sentence.isEmpty());
+}
+
+/// A number field that the wheel changes only when it has the focus, so that scrolling past it changes nothing.
+class NumberField final : public QDoubleSpinBox {
+ public:
+  NumberField(double lowest, double highest, int decimals, const QString& unit, QWidget* parent = nullptr) : QDoubleSpinBox(parent) {
+    setRange(lowest, highest);
+    setDecimals(decimals);
+    if (!unit.isEmpty()) setSuffix(QStringLiteral(" ") + unit);
+    setAlignment(Qt::AlignRight);
+    setFocusPolicy(Qt::StrongFocus);
+    setKeyboardTracking(true);
+    setMinimumWidth(11 * kGap_px);
+  }
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus())
+      QDoubleSpinBox::wheelEvent(event);
+    else
+      event->ignore();
+  }
+};
+
+/// What a panel shows while it has nothing to work on: what to do next, and where it makes sense one button that does it.
+inline QWidget* emptyState(const QString& title, const QString& sentence, QPushButton* button = nullptr, QWidget* parent = nullptr) {
+  auto* page = new QWidget(parent);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(3 * kGap_px, 3 * kGap_px, 3 * kGap_px, 3 * kGap_px);
+  column->setSpacing(kGap_px);
+  column->addStretch(1);
+  column->addWidget(headingLabel(title), 0, Qt::AlignHCenter);
+  auto* hint = quietLabel(sentence);
+  hint->setAlignment(Qt::AlignHCenter);
+  column->addWidget(hint);
+  if (button != nullptr) {
+    button->setProperty("primary", true);
+    column->addSpacing(kGap_px);
+    column->addWidget(button, 0, Qt::AlignHCenter);
+  }
+  column->addStretch(2);
+  return page;
+}
+
+/// Six number fields for a rigid placement. Keeps the numbers as they were typed: a matrix that means the same does not rewrite them.
+class PlacementFields final : public QWidget {
+ public:
+  explicit PlacementFields(QWidget* parent = nullptr) : QWidget(parent) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(kGap_px);
+    static constexpr std::array<const char*, 6> names = {"x", "y", "z", "rx", "ry", "rz"};
+    const std::array<QString, 6> hints = {tr_("Towards the patient's left"), tr_("Towards the back"),      tr_("Towards the head"),
+                                          tr_("Turn about the x axis"),      tr_("Turn about the y axis"), tr_("Turn about the z axis")};
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const bool length = i < 3;
+      const QString unit = length ? QStringLiteral("mm") : QStringLiteral("°");
+      auto* field = new NumberField(length ? -1e5 : -360.0, length ? 1e5 : 360.0, 3, unit, this);
+      field->setObjectName(QLatin1String("placement_") + QLatin1String(names[i]));
+      field->setToolTip(hints[i]);
+      field->setAccessibleName(hints[i]);
+      auto* name = quietLabel(QLatin1String(names[i]), this);
+      name->setWordWrap(false);
+      name->setBuddy(field);
+      const int row = static_cast<int>(i % 3);
+      const int column = length ? 0 : 2;
+      grid->addWidget(name, row, column);
+      grid->addWidget(field, row, column + 1);
+      connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, i](double value) {
+        (i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)] = value;
+        matrix_ = matrixOf(shown_);
+        if (onChanged) onChanged(matrix_);
+      });
+      fields_[i] = field;
+    }
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+  }
+
+  /// The exact matrix: what was set, until a field is edited.
+  [[nodiscard]] const glm::dmat4& matrix() const { return matrix_; }
+
+  void setMatrix(const glm::dmat4& rigid) {
+    double difference = 0.0;
+    const glm::dmat4 now = matrixOf(shown_);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r) difference = std::max(difference, std::abs(now[c][r] - rigid[c][r]));
+    matrix_ = rigid;
+    if (difference < 1e-9) return;
+    shown_ = placementOf(rigid);
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const QSignalBlocker quiet(fields_[i]);
+      fields_[i]->setValue((i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)]);
+    }
+  }
+
+  std::function<void(const glm::dmat4&)> onChanged;  ///< called when the user edits a field
+
+ private:
+  static QString tr_(const char* text) { return QCoreApplication::translate("ew::sdk::PlacementFields", text); }
+  std::array<NumberField*, 6> fields_{};
+  Placement shown_;
+  glm::dmat4 matrix_{1.0};
+};
+
+}  // namespace ew::sdk

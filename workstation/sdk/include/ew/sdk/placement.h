@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace ew::sdk {
+
+/// A rigid placement as people edit it: where the file's origin goes, and how it is turned.
+/// The matrix is T(at) * Rz * Ry * Rx: turned about the fixed world axes, first x (patient left), then y (posterior), then z (superior).
+struct Placement {
+  glm::dvec3 at_mm{0.0};
+  glm::dvec3 turn_deg{0.0};  ///< about x, y, z
+  bool operator==(const Placement&) const = default;
+};
+
+/// Exact at multiples of 90 degrees: 90 gives zeros and ones, not 6e-17.
+[[nodiscard]] glm::dmat4 matrixOf(const Placement& placement);
+
+/// The placement of a rigid matrix: x and z in (-180, 180], y in [-90, 90]. When y is +-90 degrees, x and z turn about the same axis; then
+/// x is 0 and z carries the whole turn. matrixOf(placementOf(m)) equals m within 1e-12.
+[[nodiscard]] Placement placementOf(const glm::dmat4& rigid);
+
+}  // namespace ew::sdk
