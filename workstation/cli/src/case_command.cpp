@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <ostream>
+
+#include "arguments.h"
+#include "command.h"
+#include "ew/core/numbers.h"
+#include "volume_input.h"
+
+namespace ew::cli {
+namespace {
+
+using nlohmann::json;
+
+struct CaseArguments {
+  std::string folder;
+  std::string chosen;
+  std::vector<std::string> several;
+  bool all = false;
+  bool asJson = false;
+};
+
+json problemJson(const Error& problem) {
+  json context = json::object();
+  for (const auto& [name, value] : problem.context) context[name] = value;
+  return {{"code", nameOf(problem.code)}, {"sentence", problem.sentence}, {"context", context}};
+}
+
+std::string dumped(const json& value) { return value.dump(2, ' ', false, json::error_handler_t::replace); }
+
+std::string volumeText(const CaseVolume& volume) {
+  if (!volume.file.empty()) return volume.file;
+  if (!volume.recipe.empty()) return "made from " + volume.recipe + " at " + textOf(volume.recipeSpacing_mm) + " mm";
+  return "none";
+}
+
+Result<int> listAll(const CaseArguments& arguments, Run& run) {
+  std::filesystem::path folder = arguments.folder;
+  if (folder.empty()) {
+    const auto shipped = shippedCasesFolder();
+    if (!shipped) return passOn(shipped.error());
+    folder = *shipped;
+  }
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    return failure(ErrorCode::notFound, "There is no folder '" + folder.string() + "'; give a folder that holds case folders.",
+                   {{"file", folder.string()}});
+  run.input(folder);
+  const auto list = listCases(folder);
+  run.report.quality = {{"cases", list.cases.size()}, {"problems", list.problems.size()}};
+  if (arguments.asJson) {
+    json shown = {{"folder", folder.string()}, {"cases", json::array()}, {"problems", json::array()}};
+    for (const auto& each : list.cases)
+      shown["cases"].push_back({{"id", each.id},
+                                {"title", each.title},
+                                {"region", each.region},
+                                {"indication", each.indication},
+                                {"folder", each.folder.string()},
+                                {"prepared", !caseNeedsPreparation(each)}});
+    for (const auto& problem : list.problems) shown["problems"].push_back(problemJson(problem));
+    run.out() << dumped(shown) << "\n";
+    return kDone;
+  }
+  std::size_t idWidth = 2, titleWidth = 5;
+  for (const auto& each : list.cases) {
+    idWidth = std::max(idWidth, each.id.size());
+    titleWidth = std::max(titleWidth, each.title.size());
+  }
+  for (const auto& each : list.cases)
+    run.out() << each.id << std::string(idWidth - each.id.size() + 2, ' ') << each.title
+              << std::string(titleWidth - each.title.size() + 2, ' ') << each.region
+              << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
+  if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
+  for (const auto& problem : list.problems) run.remark(problem.sentence);
+  return kDone;
+}
+
+Result<int> show(const CaseArguments& arguments, Run& run) {
+  const auto found = findCase(arguments.chosen);
+  if (!found) return passOn(found.error());
+  run.input(found->folder / "case.json");
+  if (arguments.asJson) {
+    run.out() << dumped(manifestOf(*found)) << "\n";
+    return kDone;
+  }
+  const auto line = [&](std::string name, const std::string& value) {
+    if (value.empty()) return;
+    name.resize(12, ' ');
+    run.out() << name << value << "\n";
+  };
+  std::string patient = found->patient.name;
+  if (!found->patient.sex.empty()) patient += (patient.empty() ? "" : ", ") + found->patient.sex;
+  if (found->patient.age_years) patient += (patient.empty() ? "" : ", ") + std::to_string(*found->patient.age_years) + " years";
+  std::string probes;
+  for (const auto& probe : found->probes) probes += (probes.empty() ? "" : ", ") + probe;
+  line("Id", found->id);
+  line("Title", found->title);
+  line("Region", found->region);
+  line("Patient", patient);
+  line("History", found->history);
+  line("Indication", found->indication);
+  line("Diagnosis", found->diagnosis);
+  line("Volume", volumeText(found->volume) + (caseNeedsPreparation(*found) ? " (not prepared yet)" : ""));
+  line("Probes", probes.empty() ? "all" : probes);
+  line("Mannequin", found->mannequin.empty() ? "default" : found->mannequin);
+  line("Scene", found->scene.gainAndDgc ? "gain and DGC" : "bare");
+  line("Start pose", found->startPose ? "given" : "none");
+  line("Folder", found->folder.string());
+  return kDone;
+}
+
+Result<int> validate(const CaseArguments& arguments, Run& run) {
+  std::error_code ignored;
+  std::filesystem::path place = arguments.chosen;
+  if (!std::filesystem::exists(place, ignored)) {
+    const auto found = findCase(arguments.chosen);
+    if (!found) return passOn(found.error());
+    place = found->folder;
+  }
+  run.input(place);
+  const auto problems = validateCase(place);
+  run.report.quality = {{"problems", problems.size()}};
+  run.report.details["problems"] = json::array();
+  for (const auto& problem : problems) run.report.details["problems"].push_back(problemJson(problem));
+  if (arguments.asJson)
+    run.out() << dumped({{"case", place.string()}, {"valid", problems.empty()}, {"problems", run.report.details["problems"]}}) << "\n";
+  else
+    for (const auto& problem : problems) run.out() << problem.sentence << "\n";
+  if (problems.empty()) {
+    if (!arguments.asJson) run.say("The case is valid.");
+    return kDone;
+  }
+  run.out() << std::flush;
+  return failure(ErrorCode::badField,
+                 "The case '" + arguments.chosen + "' has " + counted(problems.size(), "problem") + "; correct what is listed.",
+                 {{"case", place.string()}});
+}
+
+Result<int> prepare(const CaseArguments& arguments, Run& run) {
+  if (arguments.all != arguments.several.empty())
+    return failure(ErrorCode::badUsage,
+                   arguments.all ? "Give either cases or --all, not both." : "Say which cases to prepare, or --all for the shipped ones.");
+  std::vector<Case> cases;
+  if (arguments.all) {
+    const auto shipped = shippedCasesFolder();
+    if (!shipped) return passOn(shipped.error());
+    auto list = listCases(*shipped);
+    for (const auto& problem : list.problems) run.remark(problem.sentence);
+    cases = std::move(list.cases);
+  }
+  for (const auto& each : arguments.several) {
+    auto found = findCase(each);
+    if (!found) return passOn(found.error());
+    cases.push_back(std::move(*found));
+  }
+  std::vector<const Case*> waiting;
+  for (const auto& each : cases) {
+    run.input(each.folder / "case.json");
+    if (caseNeedsPreparation(each)) waiting.push_back(&each);
+  }
+  for (std::size_t n = 0; n < waiting.size(); ++n) {
+    const double count = static_cast<double>(waiting.size());
+    PartOfProgress part(run.progress, static_cast<double>(n) / count, static_cast<double>(n + 1) / count);
+    const StepClock clock(run.report, "prepare");
+    auto made = loadCaseVolume(*waiting[n], part);
+    if (!made) return passOn(made.error());
+    for (const auto& note : made->notes) run.remark(note);
+    run.say("Prepared " + waiting[n]->title + ".");
+  }
+  run.report.quality = {{"cases", cases.size()}, {"prepared_now", waiting.size()}};
+  return kDone;
+}
+
+}  // namespace
+
+void addCase(CLI::App& root, Selection& selection) {
+  auto& group = *root.add_subcommand("case", "List, show, validate and prepare training cases");
+  group.require_subcommand(1);
+  auto arguments = std::make_shared<CaseArguments>();
+
+  auto& list = addCommand(group, selection, "list", "The cases of a folder, by title", {"case list", "case list my-cases --json"},
+                          [arguments](Run& run) { return listAll(*arguments, run); });
+  list.add_option("FOLDER", arguments->folder, "A folder that holds case folders (the shipped cases)");
+  list.add_flag("--json", arguments->asJson, "As JSON");
+
+  auto& shown = addCommand(group, selection, "show", "What a case holds", {"case show upper-abdomen", "case show my-cases/knee --json"},
+                           [arguments](Run& run) { return show(*arguments, run); });
+  shown.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required();
+  shown.add_flag("--json", arguments->asJson, "The manifest as JSON");
+
+  auto& checked = addCommand(group, selection, "validate", "Every problem of a case, one a line; exit status 1 when there are any",
+                             {"case validate my-cases/knee"}, [arguments](Run& run) { return validate(*arguments, run); });
+  checked.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required();
+  checked.add_flag("--json", arguments->asJson, "As JSON");
+
+  auto& prepared =
+      addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
+                 {"case prepare --all", "case prepare upper-abdomen"}, [arguments](Run& run) { return prepare(*arguments, run); });
+  prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases");
+  prepared.add_flag("--all", arguments->all, "All shipped cases");
+}
+
+}  // namespace ew::cli

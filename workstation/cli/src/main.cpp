@@ -1,0 +1,77 @@
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "ew/cli/run_command.h"
+#include "ew/cli/window_arguments.h"
+#ifdef EW_WITH_WINDOW
+#include "ew/ui/run.h"
+#endif
+
+namespace {
+
+std::atomic<bool> stopAsked{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+extern "C" void askToStop(int) { stopAsked.store(true); }
+
+int runHeadless(const std::vector<std::string>& args) {
+  struct sigaction action {};
+  action.sa_handler = askToStop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // a second Ctrl-C ends the program the hard way
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return ew::cli::runCommand(args, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stopAsked});
+}
+
+#ifdef EW_WITH_WINDOW
+bool hasDisplay() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    if (const char* value = std::getenv(name); value && *value) return true;
+  return false;
+}
+
+int openWindow(int argc, char** argv, const ew::cli::WindowWish& wish) {
+  if (!hasDisplay()) {
+    std::cerr << "echoweave: There is no screen here to open the window on; set DISPLAY, start it with './run --screenshot OUT.png' for a "
+                 "picture of the window, or use a command ('echoweave --help').\n";
+    return ew::cli::kFailed;
+  }
+  ew::ui::WindowOptions options;
+  options.open = wish.open;
+  options.startPage = wish.startPage;
+  options.workspace = wish.workspace;
+  options.theme = wish.theme;
+  options.screenshot = wish.screenshot;
+  options.size_px = wish.size_px;
+  return ew::ui::runWorkstation(argc, argv, options);
+}
+#else
+int openWindow(int, char**, const ew::cli::WindowWish&) {
+  std::cerr << "echoweave: This build has no window; configure it with the part 'ui', or use a command ('echoweave --help').\n";
+  return ew::cli::kFailed;
+}
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));  // the output stream is for results
+  const std::vector<std::string> args(argv + 1, argv + argc);
+  if (ew::cli::isHeadless(args)) return runHeadless(args);
+  const auto wish = ew::cli::windowArguments(args);
+  if (wish) return openWindow(argc, argv, *wish);
+  // A lone word that is nothing to open is most likely a command: one of a plugin that does not announce it, or a slip of the pen.
+  if (!args.empty() && !args.front().starts_with("-") && wish.error().code == ew::ErrorCode::notFound &&
+      args.front().find_first_of("/.") == std::string::npos)
+    return runHeadless(args);
+  std::cerr << "echoweave: " << wish.error().sentence << "\n";
+  return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
+}

@@ -1,0 +1,119 @@
+#include "plugin_commands.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include "ew/door/door.h"
+#include "ew/door/headless_host.h"
+
+namespace ew::cli {
+namespace {
+
+constexpr std::string_view kCapability = "command:";
+
+bool brings(const door::PluginStatus& plugin, const std::string& command) {
+  if (!plugin.manifest) return false;
+  const auto& abilities = plugin.manifest->capabilities;
+  return std::find(abilities.begin(), abilities.end(), std::string(kCapability) + command) != abilities.end();
+}
+
+/// The words that name existing files: what the command read, as far as can be seen from outside.
+std::vector<std::string> existingFiles(const std::vector<std::string>& words) {
+  std::vector<std::string> files;
+  for (const auto& word : words) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(word, ignored)) files.push_back(word);
+  }
+  return files;
+}
+
+Result<int> runPluginCommand(const std::string& name, const std::vector<std::string>& words, bool help, Run& run) {
+  door::HeadlessHost host(run.progress);
+  door::PluginList plugins;
+  {
+    const StepClock clock(run.report, "load plugins");
+    plugins.openAll(host);
+  }
+  const auto* command = host.find(name);
+  if (!command) {
+    for (const auto& plugin : plugins.states())
+      if (brings(plugin, name) && !plugin.sentence.empty())
+        return failure(ErrorCode::notFound, "The plugin that brings '" + name + "' cannot be used: " + plugin.sentence,
+                       {{"plugin", plugin.title()}});
+    return failure(ErrorCode::badUsage, "'" + name +
+                                            "' is neither a command nor a case, volume or sweep that exists; "
+                                            "'echoweave --help' lists the commands.");
+  }
+  if (help) {
+    run.out() << "Usage: echoweave " << command->usage << "\n\nOptions all commands have:\n"
+              << "  --report R.json   Write what was done as one JSON object\n"
+              << "  --quiet           No progress and no remarks; errors are still told\n"
+              << "  --verbose         After an error, a second line with its particulars\n";
+    return kDone;
+  }
+  const auto readable = existingFiles(words);
+  run.report.options["arguments"] = words;
+  const auto outcome = [&] {
+    const StepClock clock(run.report, name);
+    return command->run(words, run.progress);
+  }();
+  if (!outcome) return passOn(outcome.error());
+  for (const auto& file : readable)
+    if (std::find(outcome->outputs.begin(), outcome->outputs.end(), file) == outcome->outputs.end()) run.report.inputs.push_back(file);
+  run.report.outputs = outcome->outputs;
+  for (const auto& [figure, value] : outcome->quality) run.report.quality[figure] = value;
+  for (const auto& file : outcome->outputs) run.say("Wrote " + file + ".");
+  return kDone;
+}
+
+}  // namespace
+
+bool isPluginCommand(const std::string& name) {
+  const auto plugins = door::discoverPlugins(door::pluginFolders());
+  return std::any_of(plugins.begin(), plugins.end(), [&](const auto& plugin) { return brings(plugin, name); });
+}
+
+void describePluginCommands(CLI::App& root) {
+  const auto taken = [&](const std::string& name) {
+    const auto commands = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
+    return !commands.empty();
+  };
+  for (const auto& plugin : door::discoverPlugins(door::pluginFolders())) {
+    if (!plugin.manifest) continue;
+    for (const auto& ability : plugin.manifest->capabilities) {
+      if (!ability.starts_with(kCapability)) continue;
+      const std::string name = ability.substr(kCapability.size());
+      if (name.empty() || taken(name)) continue;
+      root.add_subcommand(name, "(plugin " + plugin.title() + ") " + plugin.manifest->description);
+    }
+  }
+}
+
+Result<void> selectPluginCommand(std::span<const std::string> args, Selection& selection) {
+  const std::string name = args.empty() ? std::string() : args.front();
+  std::vector<std::string> words;
+  bool help = false;
+  for (std::size_t at = 1; at < args.size(); ++at) {
+    const std::string& word = args[at];
+    if (word == "--quiet") {
+      selection.quiet = true;
+    } else if (word == "--verbose") {
+      selection.verbose = true;
+    } else if (word == "--help" || word == "-h") {
+      help = true;
+    } else if (word.starts_with("--report=")) {
+      selection.reportFile = word.substr(9);
+    } else if (word == "--report") {
+      if (at + 1 == args.size()) return failure(ErrorCode::badUsage, "--report needs the name of a file to write.");
+      selection.reportFile = args[++at];
+    } else {
+      words.push_back(word);
+    }
+  }
+  selection.command = name;
+  selection.work = [name, words, help](Run& run) { return runPluginCommand(name, words, help, run); };
+  return {};
+}
+
+}  // namespace ew::cli

@@ -1,0 +1,211 @@
+#include <cmath>
+#include <numbers>
+
+#include "arguments.h"
+#include "command.h"
+#include "ew/core/numbers.h"
+#include "ew/io/volume_file.h"
+#include "ew/library/import.h"
+
+namespace ew::cli {
+namespace {
+
+struct ReconstructArguments {
+  std::string sweep;
+  std::string output;
+  std::string calibration;
+  std::string toFrame;
+  std::string coverage;
+  std::optional<double> spacing_mm;
+  std::string interpolation;  // empty: the calibration file's, else linear
+  std::string compounding;    // empty: the calibration file's, else mean
+  int fillReach_voxels = 0;
+  int threads = 0;
+  std::optional<std::vector<double>> clip_px;  // x y width height
+  std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
+  bool noClip = false;
+};
+
+const char* nameOf(Interpolation interpolation) { return interpolation == Interpolation::nearest ? "nearest" : "linear"; }
+
+const char* nameOf(Compounding compounding) {
+  switch (compounding) {
+    case Compounding::mean:
+      return "mean";
+    case Compounding::maximum:
+      return "maximum";
+    case Compounding::latest:
+      return "latest";
+  }
+  return "mean";
+}
+
+Interpolation interpolationOf(const std::string& word) { return word == "nearest" ? Interpolation::nearest : Interpolation::linear; }
+
+Compounding compoundingOf(const std::string& word) {
+  if (word == "maximum") return Compounding::maximum;
+  return word == "latest" ? Compounding::latest : Compounding::mean;
+}
+
+Clip clipOf(const ReconstructArguments& arguments) {
+  Clip clip;
+  if (arguments.clip_px) {
+    const auto& c = *arguments.clip_px;
+    clip.origin_px = {c[0], c[1]};
+    clip.size_px = glm::dvec2(c[2], c[3]);
+  }
+  if (arguments.fan) {
+    constexpr double degree_rad = std::numbers::pi / 180.0;
+    const auto& f = *arguments.fan;
+    clip.fan = ClipFan{.origin_px = {f[2], f[3]},
+                       .leftAngle_rad = f[0] * degree_rad,
+                       .rightAngle_rad = f[1] * degree_rad,
+                       .startRadius_px = f[4],
+                       .stopRadius_px = f[5]};
+  }
+  return clip;
+}
+
+nlohmann::json toJson(const Clip& clip) {
+  nlohmann::json json = {{"origin_px", {clip.origin_px.x, clip.origin_px.y}}, {"size_px", nullptr}, {"fan", nullptr}};
+  if (clip.size_px) json["size_px"] = {clip.size_px->x, clip.size_px->y};
+  if (clip.fan) {
+    constexpr double rad_deg = 180.0 / std::numbers::pi;
+    json["fan"] = {{"angles_deg", {clip.fan->leftAngle_rad * rad_deg, clip.fan->rightAngle_rad * rad_deg}},
+                   {"origin_px", {clip.fan->origin_px.x, clip.fan->origin_px.y}},
+                   {"radius_px", {clip.fan->startRadius_px, clip.fan->stopRadius_px}}};
+  }
+  return json;
+}
+
+SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
+  SweepImportOptions options;
+  options.calibration = arguments.calibration;
+  options.toFrame = arguments.toFrame;
+  options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
+  options.spacingFromCalibration = !arguments.spacing_mm;
+  options.methodFromCalibration = arguments.interpolation.empty() || arguments.compounding.empty();
+  auto& reconstruction = options.reconstruct;
+  if (arguments.spacing_mm) reconstruction.spacing_mm = *arguments.spacing_mm;
+  if (!arguments.interpolation.empty()) reconstruction.interpolation = interpolationOf(arguments.interpolation);
+  if (!arguments.compounding.empty()) reconstruction.compounding = compoundingOf(arguments.compounding);
+  reconstruction.fillReach_voxels = arguments.fillReach_voxels;
+  reconstruction.threads = arguments.threads;
+  reconstruction.clip = clipOf(arguments);
+  return options;
+}
+
+nlohmann::json optionsReport(const ReconstructArguments& arguments, const ImportPlan& plan) {
+  const auto& done = plan.reconstruct;
+  return {{"calibration", arguments.calibration},
+          {"image_to", plan.toFrame},
+          {"spacing_mm", done.spacing_mm},
+          {"interpolation", nameOf(done.interpolation)},
+          {"compounding", nameOf(done.compounding)},
+          {"fill_reach_voxels", done.fillReach_voxels},
+          {"threads", done.threads},
+          {"clip", toJson(done.clip)}};
+}
+
+Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
+  if (arguments.noClip && (arguments.clip_px || arguments.fan))
+    return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
+  run.input(arguments.sweep);
+  if (!arguments.calibration.empty()) run.input(arguments.calibration);
+  if (auto announced = run.output(arguments.output, ".mha .mhd"); !announced) return passOn(announced.error());
+  if (!arguments.coverage.empty())
+    if (auto announced = run.output(arguments.coverage, ".mha .mhd"); !announced) return passOn(announced.error());
+
+  PartOfProgress opening(run.progress, 0.0, 0.3);
+  auto opened = openSweep(arguments.sweep, importOptionsOf(arguments), opening);
+  if (!opened) return passOn(opened.error());
+  // The file may say one of the two and the command line the other, which wins.
+  if (!arguments.interpolation.empty()) opened->plan.reconstruct.interpolation = interpolationOf(arguments.interpolation);
+  if (!arguments.compounding.empty()) opened->plan.reconstruct.compounding = compoundingOf(arguments.compounding);
+  for (const auto& note : opened->plan.notes) run.remark(note);
+  run.report.addStep("read", opened->readSeconds * 1e6);
+
+  PartOfProgress pasting(run.progress, 0.3, 0.9);
+  const auto imported = importSweep(std::move(*opened), pasting);
+  if (!imported) return passOn(imported.error());
+  const auto& plan = imported->plan;
+  const auto& made = imported->reconstruction;
+  run.report.addStep("paste", made.pasteSeconds * 1e6);
+  if (plan.reconstruct.fillReach_voxels > 0) run.report.addStep("fill", made.fillSeconds * 1e6);
+
+  {
+    const StepClock clock(run.report, "write");
+    PartOfProgress writing(run.progress, 0.9, arguments.coverage.empty() ? 1.0 : 0.95);
+    if (auto written = writeVolume(made.volume, run.outputs.staged(arguments.output), writing); !written) return passOn(written.error());
+    if (!arguments.coverage.empty()) {
+      PartOfProgress writingCoverage(run.progress, 0.95, 1.0);
+      if (auto written = writeCoverage(made.volume, run.outputs.staged(arguments.coverage), writingCoverage); !written)
+        return passOn(written.error());
+    }
+  }
+
+  const auto& grid = made.volume.grid;
+  run.report.options = optionsReport(arguments, plan);
+  run.report.quality = {{"frames_total", plan.frames.total},
+                        {"frames_used", plan.frames.used},
+                        {"frames_invalid", plan.frames.invalid},
+                        {"frames_missing", plan.frames.missing},
+                        {"pixels_pasted", made.pixelsPasted},
+                        {"voxels", grid.voxelCount()},
+                        {"voxels_measured", made.measuredVoxels},
+                        {"voxels_interpolated", made.interpolatedVoxels},
+                        {"forecast_mib", static_cast<double>(plan.bytes) / 1048576.0}};
+  run.report.details["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+                                {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}},
+                                {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}}};
+  run.say("Wrote " + arguments.output + ": " + std::to_string(grid.dims.x) + " x " + std::to_string(grid.dims.y) + " x " +
+          std::to_string(grid.dims.z) + " voxels of " + textOf(grid.spacing_mm.x) + " mm in the frame " + plan.toFrame + ".");
+  std::string frames = "Used " + std::to_string(plan.frames.used) + " of " + counted(plan.frames.total, "frame");
+  if (plan.frames.invalid + plan.frames.missing > 0)
+    frames += " (" + std::to_string(plan.frames.invalid) + " invalid, " + std::to_string(plan.frames.missing) + " without a pose)";
+  const double share = 100.0 / static_cast<double>(grid.voxelCount());
+  run.say(frames + "; " + rounded(share * static_cast<double>(made.measuredVoxels), 1) + " % of the voxels are measured, " +
+          rounded(share * static_cast<double>(made.interpolatedVoxels), 1) + " % interpolated.");
+  return kDone;
+}
+
+}  // namespace
+
+void addReconstruct(CLI::App& root, Selection& selection) {
+  auto arguments = std::make_shared<ReconstructArguments>();
+  auto& app = addCommand(root, selection, "reconstruct", "Turn a tracked sweep into a volume",
+                         {"reconstruct sweep.igs.mha -o volume.mha --calibration deviceset.xml --spacing 0.5",
+                          "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach 6 --coverage coverage.mha",
+                          "reconstruct sweep.igs.mha -o volume.mha --clip 0 0 739 593 --fan -30.28 30.28 369 -139.33 161.34 724.35"},
+                         [arguments](Run& run) { return reconstructSweep(*arguments, run); });
+  app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required();
+  app.add_option("-o,--output", arguments->output, "The volume: .mha, or .mhd with its .raw")->required()->type_name("VOLUME.mha");
+  app.add_option("--calibration", arguments->calibration,
+                 "Device set of the recording: calibration, and clip, spacing and method if it has them")
+      ->type_name("XML");
+  app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
+      ->type_name("FRAME");
+  addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6}, "Size of a voxel in mm (the calibration file's, else 0.5)");
+  app.add_option("--interpolation", arguments->interpolation,
+                 "nearest: a pixel goes into one voxel; linear: it is shared among eight, smoother and slower (the calibration file's, "
+                 "else linear)")
+      ->check(CLI::IsMember({"nearest", "linear"}))
+      ->type_name("KIND");
+  app.add_option("--compounding", arguments->compounding,
+                 "What a voxel takes from several pixels: mean, maximum or latest (the calibration file's, else mean)")
+      ->check(CLI::IsMember({"mean", "maximum", "latest"}))
+      ->type_name("KIND");
+  addCount(app, "--fill-reach", arguments->fillReach_voxels, 0, 1000,
+           "Fill holes between measured voxels that are at most so many voxels apart; 0: none (0)");
+  app.add_option("--coverage", arguments->coverage, "Also write what is known of each voxel: 0 absent, 1 interpolated, 2 measured")
+      ->type_name("OUT.mha");
+  addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
+  addNumberList(app, "--clip", arguments->clip_px, 4, "X Y W H",
+                "Use this rectangle of a frame, in pixels; replaces the calibration file's clip");
+  addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
+                "Use this fan of a frame: two angles in degrees from straight down, apex and two radii in pixels; replaces the calibration "
+                "file's clip");
+  app.add_flag("--no-clip", arguments->noClip, "Use the whole frame, whatever the calibration file says");
+}
+
+}  // namespace ew::cli

@@ -1,0 +1,202 @@
+#include "ew/cli/run_command.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <ostream>
+
+#include "arguments.h"
+#include "command.h"
+#include "ew/core/version.h"
+#include "ew/io/safe_file.h"
+#include "plugin_commands.h"
+
+namespace ew::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "EchoWeave, an ultrasound training workstation. Without a command it opens the window; with one it works without a display.\n"
+    "Simulation, not for diagnosis.";
+
+constexpr const char* kFooter =
+    "The window:\n"
+    "  echoweave [CASE|VOLUME|SWEEP]              opens it there\n"
+    "  echoweave --screenshot OUT.png             saves a picture of the window and ends\n"
+    "  echoweave --theme dark|light  --workspace explore|author  --start-page  --size WxH\n"
+    "\n"
+    "Lengths are mm, coordinates LPS (patient left, posterior, superior). 'echoweave COMMAND --help' explains a command.\n"
+    "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
+
+std::vector<std::string> builtInNames() { return {"reconstruct", "slice", "scan", "phantom", "case", "plugins", "bench"}; }
+
+/// CLI11's messages, as one sentence with a full stop.
+std::string sentenceOf(const CLI::ParseError& error, const std::string& command) {
+  std::string text = error.what();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  if (text.empty()) text = "The command line could not be understood";
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text + "; 'echoweave " + (command.empty() ? "" : command + " ") + "--help' shows how.";
+}
+
+std::string selectedName(const CLI::App& root) {
+  std::string name;
+  for (auto chosen = root.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands())
+    name += (name.empty() ? "" : " ") + chosen.front()->get_name();
+  return name;
+}
+
+void tell(std::ostream& err, const Error& error, bool verbose) {
+  err << "echoweave: " << error.sentence << "\n";
+  if (verbose) {
+    err << "  " << nameOf(error.code);
+    for (const auto& [name, value] : error.context) err << "; " << name << ": " << value;
+    err << "\n";
+  }
+  err << std::flush;
+}
+
+/// Turns whatever a library throws into an Error: nothing leaves the program as an exception.
+Result<int> runGuarded(const Work& work, Run& run) {
+  try {
+    return work(run);
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge, "There is not enough memory for this; use a coarser spacing or a smaller size.");
+  } catch (const std::exception& problem) {
+    return failure(ErrorCode::internal, std::string("The program met a problem it did not foresee (") + problem.what() +
+                                            "); please report it with the command you gave.");
+  }
+}
+
+Result<int> execute(const Selection& selection, Run& run) {
+  spdlog::set_level(selection.quiet ? spdlog::level::err : spdlog::level::warn);  // what plugins say while they work
+  run.report.command = selection.command;
+  const bool wantsReport = !selection.reportFile.empty();
+  if (wantsReport)
+    if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
+  auto status = runGuarded(selection.work, run);
+  if (!status) return status;
+  if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+  if (wantsReport) {
+    const std::string text = run.report.toJson().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    if (auto written = writeFileSafely(run.outputs.staged(selection.reportFile), text); !written) return passOn(written.error());
+  }
+  if (auto committed = run.outputs.commit(); !committed) return passOn(committed.error());
+  run.progress.clear();
+  run.tellWhatWasDone();
+  return status;
+}
+
+int finish(const Selection& selection, const Surroundings& surroundings) {
+  Run run(surroundings, selection.quiet);
+  const auto status = execute(selection, run);
+  if (status) return *status;
+  run.progress.clear();
+  tell(surroundings.err, status.error(), selection.verbose);
+  return status.error().code == ErrorCode::badUsage ? kWrongUsage : kFailed;
+}
+
+}  // namespace
+
+void Run::say(const std::string& line) { said_.push_back(line); }
+
+void Run::tellWhatWasDone() {
+  if (!quiet_)
+    for (const auto& line : said_) surroundings_.out << line << "\n";
+  surroundings_.out << std::flush;
+  said_.clear();
+}
+
+void Run::remark(const std::string& line) {
+  if (quiet_) return;
+  progress.clear();
+  surroundings_.err << "note: " << line << "\n" << std::flush;
+}
+
+void Run::input(const std::filesystem::path& file) {
+  report.inputs.push_back(file.string());
+  outputs.protect(file);
+}
+
+Result<void> Run::output(const std::filesystem::path& file, std::string_view endings) {
+  auto announced = outputs.announce(file, endings);
+  if (announced) report.outputs.push_back(file.string());
+  return announced;
+}
+
+CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& name, const std::string& description,
+                     const std::vector<std::string>& examples, Work work) {
+  CLI::App& app = *parent.add_subcommand(name, description);
+  app.add_option("--report", selection.reportFile,
+                 "Write what was done as one JSON object: inputs, outputs, options, seconds, steps, quality, memory")
+      ->type_name("R.json");
+  app.add_flag("--quiet", selection.quiet, "No progress and no remarks; errors are still told");
+  app.add_flag("--verbose", selection.verbose, "After an error, a second line with its particulars");
+  std::string footer;
+  for (const auto& example : examples) footer += (footer.empty() ? "Examples:\n  echoweave " : "\n  echoweave ") + example;
+  app.footer(footer);
+  const std::string parentName = parent.get_name();
+  const std::string fullName = parentName.empty() || parentName == "echoweave" ? name : parentName + " " + name;
+  app.callback([&selection, work = std::move(work), fullName] {
+    selection.command = fullName;
+    selection.work = work;
+  });
+  return app;
+}
+
+bool isHeadless(std::span<const std::string> args) {
+  if (args.empty()) return false;
+  const std::string& first = args.front();
+  const auto names = builtInNames();
+  if (std::find(names.begin(), names.end(), first) != names.end()) return true;
+  for (const char* word : {"--help", "-h", "--version", "help"})
+    if (first == word) return true;
+  return isPluginCommand(first);
+}
+
+int runCommand(std::span<const std::string> args, std::ostream& out, std::ostream& err) { return runCommand(args, {out, err}); }
+
+int runCommand(std::span<const std::string> args, const Surroundings& surroundings) {
+  Selection selection;
+  CLI::App root(kDescription, "echoweave");
+  root.set_version_flag("--version", std::string("echoweave ") + kVersion, "The program's version");
+  root.require_subcommand(1);
+  root.get_formatter()->column_width(34);
+  root.footer(kFooter);
+  addReconstruct(root, selection);
+  addSlice(root, selection);
+  addScan(root, selection);
+  addPhantom(root, selection);
+  addCase(root, selection);
+  addPlugins(root, selection);
+  addBench(root, selection);
+
+  const auto builtIn = builtInNames();
+  const bool ours = args.empty() || args.front().starts_with("-") || args.front() == "help" ||
+                    std::find(builtIn.begin(), builtIn.end(), args.front()) != builtIn.end();
+  if (!ours) {
+    if (auto selected = selectPluginCommand(args, selection); !selected) {
+      tell(surroundings.err, selected.error(), false);
+      return kWrongUsage;
+    }
+    return finish(selection, surroundings);
+  }
+  describePluginCommands(root);
+  try {
+    std::vector<std::string> words = joinNumberLists(args);
+    if (!words.empty() && words.front() == "help") words.front() = "--help";
+    std::reverse(words.begin(), words.end());  // CLI11 takes the words from the back
+    root.parse(words);
+  } catch (const CLI::Success& wish) {
+    root.exit(wish, surroundings.out, surroundings.err);
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    tell(surroundings.err, {ErrorCode::badUsage, sentenceOf(error, selectedName(root)), {}}, false);
+    return kWrongUsage;
+  }
+  return finish(selection, surroundings);
+}
+
+}  // namespace ew::cli

@@ -1,0 +1,54 @@
+#include "volume_input.h"
+
+#include "ew/io/volume_file.h"
+
+namespace ew::cli {
+namespace fs = std::filesystem;
+
+Result<Volume> readInputVolume(Run& run, const fs::path& file) {
+  run.input(file);
+  auto loaded = [&] {
+    const StepClock clock(run.report, "read");
+    return readVolume(file, run.progress);
+  }();
+  if (!loaded) return passOn(loaded.error());
+  for (const auto& note : loaded->notes) run.remark(note);
+  return std::move(loaded->volume);
+}
+
+bool meansCase(const std::string& argument) {
+  std::error_code ignored;
+  const fs::path path(argument);
+  if (fs::is_directory(path, ignored) || path.extension() == ".json") return true;
+  return !fs::exists(path, ignored) && !path.has_extension() && !path.has_parent_path();
+}
+
+Result<Case> findCase(const std::string& caseOrId) {
+  std::error_code ignored;
+  if (fs::exists(caseOrId, ignored)) return loadCase(caseOrId);
+  const auto shipped = shippedCasesFolder();
+  if (!shipped) return passOn(shipped.error());
+  const auto list = listCases(*shipped);
+  std::string ids;
+  for (const auto& each : list.cases) {
+    if (each.id == caseOrId) return each;
+    ids += (ids.empty() ? "" : ", ") + each.id;
+  }
+  return failure(ErrorCode::notFound,
+                 "There is no case '" + caseOrId + "'; give a case folder, its case.json, or a shipped case (" +
+                     (ids.empty() ? "none found" : ids) + ").",
+                 {{"case", caseOrId}});
+}
+
+Result<Volume> readCaseVolume(Run& run, const Case& opened) {
+  run.input(opened.folder / "case.json");
+  auto echo = [&] {
+    const StepClock clock(run.report, "read");
+    return loadCaseVolume(opened, run.progress);
+  }();
+  if (!echo) return passOn(echo.error());
+  for (const auto& note : echo->notes) run.remark(note);
+  return std::move(echo->volume);
+}
+
+}  // namespace ew::cli

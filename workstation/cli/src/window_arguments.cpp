@@ -1,0 +1,50 @@
+#include "ew/cli/window_arguments.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "arguments.h"
+#include "outputs.h"
+#include "volume_input.h"
+
+namespace ew::cli {
+
+Result<WindowWish> windowArguments(std::span<const std::string> args) {
+  WindowWish wish;
+  CLI::App app("EchoWeave", "echoweave");
+  std::string open;
+  app.add_option("OPEN", wish.open);
+  app.add_option("--open", open);
+  app.add_option("--screenshot", wish.screenshot);
+  app.add_option("--theme", wish.theme)->check(CLI::IsMember({"dark", "light"}));
+  app.add_option("--workspace", wish.workspace)->check(CLI::IsMember({"explore", "author"}));
+  app.add_flag("--start-page", wish.startPage);
+  addSize(app, "--size", wish.size_px, "");
+  try {
+    std::vector<std::string> words(args.rbegin(), args.rend());  // CLI11 takes the words from the back
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    return failure(ErrorCode::badUsage, std::string(error.what()) + "; 'echoweave --help' shows what the window understands.");
+  }
+  if (!open.empty() && !wish.open.empty())
+    return failure(ErrorCode::badUsage, "Both '" + wish.open + "' and '" + open + "' should be opened; give one of them.");
+  if (wish.open.empty()) wish.open = open;
+  if (!wish.open.empty()) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(wish.open, ignored)) {
+      if (!meansCase(wish.open))
+        return failure(ErrorCode::notFound, "There is no file '" + wish.open + "'; give a case, a volume or a sweep that exists.",
+                       {{"file", wish.open}});
+      const auto found = findCase(wish.open);
+      if (!found) return passOn(found.error());
+      wish.open = found->folder.string();
+    }
+  }
+  if (!wish.screenshot.empty()) {
+    Outputs outputs;
+    if (auto writable = outputs.announce(wish.screenshot, ".png"); !writable) return passOn(writable.error());
+  }
+  return wish;
+}
+
+}  // namespace ew::cli
