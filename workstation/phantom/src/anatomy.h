@@ -12,11 +12,18 @@ namespace ew {
 
 namespace phantom {
 
+/// From which side an organ's surface shines.
+enum class Shine {
+  glint,    ///< both faces, most where the surface lies square to the beams
+  front,    ///< only the face that looks towards the probe, as bone and gas do
+  allRound  ///< the same from all sides
+};
+
 /// A bright line where an organ's surface reflects.
 struct Border {
   double echoLevel = 0.0;
-  double width_mm = 1.0;   ///< the line fades to nothing at this distance on both sides
-  glm::dvec3 facing{0.0};  ///< unit vector: only surfaces whose outward normal looks this way shine; zero: all do
+  double width_mm = 1.0;  ///< the line fades to nothing at this distance on both sides
+  Shine shine = Shine::glint;
 };
 
 struct Organ {
@@ -36,7 +43,7 @@ class Patient {
   std::vector<Tissue> tissues;
   std::size_t backgroundTissue = 0;    ///< inside the skin, outside every organ
   std::vector<phantom::Organ> organs;  ///< by priority; at most 254
-  std::uint64_t fingerprint = 0;
+  glm::dvec2 beamAxis_mm{0.0, 110.0};  ///< x and y of the vertical line that beams from all over the skin run towards: where borders shine
 };
 
 }  // namespace ew

@@ -22,11 +22,16 @@ std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
   return hash;
 }
 
-std::filesystem::path findMannequin(const std::string& name, const std::filesystem::path& recipe, const std::filesystem::path& mannequins) {
-  std::vector<std::filesystem::path> candidates{recipe.parent_path() / name};
+Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& recipe, const std::filesystem::path& file,
+                                            const std::filesystem::path& mannequins) {
+  const std::string name = reader.text(recipe, "patient", "mannequin");
+  if (!reader.problem() && std::filesystem::path(name).has_parent_path())
+    reader.refuse("mannequin", '"' + name + '"', "the name of a file in resources/mannequin, without a folder");
+  if (reader.problem()) return passOn(*reader.problem());
+  std::vector<std::filesystem::path> candidates{file.parent_path() / name};
   if (!mannequins.empty()) candidates.push_back(mannequins / name);
   std::error_code failed;
-  std::filesystem::path above = std::filesystem::absolute(recipe, failed).parent_path();
+  std::filesystem::path above = std::filesystem::absolute(file, failed).parent_path();
   for (int level = 0; level < 4 && above.has_relative_path(); ++level) {
     above = above.parent_path();
     candidates.push_back(above / "resources" / "mannequin" / name);
@@ -36,7 +41,9 @@ std::filesystem::path findMannequin(const std::string& name, const std::filesyst
   for (const auto& candidate : candidates) {
     if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
   }
-  return {};
+  return failure(ErrorCode::notFound,
+                 file.string() + " needs the mannequin " + name + ", which is neither beside it nor in resources/mannequin; put it there.",
+                 {{"file", file.string()}, {"mannequin", name}});
 }
 
 Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
@@ -78,16 +85,16 @@ std::optional<phantom::Border> readBorder(FieldReader& reader, const json& objec
   const auto border = object.find("border");
   if (border == object.end()) return std::nullopt;
   const std::string at = place + ".border";
-  reader.allow(*border, at, {"echo_level", "width_mm", "facing"});
+  reader.allow(*border, at, {"echo_level", "width_mm", "shine"});
   if (reader.problem()) return std::nullopt;
   phantom::Border read;
   read.echoLevel = reader.number(*border, at, "echo_level", 0.0, 255.0);
   read.width_mm = reader.number(*border, at, "width_mm", 0.05, 50.0);
-  if (border->contains("facing")) {
-    read.facing = reader.vector(*border, at, "facing");
-    if (!reader.problem() && !(glm::length(read.facing) > 1e-6)) reader.refuse(at + ".facing", "zero", "a direction");
-    if (!reader.problem()) read.facing = glm::normalize(read.facing);
-  }
+  const std::string shine = reader.text(*border, at, "shine", "glint");
+  if (shine == "front") read.shine = phantom::Shine::front;
+  if (shine == "all round") read.shine = phantom::Shine::allRound;
+  if (shine != "glint" && shine != "front" && shine != "all round")
+    reader.refuse(at + ".shine", '"' + shine + '"', "\"glint\", \"front\" or \"all round\"");
   return read;
 }
 
@@ -130,7 +137,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (!recipe) return passOn(recipe.error());
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
-  reader.allow(*recipe, "patient", {"format", "mannequin", "box", "tissues", "background", "shapes", "organs"});
+  reader.allow(*recipe, "patient", {"format", "mannequin", "box", "beam_axis_mm", "tissues", "background", "shapes", "organs"});
   patient->name = reader.text(*recipe, "patient", "name");
 
   const auto box = recipe->find("box");
@@ -145,6 +152,14 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
     }
   }
 
+  if (recipe->contains("beam_axis_mm")) {
+    const json& axis = reader.list(*recipe, "patient", "beam_axis_mm", 2, 2);
+    for (std::size_t n = 0; n < axis.size(); ++n) {
+      const char* name = n == 0 ? "x" : "y";
+      patient->beamAxis_mm[static_cast<int>(n)] = reader.number(json{{name, axis[n]}}, "beam_axis_mm", name, -1e4, 1e4);
+    }
+  }
+
   std::set<std::string> tissueNames;
   const json& tissues = reader.list(*recipe, "patient", "tissues", 1, 254);
   for (std::size_t n = 0; n < tissues.size() && !reader.problem(); ++n) {
@@ -154,26 +169,25 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
       reader.refuse(at + ".name", '"' + patient->tissues.back().name + '"', "a name that is not taken yet");
   }
   patient->backgroundTissue = tissueNamed(reader, *recipe, "patient", "background", patient->tissues);
-  const std::string mannequin = reader.text(*recipe, "patient", "mannequin");
-  if (!reader.problem() && std::filesystem::path(mannequin).has_parent_path())
-    reader.refuse("mannequin", '"' + mannequin + '"', "the name of a file in resources/mannequin, without a folder");
-  if (reader.problem()) return passOn(*reader.problem());
-
-  const std::filesystem::path bodyFile = findMannequin(mannequin, file, mannequins);
-  if (bodyFile.empty())
-    return failure(
-        ErrorCode::notFound,
-        file.string() + " needs the mannequin " + mannequin + ", which is neither beside it nor in resources/mannequin; put it there.",
-        {{"file", file.string()}, {"mannequin", mannequin}});
-  auto body = readBodyShape(bodyFile);
+  const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);
+  if (!bodyFile) return passOn(bodyFile.error());
+  auto body = readBodyShape(*bodyFile);
   if (!body) return passOn(body.error());
-  const auto bodyRecipe = phantom::readRecipe(bodyFile, "mannequin recipe");
-  if (!bodyRecipe) return passOn(bodyRecipe.error());
   patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm);
   readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
   if (reader.problem()) return passOn(*reader.problem());
-  patient->fingerprint = fnv1a(bodyRecipe->dump(), fnv1a(recipe->dump(), 14695981039346656037ull ^ kVoxelVersion));
   return patient;
+}
+
+Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins) {
+  const auto recipe = phantom::readRecipe(file, "virtual patient");
+  if (!recipe) return passOn(recipe.error());
+  FieldReader reader(file.string());
+  const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);
+  if (!bodyFile) return passOn(bodyFile.error());
+  const auto body = phantom::readRecipe(*bodyFile, "mannequin recipe");
+  if (!body) return passOn(body.error());
+  return fnv1a(body->dump(), fnv1a(recipe->dump(), 14695981039346656037ull ^ kVoxelVersion));
 }
 
 std::vector<OrganName> organsOf(const Patient& patient) {
@@ -184,7 +198,6 @@ std::vector<OrganName> organsOf(const Patient& patient) {
 
 const std::vector<Tissue>& tissuesOf(const Patient& patient) { return patient.tissues; }
 Bounds boxOf(const Patient& patient) { return patient.box; }
-std::uint64_t fingerprintOf(const Patient& patient) { return patient.fingerprint; }
 
 Result<double> signedDistance_mm(const Patient& patient, const std::string& organ, const glm::dvec3& p_world_mm) {
   for (const phantom::Organ& each : patient.organs) {

@@ -18,8 +18,9 @@ constexpr int kBlock = 8;
 constexpr double kReserve = 1.5;
 constexpr double kLevelsPerDecibel = 255.0 / 60.0;  // 60 dB of dynamic range over the grey scale
 constexpr double kMeanDecibel = -2.507;             // of the power of speckle: 10 log10(e^-gamma)
-constexpr double kDeepestNull_db = -22.0;           // speckle nulls go to -infinity dB; a screen shows none below this
-constexpr double kBorderSpeckle = 0.45;             // a reflecting surface is rough: part of its echo is still speckle
+constexpr double kDeepestNull_db = -18.0;           // speckle nulls go to -infinity dB; a screen shows none below this
+constexpr double kBorderSpeckle = 0.5;              // a reflecting surface is rough: part of its echo is still speckle
+constexpr double kScattered = 0.18;                 // what a glinting surface still sends back when the beam grazes it
 constexpr std::uint64_t kTextureSeed = 0x7465787475726521ull;
 
 /// What one point sends back before speckle: mean grey level, how much speckle, and the strongest border.
@@ -70,7 +71,7 @@ class Painter {
     const double swing = kLevelsPerDecibel * (std::max(speckle_db, kDeepestNull_db) - kMeanDecibel);
     double grey = look.level + look.speckle * swing;
     if (look.borderWeight > 0.0) {
-      const double uneven = 0.85 + 0.15 * valueNoise(options_.seed ^ kTextureSeed, p_mm / 7.0);
+      const double uneven = 0.82 + 0.18 * valueNoise(options_.seed ^ kTextureSeed, p_mm / 9.0);
       const double border = look.borderLevel * uneven + kBorderSpeckle * swing;
       if (border > grey) grey += look.borderWeight * (border - grey);
     }
@@ -88,11 +89,11 @@ class Painter {
     look.speckle += weight * tissue.speckle;
   }
 
-  static void addBorder(const Organ& organ, const glm::dvec3& p_mm, double d, double remaining, Look& look) {
+  void addBorder(const Organ& organ, const glm::dvec3& p_mm, double d, double remaining, Look& look) const {
     const double t = d / organ.border->width_mm;
     if (t * t >= 1.0) return;
     double weight = remaining * (1.0 - t * t) * (1.0 - t * t);
-    if (organ.border->facing != glm::dvec3(0.0)) {
+    if (organ.border->shine != phantom::Shine::allRound) {
       constexpr double kStep_mm = 0.5;
       glm::dvec3 normal;
       for (int axis = 0; axis < 3; ++axis) {
@@ -100,9 +101,13 @@ class Painter {
         step[axis] = kStep_mm;
         normal[axis] = organ.shape->distance_mm(p_mm + step) - d;
       }
-      const double length = glm::length(normal);
-      const double towards = length > 0.0 ? glm::dot(normal, organ.border->facing) / length : 0.0;
-      weight *= std::max(0.0, towards);
+      const glm::dvec3 towardsProbe(p_mm.x - patient_.beamAxis_mm.x, p_mm.y - patient_.beamAxis_mm.y, 0.0);
+      const double lengths = std::sqrt(glm::dot(normal, normal) * glm::dot(towardsProbe, towardsProbe));
+      const double square = lengths > 0.0 ? glm::dot(normal, towardsProbe) / lengths : 0.0;
+      if (organ.border->shine == phantom::Shine::front)
+        weight *= std::max(0.0, square);
+      else
+        weight *= kScattered + (1.0 - kScattered) * square * square;
     }
     if (weight * organ.border->echoLevel <= look.borderWeight * look.borderLevel) return;
     look.borderWeight = weight;

@@ -54,7 +54,9 @@ struct OrganName {
 [[nodiscard]] Bounds boxOf(const Patient& patient);
 
 /// A number that changes with the recipe, its mannequin and the way voxels are made: the key for whoever keeps voxelised patients.
-[[nodiscard]] std::uint64_t fingerprintOf(const Patient& patient);
+/// Reads the two files without building anything.
+/// @error as readPatient, as far as it goes: the fields of the anatomy are not looked at
+[[nodiscard]] Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins = {});
 
 /// Signed distance in mm (negative inside; sign exact, value first order, right near the surface) of a named organ as it was drawn,
 /// without what organs of higher priority take from it. "skin surface" is the surface of the whole body.
