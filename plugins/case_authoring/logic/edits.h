@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "ew/core/result.h"
+
+namespace ew::case_authoring {
+
+/// The value of a dotted field ("patient.name") of a manifest; null when a part of the path is missing.
+[[nodiscard]] nlohmann::json fieldOf(const nlohmann::json& manifest, const std::string& path);
+
+/// The manifest with one field set; everything else, unknown fields included, stays as it is. An absent value removes the field, and an
+/// object that thereby becomes empty goes too.
+[[nodiscard]] nlohmann::json withField(nlohmann::json manifest, const std::string& path, const std::optional<nlohmann::json>& value);
+
+/// Text as the form holds it: an empty text removes the field, unless the manifest cannot be without it (id, title).
+[[nodiscard]] nlohmann::json withText(nlohmann::json manifest, const std::string& path, const std::string& text);
+
+/// The text of a field; empty when it is missing or not a text.
+[[nodiscard]] std::string textOf(const nlohmann::json& manifest, const std::string& path);
+
+/// Where the volume lies: volume.file_to_world, the identity when the manifest gives none.
+/// @error badField when it is not 16 numbers
+[[nodiscard]] Result<glm::dmat4> placeOf(const nlohmann::json& manifest);
+[[nodiscard]] nlohmann::json withPlace(nlohmann::json manifest, const glm::dmat4& fileToWorld);
+
+/// The field a problem is about ("patient.age_years"), from its context; empty when it names none. An index is cut off: "start_pose[3]"
+/// is about "start_pose".
+[[nodiscard]] std::string fieldOf(const Error& problem);
+
+}  // namespace ew::case_authoring
