@@ -39,7 +39,10 @@ Result<void> checkMatrix(const glm::dmat4& m, std::size_t frame) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
       if (!std::isfinite(m[column][row])) return refuse("contains a value that is not a finite number");
-  if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0) return refuse("does not end with the row 0 0 0 1");
+  // Chains of inverted matrices leave traces of rounding here.
+  constexpr double kTolerance = 1e-9;
+  for (int column = 0; column < 4; ++column)
+    if (std::abs(m[column][3] - (column == 3 ? 1.0 : 0.0)) > kTolerance) return refuse("does not end with the row 0 0 0 1");
   const glm::dvec3 x = glm::dvec3(m[0]), y = glm::dvec3(m[1]);
   const double lengths = glm::length(x) * glm::length(y);
   // Also false when the lengths overflow or vanish.
