@@ -86,7 +86,7 @@ std::pair<int, int> insideOf(const glm::dvec3& start, const glm::dvec3& step, co
       if (low > 0.0 || high < 0.0) return {0, 0};
       continue;
     }
-    const auto [enter, leave] = std::minmax(low / step[axis], high / step[axis]);
+    const auto [enter, leave] = std::minmax({low / step[axis], high / step[axis]});
     first = std::max(first, enter);
     last = std::min(last, leave);
   }
@@ -104,14 +104,14 @@ struct SliceCounts {
 
 struct RowSums {
   std::vector<double> weight;
-  std::vector<double> level;
-  std::vector<double> squared;
+  std::vector<double> mean;
+  std::vector<double> spread;  ///< sum of weight times squared distance from the mean
   std::vector<double> heaviest;
   std::vector<int> inputs;
   std::vector<bool> measured;
-  explicit RowSums(std::size_t n) : weight(n), level(n), squared(n), heaviest(n), inputs(n), measured(n) {}
+  explicit RowSums(std::size_t n) : weight(n), mean(n), spread(n), heaviest(n), inputs(n), measured(n) {}
   void clear() {
-    for (auto* sums : {&weight, &level, &squared, &heaviest}) std::fill(sums->begin(), sums->end(), 0.0);
+    for (auto* sums : {&weight, &mean, &spread, &heaviest}) std::fill(sums->begin(), sums->end(), 0.0);
     std::fill(inputs.begin(), inputs.end(), 0);
     std::fill(measured.begin(), measured.end(), false);
   }
@@ -130,9 +130,11 @@ void blendRow(const std::vector<Source>& sources, int j, int k, RowSums& row, St
       const Sample sample = sampleAt(source, start + static_cast<double>(i) * step);
       if (sample.weight <= 0.0) continue;
       const auto at = static_cast<std::size_t>(i);
+      // West's running mean: a sum of squares would lose the spread of inputs that nearly agree.
       row.weight[at] += sample.weight;
-      row.level[at] += sample.weight * sample.level;
-      row.squared[at] += sample.weight * sample.level * sample.level;
+      const double beside = sample.level - row.mean[at];
+      row.mean[at] += beside * sample.weight / row.weight[at];
+      row.spread[at] += sample.weight * beside * (sample.level - row.mean[at]);
       ++row.inputs[at];
       if (sample.measured) row.measured[at] = true;
       ++counts.contributions[n].voxels;
@@ -144,14 +146,13 @@ void blendRow(const std::vector<Source>& sources, int j, int k, RowSums& row, St
   }
   for (std::size_t at = 0; at < row.inputs.size(); ++at) {
     if (row.inputs[at] == 0) continue;
-    const double mean = row.level[at] / row.weight[at];
-    result.volume.echo[rowStart + at] = static_cast<std::uint8_t>(std::clamp(std::floor(mean + 0.5 + kTie), 0.0, 255.0));
+    result.volume.echo[rowStart + at] = static_cast<std::uint8_t>(std::clamp(std::floor(row.mean[at] + 0.5 + kTie), 0.0, 255.0));
     result.volume.coverage[rowStart + at] = static_cast<std::uint8_t>(row.measured[at] ? Coverage::measured : Coverage::interpolated);
     ++counts.contributions[result.source[rowStart + at] - 1u].dominantVoxels;
     ++counts.covered;
     if (row.inputs[at] < 2) continue;
     ++counts.overlapping;
-    counts.squaredSpread += std::max(0.0, row.squared[at] / row.weight[at] - mean * mean);
+    counts.squaredSpread += row.spread[at] / row.weight[at];
   }
 }
 
