@@ -1,0 +1,59 @@
+#include "figures.h"
+
+#include <algorithm>
+
+namespace ew::ui {
+namespace {
+
+int digitWidth_px(const QFontMetrics& metrics) {
+  int widest = 0;
+  for (char digit = '0'; digit <= '9'; ++digit) widest = std::max(widest, metrics.horizontalAdvance(QLatin1Char(digit)));
+  return widest;
+}
+
+bool isFigure(QChar c) { return c >= QLatin1Char('0') && c <= QLatin1Char('9'); }
+
+}  // namespace
+
+int figuresWidth_px(const QFontMetrics& metrics, const QString& text) {
+  const int digit = digitWidth_px(metrics);
+  int width = 0;
+  for (const QChar c : text) width += isFigure(c) ? digit : metrics.horizontalAdvance(c);
+  return width;
+}
+
+void drawFigures(QPainter& painter, const QRect& box, Qt::Alignment alignment, const QString& text) {
+  const QFontMetrics metrics = painter.fontMetrics();
+  const int digit = digitWidth_px(metrics);
+  const int width = figuresWidth_px(metrics, text);
+  int x = box.left();
+  if (alignment & Qt::AlignRight) x = box.right() + 1 - width;
+  if (alignment & Qt::AlignHCenter) x = box.left() + (box.width() - width) / 2;
+  const int baseline = box.top() + (box.height() + metrics.ascent() - metrics.descent()) / 2;
+  for (const QChar c : text) {
+    const int advance = metrics.horizontalAdvance(c);
+    const int cell = isFigure(c) ? digit : advance;
+    painter.drawText(x + (cell - advance) / 2, baseline, QString(c));
+    x += cell;
+  }
+}
+
+FigureLabel::FigureLabel(const QString& widest, QWidget* parent) : QLabel(parent), widest_(widest) {
+  setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QSize FigureLabel::sizeHint() const {
+  const QFontMetrics metrics = fontMetrics();
+  const QMargins margins = contentsMargins();
+  const int width = std::max(figuresWidth_px(metrics, widest_), figuresWidth_px(metrics, text()));
+  return {width + margins.left() + margins.right(), metrics.height() + margins.top() + margins.bottom()};
+}
+
+void FigureLabel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setFont(font());
+  painter.setPen(palette().color(foregroundRole()));
+  drawFigures(painter, contentsRect(), alignment(), text());
+}
+
+}  // namespace ew::ui

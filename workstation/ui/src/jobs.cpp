@@ -1,0 +1,116 @@
+#include "jobs.h"
+
+#include <QElapsedTimer>
+#include <QMetaObject>
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <thread>
+
+namespace ew::ui {
+
+struct Jobs::Job final : Progress {
+  int id = 0;
+  QString title;
+  Done done;
+  Result<void> outcome;
+  std::thread thread;
+  QElapsedTimer clock;
+  std::atomic<bool> cancelled{false};
+  std::atomic<double> fraction{0.0};
+  mutable std::mutex mutex;
+  std::string step;
+
+  void report(std::string_view what, double part) override {
+    fraction.store(part);
+    const std::lock_guard lock(mutex);
+    step.assign(what);
+  }
+  [[nodiscard]] bool cancelRequested() const override { return cancelled.load(); }
+};
+
+namespace {
+
+Result<void> guarded(const Jobs::Work& work, Progress& progress) {
+  try {
+    return work(progress);
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge, "There is not enough memory for this; close other programs or choose a coarser spacing.");
+  } catch (const std::exception& thrown) {
+    return failure(ErrorCode::internal, std::string("The work stopped unexpectedly (") + thrown.what() +
+                                            "); nothing was changed, please report it with what you did.");
+  }
+}
+
+}  // namespace
+
+Jobs::Jobs(QObject* parent) : QObject(parent) {}
+
+Jobs::~Jobs() {
+  for (const auto& job : running_) job->cancelled = true;
+  for (const auto& job : running_) {
+    if (job->thread.joinable()) job->thread.join();
+  }
+}
+
+int Jobs::start(const QString& title, Work work, Done done) {
+  auto job = std::make_unique<Job>();
+  job->id = nextId_++;
+  job->title = title;
+  job->done = std::move(done);
+  job->clock.start();
+  Job* raw = job.get();
+  const int id = raw->id;
+  running_.push_back(std::move(job));
+  raw->thread = std::thread([this, raw, id, work = std::move(work)] {
+    raw->outcome = guarded(work, *raw);
+    QMetaObject::invokeMethod(
+        this, [this, id] { deliver(id); }, Qt::QueuedConnection);
+  });
+  Q_EMIT started(id);
+  return id;
+}
+
+void Jobs::cancel(int id) {
+  for (const auto& job : running_) {
+    if (job->id == id) job->cancelled = true;
+  }
+}
+
+std::vector<Jobs::Seen> Jobs::seen() const {
+  std::vector<Seen> all;
+  for (const auto& job : running_) {
+    Seen one{job->id,
+             job->title,
+             {},
+             std::clamp(job->fraction.load(), 0.0, 1.0),
+             static_cast<double>(job->clock.elapsed()) / 1000.0,
+             job->cancelled.load()};
+    const std::lock_guard lock(job->mutex);
+    one.step = QString::fromStdString(job->step);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+void Jobs::deliver(int id) {
+  const auto at = std::find_if(running_.begin(), running_.end(), [id](const auto& job) { return job->id == id; });
+  if (at == running_.end()) return;  // already delivered while waiting for everything
+  const std::unique_ptr<Job> job = std::move(*at);
+  running_.erase(at);
+  job->thread.join();
+  Q_EMIT finished(id);
+  if (job->done) job->done(job->outcome);
+}
+
+void Jobs::cancelAllAndWait() {
+  // A `done` may start the next step of a chain; it is cancelled like the others.
+  while (!running_.empty()) {
+    for (const auto& job : running_) job->cancelled = true;
+    deliver(running_.front()->id);
+  }
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,307 @@
+#include "ew/ui/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "main_window_parts.h"
+#include "theme.h"
+#include "words.h"
+
+/// A static library's resources are known to Qt once this has run; outside of any namespace, as the macro demands.
+static void initResources() { Q_INIT_RESOURCE(icons); }
+
+namespace ew::ui {
+namespace {
+
+constexpr int kRecentFiles = 6;
+constexpr int kConsoleWidth_px = 216;
+constexpr int kPanelWidth_px = 400;
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_unique<Parts>()) {
+  initResources();
+  setWindowTitle(QStringLiteral("EchoWeave"));
+  setAcceptDrops(true);
+  setMinimumSize(1024, 640);
+  const QSettings settings;
+  applyTheme(settings.value(QStringLiteral("theme"), QStringLiteral("dark")).toString() == QLatin1String("light") ? lightTheme()
+                                                                                                                  : darkTheme());
+  makeViews();
+  makeActions();
+  connectParts();
+  refreshTheme();
+  resize(1600, 900);
+  restoreGeometry(settings.value(QStringLiteral("window")).toByteArray());
+
+  auto resources = resourceFolder();
+  if (!resources) {
+    parts_->messages->showError(resources.error());
+  } else {
+    auto probes = readProbes(*resources / "probes");
+    if (probes) {
+      parts_->session.setProbes(std::move(*probes));
+    } else {
+      parts_->messages->showError(probes.error());
+    }
+    parts_->opener->loadDefaultMannequin();
+  }
+  showRecent();
+  showTitle();
+}
+
+MainWindow::~MainWindow() {
+  // Work first, then panels (their code lives in plugins), then the plugins, then what the host handed them.
+  parts_->jobs.cancelAllAndWait();
+  // An undo history that is destroyed says that it is empty; nobody is left to show it.
+  parts_->document.history().disconnect();
+  parts_->document.disconnect();
+  parts_->session.disconnect();
+  delete parts_->panels;
+  parts_->panels = nullptr;
+  parts_->plugins.reset();
+  delete takeCentralWidget();
+}
+
+void MainWindow::makeViews() {
+  Parts& p = *parts_;
+  p.central = new QWidget;
+  setCentralWidget(p.central);
+  auto* rows = new QVBoxLayout(p.central);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  p.topBar = new TopBar;
+  p.startPage = new StartPage;
+  p.view3d = new View3D;
+  p.view3d->setMinimumWidth(280);
+  p.scanView = new ScanView(p.session);
+  p.console = new ConsolePanel(p.session);
+  p.console->setFixedWidth(kConsoleWidth_px);
+  p.status = new StatusLine(p.session);
+  p.panels = new QTabWidget;
+  p.panels->setObjectName(QStringLiteral("authorPanel"));
+  p.panels->setAttribute(Qt::WA_StyledBackground);
+  p.panels->setDocumentMode(true);
+  p.panels->setMinimumWidth(kPanelWidth_px);
+  p.panels->hide();
+
+  p.columns = new QSplitter(Qt::Horizontal);
+  p.columns->setHandleWidth(1);
+  p.columns->setChildrenCollapsible(false);
+  p.columns->addWidget(p.panels);
+  p.columns->addWidget(p.view3d);
+  p.columns->addWidget(p.scanView);
+  p.columns->setStretchFactor(0, 0);
+  p.columns->setStretchFactor(1, 6);
+  p.columns->setStretchFactor(2, 5);
+
+  p.workspacePage = new QWidget;
+  auto* work = new QHBoxLayout(p.workspacePage);
+  work->setContentsMargins(0, 0, 0, 0);
+  work->setSpacing(0);
+  work->addWidget(p.columns, 1);
+  work->addWidget(p.console);
+  p.pages = new QStackedWidget;
+  p.pages->addWidget(p.workspacePage);
+  p.pages->addWidget(p.startPage);
+  rows->addWidget(p.topBar);
+  rows->addWidget(p.pages, 1);
+  rows->addWidget(p.status);
+
+  p.messages = new MessageBar(p.central);
+  p.cards = new JobCards(p.jobs, p.central);
+  p.hand.watch(p.view3d);
+  p.hand.watch(p.scanView, [this] {
+    const double mm = parts_->scanView->mmPerWidgetPixel();
+    return parts_->session.geometry().flipLeftRight ? -mm : mm;
+  });
+  p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
+  p.host = new WorkstationHost(p.document, p.jobs, *p.panels, this);
+}
+
+void MainWindow::connectParts() {
+  Parts& p = *parts_;
+  connect(&p.session, &Session::pictureChanged, this, &MainWindow::showPicture);
+  connect(&p.session, &Session::subjectChanged, this, [this] {
+    if (const auto& subject = parts_->session.subject()) {
+      parts_->view3d->setVolumeBox(subject->placedGrid);
+    } else {
+      parts_->view3d->clearVolumeBox();
+      parts_->view3d->setProbeVisible(false);
+    }
+    showTitle();
+  });
+  connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) {
+    parts_->hand.setEnabled(!frozen);
+    parts_->freezeAction->setChecked(frozen);
+  });
+  connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
+  connect(&p.document.history(), &QUndoStack::indexChanged, this, [this] {
+    const QUndoStack& history = parts_->document.history();
+    parts_->status->setEdit(history.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(history.undoText()) : QString());
+  });
+  connect(p.topBar, &TopBar::workspaceChosen, this,
+          [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
+  connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
+  connect(p.startPage, &StartPage::caseChosen, this, &MainWindow::open);
+  connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
+  connect(p.opener, &Opener::opened, this, [this](const QString& path) {
+    QSettings settings;
+    QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
+    recent.removeAll(path);
+    recent.prepend(path);
+    while (recent.size() > kRecentFiles) recent.removeLast();
+    settings.setValue(QStringLiteral("recent"), recent);
+    showRecent();
+    parts_->pages->setCurrentWidget(parts_->workspacePage);
+    parts_->scanView->setFocus();
+  });
+  connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
+    parts_->opener->showVolume(volume, title, true);
+    parts_->pages->setCurrentWidget(parts_->workspacePage);
+  });
+  connect(p.host, &WorkstationHost::problem, this, [this](const QString& sentence) { parts_->messages->showError(sentence); });
+}
+
+void MainWindow::showPicture() {
+  Parts& p = *parts_;
+  if (!p.session.subject() || p.session.picture().width == 0) return;
+  p.view3d->setProbe(p.session.pictureProbe(), p.session.geometry().depth_mm);
+  p.view3d->setPose(p.session.picturePose());
+  p.view3d->setFanImage(p.session.picture(), p.session.geometry());
+  p.view3d->setProbeVisible(true);
+}
+
+void MainWindow::open(const QString& path) {
+  if (!mayLeaveCase()) return;
+  parts_->opener->open(path);
+}
+
+void MainWindow::openDefaultCase() {
+  auto folder = shippedCasesFolder();
+  const CaseList found = folder ? listCases(*folder) : CaseList{};
+  if (found.cases.empty()) {
+    showStartPage();
+    return;
+  }
+  parts_->opener->open(wordsOf(found.cases.front().folder));
+}
+
+void MainWindow::showStartPage() {
+  auto folder = shippedCasesFolder();
+  CaseList found;
+  if (folder) found = listCases(*folder);
+  for (const Error& problem : found.problems) parts_->messages->showError(problem);
+  parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
+  parts_->pages->setCurrentWidget(parts_->startPage);
+  prepareThumbnails();
+  showTitle();
+}
+
+void MainWindow::setWorkspace(Workspace workspace) {
+  Parts& p = *parts_;
+  p.workspace = workspace;
+  const bool author = workspace == Workspace::author;
+  p.topBar->setWorkspace(author ? 1 : 0);
+  p.exploreAction->setChecked(!author);
+  p.authorAction->setChecked(author);
+  p.panels->setVisible(author);
+  p.console->setVisible(!author || width() >= 1440);
+  p.pages->setCurrentWidget(p.workspacePage);
+  showTitle();
+}
+
+bool MainWindow::mayLeaveCase() {
+  if (!parts_->document.hasUnsavedChanges()) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The case '%1' has changes that are not saved.").arg(words(parts_->document.current()->title)));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Cancel) return false;
+  if (answer == QMessageBox::Discard) return true;
+  saveCase(false);
+  return !parts_->document.hasUnsavedChanges();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeaveCase()) {
+    event->ignore();
+    return;
+  }
+  QSettings().setValue(QStringLiteral("window"), saveGeometry());
+  parts_->jobs.cancelAllAndWait();
+  event->accept();
+}
+
+void MainWindow::placeOverlays() {
+  const QRect area = parts_->pages->geometry();
+  parts_->messages->placeIn(area);
+  parts_->cards->placeIn(area);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  if (parts_->workspace == Workspace::author) parts_->console->setVisible(width() >= 1440);
+  centralWidget()->layout()->activate();
+  placeOverlays();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  placeOverlays();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); })) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  const auto file = std::find_if(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
+  if (file == urls.end()) return;
+  event->acceptProposedAction();
+  if (urls.size() > 1) parts_->messages->showNote(tr("Several files were dropped; the first one is opened."));
+  // After the drop has ended: a question must not keep the program the file came from waiting.
+  QMetaObject::invokeMethod(
+      this, [this, path = file->toLocalFile()] { open(path); }, Qt::QueuedConnection);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && parts_->messages->count() > 0) {
+    parts_->messages->dismiss();
+    return;
+  }
+  // The keys that move the probe work wherever the focus is, unless a field wants them.
+  if (parts_->session.subject() && parts_->pages->currentWidget() == parts_->workspacePage && parts_->hand.handleKey(*event)) return;
+  QMainWindow::keyPressEvent(event);
+}
+
+bool MainWindow::isSettled() const {
+  const Parts& p = *parts_;
+  if (p.jobs.isRunning() || p.opener->isBusy()) return false;
+  if (p.pages->currentWidget() == p.startPage) return true;
+  return p.session.subject() && p.session.picture().width > 0;
+}
+
+Session& MainWindow::session() { return parts_->session; }
+CaseDocument& MainWindow::document() { return parts_->document; }
+Jobs& MainWindow::jobs() { return parts_->jobs; }
+MessageBar& MainWindow::messages() { return *parts_->messages; }
+ScanView& MainWindow::scanView() { return *parts_->scanView; }
+View3D& MainWindow::view3d() { return *parts_->view3d; }
+HandInput& MainWindow::hand() { return parts_->hand; }
+ConsolePanel& MainWindow::console() { return *parts_->console; }
+
+}  // namespace ew::ui

@@ -1,0 +1,305 @@
+#include <QActionGroup>
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "ew/core/version.h"
+#include "ew/io/image_file.h"
+#include "ew/io/volume_file.h"
+#include "icons.h"
+#include "main_window_parts.h"
+#include "plugins_dialog.h"
+#include "theme.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+QString keysOf(const QAction& action) {
+  QStringList keys;
+  for (const QKeySequence& key : action.shortcuts()) keys << key.toString(QKeySequence::NativeText);
+  return keys.join(QStringLiteral(", "));
+}
+
+QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); }
+
+/// The name with `ending` when it has none of its own.
+QString withEnding(const QString& file, const QString& ending) { return QFileInfo(file).suffix().isEmpty() ? file + ending : file; }
+
+}  // namespace
+
+void MainWindow::makeActions() {
+  Parts& p = *parts_;
+  QMenuBar& bar = p.topBar->menus();
+  const auto add = [this](QMenu* menu, const QString& text, const QList<QKeySequence>& keys, auto&& run) {
+    QAction* action = menu->addAction(text);
+    action->setShortcuts(keys);
+    connect(action, &QAction::triggered, this, run);
+    return action;
+  };
+
+  QMenu* file = bar.addMenu(tr("&File"));
+  add(file, tr("&Open…"), {QKeySequence::Open}, [this] { chooseFile(); });
+  add(file, tr("Open case &folder…"), {keys("Ctrl+Shift+O")}, [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open case folder"));
+    if (!folder.isEmpty()) open(folder);
+  });
+  p.recentMenu = file->addMenu(tr("Open &lately"));
+  p.startPageAction = add(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
+  file->addSeparator();
+  p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { saveCase(false); });
+  p.saveAsAction = add(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { saveCase(true); });
+  p.saveVolumeAction = add(file, tr("Save &volume as…"), {}, [this] { saveVolume(); });
+  p.savePictureAction = add(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
+  file->addSeparator();
+  add(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
+
+  QMenu* edit = bar.addMenu(tr("&Edit"));
+  QAction* undo = p.document.history().createUndoAction(this, tr("&Undo"));
+  QAction* redo = p.document.history().createRedoAction(this, tr("&Redo"));
+  undo->setShortcut(keys("Ctrl+Z"));
+  redo->setShortcuts({keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
+  edit->addAction(undo);
+  edit->addAction(redo);
+
+  QMenu* view = bar.addMenu(tr("&View"));
+  auto* workspaces = new QActionGroup(this);
+  p.exploreAction = add(view, tr("&Explore"), {keys("Ctrl+1")}, [this] { setWorkspace(Workspace::explore); });
+  p.authorAction = add(view, tr("&Author"), {keys("Ctrl+2")}, [this] { setWorkspace(Workspace::author); });
+  for (QAction* action : {p.exploreAction, p.authorAction}) {
+    action->setCheckable(true);
+    workspaces->addAction(action);
+  }
+  p.exploreAction->setChecked(true);
+  view->addSeparator();
+  const auto look = [&](const QString& text, const char* key, bridge::CameraPreset preset) {
+    add(view, text, {keys(key)}, [this, preset] { parts_->view3d->showFrom(preset); });
+  };
+  look(tr("From the &front"), "Alt+1", bridge::CameraPreset::front);
+  look(tr("From the &back"), "Alt+2", bridge::CameraPreset::back);
+  look(tr("From the patient's &right"), "Alt+3", bridge::CameraPreset::right);
+  look(tr("From the patient's &left"), "Alt+4", bridge::CameraPreset::left);
+  look(tr("From the &head"), "Alt+5", bridge::CameraPreset::top);
+  add(view, tr("Look at the &volume"), {keys("Alt+0")}, [this] { parts_->view3d->fitToVolume(); });
+  p.caseVolumeAction = add(view, tr("Scan the &case's volume"), {}, [this] { parts_->opener->showCaseVolume(); });
+  view->addSeparator();
+  auto* themes = new QActionGroup(this);
+  p.darkAction = add(view, tr("&Dark"), {}, [this] { setDarkTheme(true); });
+  p.lightAction = add(view, tr("L&ight"), {}, [this] { setDarkTheme(false); });
+  for (QAction* action : {p.darkAction, p.lightAction}) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+  QMenu* language = view->addMenu(tr("La&nguage"));
+  auto* languages = new QActionGroup(this);
+  const QString chosen = QSettings().value(QStringLiteral("language")).toString();
+  const std::pair<QString, QString> offered[] = {{QString(), tr("As the system")}, {"en", "English"}, {"de", "Deutsch"}};
+  for (const auto& [code, name] : offered) {
+    QAction* action = add(language, name, {}, [this, code = code] {
+      QSettings().setValue(QStringLiteral("language"), code);
+      parts_->messages->showNote(tr("The language changes at the next start."));
+    });
+    action->setCheckable(true);
+    action->setChecked(code == chosen);
+    languages->addAction(action);
+  }
+  QAction* full =
+      add(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+
+  QMenu* scan = bar.addMenu(tr("&Scan"));
+  p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)},
+                       [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
+  p.freezeAction->setCheckable(true);
+  scan->addSeparator();
+  QAction* deeper = add(scan, tr("Deeper"), {QKeySequence(Qt::Key_PageDown)}, [this] { parts_->console->stepDepth(1); });
+  QAction* shallower = add(scan, tr("Shallower"), {QKeySequence(Qt::Key_PageUp)}, [this] { parts_->console->stepDepth(-1); });
+  QAction* louder = add(scan, tr("More gain"), {keys("Ctrl+Up")}, [this] { parts_->console->stepGain(1); });
+  QAction* quieter = add(scan, tr("Less gain"), {keys("Ctrl+Down")}, [this] { parts_->console->stepGain(-1); });
+  QAction* closer = add(scan, tr("Zoom in"), {QKeySequence(Qt::Key_Z)}, [this] { parts_->console->stepZoom(1); });
+  QAction* farther = add(scan, tr("Zoom out"), {keys("Shift+Z")}, [this] { parts_->console->stepZoom(-1); });
+  QAction* reset = add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
+
+  QMenu* help = bar.addMenu(tr("&Help"));
+  QAction* shortcuts = add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] {
+    if (parts_->shortcuts) {
+      parts_->shortcuts->close();
+    } else {
+      parts_->shortcuts = new ShortcutsOverlay(parts_->keys, parts_->central);
+    }
+  });
+  add(help, tr("&Plugins…"), {},
+      [this] { PluginsDialog(parts_->plugins ? parts_->plugins->states() : std::vector<door::PluginStatus>{}, this).exec(); });
+  add(help, tr("&About EchoWeave"), {}, [this] {
+    QMessageBox about(this);
+    about.setWindowTitle(tr("About EchoWeave"));
+    about.setText(
+        tr("EchoWeave %1\n\nA workstation for building and using ultrasound training cases. A simulation, not for diagnosis.\n\n"
+           "Apache License 2.0. Slicing and console follow D. Aiger and D. Cohen-Or, Real-Time Ultrasound Imaging Simulation, 1998.")
+            .arg(QLatin1String(kVersion)));
+    about.exec();
+  });
+
+  p.keys = {{tr("Probe"),
+             {{tr("Drag"), tr("slide over the skin")},
+              {tr("Wheel"), tr("tilt")},
+              {tr("Shift + wheel"), tr("rock")},
+              {tr("Ctrl + wheel"), tr("rotate")},
+              {tr("Arrows"), tr("slide by 2 mm, with Shift 10 mm")},
+              {QStringLiteral("Q, E"), tr("rotate")},
+              {QStringLiteral("A, D"), tr("rock")},
+              {QStringLiteral("W, S"), tr("tilt")},
+              {tr("Home"), tr("back to the start")}}},
+            {tr("3D view"),
+             {{tr("Right drag"), tr("turn the body")},
+              {tr("Middle drag"), tr("move the body")},
+              {tr("Ctrl + right drag"), tr("closer, farther")},
+              {QStringLiteral("Alt+1 … Alt+5"), tr("front, back, right, left, head")},
+              {QStringLiteral("Alt+0"), tr("look at the volume")}}},
+            {tr("Console"),
+             {{keysOf(*p.freezeAction), tr("freeze")},
+              {keysOf(*shallower) + QStringLiteral(", ") + keysOf(*deeper), tr("depth")},
+              {keysOf(*louder) + QStringLiteral(", ") + keysOf(*quieter), tr("gain")},
+              {keysOf(*closer) + QStringLiteral(", ") + keysOf(*farther), tr("zoom")},
+              {keysOf(*reset), tr("reset DGC")},
+              {QStringLiteral("1, 2"), tr("weave, linear")},
+              {QStringLiteral("X"), tr("swap left and right")}}},
+            {tr("Window"),
+             {{QStringLiteral("Ctrl+O"), tr("open a case, a volume or a sweep")},
+              {QStringLiteral("Ctrl+S, Ctrl+Shift+S"), tr("save the case, save it elsewhere")},
+              {QStringLiteral("Ctrl+Z, Ctrl+Shift+Z"), tr("undo, redo")},
+              {QStringLiteral("Ctrl+1, Ctrl+2"), tr("Explore, Author")},
+              {keysOf(*full), tr("full screen")},
+              {keysOf(*shortcuts), tr("this page")}}}};
+}
+
+void MainWindow::chooseFile() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open a case, a volume or a sweep"), QString(),
+                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Cases (case.json);;"
+                                      "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha "
+                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz)"));
+  if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::saveCase(bool elsewhere) {
+  if (!parts_->document.current()) return;
+  QString folder;
+  if (elsewhere) {
+    folder =
+        QFileDialog::getSaveFileName(this, tr("Save the case as a new folder"), wordsOf(parts_->document.current()->folder) + tr("-copy"));
+    if (folder.isEmpty()) return;
+  }
+  if (auto saved = parts_->document.save(pathOf(folder)); !saved) parts_->messages->showError(saved.error());
+}
+
+void MainWindow::saveVolume() {
+  const auto& subject = parts_->session.subject();
+  if (!subject) return;
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the volume"), QFileInfo(subject->title).completeBaseName() + QStringLiteral(".mha"), tr("MetaImage (*.mha *.mhd)"));
+  if (file.isEmpty()) return;
+  file = withEnding(file, QStringLiteral(".mha"));
+  parts_->jobs.start(
+      tr("Saving %1").arg(QFileInfo(file).fileName()),
+      [volume = subject->volume, file](Progress& progress) { return writeVolume(*volume, pathOf(file), progress); },
+      [this, file](const Result<void>& outcome) {
+        if (outcome) {
+          parts_->messages->showNote(tr("Saved to %1.").arg(file));
+        } else if (outcome.error().code != ErrorCode::cancelled) {
+          parts_->messages->showError(outcome.error());
+        }
+      });
+}
+
+void MainWindow::savePicture() {
+  if (parts_->session.picture().width == 0) return;
+  QString file =
+      QFileDialog::getSaveFileName(this, tr("Save the picture"), tr("scan") + QStringLiteral(".png"), tr("Pictures (*.png *.mha)"));
+  if (file.isEmpty()) return;
+  file = withEnding(file, QStringLiteral(".png"));
+  const auto written = writeImage(parts_->session.picture(), parts_->session.geometry().pixel_mm, pathOf(file));
+  if (written) {
+    parts_->messages->showNote(tr("Saved to %1.").arg(file));
+  } else {
+    parts_->messages->showError(written.error());
+  }
+}
+
+void MainWindow::showTitle() {
+  Parts& p = *parts_;
+  const bool isStart = p.pages->currentWidget() == p.startPage;
+  const auto& opened = p.document.current();
+  const auto& subject = p.session.subject();
+  QString title = subject ? subject->title : QString();
+  QString remark;
+  if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
+  if (opened && p.opener->showsCase()) {
+    if (!opened->patient.name.empty()) remark = words(opened->patient.name);
+    if (p.document.hasUnsavedChanges()) remark = tr("not saved");
+  }
+  p.topBar->setTitle(isStart ? QString() : title, isStart ? QString() : remark);
+  p.saveAction->setEnabled(opened.has_value());
+  p.saveAsAction->setEnabled(opened.has_value());
+  p.saveVolumeAction->setEnabled(subject.has_value());
+  p.savePictureAction->setEnabled(subject.has_value());
+  p.caseVolumeAction->setVisible(opened && !p.opener->showsCase() && p.opener->hasCaseVolume());
+  setWindowTitle(title.isEmpty() ? QStringLiteral("EchoWeave") : QStringLiteral("%1 - EchoWeave").arg(title));
+}
+
+void MainWindow::showRecent() {
+  const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
+  parts_->startPage->showRecent(recent);
+  parts_->recentMenu->clear();
+  for (const QString& path : recent) parts_->recentMenu->addAction(path, this, [this, path] { open(path); });
+  parts_->recentMenu->menuAction()->setVisible(!recent.isEmpty());
+}
+
+void MainWindow::setDarkTheme(bool dark) {
+  applyTheme(dark ? darkTheme() : lightTheme());
+  QSettings().setValue(QStringLiteral("theme"), dark ? QStringLiteral("dark") : QStringLiteral("light"));
+  refreshTheme();
+}
+
+void MainWindow::refreshTheme() {
+  const bool dark = currentTheme().dark;
+  parts_->darkAction->setChecked(dark);
+  parts_->lightAction->setChecked(!dark);
+  parts_->view3d->setDarkTheme(dark);
+  parts_->console->refreshIcons();
+  parts_->messages->refreshIcons();
+}
+
+void MainWindow::openPlugins() {
+  Parts& p = *parts_;
+  if (p.plugins) return;
+  p.plugins.emplace();
+  p.plugins->openAll(*p.host);
+  for (const door::PluginStatus& plugin : p.plugins->states()) {
+    if (plugin.state != door::PluginState::loaded) p.messages->showError(words(plugin.sentence));
+  }
+}
+
+void MainWindow::prepareThumbnails() {
+  auto folder = shippedCasesFolder();
+  if (!folder) return;
+  auto pictures = std::make_shared<std::vector<std::pair<std::string, QImage>>>();
+  parts_->jobs.start(
+      tr("Preparing the cards"),
+      [cases = listCases(*folder).cases, pictures](Progress& progress) -> Result<void> {
+        for (const Case& shown : cases) {
+          // A case that is not prepared yet keeps its drawn card: a start page is no reason to compute for minutes.
+          if (progress.cancelRequested() || caseNeedsPreparation(shown)) continue;
+          auto echo = loadCaseVolume(shown, progress);
+          if (echo) pictures->emplace_back(shown.id, thumbnailOf(echo->volume, QSize(544, 320)));
+        }
+        return {};
+      },
+      [this, pictures](const Result<void>&) {
+        for (const auto& [id, picture] : *pictures) parts_->startPage->setThumbnail(id, picture);
+      });
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QAction>
+#include <QMenu>
+#include <QPointer>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <optional>
+
+#include "case_document.h"
+#include "console_panel.h"
+#include "ew/door/door.h"
+#include "ew/ui/main_window.h"
+#include "hand_input.h"
+#include "job_cards.h"
+#include "jobs.h"
+#include "message_bar.h"
+#include "opener.h"
+#include "scan_view.h"
+#include "session.h"
+#include "shortcuts_overlay.h"
+#include "start_page.h"
+#include "status_line.h"
+#include "top_bar.h"
+#include "view3d.h"
+#include "workstation_host.h"
+
+namespace ew::ui {
+
+/// What the window is made of. Values first, so that they outlive the widgets and plugins that use them.
+struct MainWindow::Parts {
+  Session session;
+  CaseDocument document;
+  Jobs jobs;
+  HandInput hand;
+
+  QWidget* central = nullptr;
+  TopBar* topBar = nullptr;
+  QStackedWidget* pages = nullptr;
+  StartPage* startPage = nullptr;
+  QWidget* workspacePage = nullptr;
+  QTabWidget* panels = nullptr;
+  QWidget* noPanels = nullptr;
+  QSplitter* columns = nullptr;
+  View3D* view3d = nullptr;
+  ScanView* scanView = nullptr;
+  ConsolePanel* console = nullptr;
+  StatusLine* status = nullptr;
+  MessageBar* messages = nullptr;
+  JobCards* cards = nullptr;
+  Opener* opener = nullptr;
+  WorkstationHost* host = nullptr;
+  std::optional<door::PluginList> plugins;
+  QPointer<ShortcutsOverlay> shortcuts;
+
+  QAction* startPageAction = nullptr;
+  QAction* saveAction = nullptr;
+  QAction* saveAsAction = nullptr;
+  QAction* saveVolumeAction = nullptr;
+  QAction* savePictureAction = nullptr;
+  QAction* caseVolumeAction = nullptr;
+  QAction* exploreAction = nullptr;
+  QAction* authorAction = nullptr;
+  QAction* darkAction = nullptr;
+  QAction* lightAction = nullptr;
+  QAction* freezeAction = nullptr;
+  QMenu* recentMenu = nullptr;
+  std::vector<ShortcutsOverlay::Group> keys;
+  Workspace workspace = Workspace::explore;
+};
+
+}  // namespace ew::ui

@@ -1,0 +1,275 @@
+#include "opener.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "ew/io/sequence.h"
+#include "ew/io/volume_file.h"
+#include "hand_input.h"
+#include "message_bar.h"
+#include "view3d.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The mannequin a case asks for: in the case folder, else among the shipped ones; the default when it names none.
+Result<fs::path> mannequinFileOf(const std::optional<Case>& opened) {
+  auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  const std::string name = opened && !opened->mannequin.empty() ? opened->mannequin : std::string("adult.json");
+  std::error_code ignored;
+  if (opened && fs::exists(opened->folder / name, ignored)) return opened->folder / name;
+  return *resources / "mannequin" / name;
+}
+
+Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const std::optional<Case>& opened, Progress& progress) {
+  auto file = mannequinFileOf(opened);
+  if (!file) return passOn(file.error());
+  auto loaded = bridge::loadMannequin(*file, {}, progress);
+  if (!loaded) return passOn(loaded.error());
+  return std::make_shared<const bridge::Mannequin>(std::move(*loaded));
+}
+
+glm::dvec3 centreOf(const Grid& grid) {
+  const Bounds bounds = boundsOf(grid);
+  return (bounds.lowest_mm + bounds.highest_mm) / 2.0;
+}
+
+/// Where the skin lies in front of a point, seen from the front.
+Skin::Contact skinInFrontOf(const Skin& skin, const glm::dvec3& p_mm) {
+  const auto hit = skin.hit({p_mm.x, -2000.0, p_mm.z}, {0.0, 1.0, 0.0});
+  return hit ? *hit : skin.nearest(p_mm);
+}
+
+/// Moved without turning: the box's middle under the xiphoid; as deep as the trunk it is centred, a shallower one begins at the front
+/// skin, where a probe can see it.
+Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
+  const Bounds bounds = boundsOf(grid);
+  const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
+  glm::dvec3 middle_mm(0.0);
+  const double front_mm = skinInFrontOf(skin, middle_mm).point_mm.y;
+  middle_mm.y = std::min(0.0, front_mm + extent_mm.y / 2.0);
+  Grid moved = grid;
+  moved.origin_mm += middle_mm - centreOf(grid);
+  return moved;
+}
+
+}  // namespace
+
+/// What a job hands over to the window's thread.
+struct Opener::Loaded {
+  std::optional<Case> opened;
+  std::shared_ptr<const Volume> volume;
+  std::shared_ptr<const bridge::Mannequin> mannequin;
+  std::vector<std::string> notes;
+  bool isSweep = false;
+};
+
+Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar& messages, View3D& view, HandInput& hand, QObject* parent)
+    : QObject(parent), session_(session), document_(document), jobs_(jobs), messages_(messages), view_(view), hand_(hand) {
+  connect(&document_, &CaseDocument::changed, this, &Opener::followDocument);
+  connect(&view_, &View3D::mannequinChanged, this, [this] {
+    session_.setSkin(view_.skin());
+    if (!startTaken_) {
+      takeStart();
+    } else if (session_.subject()) {
+      showHold(holdFor(session_.pose(), *view_.skin()));
+    }
+  });
+  connect(&hand_, &HandInput::holdChanged, &session_, &Session::setHold);
+}
+
+void Opener::loadDefaultMannequin() {
+  auto loaded = std::make_shared<std::shared_ptr<const bridge::Mannequin>>();
+  ++busy_;
+  jobs_.start(
+      tr("Preparing the mannequin"),
+      [loaded](Progress& progress) -> Result<void> {
+        auto read = readMannequin(std::nullopt, progress);
+        if (!read) return passOn(read.error());
+        *loaded = std::move(*read);
+        return {};
+      },
+      [this, loaded](const Result<void>& outcome) {
+        --busy_;
+        if (!outcome) {
+          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+          return;
+        }
+        showMannequin(*loaded);
+      });
+}
+
+void Opener::showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
+  if (!mannequin) return;
+  for (const std::string& note : mannequin->notes) messages_.showNote(words(note));
+  view_.setMannequin(std::move(mannequin));
+}
+
+void Opener::open(const QString& path) {
+  const QFileInfo info(path);
+  if (!info.exists()) {
+    const Error error{
+        ErrorCode::notFound, tr("There is no file or folder '%1'; check the name, or choose it with Open.").arg(path).toStdString(), {}};
+    messages_.showError(error);
+    Q_EMIT failed(error);
+    return;
+  }
+  if (info.isDir() || info.suffix() == QLatin1String("json")) {
+    openCase(path);
+  } else {
+    openImage(path);
+  }
+}
+
+void Opener::openCase(const QString& path) {
+  auto loaded = std::make_shared<Loaded>();
+  ++busy_;
+  jobs_.start(
+      tr("Opening %1").arg(QFileInfo(path).fileName()),
+      [loaded, path](Progress& progress) -> Result<void> {
+        auto opened = loadCase(pathOf(path));
+        if (!opened) return passOn(opened.error());
+        PartOfProgress most(progress, 0.0, 0.9);
+        auto echo = loadCaseVolume(*opened, most);
+        if (!echo) return passOn(echo.error());
+        loaded->notes = std::move(echo->notes);
+        loaded->volume = std::make_shared<const Volume>(std::move(echo->volume));
+        if (!opened->mannequin.empty()) {
+          PartOfProgress rest(progress, 0.9, 1.0);
+          auto mannequin = readMannequin(*opened, rest);
+          if (!mannequin) return passOn(mannequin.error());
+          loaded->mannequin = std::move(*mannequin);
+        }
+        loaded->opened = std::move(*opened);
+        return {};
+      },
+      [this, loaded, path](const Result<void>& outcome) {
+        --busy_;
+        if (!outcome) {
+          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+          Q_EMIT failed(outcome.error());
+          return;
+        }
+        caseVolume_ = loaded->volume;
+        casePlacement_ = loaded->opened->volume.fileToWorld;
+        startPose_ = loaded->opened->startPose;
+        showMannequin(loaded->mannequin);
+        document_.open(*loaded->opened);
+        showCaseVolume();
+        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+        Q_EMIT opened(path);
+      });
+}
+
+void Opener::showCaseVolume() {
+  const auto& opened = document_.current();
+  if (!opened || !caseVolume_) return;
+  showsCase_ = true;
+  Subject subject;
+  subject.title = words(opened->title);
+  subject.volume = caseVolume_;
+  subject.placedGrid = placed(caseVolume_->grid, opened->volume.fileToWorld * glm::inverse(casePlacement_));
+  subject.scene = opened->scene;
+  subject.probes = opened->probes;
+  startPose_ = opened->startPose;
+  startTaken_ = false;
+  session_.show(std::move(subject));
+  takeStart();
+}
+
+void Opener::openImage(const QString& path) {
+  auto loaded = std::make_shared<Loaded>();
+  ++busy_;
+  jobs_.start(
+      tr("Opening %1").arg(QFileInfo(path).fileName()),
+      [loaded, path](Progress& progress) -> Result<void> {
+        auto sequence = isSequence(pathOf(path));
+        if (!sequence) return passOn(sequence.error());
+        loaded->isSweep = *sequence;
+        if (loaded->isSweep) return {};
+        auto volume = readVolume(pathOf(path), progress);
+        if (!volume) return passOn(volume.error());
+        loaded->notes = std::move(volume->notes);
+        loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
+        return {};
+      },
+      [this, loaded, path](const Result<void>& outcome) {
+        --busy_;
+        if (!outcome) {
+          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+          Q_EMIT failed(outcome.error());
+          return;
+        }
+        if (loaded->isSweep) {
+          Q_EMIT sweepChosen(path);
+          return;
+        }
+        document_.close();
+        caseVolume_.reset();
+        showVolume(loaded->volume, QFileInfo(path).fileName(), false);
+        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+        Q_EMIT opened(path);
+      });
+}
+
+void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace) {
+  if (auto usable = checkGrid(volume->grid); !usable) {
+    messages_.showError(usable.error());
+    return;
+  }
+  Subject subject;
+  subject.title = title;
+  subject.placedGrid = inMiddleOfTrunk(volume->grid, *view_.skin());
+  if (keepPlace) {
+    const glm::dvec3 centre_mm = centreOf(volume->grid);
+    const Skin::Contact nearest = view_.skin()->nearest(centre_mm);
+    if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = volume->grid;
+  }
+  subject.volume = std::move(volume);
+  showsCase_ = false;
+  startPose_.reset();
+  startTaken_ = false;
+  session_.show(std::move(subject));
+  takeStart();
+}
+
+void Opener::followDocument() {
+  const auto& opened = document_.current();
+  if (!opened) {
+    if (showsCase_) {
+      showsCase_ = false;
+      session_.clear();
+    }
+    return;
+  }
+  if (!showsCase_ || !caseVolume_) return;
+  session_.setTitle(words(opened->title));
+  session_.setPlacedGrid(placed(caseVolume_->grid, opened->volume.fileToWorld * glm::inverse(casePlacement_)));
+}
+
+void Opener::takeStart() {
+  if (!session_.subject()) return;
+  const std::shared_ptr<const Skin> skin = view_.skin();
+  session_.setSkin(skin);
+  Hold hold;
+  if (startPose_) {
+    hold = holdFor(*startPose_, *skin);
+  } else {
+    hold.contact = skinInFrontOf(*skin, centreOf(session_.subject()->placedGrid));
+  }
+  // Before the mannequin is there the skin is a rough ellipsoid: the start is taken again when it comes.
+  startTaken_ = view_.scene().mannequin() != nullptr;
+  hand_.setStartHold(hold);
+  showHold(hold);
+}
+
+void Opener::showHold(const Hold& hold) {
+  hand_.setHold(hold);
+  session_.setHold(hold);
+}
+
+}  // namespace ew::ui

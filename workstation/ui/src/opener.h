@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "case_document.h"
+#include "ew/bridge/mannequin.h"
+#include "jobs.h"
+#include "session.h"
+
+namespace ew::ui {
+
+class HandInput;
+class MessageBar;
+class View3D;
+
+/// Opens cases, volumes and sweeps as jobs and puts what came out into the session: placed, with the probe on the skin in front of it.
+/// Nothing is replaced before the new thing is there in full.
+class Opener final : public QObject {
+  Q_OBJECT
+
+ public:
+  Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar& messages, View3D& view, HandInput& hand,
+         QObject* parent = nullptr);
+
+  /// By what it is: a folder or case.json is a case, a file with poses a sweep, any other image a volume.
+  void open(const QString& path);
+  void loadDefaultMannequin();
+  /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
+  void showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace);
+  /// Back to the volume of the open case.
+  void showCaseVolume();
+  [[nodiscard]] bool showsCase() const { return showsCase_; }
+  [[nodiscard]] bool hasCaseVolume() const { return caseVolume_ != nullptr; }
+  [[nodiscard]] bool isBusy() const { return busy_ > 0; }
+
+ Q_SIGNALS:
+  void opened(const QString& path);
+  void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
+  void failed(const Error& error);
+
+ private:
+  struct Loaded;
+  void openCase(const QString& path);
+  void openImage(const QString& path);
+  void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
+  void followDocument();
+  void takeStart();
+  void showHold(const Hold& hold);
+
+  Session& session_;
+  CaseDocument& document_;
+  Jobs& jobs_;
+  MessageBar& messages_;
+  View3D& view_;
+  HandInput& hand_;
+  std::shared_ptr<const Volume> caseVolume_;
+  glm::dmat4 casePlacement_{1.0};  ///< the file_to_world that caseVolume_ was placed with when it was loaded
+  std::optional<Pose> startPose_;
+  bool showsCase_ = false;
+  bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there
+  int busy_ = 0;
+};
+
+}  // namespace ew::ui

@@ -1,0 +1,127 @@
+#include "ew/ui/run.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QTranslator>
+#include <iostream>
+
+#include "ew/core/version.h"
+#include "ew/ui/main_window.h"
+#include "jobs.h"
+#include "message_bar.h"
+#include "session.h"
+#include "theme.h"
+#include "view3d.h"
+
+/// The translations are wanted before the first window; outside of any namespace, as the macro demands.
+static void initTranslations() { Q_INIT_RESOURCE(translations); }
+
+namespace ew::ui {
+namespace {
+
+constexpr int kScreenshotPatience_s = 600;  // a case is prepared on its first start
+
+void installLanguage(QApplication& app, QTranslator& ours, QTranslator& qts) {
+  const QString chosen = QSettings().value(QStringLiteral("language")).toString();
+  const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
+  if (ours.load(locale, QStringLiteral("echoweave"), QStringLiteral("_"), QStringLiteral(":/ew/translations")))
+    app.installTranslator(&ours);
+  if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath))) {
+    app.installTranslator(&qts);
+  }
+}
+
+/// Waits until nothing loads and everything is drawn, saves the picture of the window, and ends the program.
+class Screenshot final : public QObject {
+ public:
+  Screenshot(MainWindow& window, QString file) : window_(window), file_(std::move(file)) {
+    waited_.start();
+    connect(&poll_, &QTimer::timeout, this, &Screenshot::look);
+    poll_.start(50);
+  }
+
+ private:
+  void giveUp(const QString& why) {
+    poll_.stop();
+    std::cerr << "echoweave: " << why.toStdString() << std::endl;
+    QApplication::exit(1);
+  }
+
+  void look() {
+    // An error ends the wait only when nothing is left that could still be shown: a broken plugin does not stop a picture.
+    if (window_.messages().isError() && !window_.isSettled() && !window_.jobs().isRunning()) return giveUp(window_.messages().text());
+    if (waited_.elapsed() > kScreenshotPatience_s * 1000) {
+      return giveUp(MainWindow::tr("The window was not ready within %1 s; try a smaller volume.").arg(kScreenshotPatience_s));
+    }
+    settled_ = window_.isSettled() ? settled_ + 1 : 0;
+    if (settled_ < 20) return;  // a second of rest: the timed figures of the status line are there as well
+    poll_.stop();
+    window_.view3d().renderNow();
+    QApplication::processEvents();
+    if (!window_.grab().save(file_, "PNG")) {
+      return giveUp(MainWindow::tr("The picture cannot be written to '%1'; choose a folder you may write to.").arg(file_));
+    }
+    QApplication::exit(0);
+  }
+
+  MainWindow& window_;
+  QString file_;
+  QTimer poll_;
+  QElapsedTimer waited_;
+  int settled_ = 0;
+};
+
+}  // namespace
+
+int runWorkstation(int argc, char** argv, const WindowOptions& options) {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication app(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
+  QApplication::setApplicationName(QStringLiteral("EchoWeave"));
+  QApplication::setApplicationVersion(QLatin1String(kVersion));
+  initTranslations();
+  QTranslator ours, qts;
+  installLanguage(app, ours, qts);
+
+  MainWindow window;
+  const bool isScreenshot = !options.screenshot.empty();
+  if (!options.theme.empty()) {
+    const QVariant left = QSettings().value(QStringLiteral("theme"));
+    window.setDarkTheme(options.theme != "light");
+    // A theme given for once is not the choice to remember.
+    QSettings().setValue(QStringLiteral("theme"), left);
+  }
+  if (options.size_px.x > 0 && options.size_px.y > 0) {
+    window.setMinimumSize(0, 0);
+    window.resize(options.size_px.x, options.size_px.y);
+  } else if (isScreenshot) {
+    window.resize(1600, 900);
+  }
+  window.show();
+  window.openPlugins();
+  if (options.startPage) {
+    window.showStartPage();
+  } else if (!options.open.empty()) {
+    window.open(QString::fromStdString(options.open));
+  } else {
+    window.openDefaultCase();
+  }
+  if (options.workspace == "author") window.setWorkspace(Workspace::author);
+  if (!isScreenshot) return QApplication::exec();
+  const Screenshot screenshot(window, QString::fromStdString(options.screenshot));
+  return QApplication::exec();
+}
+
+}  // namespace ew::ui

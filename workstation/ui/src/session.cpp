@@ -1,0 +1,210 @@
+#include "session.h"
+
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+namespace ew::ui {
+namespace {
+
+constexpr std::size_t kRememberedFrames = 25;
+constexpr double kGel_mm = 3.0;
+constexpr int kContactSamples = 17;
+
+/// Points of the transducer's face in the probe frame, evenly from edge to edge.
+std::vector<glm::dvec3> facePoints_mm(const Probe& probe) {
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < kContactSamples; ++i) {
+    const double across = 2.0 * i / (kContactSamples - 1) - 1.0;
+    if (probe.kind == ProbeKind::convex) {
+      const double angle_rad = across * probe.halfAngle_rad;
+      points.emplace_back(probe.radius_mm * std::sin(angle_rad), probe.radius_mm * (std::cos(angle_rad) - 1.0), 0.0);
+    } else {
+      points.emplace_back(across * probe.width_mm / 2.0, 0.0, 0.0);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+  // A hold needs a surface to stand on, also before there is a skin: the middle of the trunk's front.
+  hold_.contact = {{0.0, -105.0, 0.0}, {0.0, -1.0, 0.0}};
+}
+
+void Session::setProbes(std::vector<Probe> all) {
+  all_ = std::move(all);
+  updateUsableProbes();
+}
+
+void Session::updateUsableProbes() {
+  usable_.clear();
+  if (subject_) {
+    for (const std::string& id : subject_->probes) {
+      const auto found = std::find_if(all_.begin(), all_.end(), [&](const Probe& p) { return p.id == id; });
+      if (found != all_.end()) usable_.push_back(*found);
+    }
+  }
+  if (usable_.empty()) usable_ = all_;
+  const bool stillThere = std::any_of(usable_.begin(), usable_.end(), [this](const Probe& p) { return p == probe_; });
+  if (!stillThere && !usable_.empty()) {
+    probe_ = usable_.front();
+    knobs_.depth_mm = 0.0;
+    knobs_.focus_mm = 0.0;
+    due();
+  }
+  Q_EMIT probeChanged();
+  Q_EMIT knobsChanged();
+}
+
+void Session::chooseProbe(const std::string& id) {
+  const auto found = std::find_if(usable_.begin(), usable_.end(), [&](const Probe& p) { return p.id == id; });
+  if (found == usable_.end() || *found == probe_) return;
+  probe_ = *found;
+  // Another probe sees to another depth: its own default, rather than a depth it may not reach.
+  knobs_.depth_mm = 0.0;
+  knobs_.focus_mm = 0.0;
+  due();
+  Q_EMIT probeChanged();
+  Q_EMIT knobsChanged();
+}
+
+void Session::show(Subject subject) {
+  setFrozen(false);
+  subject_ = std::move(subject);
+  recent_.clear();
+  if (!subject_->probes.empty()) {
+    const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject_->probes.front(); });
+    if (first != all_.end()) {
+      probe_ = *first;
+      knobs_.depth_mm = 0.0;
+      knobs_.focus_mm = 0.0;
+    }
+  }
+  updateUsableProbes();
+  due();
+  Q_EMIT subjectChanged();
+}
+
+void Session::clear() {
+  setFrozen(false);
+  subject_.reset();
+  picture_ = {};
+  Q_EMIT subjectChanged();
+  Q_EMIT pictureChanged();
+}
+
+void Session::setPlacedGrid(const Grid& grid) {
+  if (!subject_ || subject_->placedGrid == grid) return;
+  EW_EXPECTS(grid.dims == subject_->volume->grid.dims);
+  subject_->placedGrid = grid;
+  due();
+  Q_EMIT subjectChanged();
+}
+
+void Session::setTitle(const QString& title) {
+  if (!subject_ || subject_->title == title) return;
+  subject_->title = title;
+  Q_EMIT subjectChanged();
+}
+
+void Session::setSkin(std::shared_ptr<const Skin> skin) {
+  skin_ = std::move(skin);
+  Q_EMIT holdChanged();
+}
+
+void Session::setKnobs(const Knobs& knobs) {
+  if (knobs == knobs_) return;
+  knobs_ = knobs;
+  due();
+  Q_EMIT knobsChanged();
+}
+
+double Session::depth_mm() const {
+  const double wanted = knobs_.depth_mm > 0.0 ? knobs_.depth_mm : probe_.defaultDepth_mm;
+  return std::clamp(wanted, probe_.minDepth_mm, probe_.maxDepth_mm);
+}
+
+double Session::focus_mm() const { return knobs_.focus_mm > 0.0 ? std::min(knobs_.focus_mm, depth_mm()) : depth_mm() / 2.0; }
+
+void Session::setHold(const Hold& hold) {
+  hold_ = hold;
+  due();
+  Q_EMIT holdChanged();
+}
+
+std::optional<double> Session::contact() const {
+  if (!skin_) return std::nullopt;
+  const Pose held = pose();
+  int touching = 0;
+  for (const glm::dvec3& p_probe : facePoints_mm(probe_)) {
+    const glm::dvec3 p_world = glm::dvec3(held.probeToWorld.matrix * glm::dvec4(p_probe, 1.0));
+    const Skin::Contact nearest = skin_->nearest(p_world);
+    if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGel_mm) ++touching;
+  }
+  return static_cast<double>(touching) / kContactSamples;
+}
+
+void Session::setFrozen(bool frozen) {
+  if (frozen == frozen_) return;
+  if (frozen) {
+    makePictureNow();  // what is frozen is what the console and the hand say at this moment
+    frozenHold_ = hold_;
+    frozenKnobs_ = knobs_;
+    frozenProbe_ = probe_;
+  }
+  frozen_ = frozen;
+  if (!frozen) due();
+  Q_EMIT frozenChanged(frozen);
+}
+
+Pose Session::picturePose() const { return poseOf(frozen_ ? frozenHold_ : hold_); }
+const Knobs& Session::pictureKnobs() const { return frozen_ ? frozenKnobs_ : knobs_; }
+
+void Session::setPictureSize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  due();
+}
+
+void Session::due() {
+  if (due_) return;
+  due_ = true;
+  QTimer::singleShot(0, this, &Session::makePictureNow);
+}
+
+void Session::makePictureNow() {
+  if (!due_) return;
+  due_ = false;
+  if (!subject_ || width_ <= 0 || height_ <= 0) return;
+  // A frozen picture is still drawn anew for a window of another size, from the frozen pose and knobs.
+  if (frozen_ && picture_.width == width_ && picture_.height == height_) return;
+  maker_.configure(pictureProbe(), pictureKnobs(), subject_->scene, subject_->placedGrid, width_, height_);
+  const VolumeView<const std::uint8_t> voxels{subject_->volume->echo.data(), subject_->placedGrid};
+  picture_ = maker_.make(voxels, picturePose());
+  ++framesMade_;
+  recent_.push_back(maker_.lastTimes());
+  if (recent_.size() > kRememberedFrames) recent_.erase(recent_.begin());
+  Q_EMIT pictureChanged();
+}
+
+std::vector<StepTime> Session::stepTimes() const {
+  std::vector<StepTime> medians;
+  for (const Step& step : maker_.plan().steps) {
+    std::vector<double> seen;
+    for (const auto& frame : recent_) {
+      for (const StepTime& time : frame) {
+        if (time.kind == step.kind) seen.push_back(time.measured_us);
+      }
+    }
+    if (seen.empty()) continue;
+    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+    std::nth_element(seen.begin(), middle, seen.end());
+    medians.push_back({step.kind, *middle});
+  }
+  return medians;
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,254 @@
+#include "start_page.h"
+
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "ew/imaging/slicing.h"
+#include "icons.h"
+#include "theme.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kCardWidth_px = 296;
+constexpr int kThumbHeight_px = 160;
+
+/// A fan drawn in the accent's tone, for a case whose volume has not been prepared yet: shape, not data.
+void paintFan(QPainter& painter, const QRect& box) {
+  const Theme theme = scanTheme();
+  QPainterPath fan;
+  const QPointF apex(box.center().x(), box.top() - 24.0);
+  const double inner = 48.0;
+  const double outer = box.height() + 8.0;
+  fan.arcMoveTo(QRectF(apex.x() - inner, apex.y() - inner, 2 * inner, 2 * inner), 240);
+  fan.arcTo(QRectF(apex.x() - inner, apex.y() - inner, 2 * inner, 2 * inner), 240, 60);
+  fan.arcTo(QRectF(apex.x() - outer, apex.y() - outer, 2 * outer, 2 * outer), 300, -60);
+  fan.closeSubpath();
+  QColor fill = theme.accent;
+  fill.setAlphaF(0.16);
+  painter.setPen(QPen(theme.accent, 1.25));
+  painter.fillPath(fan, fill);
+  painter.drawPath(fan);
+}
+
+class Thumbnail final : public QWidget {
+ public:
+  explicit Thumbnail(QWidget* parent) : QWidget(parent) { setFixedHeight(kThumbHeight_px); }
+  void setPicture(const QImage& picture) {
+    picture_ = picture;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPainterPath rounded;
+    rounded.addRoundedRect(QRectF(rect()), 4, 4);
+    painter.setClipPath(rounded);
+    painter.fillRect(rect(), Qt::black);
+    if (picture_.isNull()) {
+      paintFan(painter, rect());
+      return;
+    }
+    const QSize fitted = picture_.size().scaled(size(), Qt::KeepAspectRatioByExpanding);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(QRect(QPoint((width() - fitted.width()) / 2, (height() - fitted.height()) / 2), fitted), picture_);
+  }
+
+ private:
+  QImage picture_;
+};
+
+class CaseCard final : public QFrame {
+ public:
+  CaseCard(const Case& shown, std::function<void()> chosen) : id(shown.id), chosen_(std::move(chosen)) {
+    setObjectName(QStringLiteral("caseCard"));
+    setFixedWidth(kCardWidth_px);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setAccessibleName(words(shown.title));
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(12, 12, 12, 16);
+    rows->setSpacing(4);
+    thumbnail = new Thumbnail(this);
+    rows->addWidget(thumbnail);
+    rows->addSpacing(8);
+    auto* title = new QLabel(words(shown.title));
+    title->setProperty("heading", true);
+    title->setWordWrap(true);
+    rows->addWidget(title);
+    const auto quiet = [rows](const QString& text) {
+      if (text.isEmpty()) return;
+      auto* label = new QLabel(text);
+      label->setProperty("quiet", true);
+      label->setProperty("small", true);
+      label->setWordWrap(true);
+      rows->addWidget(label);
+    };
+    quiet(words(shown.region));
+    quiet(words(shown.indication));
+    rows->addStretch(1);
+  }
+
+  Thumbnail* thumbnail = nullptr;
+  const std::string id;
+
+ protected:
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    if (event->button() == Qt::LeftButton && rect().contains(event->pos())) chosen_();
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space) {
+      chosen_();
+    } else {
+      QFrame::keyPressEvent(event);
+    }
+  }
+
+ private:
+  std::function<void()> chosen_;
+};
+
+QLabel* heading(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("heading", true);
+  return label;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("startPage"));
+  setAttribute(Qt::WA_StyledBackground);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scroll);
+  body_ = new QWidget;
+  body_->setObjectName(QStringLiteral("startBody"));
+  body_->setAttribute(Qt::WA_StyledBackground);
+  scroll->setWidget(body_);
+
+  auto* rows = new QVBoxLayout(body_);
+  rows->setContentsMargins(40, 32, 40, 32);
+  rows->setSpacing(16);
+  auto* head = new QHBoxLayout;
+  head->addWidget(heading(tr("Cases")));
+  head->addStretch(1);
+  auto* open = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
+  open->setObjectName(QStringLiteral("startOpen"));
+  open->setProperty("primary", true);
+  open->setToolTip(tr("Open a case, a volume or a sweep (Ctrl+O)"));
+  head->addWidget(open);
+  rows->addLayout(head);
+  empty_ = new QLabel;
+  empty_->setObjectName(QStringLiteral("startEmpty"));
+  empty_->setProperty("quiet", true);
+  empty_->setWordWrap(true);
+  empty_->hide();
+  rows->addWidget(empty_);
+  grid_ = new QGridLayout;
+  grid_->setSpacing(16);
+  rows->addLayout(grid_);
+  recentTitle_ = heading(tr("Opened lately"));
+  recentTitle_->hide();
+  rows->addSpacing(16);
+  rows->addWidget(recentTitle_);
+  recent_ = new QVBoxLayout;
+  recent_->setSpacing(0);
+  rows->addLayout(recent_);
+  auto* hint =
+      new QLabel(tr("A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window."));
+  hint->setProperty("quiet", true);
+  hint->setProperty("small", true);
+  hint->setWordWrap(true);
+  rows->addWidget(hint);
+  rows->addStretch(1);
+  connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+}
+
+void StartPage::showCases(const std::vector<Case>& cases, const QString& problem) {
+  for (QWidget* card : cards_) card->deleteLater();
+  cards_.clear();
+  for (const Case& shown : cases) {
+    cards_.push_back(new CaseCard(shown, [this, folder = wordsOf(shown.folder)] { Q_EMIT caseChosen(folder); }));
+  }
+  empty_->setVisible(cases.empty());
+  empty_->setText(problem.isEmpty() ? tr("There are no cases here yet. Open a case folder, a volume or a sweep to begin.") : problem);
+  columns_ = 0;
+  arrange();
+}
+
+void StartPage::showRecent(const QStringList& files) {
+  while (QLayoutItem* item = recent_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  recentTitle_->setVisible(!files.isEmpty());
+  for (const QString& file : files) {
+    const QFileInfo info(file);
+    auto* button = new QPushButton(info.fileName().isEmpty() ? file : info.fileName());
+    button->setProperty("flat", true);
+    button->setToolTip(file);
+    button->setStyleSheet(QStringLiteral("text-align: left;"));
+    button->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT fileChosen(file); });
+    recent_->addWidget(button, 0, Qt::AlignLeft);
+  }
+}
+
+void StartPage::setThumbnail(const std::string& caseId, const QImage& picture) {
+  for (QWidget* widget : cards_) {
+    auto* card = static_cast<CaseCard*>(widget);
+    if (card->id == caseId) card->thumbnail->setPicture(picture);
+  }
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void StartPage::arrange() {
+  const int columns = std::max(1, (width() - 80 + 16) / (kCardWidth_px + 16));
+  if (columns == columns_) return;
+  columns_ = columns;
+  for (std::size_t i = 0; i < cards_.size(); ++i) {
+    grid_->addWidget(cards_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+    cards_[i]->show();
+  }
+  for (int column = 0; column <= grid_->columnCount(); ++column) grid_->setColumnStretch(column, column == columns ? 1 : 0);
+}
+
+QImage thumbnailOf(const Volume& volume, const QSize& size) {
+  const Bounds bounds = boundsOf(volume.grid);
+  const glm::dvec3 centre_mm = (bounds.lowest_mm + bounds.highest_mm) / 2.0;
+  const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
+  // The axial cut through the middle: patient's right at the left, front on top, as a transverse scan shows it.
+  const double pixel_mm = std::max({extent_mm.x / size.width(), extent_mm.y / size.height(), 1e-6});
+  Transform<frame::World, frame::Image> imageToWorld;
+  imageToWorld.matrix =
+      glm::dmat4(pixel_mm, 0, 0, 0, 0, pixel_mm, 0, 0, 0, 0, pixel_mm, 0, centre_mm.x - pixel_mm * (size.width() - 1) / 2.0,
+                 centre_mm.y - pixel_mm * (size.height() - 1) / 2.0, centre_mm.z, 1);
+  GreyImage picture(size.width(), size.height());
+  SliceScratch scratch;
+  sliceLinear(volume.view(), volume.grid.worldToVoxel() * imageToWorld, viewOf(picture), scratch);
+  const QImage wrapped(picture.pixels.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8);
+  return wrapped.copy();
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,91 @@
+#include "top_bar.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QVariant>
+#include <algorithm>
+
+namespace ew::ui {
+
+TopBar::TopBar(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("topBar"));
+  setAttribute(Qt::WA_StyledBackground);
+  setFixedHeight(44);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 0, 16, 0);
+  row->setSpacing(0);
+  auto* brand = new QLabel(QStringLiteral("EchoWeave"));
+  brand->setObjectName(QStringLiteral("brand"));
+  menus_ = new QMenuBar;
+  menus_->setNativeMenuBar(false);
+  menus_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  explore_ = new QPushButton(tr("Explore"));
+  author_ = new QPushButton(tr("Author"));
+  explore_->setObjectName(QStringLiteral("workspaceExplore"));
+  author_->setObjectName(QStringLiteral("workspaceAuthor"));
+  explore_->setToolTip(tr("Scan the open case (Ctrl+1)"));
+  author_->setToolTip(tr("Edit the case and build volumes (Ctrl+2)"));
+  auto* group = new QButtonGroup(this);
+  row->addWidget(brand);
+  row->addSpacing(16);
+  row->addWidget(explore_);
+  row->addSpacing(8);
+  row->addWidget(author_);
+  row->addSpacing(16);
+  row->addWidget(menus_);
+  row->addStretch(1);
+  disclaimer_ = new QLabel(tr("simulation, not for diagnosis"));
+  disclaimer_->setProperty("quiet", true);
+  row->addWidget(disclaimer_);
+  for (QPushButton* button : {explore_, author_}) {
+    button->setProperty("workspace", true);
+    button->setCheckable(true);
+    group->addButton(button);
+  }
+  explore_->setChecked(true);
+  // The title stands in the middle of the window, whatever stands beside it; a layout would put it into the middle of what is left.
+  title_ = new QLabel(this);
+  title_->setObjectName(QStringLiteral("title"));
+  title_->setTextFormat(Qt::PlainText);
+  remark_ = new QLabel(this);
+  remark_->setObjectName(QStringLiteral("titleRemark"));
+  remark_->setProperty("quiet", true);
+  connect(explore_, &QPushButton::clicked, this, [this] { Q_EMIT workspaceChosen(0); });
+  connect(author_, &QPushButton::clicked, this, [this] { Q_EMIT workspaceChosen(1); });
+}
+
+void TopBar::setWorkspace(int index) { (index == 0 ? explore_ : author_)->setChecked(true); }
+
+void TopBar::setTitle(const QString& title, const QString& remark) {
+  fullTitle_ = title;
+  title_->setToolTip(title);
+  remark_->setText(remark);
+  placeTitle();
+}
+
+void TopBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeTitle();
+}
+
+void TopBar::placeTitle() {
+  layout()->activate();
+  constexpr int kGap_px = 16;
+  const int left = menus_->geometry().right() + kGap_px;
+  const int right = disclaimer_->geometry().left() - kGap_px;
+  const int room = std::max(0, right - left);
+  const int remarkWidth = remark_->text().isEmpty() ? 0 : remark_->sizeHint().width() + kGap_px;
+  const QFontMetrics metrics = title_->fontMetrics();
+  const int titleWidth = std::min(metrics.horizontalAdvance(fullTitle_) + 4, std::max(0, room - remarkWidth));
+  title_->setText(metrics.elidedText(fullTitle_, Qt::ElideRight, titleWidth));
+  const int all = titleWidth + remarkWidth;
+  const int x = std::clamp((width() - all) / 2, left, std::max(left, right - all));
+  title_->setGeometry(x, 0, titleWidth, height() - 1);
+  remark_->setGeometry(x + titleWidth + kGap_px, 0, std::max(0, remarkWidth - kGap_px), height() - 1);
+  remark_->setVisible(remarkWidth > 0);
+}
+
+}  // namespace ew::ui

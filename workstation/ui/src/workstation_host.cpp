@@ -1,0 +1,195 @@
+#include "workstation_host.h"
+
+#include <spdlog/spdlog.h>
+
+#include <QScrollArea>
+#include <QShowEvent>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <exception>
+#include <vector>
+
+#include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+/// A tab that makes its content when it is first seen.
+class LazyPanel final : public QScrollArea {
+ public:
+  using Make = std::function<QWidget*(QWidget*)>;
+  LazyPanel(Make make, std::function<void(const QString&)> complain) : make_(std::move(make)), complain_(std::move(complain)) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  }
+
+ protected:
+  void showEvent(QShowEvent* event) override {
+    QScrollArea::showEvent(event);
+    if (!make_) return;
+    const Make make = std::exchange(make_, nullptr);
+    try {
+      if (QWidget* content = make(this)) {
+        setWidget(content);
+        viewport()->setAutoFillBackground(false);
+        content->setAutoFillBackground(false);
+        // A panel never scrolls sideways: the column is at least as wide as its content asks for.
+        setMinimumWidth(content->minimumSizeHint().width() + 8);
+      }
+    } catch (const std::exception& thrown) {
+      complain_(WorkstationHost::tr("A panel could not be opened (%1); see Help, Plugins.").arg(QString::fromUtf8(thrown.what())));
+    }
+  }
+
+ private:
+  Make make_;
+  std::function<void(const QString&)> complain_;
+};
+
+class HostVolumes final : public sdk::Volumes {
+ public:
+  explicit HostVolumes(WorkstationHost& host) : host_(host) {}
+  Result<Volume> read(const std::filesystem::path& file, Progress& progress) override {
+    auto loaded = readVolume(file, progress);
+    if (!loaded) return passOn(loaded.error());
+    return std::move(loaded->volume);
+  }
+  Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
+    return writeVolume(volume, file, progress);
+  }
+  Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
+    return ew::writeCoverage(volume, file, progress);
+  }
+  Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) override {
+    return ew::readCoverageInto(volume, file, progress);
+  }
+  void show(Volume volume, const std::string& title) override {
+    Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title));
+  }
+
+ private:
+  WorkstationHost& host_;
+};
+
+class HostFiles final : public sdk::Files {
+ public:
+  Result<std::string> readText(const std::filesystem::path& file) override { return readTextFile(file); }
+  Result<void> writeText(const std::filesystem::path& file, const std::string& text) override { return writeFileSafely(file, text); }
+};
+
+class HostCases final : public sdk::Cases {
+ public:
+  explicit HostCases(CaseDocument& document) : document_(document) {}
+
+  [[nodiscard]] std::optional<nlohmann::json> current() const override {
+    if (!document_.current()) return std::nullopt;
+    return document_.manifest();
+  }
+  [[nodiscard]] std::filesystem::path currentFolder() const override {
+    return document_.current() ? document_.current()->folder : std::filesystem::path();
+  }
+  [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override { return checkManifest(manifest, currentFolder()); }
+  Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
+    return document_.edit(manifest, what, mergeKey);
+  }
+  Result<void> save(const std::filesystem::path& folder) override { return document_.save(folder); }
+  [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
+  Ticket onChanged(std::function<void()> callback) override {
+    auto kept = std::make_shared<std::function<void()>>(std::move(callback));
+    callbacks_.push_back(kept);
+    return kept;
+  }
+
+  void tellChanged() {
+    std::erase_if(callbacks_, [](const auto& one) { return one.expired(); });
+    const auto now = callbacks_;  // a callback may register another
+    for (const auto& weak : now) {
+      if (const auto callback = weak.lock()) (*callback)();
+    }
+  }
+
+ private:
+  CaseDocument& document_;
+  std::vector<std::weak_ptr<std::function<void()>>> callbacks_;
+};
+
+class HostJobs final : public sdk::Jobs {
+ public:
+  explicit HostJobs(ui::Jobs& jobs) : jobs_(jobs) {}
+  void start(const std::string& title, std::function<Result<void>(Progress&)> work,
+             std::function<void(const Result<void>&)> done) override {
+    jobs_.start(words(title), std::move(work), std::move(done));
+  }
+
+ private:
+  ui::Jobs& jobs_;
+};
+
+class HostPanels final : public sdk::Panels {
+ public:
+  HostPanels(QTabWidget& tabs, std::function<void(const QString&)> complain) : tabs_(tabs), complain_(std::move(complain)) {}
+  void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
+    auto* panel = new LazyPanel(std::move(make), complain_);
+    panel->setObjectName(QStringLiteral("panel_") + words(id));
+    tabs_.addTab(panel, words(title));
+  }
+
+ private:
+  QTabWidget& tabs_;
+  std::function<void(const QString&)> complain_;
+};
+
+/// A window has no command line of its own: the words are kept so that a plugin can offer them without asking where it runs.
+class HostCommands final : public sdk::Commands {
+ public:
+  void add(const std::string& name, const std::string& usage, Run run) override { known_[name] = {usage, std::move(run)}; }
+
+ private:
+  std::map<std::string, std::pair<std::string, Run>> known_;
+};
+
+class HostLog final : public sdk::Log {
+ public:
+  void info(const std::string& text) override { spdlog::info("{}", text); }
+  void warn(const std::string& text) override { spdlog::warn("{}", text); }
+  void error(const std::string& text) override { spdlog::error("{}", text); }
+};
+
+}  // namespace
+
+struct WorkstationHost::Parts {
+  HostVolumes volumes;
+  HostFiles files;
+  HostCases cases;
+  HostJobs jobs;
+  HostPanels panels;
+  HostCommands commands;
+  HostLog log;
+};
+
+WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent)
+    : QObject(parent),
+      parts_(new Parts{HostVolumes(*this),
+                       {},
+                       HostCases(document),
+                       HostJobs(jobs),
+                       HostPanels(panels, [this](const QString& sentence) { Q_EMIT problem(sentence); }),
+                       {},
+                       {}}) {
+  connect(&document, &CaseDocument::changed, this, [this] { parts_->cases.tellChanged(); });
+}
+
+WorkstationHost::~WorkstationHost() = default;
+
+sdk::Volumes& WorkstationHost::volumes() { return parts_->volumes; }
+sdk::Files& WorkstationHost::files() { return parts_->files; }
+sdk::Cases& WorkstationHost::cases() { return parts_->cases; }
+sdk::Jobs& WorkstationHost::jobs() { return parts_->jobs; }
+sdk::Panels& WorkstationHost::panels() { return parts_->panels; }
+sdk::Commands& WorkstationHost::commands() { return parts_->commands; }
+sdk::Log& WorkstationHost::log() { return parts_->log; }
+
+}  // namespace ew::ui

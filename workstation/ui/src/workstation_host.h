@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "case_document.h"
+#include "ew/sdk/host.h"
+#include "jobs.h"
+
+class QTabWidget;
+
+namespace ew::ui {
+
+/// The host of plugins in the window: cases through the undo history, jobs as cards, panels as tabs of the Author workspace.
+class WorkstationHost final : public QObject, public sdk::Host {
+  Q_OBJECT
+
+ public:
+  /// Everything must outlive the host. @param panels receives one tab a panel
+  WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent = nullptr);
+  ~WorkstationHost() override;
+
+  sdk::Volumes& volumes() override;
+  sdk::Files& files() override;
+  sdk::Cases& cases() override;
+  sdk::Jobs& jobs() override;
+  sdk::Panels& panels() override;
+  sdk::Commands& commands() override;
+  sdk::Log& log() override;
+
+ Q_SIGNALS:
+  void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title);
+  void problem(const QString& sentence);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ew::ui
