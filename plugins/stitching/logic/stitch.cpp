@@ -133,7 +133,7 @@ void blendRow(const std::vector<Source>& sources, int j, int k, RowSums& row, St
       // West's running mean: a sum of squares would lose the spread of inputs that nearly agree.
       row.weight[at] += sample.weight;
       const double beside = sample.level - row.mean[at];
-      row.mean[at] += beside * sample.weight / row.weight[at];
+      row.mean[at] += beside * (sample.weight / row.weight[at]);  // the first share is exactly 1
       row.spread[at] += sample.weight * beside * (sample.level - row.mean[at]);
       ++row.inputs[at];
       if (sample.measured) row.measured[at] = true;
@@ -152,7 +152,7 @@ void blendRow(const std::vector<Source>& sources, int j, int k, RowSums& row, St
     ++counts.covered;
     if (row.inputs[at] < 2) continue;
     ++counts.overlapping;
-    counts.squaredSpread += row.spread[at] / row.weight[at];
+    counts.squaredSpread += std::max(0.0, row.spread[at] / row.weight[at]);
   }
 }
 
