@@ -4,7 +4,6 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -20,6 +19,7 @@
 #include <sstream>
 
 #include "ew/core/numbers.h"
+#include "ply_file.h"
 
 namespace ew::bridge {
 namespace {
@@ -60,104 +60,36 @@ Result<void> checkStl(const MeshFile& file) {
   return {};
 }
 
-int plySize(const std::string& type) {
-  static const std::array<std::pair<const char*, int>, 16> kTypes{{{"char", 1},
-                                                                   {"uchar", 1},
-                                                                   {"int8", 1},
-                                                                   {"uint8", 1},
-                                                                   {"short", 2},
-                                                                   {"ushort", 2},
-                                                                   {"int16", 2},
-                                                                   {"uint16", 2},
-                                                                   {"int", 4},
-                                                                   {"uint", 4},
-                                                                   {"int32", 4},
-                                                                   {"uint32", 4},
-                                                                   {"float", 4},
-                                                                   {"float32", 4},
-                                                                   {"double", 8},
-                                                                   {"float64", 8}}};
-  for (const auto& [name, size] : kTypes)
-    if (type == name) return size;
-  return 0;
-}
-
-/// The PLY reader takes memory for what the header promises, so the promise is held against the file's size: an element takes at
-/// least the bytes of its scalars (in text, two characters each) and one count for each list.
-Result<void> checkPly(const MeshFile& file) {
-  std::ifstream in(file.path, std::ios::binary);
-  std::string line;
-  const auto next = [&]() -> bool {
-    line.clear();
-    for (char c = 0; line.size() < 4096 && in.get(c) && c != '\n';) line.push_back(c);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    return static_cast<bool>(in);
-  };
-  if (!next() || line != "ply") return file.refuse(ErrorCode::badHeader, "does not begin with \"ply\"; it is not a PLY file.");
-  bool text = false;
-  bool ended = false;
-  bool hasVertices = false;
-  bool hasFaces = false;
-  double promised = 0.0;
-  double count = 0.0;
-  for (int lines = 0; lines < 1000 && !ended && next(); ++lines) {
-    std::istringstream words(line);
-    std::string word;
-    words >> word;
-    if (word == "format") {
-      words >> word;
-      text = word == "ascii";
-      if (!text && word != "binary_little_endian" && word != "binary_big_endian")
-        return file.refuse(ErrorCode::badHeader, "has the unknown PLY format \"" + word + "\"; export it as ascii or binary.");
-    } else if (word == "element") {
-      std::string name;
-      std::string number;
-      words >> name >> number;
-      const auto parsed = parseIntegers(number);
-      if (!parsed || parsed->size() != 1 || parsed->front() < 0)
-        return file.refuse(ErrorCode::badHeader, "says \"" + line + "\" where a count is expected; export the mesh again.");
-      count = static_cast<double>(parsed->front());
-      hasVertices = hasVertices || (name == "vertex" && count > 0);
-      hasFaces = hasFaces || (name == "face" && count > 0);
-      if (count > static_cast<double>(kMostTriangles)) return file.tooManyTriangles(static_cast<std::uint64_t>(count));
-    } else if (word == "property") {
-      std::string type;
-      words >> type;
-      const bool list = type == "list";
-      if (list) words >> type;
-      const int size = plySize(type);
-      if (size == 0) return file.refuse(ErrorCode::badHeader, "has the unknown property \"" + line + "\"; export the mesh again.");
-      promised += count * (text ? 2 : size);
-    }
-    ended = word == "end_header";
-  }
-  if (!ended) return file.refuse(ErrorCode::badHeader, "has no end of its PLY header; export the mesh again.");
-  if (!hasVertices || !hasFaces) return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
-  if (promised > static_cast<double>(file.bytes))
-    return file.refuse(ErrorCode::truncated, "is shorter than its header promises; export the mesh again.");
-  return {};
-}
-
 /// Corners that do not exist would be looked up all the same, so the faces of an OBJ file are checked before the reader sees them.
 Result<void> checkObj(const MeshFile& file) {
   std::ifstream in(file.path);
   std::string line;
   std::array<long long, 3> counts{0, 0, 0};  // v, vt, vn
+  struct Highest {
+    long long index = 0;
+    std::string corner;
+    std::uint64_t line = 0;
+  };
+  std::array<Highest, 3> highest;  // named by a face; points may come after the faces that use them
   std::uint64_t faces = 0;
+  const auto where = [](std::uint64_t number) { return " (line " + std::to_string(number) + "); export the mesh again."; };
+  const auto noSuchCorner = [&](const std::string& corner, std::uint64_t number) {
+    return file.refuse(ErrorCode::badField, "has a face with the corner \"" + corner + "\", which does not exist" + where(number));
+  };
   for (std::uint64_t number = 1; std::getline(in, line); ++number) {
     if (line.find('\0') != std::string::npos)
       return file.refuse(ErrorCode::badHeader, "is not text, which an OBJ file is; export the mesh again.");
     std::istringstream words(line);
     std::string word;
     words >> word;
-    const auto where = [&] { return " (line " + std::to_string(number) + "); export the mesh again."; };
     if (word == "v" || word == "vt" || word == "vn") {
       ++counts[word == "v" ? 0 : word == "vt" ? 1 : 2];
       const int least = word == "vt" ? 1 : 3;
       int found = 0;
       for (std::string value; words >> value; ++found)
-        if (!parseNumber(value)) return file.refuse(ErrorCode::badField, "has \"" + value + "\" for a coordinate" + where());
-      if (found < least) return file.refuse(ErrorCode::badField, "has a point with fewer than three coordinates" + where());
+        if (const auto parsed = parseNumber(value); !parsed || !std::isfinite(*parsed))
+          return file.refuse(ErrorCode::badField, "has \"" + value + "\" for a coordinate" + where(number));
+      if (found < least) return file.refuse(ErrorCode::badField, "has a point with fewer than three coordinates" + where(number));
     } else if (word == "f") {
       ++faces;
       if (faces > kMostTriangles) return file.tooManyTriangles(faces);
@@ -169,13 +101,15 @@ Result<void> checkObj(const MeshFile& file) {
           if (part.empty() && kind == 1) continue;
           const auto parsed = parseIntegers(part);
           const long long index = parsed && parsed->size() == 1 ? parsed->front() : 0;
-          if (index == 0 || std::abs(index) > counts[kind])
-            return file.refuse(ErrorCode::badField, "has a face with the corner \"" + corner + "\", which does not exist" + where());
+          if (index == 0 || -index > counts[kind]) return noSuchCorner(corner, number);
+          if (index > highest[kind].index) highest[kind] = {index, corner, number};
         }
       }
-      if (corners < 3) return file.refuse(ErrorCode::badField, "has a face with fewer than three corners" + where());
+      if (corners < 3) return file.refuse(ErrorCode::badField, "has a face with fewer than three corners" + where(number));
     }
   }
+  for (std::size_t kind = 0; kind < 3; ++kind)
+    if (highest[kind].index > counts[kind]) return noSuchCorner(highest[kind].corner, highest[kind].line);
   if (faces == 0) return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
   return {};
 }
@@ -240,10 +174,12 @@ Result<vtkSmartPointer<vtkPolyData>> readMeshFile(const std::filesystem::path& f
   if (problem || !std::ifstream(file, std::ios::binary))
     return mesh.refuse(ErrorCode::notReadable, "cannot be read; check that you may open it.");
   if (mesh.bytes == 0) return mesh.refuse(ErrorCode::emptyVolume, "is an empty file; export the mesh again.");
-  const auto checked = ending == ".stl" ? checkStl(mesh) : ending == ".ply" ? checkPly(mesh) : checkObj(mesh);
-  if (!checked) return passOn(checked.error());
+  if (ending != ".ply") {
+    const auto checked = ending == ".stl" ? checkStl(mesh) : checkObj(mesh);
+    if (!checked) return passOn(checked.error());
+  }
   auto read = ending == ".stl"   ? readWith<vtkSTLReader>(mesh)
-              : ending == ".ply" ? readWith<vtkPLYReader>(mesh)
+              : ending == ".ply" ? readPly(file, mesh.bytes, kMostTriangles)
                                  : readWith<vtkOBJReader>(mesh);
   if (!read) return read;
   if (const auto whole = checkMesh(mesh, **read); !whole) return passOn(whole.error());

@@ -153,20 +153,34 @@ class MeshSkin final : public Skin {
     vtkNew<vtkIdList> around;
     glm::dvec3 p = at;
     points_->FindPointsWithinRadius(smoothing_mm_, &p.x, around);
-    glm::dvec3 sum(0.0);
+    struct Share {
+      glm::dvec3 areaNormal_mm2;
+      double area_mm2;
+    };
+    std::vector<Share> shares;
+    shares.reserve(static_cast<std::size_t>(around->GetNumberOfIds()));
+    glm::dvec3 all(0.0);
+    double area_mm2 = 0.0;
     for (vtkIdType i = 0; i < around->GetNumberOfIds(); ++i) {
       const vtkIdType id = around->GetId(i);
       glm::dvec3 place;
       places_->GetPoint(id, &place.x);
       const glm::dvec3 offset = (place - at) / smoothing_mm_;
       const double near = std::max(0.0, 1.0 - glm::dot(offset, offset));
-      const glm::dvec3& areaNormal = areaNormals_mm2_[static_cast<std::size_t>(id)];
-      const double area_mm2 = glm::length(areaNormal);
-      if (area_mm2 <= 0.0) continue;
-      // A thin part's other side must not cancel this one; the factor falls to zero at a right angle plus a little, smoothly.
-      const double sameSide = std::clamp(0.25 + 0.75 * glm::dot(areaNormal / area_mm2, local), 0.0, 1.0);
-      sum += near * near * sameSide * areaNormal;
+      const glm::dvec3 weighted = near * near * areaNormals_mm2_[static_cast<std::size_t>(id)];
+      const double size = glm::length(weighted);
+      if (size <= 0.0) continue;
+      shares.push_back({weighted, size});
+      all += weighted;
+      area_mm2 += size;
     }
+    // A thin part's other side must not cancel this one. Which side is ours is told by the mean of all, which changes smoothly over an
+    // edge, and only where that mean vanishes by the local normal, which may jump.
+    const glm::dvec3 side = area_mm2 > 0.0 ? all / area_mm2 + 0.1 * local : local;
+    const glm::dvec3 ours = glm::length(side) > 1e-9 ? glm::normalize(side) : local;
+    glm::dvec3 sum(0.0);
+    for (const Share& share : shares)
+      sum += std::clamp(0.25 + 0.75 * glm::dot(share.areaNormal_mm2 / share.area_mm2, ours), 0.0, 1.0) * share.areaNormal_mm2;
     const double length = glm::length(sum);
     if (length > 1e-9) return {at, sum / length};
     // A needle or a degenerate triangle alone in the world: away from the middle is the best that can be said.
