@@ -231,7 +231,9 @@ void StartPage::arrange() {
     grid_->addWidget(cards_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
     cards_[i]->show();
   }
-  for (int column = 0; column <= grid_->columnCount(); ++column) grid_->setColumnStretch(column, column == columns ? 1 : 0);
+  // Giving a column a stretch makes it exist, so the count is taken before.
+  const int known = std::max(grid_->columnCount(), columns + 1);
+  for (int column = 0; column < known; ++column) grid_->setColumnStretch(column, column == columns ? 1 : 0);
 }
 
 QImage thumbnailOf(const Volume& volume, const QSize& size) {
