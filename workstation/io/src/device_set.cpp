@@ -94,13 +94,19 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
                    quoted(file) + " is not well-formed XML (" + parsed.description() + " at byte " + std::to_string(parsed.offset) +
                        "); give the device set the sweep was recorded with.",
                    {{"file", file.string()}});
+  DeviceSet set;
+  // The calibration program's own result file: the same transform, under another roof.
+  if (const auto result = document.child("ProbeCalibrationResult")) {
+    for (const auto& node : result.child("CalibrationResults").children("Transform"))
+      if (auto read = readTransform(file, node, set); !read) return passOn(read.error());
+    return set;
+  }
   const auto root = document.child("PlusConfiguration");
   if (!root)
     return failure(
         ErrorCode::badHeader,
         quoted(file) + " is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.",
         {{"file", file.string()}});
-  DeviceSet set;
   for (const auto& definitions : root.children("CoordinateDefinitions"))
     for (const auto& node : definitions.children("Transform"))
       if (auto read = readTransform(file, node, set); !read) return passOn(read.error());

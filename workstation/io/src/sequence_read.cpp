@@ -205,7 +205,9 @@ Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, c
   } else {
     sequence.notes.push_back("The recording has poses but no images.");
   }
-  sequence.frames.resize(static_cast<std::size_t>(layout->frames));
+  SequenceFrame untold;
+  untold.imageStatus = PoseStatus::missing;
+  sequence.frames.resize(static_cast<std::size_t>(layout->frames), untold);
   if (const auto taken = takeFields(*header, sequence); !taken) return passOn(taken.error());
   progress.report("Reading frames", 1.0);
   return sequence;

@@ -67,7 +67,11 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   std::string sentence = "There is no way from the pixels (frame Image) to " + goal + ": ";
   sentence += reachable.empty() ? "nothing can be reached from Image" : "from Image only " + listed(reachable) + " can be reached";
   if (!others.empty()) sentence += ", and " + listed(std::vector<std::string>(others.begin(), others.end())) + " stand apart";
-  if (reachable.empty() && !calibrated) {
+  const bool tracked =
+      std::any_of(sequence.frames.begin(), sequence.frames.end(), [](const SequenceFrame& frame) { return !frame.transforms.empty(); });
+  if (!tracked) {
+    sentence += "; the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker.";
+  } else if (reachable.empty() && !calibrated) {
     const std::string tool = others.contains("Probe") ? "Probe" : "the tracked probe";
     sentence += "; give the device set (.xml) with the calibration from Image to " + tool + ".";
   } else if (reachable.empty()) {

@@ -50,7 +50,9 @@ struct Sequence {
   [[nodiscard]] std::span<const std::uint8_t> framePixels(std::size_t frame) const;
 };
 
-/// True when the file is a sequence rather than a volume: by `Kinds` where present, else by per-frame fields.
+/// True when the file is a sequence rather than a volume: by `Kinds` where present, else by per-frame fields. A file whose `Kinds` end in
+/// `list`, but which has a place in the world and says nothing about any frame, is a volume: such reconstructions exist.
+/// @error as readSequence
 [[nodiscard]] Result<bool> isSequence(const std::filesystem::path& file);
 
 /// Reads .igs.mha, .seq.mha, .mha, .mhd + raw, .igs.nrrd, .seq.nrrd, .nrrd.
@@ -75,7 +77,8 @@ struct DeviceSet {
   std::optional<std::string> compounding;    ///< as written: MEAN, MAXIMUM, LATEST (also from the older `Compounding`)
 };
 
-/// @error notFound, notReadable, badHeader (not XML or no PlusConfiguration), badField
+/// Reads a device set (PlusConfiguration), or the calibration program's result file (ProbeCalibrationResult: transforms only).
+/// @error notFound, notReadable, tooLarge, badHeader (not XML, or neither of the two), badField
 [[nodiscard]] Result<DeviceSet> readDeviceSet(const std::filesystem::path& file);
 
 /// The transform from one named frame to another through any chain of the given ones (forwards or inverted); empty when there is no chain

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include "ew/io/sequence.h"
+#include "files.h"
+
+namespace ew {
+namespace {
+using namespace test;
+
+std::string deviceSet(const std::string& inside) {
+  return "<PlusConfiguration version=\"2.1\">\n<!-- a comment -->\n" + inside + "</PlusConfiguration>\n";
+}
+
+TEST(DeviceSetFile, ReadsCalibrationAndReconstructionWithAnyWhiteSpaceBetweenNumbers) {
+  const TempFolder folder;
+  const auto set = readDeviceSet(folder.put(
+      "d.xml",
+      deviceSet(
+          "<CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\"\n Matrix=\"0.1 2\t3 4\n  5 6 7 8\r\n 9 10 11 12   0 0 0 1 \"\n"
+          " Error=\"1.7\"/></CoordinateDefinitions>"
+          "<VolumeReconstruction OutputSpacing=\"0.5 0.25 1\" ClipRectangleOrigin=\"192 16\" ClipRectangleSize=\"420 580\" "
+          "FanAnglesDeg=\"-45 45\""
+          " FanOriginPixel=\"380 20\" FanRadiusStartPixel=\"120\" FanRadiusStopPixel=\"360.5\" Interpolation=\"LINEAR\" "
+          "CompoundingMode=\"MEAN\"/>")));
+  ASSERT_TRUE(succeeded(set));
+  ASSERT_EQ(set->transforms.size(), 1u);
+  EXPECT_EQ(set->transforms[0].from, "Image");
+  EXPECT_EQ(set->transforms[0].to, "Probe");
+  EXPECT_EQ(rowsOf(set->transforms[0].matrix), (std::array<double, 16>{0.1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 0, 0, 1}));
+  EXPECT_EQ(set->outputSpacing_mm, glm::dvec3(0.5, 0.25, 1));
+  EXPECT_EQ(set->clipOrigin_px, glm::dvec2(192, 16));
+  EXPECT_EQ(set->clipSize_px, glm::dvec2(420, 580));
+  EXPECT_EQ(set->fanAngles_deg, glm::dvec2(-45, 45));
+  EXPECT_EQ(set->fanOrigin_px, glm::dvec2(380, 20));
+  EXPECT_EQ(set->fanRadiusStart_px, 120.0);
+  EXPECT_EQ(set->fanRadiusStop_px, 360.5);
+  EXPECT_EQ(set->interpolation, "LINEAR");
+  EXPECT_EQ(set->compounding, "MEAN");
+}
+
+TEST(DeviceSetFile, TheCalibrationProgramsResultIsACalibrationToo) {
+  const TempFolder folder;
+  const auto set =
+      readDeviceSet(folder.put("r.xml",
+                               "<ProbeCalibrationResult version=\"2.0\"><CalibrationResults><Transform From=\"Image\" To=\"Probe\"\n"
+                               "Matrix=\"1 0 0 5\t0 -6.68987e-005 0 6 0 0 1 7 0 0 0 1\"/></CalibrationResults></ProbeCalibrationResult>"));
+  ASSERT_TRUE(succeeded(set));
+  ASSERT_EQ(set->transforms.size(), 1u);
+  EXPECT_EQ(set->transforms[0].matrix[1][1], -6.68987e-5);
+}
+
+TEST(DeviceSetFile, WhatIsNotSaidIsNotMadeUp) {
+  const TempFolder folder;
+  const auto set = readDeviceSet(folder.put("d.xml", deviceSet("<VolumeReconstruction Compounding=\"ON\"/>")));
+  ASSERT_TRUE(succeeded(set));
+  EXPECT_TRUE(set->transforms.empty());
+  EXPECT_FALSE(set->outputSpacing_mm || set->clipOrigin_px || set->fanAngles_deg || set->interpolation);
+  EXPECT_EQ(set->compounding, "MEAN");
+}
+
+TEST(DeviceSetFile, WrongFilesAreRefusedInOneSentence) {
+  const TempFolder folder;
+  EXPECT_TRUE(failedWith(readDeviceSet(folder / "no.xml"), ErrorCode::notFound));
+  EXPECT_TRUE(failedWith(readDeviceSet(folder.put("a.xml", "no xml")), ErrorCode::badHeader));
+  EXPECT_TRUE(failedWith(readDeviceSet(folder.put("b.xml", "<Other/>")), ErrorCode::badHeader));
+  EXPECT_TRUE(failedWith(readDeviceSet(folder.put("c.xml", "<PlusConfiguration><Coord")), ErrorCode::badHeader));
+  for (const char* wrong :
+       {"<CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" Matrix=\"1 2 3\"/></CoordinateDefinitions>",
+        "<CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\"/></CoordinateDefinitions>",
+        "<CoordinateDefinitions><Transform From=\"Image\" Matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/></CoordinateDefinitions>",
+        "<CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" Matrix=\"nan 0 0 0 0 1 0 0 0 0 1 0 0 0 0 "
+        "1\"/></CoordinateDefinitions>",
+        "<VolumeReconstruction OutputSpacing=\"0.5 0.5\"/>", "<VolumeReconstruction OutputSpacing=\"0.5 0.5 0\"/>",
+        "<VolumeReconstruction FanAnglesDeg=\"-45\"/>", "<VolumeReconstruction FanRadiusStartPixel=\"12 13\"/>"})
+    EXPECT_TRUE(failedWith(readDeviceSet(folder.put("d.xml", deviceSet(wrong))), ErrorCode::badField)) << wrong;
+}
+
+}  // namespace
+}  // namespace ew

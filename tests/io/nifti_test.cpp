@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "ew/io/volume_file.h"
+#include "files.h"
+
+namespace ew {
+namespace {
+using namespace test;
+
+/// A NIfTI-1 header put together field by field.
+struct Header1 {
+  std::string bytes = std::string(352, '\0');
+  bool big = false;
+
+  template <class T>
+  void set(std::size_t offset, T value) {
+    const std::string raw = bytesOf(std::vector<T>{value}, big);
+    bytes.replace(offset, raw.size(), raw);
+  }
+  explicit Header1(std::vector<std::int16_t> sizes, std::int16_t type = 2, bool bigEndian = false) : big(bigEndian) {
+    set<std::int32_t>(0, 348);
+    set<std::int16_t>(40, static_cast<std::int16_t>(sizes.size()));
+    for (std::size_t i = 0; i < sizes.size(); ++i) set<std::int16_t>(42 + 2 * i, sizes[i]);
+    set<std::int16_t>(70, type);
+    for (std::size_t i = 0; i < 8; ++i) set<float>(76 + 4 * i, 1.0f);
+    set<float>(108, 352.0f);
+    bytes.replace(344, 4, std::string("n+1\0", 4));
+  }
+  void affine(const std::array<float, 12>& rows) {
+    set<std::int16_t>(254, 1);
+    for (std::size_t i = 0; i < 12; ++i) set<float>(280 + 4 * i, rows[i]);
+  }
+};
+
+TEST(NiftiVolume, TheAffineIsTurnedFromRightAnteriorToLeftPosterior) {
+  const TempFolder folder;
+  for (const bool big : {false, true}) {
+    Header1 header({2, 3, 2}, 2, big);
+    header.affine({0.5f, 0, 0, 10, 0, 0, -2, 20, 0, 0.25f, 0, 30});
+    for (const auto& file :
+         {folder.put("a.nii", header.bytes + ramp(12)), folder.put("a.nii.gz", deflated(header.bytes + ramp(12), true))}) {
+      const auto loaded = readVolume(file);
+      ASSERT_TRUE(succeeded(loaded)) << file;
+      const Grid& grid = loaded->volume.grid;
+      EXPECT_EQ(grid.dims, glm::ivec3(2, 3, 2));
+      EXPECT_EQ((grid.voxelToWorld() * Point<frame::Voxel>{{0, 0, 0}}).at, glm::dvec3(-10, -20, 30));
+      EXPECT_EQ((grid.voxelToWorld() * Point<frame::Voxel>{{1, 0, 0}}).at, glm::dvec3(-10.5, -20, 30));
+      EXPECT_EQ((grid.voxelToWorld() * Point<frame::Voxel>{{0, 1, 0}}).at, glm::dvec3(-10, -20, 30.25));
+      EXPECT_EQ((grid.voxelToWorld() * Point<frame::Voxel>{{0, 0, 1}}).at, glm::dvec3(-10, -18, 30));
+      EXPECT_EQ(loaded->volume.echo[11], 11);
+      EXPECT_TRUE(loaded->notes.empty());
+    }
+  }
+}
+
+TEST(NiftiVolume, TheQuaternionIsUsedWhenThereIsNoAffine) {
+  const TempFolder folder;
+  const glm::dquat q = glm::angleAxis(0.9, glm::normalize(glm::dvec3(1, -2, 3)));
+  const glm::dmat3 rotation = glm::mat3_cast(q);
+  for (const double hand : {1.0, -1.0}) {
+    Header1 header({2, 2, 2});
+    header.set<std::int16_t>(252, 1);
+    header.set<float>(76, static_cast<float>(hand));
+    header.set<float>(80, 0.5f);
+    header.set<float>(84, 2.0f);
+    header.set<float>(88, 4.0f);
+    for (std::size_t i = 0; i < 3; ++i) header.set<float>(256 + 4 * i, static_cast<float>(std::array{q.x, q.y, q.z}[i]));
+    for (std::size_t i = 0; i < 3; ++i) header.set<float>(268 + 4 * i, std::array{1.0f, 2.0f, 3.0f}[i]);
+    const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(8)));
+    ASSERT_TRUE(succeeded(loaded));
+    const glm::dvec3 expected = (glm::dvec3(1, 2, 3) + rotation * glm::dvec3(0.5, 2.0, 4.0 * hand)) * glm::dvec3(-1, -1, 1);
+    EXPECT_LT(glm::length((loaded->volume.grid.voxelToWorld() * Point<frame::Voxel>{{1, 1, 1}}).at - expected), 1e-5);
+  }
+}
+
+TEST(NiftiVolume, DummyGeometrySaysThatTheSpacingIsUnknown) {
+  const TempFolder folder;
+  const auto bare = readVolume(folder.put("a.nii", Header1({2, 2, 2}).bytes + ramp(8)));
+  ASSERT_TRUE(succeeded(bare));
+  EXPECT_TRUE(contains(bare->notes, "spacing is probably unknown"));
+  Header1 identity({2, 2, 2});
+  identity.affine({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  const auto loaded = readVolume(folder.put("b.nii", identity.bytes + ramp(8)));
+  ASSERT_TRUE(succeeded(loaded));
+  EXPECT_TRUE(contains(loaded->notes, "spacing is probably unknown"));
+}
+
+TEST(NiftiVolume, OfSeveralTimeStepsTheFirstIsRead) {
+  const TempFolder folder;
+  Header1 header({2, 2, 2, 7});
+  header.affine({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -3, 5});
+  const auto loaded = readVolume(folder.put("a.nii", header.bytes + ramp(56)));
+  ASSERT_TRUE(succeeded(loaded));
+  EXPECT_EQ(loaded->volume.echo, (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(loaded->volume.grid.directions[2], glm::dvec3(0, 0, -1));
+  EXPECT_TRUE(contains(loaded->notes, "7 volumes"));
+}
+
+TEST(NiftiVolume, OtherTypesUnitsAndSlopesAreHonoured) {
+  const TempFolder folder;
+  Header1 header({3, 1, 1}, 4);
+  header.set<float>(112, -2.0f);
+  header.set<float>(116, 5.0f);
+  header.set<std::uint8_t>(123, 3);
+  header.affine({500, 0, 0, 0, 0, 500, 0, 0, 0, 0, 500, 1000});
+  const auto loaded = readVolume(folder.put("a.nii", header.bytes + bytesOf(std::vector<std::int16_t>{-1, 0, 4})));
+  ASSERT_TRUE(succeeded(loaded));
+  EXPECT_EQ(loaded->volume.echo, (std::vector<std::uint8_t>{255, 204, 0}));
+  EXPECT_EQ(loaded->volume.grid.spacing_mm, glm::dvec3(0.5));
+  EXPECT_EQ(loaded->volume.grid.origin_mm.z, 1.0);
+  EXPECT_TRUE(contains(loaded->notes, "from -3 to 7"));
+}
+
+TEST(NiftiVolume, TheSecondVersionIsReadToo) {
+  const TempFolder folder;
+  std::string bytes(544, '\0');
+  const auto set = [&](std::size_t offset, const std::string& raw) { bytes.replace(offset, raw.size(), raw); };
+  set(0, bytesOf(std::vector<std::int32_t>{540}));
+  set(4, std::string("n+2\0\r\n\x1a\n", 8));
+  set(12, bytesOf(std::vector<std::int16_t>{2, 8}));
+  set(16, bytesOf(std::vector<std::int64_t>{3, 2, 2, 1, 1, 1, 1, 1}));
+  set(104, bytesOf(std::vector<double>{1, 0.5, 0.5, 2, 1, 1, 1, 1}));
+  set(168, bytesOf(std::vector<std::int64_t>{544}));
+  const auto loaded = readVolume(folder.put("a.nii", bytes + ramp(4)));
+  ASSERT_TRUE(succeeded(loaded));
+  EXPECT_EQ(loaded->volume.grid.dims, glm::ivec3(2, 2, 1));
+  EXPECT_EQ(loaded->volume.grid.spacing_mm, glm::dvec3(0.5, 0.5, 2));
+  EXPECT_TRUE(contains(loaded->notes, "no orientation"));
+}
+
+TEST(NiftiVolume, WrongHeadersAreRefusedInOneSentence) {
+  const TempFolder folder;
+  EXPECT_TRUE(failedWith(readVolume(folder.put("a.nii", "short")), ErrorCode::truncated));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("b.nii", std::string(600, 'x'))), ErrorCode::badHeader));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("c.nii", Header1({2, -2, 2}).bytes + ramp(8))), ErrorCode::badField));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("d.nii", Header1({2, 0, 2}).bytes)), ErrorCode::emptyVolume));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("e.nii", Header1({2, 2, 2}, 32).bytes + ramp(64))), ErrorCode::unsupported));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("f.nii", Header1({2, 2, 2}).bytes + ramp(7))), ErrorCode::truncated));
+  Header1 two({2, 2, 2});
+  two.bytes.replace(344, 4, std::string("ni1\0", 4));
+  EXPECT_TRUE(failedWith(readVolume(folder.put("g.nii", two.bytes)), ErrorCode::unsupported));
+  Header1 zero({2, 2, 2});
+  zero.affine({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  EXPECT_TRUE(failedWith(readVolume(folder.put("h.nii", zero.bytes + ramp(8))), ErrorCode::badField));
+  const auto huge = readVolume(folder.put("i.nii", Header1({32767, 32767, 32767}).bytes + ramp(8)));
+  EXPECT_TRUE(failedWith(huge, ErrorCode::tooLarge));
+}
+
+}  // namespace
+}  // namespace ew
