@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <map>
 #include <numbers>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include "acquisition/sweeps.h"
 
@@ -49,17 +48,16 @@ int speckle(int x, int y, int n) {
   return static_cast<int>((static_cast<unsigned>(x * 7919 + y * 104729 + n * 1299709) * 2654435761u) >> 24);
 }
 
-/// The definition, written as plainly as it can be: doubles, one map entry per voxel.
-std::map<std::tuple<int, int, int>, std::pair<double, double>> plainSums(const Sweep& sweep, const Grid& grid,
-                                                                         Interpolation interpolation) {
-  std::map<std::tuple<int, int, int>, std::pair<double, double>> sums;
+/// The definition, written as plainly as it can be: doubles, per voxel the sum of weight * value and of weight.
+std::vector<std::pair<double, double>> plainSums(const Sweep& sweep, const Grid& grid, Interpolation interpolation) {
+  std::vector<std::pair<double, double>> sums(grid.voxelCount());
   for (const PosedFrame& frame : sweep.frames)
     for (int y = 0; y < frame.pixels.height; ++y)
       for (int x = 0; x < frame.pixels.width; ++x) {
         const glm::dvec3 at = ((frame.imageToWorld * Point<frame::Image>{{x, y, 0.0}}).at - grid.origin_mm) / grid.spacing_mm;
         const auto put = [&](const glm::ivec3& ijk, double weight) {
           if (!grid.contains(ijk)) return;
-          auto& [total, sum] = sums[{ijk.x, ijk.y, ijk.z}];
+          auto& [total, sum] = sums[grid.indexOf(ijk.x, ijk.y, ijk.z)];
           total += weight * frame.pixels.at(x, y);
           sum += weight;
         };
@@ -146,11 +144,10 @@ void expectThePlainDefinition(const Sweep& sweep, double spacing_mm) {
       for (int j = 0; j < grid.dims.y; ++j)
         for (int i = 0; i < grid.dims.x; ++i) {
           const std::size_t voxel = grid.indexOf(i, j, k);
-          const auto found = expected.find({i, j, k});
-          const double weight = found == expected.end() ? 0.0 : found->second.second;
+          const auto& [total, weight] = expected[voxel];
           const bool known = weight > 1e-9;
           measured += known ? 1 : 0;
-          const int echo = known ? static_cast<int>(std::floor(found->second.first / weight + 0.5)) : 0;
+          const int echo = known ? static_cast<int>(std::floor(total / weight + 0.5)) : 0;
           if (echo != result.volume.echo[voxel] || known != (result.volume.coverageAt(voxel) == Coverage::measured)) ++different;
           ASSERT_NEAR(weight, result.weights[voxel], 1e-5 * std::max(1.0, weight));
         }
@@ -165,7 +162,7 @@ TEST(Reconstruct, EqualsThePlainDefinitionOnTiltedAndMirroredFrames) {
 }
 
 TEST(Reconstruct, EqualsThePlainDefinitionWhereManyBricksShareFrames) {
-  expectThePlainDefinition(tiltedSweep(3, 0.7, true, speckle, 190, 170), 0.23);
+  expectThePlainDefinition(tiltedSweep(3, 0.7, true, speckle, 150, 110), 0.27);
 }
 
 RC_GTEST_PROP(Reconstruct, GivesTheSameVoxelsWithOneTwoAndEightThreads, ()) {
