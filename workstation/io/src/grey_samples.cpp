@@ -43,8 +43,8 @@ Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedB
   if (wanted <= largest) return {};
   return failure(ErrorCode::truncated,
                  quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
-                     " bytes of samples, the file has " + std::to_string(packedBytes) + (deflated ? " compressed" : "") +
-                     " bytes of them; get the file again.",
+                     " bytes of samples, the file has " + std::to_string(packedBytes) +
+                     (deflated ? " compressed bytes, which cannot hold them" : "") + "; get the file again.",
                  {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
 }
 
@@ -56,15 +56,13 @@ Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::
     const auto part = target.subspan(filled, std::min(kChunk, target.size() - filled));
     const auto got = source.read(part);
     if (!got) {
-      if (got.error().code != ErrorCode::truncated) return passOn(got.error());
       Error error = got.error();
       error.context.emplace_back("promised", std::to_string(target.size()));
-      error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off: the header promises " +
-                       std::to_string(target.size()) + " bytes, fewer are there; get the file again.";
-      for (const auto& [name, value] : got.error().context)
-        if (name == "unpacked")
-          error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off after " + value + " of " +
-                           std::to_string(target.size()) + " bytes; get the file again.";
+      const auto unpacked =
+          std::find_if(error.context.begin(), error.context.end(), [](const auto& fact) { return fact.first == "unpacked"; });
+      if (unpacked != error.context.end())
+        error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off after " + unpacked->second + " of the " +
+                         std::to_string(target.size()) + " bytes the header promises; get the file again.";
       return passOn(std::move(error));
     }
     filled += *got;
