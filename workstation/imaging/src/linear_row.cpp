@@ -58,6 +58,14 @@ void interiorRun(const TemplateLine& line, const SliceScratch& scratch, const Of
       weightJ[n] = static_cast<float>(static_cast<std::int32_t>(sumJ & kFractionMask)) * kPerFraction;
       weightK[n] = static_cast<float>(static_cast<std::int32_t>(sumK & kFractionMask)) * kPerFraction;
     }
+    // As in the weave: every line is announced before the first load.
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::uint8_t* at = line.voxels + offset[n];
+      prefetch(at);
+      prefetch(at + line.stride[1]);
+      prefetch(at + line.stride[2]);
+      prefetch(at + line.stride[1] + line.stride[2]);
+    }
     for (std::size_t n = 0; n < count; ++n) {
       const std::uint8_t* at = line.voxels + offset[n];
       pair00[n] = pairAt(at);

@@ -34,6 +34,15 @@ struct TemplateLine {
 TemplateLine layTemplate(const VolumeView<const std::uint8_t>& volume, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
                          const glm::dvec3& acrossRows_voxel, int width, int height, SliceScratch& scratch);
 
+/// Asks the memory for a byte that is read soon; a hint without effect on any value.
+inline void prefetch(const std::uint8_t* at) {
+#if defined(__GNUC__)
+  __builtin_prefetch(at);
+#else
+  static_cast<void>(at);
+#endif
+}
+
 /// The pixels of `within` whose position along every axis lies in [lowest, highest]; positions along a row are monotone, so they are
 /// one run.
 RowSpan clipRow(const TemplateLine& line, const SliceScratch& scratch, const FixedPosition& base, RowSpan within,
