@@ -1,0 +1,251 @@
+#include "ew/library/import.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "ew/io/volume_file.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone when the test ends.
+class ImportSweep : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("echoweave_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Five 20 x 10 frames a millimetre apart along z, 0.5 mm to the pixel once calibrated; pixel (x, y) of frame n is 4 x + 5 y + 6 n.
+  [[nodiscard]] static Sequence sweep() {
+    Sequence sequence;
+    sequence.width = 20;
+    sequence.height = 10;
+    sequence.orientation = "MF";
+    sequence.imageType = "BRIGHTNESS";
+    for (int n = 0; n < 5; ++n) {
+      SequenceFrame frame;
+      frame.time_s = 0.1 * n;
+      NamedTransform probe{"Probe", "Reference", glm::dmat4(1.0), PoseStatus::ok};
+      probe.matrix[3] = glm::dvec4(0.0, 0.0, n, 1.0);
+      frame.transforms.push_back(probe);
+      sequence.frames.push_back(frame);
+      for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 20; ++x) sequence.pixels.push_back(static_cast<std::uint8_t>(4 * x + 5 * y + 6 * n));
+    }
+    return sequence;
+  }
+
+  [[nodiscard]] fs::path written(const Sequence& sequence) const {
+    const fs::path file = folder_ / "sweep.igs.mha";
+    const auto done = writeSequence(sequence, file);
+    if (!done) ADD_FAILURE() << done.error();
+    return file;
+  }
+
+  [[nodiscard]] fs::path deviceSet(const std::string& reconstruction) const {
+    const fs::path file = folder_ / "device.xml";
+    std::ofstream(file) << "<PlusConfiguration version=\"2.1\"><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" "
+                           "Matrix=\"0.5 0 0 0 0 0.5 0 0 0 0 0.5 0 0 0 0 1\"/></CoordinateDefinitions><VolumeReconstruction "
+                        << reconstruction << "/></PlusConfiguration>";
+    return file;
+  }
+
+  [[nodiscard]] static SweepImportOptions nearestAt(double spacing_mm, const fs::path& calibration) {
+    SweepImportOptions options;
+    options.calibration = calibration;
+    options.reconstruct.spacing_mm = spacing_mm;
+    options.reconstruct.interpolation = Interpolation::nearest;
+    return options;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ImportSweep, PlacesEveryPixelByPoseAndCalibration) {
+  const auto imported = importSweep(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_TRUE(imported.has_value()) << imported.error();
+  const Volume& volume = imported->reconstruction.volume;
+  ASSERT_EQ(volume.grid.dims, glm::ivec3(20, 10, 9));
+  EXPECT_EQ(imported->plan.grid, volume.grid);
+  EXPECT_EQ(imported->plan.toFrame, "Reference");
+  for (int n = 0; n < 5; ++n)
+    for (int y = 0; y < 10; ++y)
+      for (int x = 0; x < 20; ++x) EXPECT_EQ(volume.echo[volume.grid.indexOf(x, y, 2 * n)], 4 * x + 5 * y + 6 * n);
+  EXPECT_EQ(imported->plan.frames.total, 5u);
+  EXPECT_EQ(imported->plan.frames.used, 5u);
+  EXPECT_EQ(imported->reconstruction.measuredVoxels, 1000u);
+}
+
+TEST_F(ImportSweep, LeavesInvalidFramesOutAndCountsThem) {
+  Sequence sequence = sweep();
+  sequence.frames[1].transforms[0].status = PoseStatus::invalid;
+  sequence.frames[3].transforms.clear();
+  const auto imported = importSweep(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_TRUE(imported.has_value()) << imported.error();
+  EXPECT_EQ(imported->plan.frames.used, 3u);
+  EXPECT_EQ(imported->plan.frames.invalid, 1u);
+  EXPECT_EQ(imported->plan.frames.missing, 1u);
+  EXPECT_EQ(imported->reconstruction.framesUsed, 3u);
+  EXPECT_EQ(imported->reconstruction.volume.coverageAt(imported->reconstruction.volume.grid.indexOf(3, 3, 2)), Coverage::absent);
+}
+
+TEST_F(ImportSweep, RefusesASweepWithoutAnyValidPoseAndOneWithoutCalibration) {
+  Sequence sequence = sweep();
+  for (SequenceFrame& frame : sequence.frames) frame.transforms[0].status = PoseStatus::invalid;
+  const auto untracked = importSweep(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_FALSE(untracked.has_value());
+  EXPECT_EQ(untracked.error().code, ErrorCode::noValidPose);
+  const auto uncalibrated = importSweep(written(sweep()), nearestAt(0.5, {}), noProgress());
+  ASSERT_FALSE(uncalibrated.has_value());
+  EXPECT_EQ(uncalibrated.error().code, ErrorCode::missingCalibration);
+}
+
+TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
+  const fs::path device = deviceSet(
+      "OutputSpacing=\"1 1 1\" ClipRectangleOrigin=\"4 2\" ClipRectangleSize=\"8 4\" Interpolation=\"LINEAR\" "
+      "CompoundingMode=\"MAXIMUM\"");
+  SweepImportOptions options = nearestAt(0.5, device);
+  const auto clipped = planImport(written(sweep()), options, noProgress());
+  ASSERT_TRUE(clipped.has_value()) << clipped.error();
+  EXPECT_EQ(clipped->grid.origin_mm, glm::dvec3(2, 1, 0));
+  EXPECT_EQ(clipped->grid.dims, glm::ivec3(9, 5, 9));
+  EXPECT_EQ(clipped->reconstruct.interpolation, Interpolation::nearest);
+  options.clipFromCalibration = false;
+  options.spacingFromCalibration = true;
+  options.methodFromCalibration = true;
+  const auto whole = planImport(written(sweep()), options, noProgress());
+  ASSERT_TRUE(whole.has_value()) << whole.error();
+  EXPECT_EQ(whole->grid.dims, glm::ivec3(11, 6, 5));  // round(9.5) + 1 and round(4.5) + 1
+  EXPECT_EQ(whole->reconstruct.interpolation, Interpolation::linear);
+  EXPECT_EQ(whole->reconstruct.compounding, Compounding::maximum);
+}
+
+TEST_F(ImportSweep, RefusesASpacingOfTheDeviceSetThatDiffersBetweenAxes) {
+  SweepImportOptions options = nearestAt(0.5, deviceSet("OutputSpacing=\"1 1 2\""));
+  options.spacingFromCalibration = true;
+  const auto plan = planImport(written(sweep()), options, noProgress());
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().code, ErrorCode::badField);
+}
+
+TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {
+  const auto straight = importSweep(written(sweep()), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_TRUE(straight.has_value()) << straight.error();
+  for (const char* orientation : {"UN", "MN", "UF"}) {
+    Sequence turned = sweep();
+    turned.orientation = orientation;
+    for (std::size_t n = 0; n < 5; ++n)
+      for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 20; ++x) {
+          const int xMf = orientation[0] == 'U' ? 19 - x : x, yMf = orientation[1] == 'N' ? 9 - y : y;
+          turned.pixels[n * 200 + static_cast<std::size_t>(y * 20 + x)] =
+              static_cast<std::uint8_t>(4 * xMf + 5 * yMf + 6 * static_cast<int>(n));
+        }
+    const auto imported = importSweep(written(turned), nearestAt(0.5, deviceSet("")), noProgress());
+    ASSERT_TRUE(imported.has_value()) << imported.error();
+    EXPECT_TRUE(imported->reconstruction.volume == straight->reconstruction.volume) << orientation;
+  }
+}
+
+TEST_F(ImportSweep, RefusesScanLinesThatWereNeverConvertedToImages) {
+  Sequence lines = sweep();
+  lines.orientation = "FM";
+  const auto imported = importSweep(written(lines), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_FALSE(imported.has_value());
+  EXPECT_EQ(imported.error().code, ErrorCode::unsupported);
+}
+
+TEST_F(ImportSweep, PlansAVolumeThatDoesNotFitAndRefusesToMakeIt) {
+  SweepImportOptions options = nearestAt(0.005, deviceSet(""));
+  options.reconstruct.maxBytes = 1ull << 30;
+  const auto plan = planImport(written(sweep()), options, noProgress());
+  ASSERT_TRUE(plan.has_value()) << plan.error();
+  EXPECT_FALSE(plan->fits);
+  EXPECT_GT(plan->bytes, 1ull << 30);
+  const auto imported = importSweep(written(sweep()), options, noProgress());
+  ASSERT_FALSE(imported.has_value());
+  EXPECT_EQ(imported.error().code, ErrorCode::tooLarge);
+}
+
+/// How a reconstruction compares with a reference on the voxels both know and the sweep covers well.
+struct Likeness {
+  double correlation = 0.0;
+  double bias = 0.0;  ///< ours minus theirs, grey levels
+  double withinTen = 0.0;
+  std::size_t voxels = 0;
+};
+
+Likeness likenessOf(const ReconstructResult& ours, const Volume& theirs) {
+  const Grid& a = ours.volume.grid;
+  const glm::ivec3 common = glm::min(a.dims, theirs.grid.dims);
+  double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0, near = 0;
+  for (int k = 0; k < common.z; ++k)
+    for (int j = 0; j < common.y; ++j)
+      for (int i = 0; i < common.x; ++i) {
+        const std::size_t voxel = a.indexOf(i, j, k);
+        const double x = ours.volume.echo[voxel], y = theirs.echo[theirs.grid.indexOf(i, j, k)];
+        if (ours.weights[voxel] <= 0.5f || x == 0.0 || y == 0.0) continue;
+        n += 1;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        syy += y * y;
+        sxy += x * y;
+        near += std::abs(x - y) <= 10.0 ? 1 : 0;
+      }
+  return {(n * sxy - sx * sy) / std::sqrt((n * sxx - sx * sx) * (n * syy - sy * sy)), (sx - sy) / n, near / n, static_cast<std::size_t>(n)};
+}
+
+/// The references were made by another program whose nearest-neighbour mean is too dark by a known amount (its 8-bit running mean).
+TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
+  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "spine-phantom-sweep";
+  if (!fs::exists(data)) GTEST_SKIP() << "the spine phantom sweep is not here; the analytic tests cover the arithmetic";
+  struct Case {
+    const char* device;
+    const char* reference;
+    double leastBias, largestBias, withinTen;
+    bool sameDims;
+  };
+  for (const Case& c : {Case{"PlusDeviceSet_VolumeReconstructionOnly_SpinePhantom_NN_MEAN.xml",
+                             "vtkVolumeReconstructorTestNNMEANvolumeRef.mha", 4.0, 6.0, 0.90, true},
+                        Case{"PlusDeviceSet_VolumeReconstructionOnly_SonixRP_TRUS_D70mm_LN_MEAN.xml",
+                             "vtkVolumeReconstructorTestLNMEANvolumeRef.mha", -1.5, 1.5, 0.99, true},
+                        Case{"PlusDeviceSet_SpinePhantomFreehandReconstructionOnly.xml", "SpinePhantomFreehandReconstructed.mha", -1.5, 1.5,
+                             0.99, false}}) {
+    SweepImportOptions options;
+    options.calibration = data / c.device;
+    options.spacingFromCalibration = true;
+    options.methodFromCalibration = true;
+    options.reconstruct.keepWeights = true;
+    const auto imported = importSweep(data / "SpinePhantomFreehand.igs.mha", options, noProgress());
+    ASSERT_TRUE(imported.has_value()) << imported.error();
+    const auto reference = readVolume(data / c.reference);
+    ASSERT_TRUE(reference.has_value()) << reference.error();
+    const Grid& ours = imported->reconstruction.volume.grid;
+    const Grid& theirs = reference->volume.grid;
+    EXPECT_LT(glm::length(ours.origin_mm - theirs.origin_mm), 0.001) << c.reference << ours << theirs;
+    EXPECT_EQ(ours.dims, theirs.dims + glm::ivec3(0, 0, c.sameDims ? 0 : 1));  // the third was made with an older, truncating size rule
+    const Likeness found = likenessOf(imported->reconstruction, reference->volume);
+    EXPECT_GT(found.voxels, 10000u);
+    EXPECT_GE(found.correlation, 0.997) << c.reference;
+    EXPECT_GE(found.bias, c.leastBias) << c.reference;
+    EXPECT_LE(found.bias, c.largestBias) << c.reference;
+    EXPECT_GE(found.withinTen, c.withinTen) << c.reference;
+    std::printf("%s: correlation %.5f, bias %+.2f, within 10 %.2f %%, %zu voxels\n", c.reference, found.correlation, found.bias,
+                100.0 * found.withinTen, found.voxels);
+  }
+}
+
+}  // namespace
+}  // namespace ew
