@@ -46,7 +46,8 @@ double curveAt(const Sliders& sliders, const Sliders& slope, double position) {
   return std::clamp(value, low, high);
 }
 
-double usableFactor(double factor) { return factor > 0.0 ? factor : 0.0; }  // NaN compares false
+// NaN compares false. A thousand already makes every level above 0 white, and infinity times 0 is not a number.
+double usableFactor(double factor) { return factor > 0.0 ? std::min(factor, 1e9) : 0.0; }
 
 }  // namespace
 
