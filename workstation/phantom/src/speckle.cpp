@@ -34,23 +34,23 @@ double valueNoise(std::uint64_t seed, const glm::dvec3& at) {
   return nearer + ease.z * (farther - nearer);
 }
 
-void specklePower(std::uint64_t seed, const glm::ivec3& dims, int firstSlice, int slices, SpeckleScratch& scratch,
-                  std::vector<float>& power) {
-  EW_EXPECTS(dims.x > 0 && dims.y > 0 && slices > 0);
-  const auto width = static_cast<std::size_t>(dims.x), height = static_cast<std::size_t>(dims.y);
+void specklePower(std::uint64_t seed, const glm::ivec3& first, const glm::ivec3& size, SpeckleScratch& scratch, std::vector<float>& power) {
+  EW_EXPECTS(size.x > 0 && size.y > 0 && size.z > 0);
+  const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y), slices = static_cast<std::size_t>(size.z);
   const std::size_t wide = width + 2 * kReach, tall = height + 2 * kReach, plane = width * height;
-  const std::size_t deep = static_cast<std::size_t>(slices) + 2 * kReach;
+  const std::size_t deep = slices + 2 * kReach;
   scratch.row.resize(2 * wide);
   scratch.plane.resize(2 * width * tall);
   scratch.stack.resize(2 * plane * deep);
-  power.resize(plane * static_cast<std::size_t>(slices));
+  power.resize(plane * slices);
 
   // Real and imaginary parts lie side by side, so that each pass is one loop over both.
   for (std::size_t z = 0; z < deep; ++z) {
-    const auto k = static_cast<std::int64_t>(z) + firstSlice - kReach;
+    const std::int64_t k = first.z + static_cast<std::int64_t>(z) - kReach;
     for (std::size_t y = 0; y < tall; ++y) {
       for (std::size_t x = 0; x < wide; ++x) {
-        const std::uint64_t hash = hashOfPlace(seed, static_cast<std::int64_t>(x) - kReach, static_cast<std::int64_t>(y) - kReach, k);
+        const std::uint64_t hash =
+            hashOfPlace(seed, first.x + static_cast<std::int64_t>(x) - kReach, first.y + static_cast<std::int64_t>(y) - kReach, k);
         scratch.row[2 * x] = std::popcount(static_cast<std::uint32_t>(hash)) - 16;
         scratch.row[2 * x + 1] = std::popcount(static_cast<std::uint32_t>(hash >> 32)) - 16;
       }
@@ -68,7 +68,7 @@ void specklePower(std::uint64_t seed, const glm::ivec3& dims, int firstSlice, in
     }
   }
   const std::size_t step = 2 * plane;
-  for (std::size_t z = 0; z < static_cast<std::size_t>(slices); ++z) {
+  for (std::size_t z = 0; z < slices; ++z) {
     const std::int32_t* in = scratch.stack.data() + step * z;
     float* out = power.data() + plane * z;
     for (std::size_t n = 0; n < plane; ++n) {

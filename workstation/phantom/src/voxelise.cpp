@@ -14,6 +14,7 @@ namespace {
 using phantom::Organ;
 
 constexpr int kBlock = 8;
+constexpr int kStrip = 48;  // rows of a piece of work: small enough to be cancelled within 0.1 s, large enough for the speckle's margin
 // As in sampleDistance: how far a first-order distance may exceed the true one before a block is wrongly left out.
 constexpr double kReserve = 1.5;
 constexpr double kLevelsPerDecibel = 255.0 / 60.0;  // 60 dB of dynamic range over the grey scale
@@ -118,6 +119,19 @@ class Painter {
   const VoxeliseOptions& options_;
 };
 
+tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, "Building the virtual patient was stopped."); }
+
+/// Takes memory piece by piece, because a page is only found when it is first touched: a gigabyte takes longer than a user waits.
+bool zeros(std::vector<std::uint8_t>& values, std::size_t count, const Progress& progress) {
+  constexpr std::size_t kPiece = 16u << 20;
+  values.reserve(count);
+  while (values.size() < count) {
+    if (progress.cancelRequested()) return false;
+    values.resize(std::min(count, values.size() + kPiece), 0);
+  }
+  return true;
+}
+
 Grid gridOf(const Patient& patient, double spacing_mm) {
   Grid grid;
   grid.spacing_mm = glm::dvec3(spacing_mm);
@@ -134,7 +148,7 @@ Grid gridOf(const Patient& patient, double spacing_mm) {
 double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
   const Grid grid = gridOf(patient, spacing_mm);
   const double slice = static_cast<double>(grid.dims.x) * grid.dims.y;
-  const double perThread = slice * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
+  const double perThread = static_cast<double>(grid.dims.x) * kStrip * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
   return slice * grid.dims.z * 3.0 + perThread * phantom::threadCount(0);
 }
 
@@ -158,9 +172,9 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
   const Grid& grid = volume.grid;
   if (const auto usable = checkGrid(grid); !usable) return passOn(usable.error());
   try {
-    volume.echo.assign(grid.voxelCount(), 0);
-    volume.coverage.assign(grid.voxelCount(), static_cast<std::uint8_t>(Coverage::absent));
-    made.labels.assign(grid.voxelCount(), 0);
+    if (!zeros(volume.echo, grid.voxelCount(), progress) || !zeros(volume.coverage, grid.voxelCount(), progress) ||
+        !zeros(made.labels, grid.voxelCount(), progress))
+      return stoppedByUser();
   } catch (const std::bad_alloc&) {
     return tooLarge();
   } catch (const std::length_error&) {
@@ -171,50 +185,58 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
   const Decibel decibel;
   const double h = options.spacing_mm;
   const double radius = 0.5 * std::sqrt(3.0) * (kBlock - 1) * h;
-  const int slabs = (grid.dims.z + kBlock - 1) / kBlock;
+  const int slabs = (grid.dims.z + kBlock - 1) / kBlock, strips = (grid.dims.y + kStrip - 1) / kStrip;
   std::atomic<bool> stopped{false};
   std::atomic<bool> outOfMemory{false};
 
-  const auto paintBlock = [&](const glm::ivec3& first, const std::vector<float>& power, std::vector<const Organ*>& near) {
+  const auto paintBlock = [&](const glm::ivec3& first, const glm::ivec3& boxFirst, const glm::ivec3& boxSize,
+                              const std::vector<float>& power, std::vector<const Organ*>& near) {
     const glm::ivec3 last = glm::min(first + kBlock, grid.dims);
     const glm::dvec3 centre = grid.origin_mm + h * (glm::dvec3(first) + 0.5 * (kBlock - 1));
     if (patient.skin->distance_mm(centre) > kReserve * radius) return;
     painter.select(centre, radius, near);
     for (int k = first.z; k < last.z; ++k) {
       for (int j = first.y; j < last.y; ++j) {
-        for (int i = first.x; i < last.x; ++i) {
+        const glm::ivec3 inBox = glm::ivec3(first.x, j, k) - boxFirst;
+        const float* speckle =
+            power.data() +
+            (static_cast<std::size_t>(inBox.z) * static_cast<std::size_t>(boxSize.y) + static_cast<std::size_t>(inBox.y)) *
+                static_cast<std::size_t>(boxSize.x) +
+            static_cast<std::size_t>(inBox.x);
+        for (int i = first.x; i < last.x; ++i, ++speckle) {
           const glm::dvec3 p = grid.origin_mm + h * glm::dvec3(i, j, k);
           const double skin = patient.skin->distance_mm(p);
           if (skin >= 0.0) continue;
           const Look look = painter.at(p, skin, near);
           const std::size_t at = grid.indexOf(i, j, k);
-          volume.echo[at] = painter.greyOf(look, static_cast<double>(decibel.of(power[at - grid.indexOf(0, 0, first.z)])), p);
+          volume.echo[at] = painter.greyOf(look, static_cast<double>(decibel.of(*speckle)), p);
           volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
           made.labels[at] = static_cast<std::uint8_t>(look.label);
         }
       }
     }
   };
-  const auto paintSlab = [&](int slab) {
+  const auto paintPiece = [&](int piece) {
     std::vector<float> power;
     std::vector<const Organ*> near;
-    const int firstSlice = slab * kBlock, slices = std::min(kBlock, grid.dims.z - firstSlice);
+    const glm::ivec3 first(0, (piece % strips) * kStrip, (piece / strips) * kBlock);
+    const glm::ivec3 size = glm::min(glm::ivec3(grid.dims.x, kStrip, kBlock), grid.dims - first);
     try {
       SpeckleScratch scratch;
-      specklePower(options.seed, grid.dims, firstSlice, slices, scratch, power);
+      specklePower(options.seed, first, size, scratch, power);
       near.reserve(patient.organs.size());
     } catch (const std::bad_alloc&) {
       outOfMemory = true;
       stopped = true;
     }
-    for (int j = 0; j < grid.dims.y && !stopped; j += kBlock) {
-      for (int i = 0; i < grid.dims.x; i += kBlock) paintBlock({i, j, firstSlice}, power, near);
+    for (int j = first.y; j < first.y + size.y && !stopped; j += kBlock) {
+      for (int i = 0; i < grid.dims.x; i += kBlock) paintBlock({i, j, first.z}, first, size, power, near);
       if (progress.cancelRequested()) stopped = true;
     }
   };
-  const bool finished = phantom::parallelFor(slabs, options.threads, progress, "Building the virtual patient", paintSlab);
+  const bool finished = phantom::parallelFor(slabs * strips, options.threads, progress, "Building the virtual patient", paintPiece);
   if (outOfMemory) return tooLarge();
-  if (!finished || stopped) return failure(ErrorCode::cancelled, "Building the virtual patient was stopped.");
+  if (!finished || stopped) return stoppedByUser();
   return made;
 }
 

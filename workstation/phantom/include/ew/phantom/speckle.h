@@ -28,9 +28,10 @@ struct SpeckleScratch {
 /// separable binomial point spread function (1 4 6 4 1)/16 in each direction, that is a standard deviation of one voxel and no direction
 /// preferred. The power is exponential with mean 1, its root (the envelope) Rayleigh: mean over standard deviation 1.91.
 /// Source: Burckhardt, IEEE Trans. Sonics Ultrason. 25(1), 1978. Ours differs: the scatterers sit on the grid.
-/// @param power dims.x * dims.y * slices values of the slices from `firstSlice` on, i fastest; the same whatever the slices asked at once
-void specklePower(std::uint64_t seed, const glm::ivec3& dims, int firstSlice, int slices, SpeckleScratch& scratch,
-                  std::vector<float>& power);
+/// @param first place of the lattice where the box begins; the field has no edges, so neighbouring boxes fit together
+/// @param size  places along i, j, k, each > 0
+/// @param power size.x * size.y * size.z values, i fastest
+void specklePower(std::uint64_t seed, const glm::ivec3& first, const glm::ivec3& size, SpeckleScratch& scratch, std::vector<float>& power);
 
 /// Decibels of a power, from a table of 2048 mantissas (error below 0.002 dB); powers below 2^-20 count as 2^-20.
 class Decibel {
