@@ -145,6 +145,17 @@ RC_GTEST_PROP(FillHoles, EqualsThePlainDefinition, ()) {
     RC_ASSERT(std::abs(int{result->volume.echo[v]} - int{expected.echo[v]}) <= 1);  // ties of the doubles may fall either way
 }
 
+TEST(FillHoles, EqualsThePlainDefinitionWhereBridgesCrossTiles) {
+  const Volume volume = randomVolume({70, 110, 120}, 0.01, 5);
+  const FilledVolume result = filled(volume, 9);
+  const Volume expected = plainlyFilled(volume, 9);
+  EXPECT_TRUE(result.volume.coverage == expected.coverage);
+  std::size_t different = 0;
+  for (std::size_t v = 0; v < expected.echo.size(); ++v)
+    different += std::abs(int{result.volume.echo[v]} - int{expected.echo[v]}) > 1 ? 1 : 0;
+  EXPECT_EQ(different, 0u);
+}
+
 RC_GTEST_PROP(FillHoles, NeverChangesAMeasuredVoxelAndIsTheSameWithAnyNumberOfThreads, ()) {
   const Volume volume =
       randomVolume({*rc::gen::inRange(1, 90), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 90)}, 0.05, *rc::gen::inRange(0u, 100000u));

@@ -129,6 +129,18 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Zeros, in pieces: touching fresh memory takes up to a second per GiB, and whoever wants to stop must not wait for it.
+template <class T>
+bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
+  constexpr std::size_t kPiece = (16u << 20) / sizeof(T);
+  values.reserve(count);
+  while (values.size() < count) {
+    if (progress.cancelRequested()) return false;
+    values.resize(std::min(count, values.size() + kPiece));
+  }
+  return true;
+}
+
 }  // namespace
 
 std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options) {
@@ -156,9 +168,10 @@ Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const 
   ReconstructResult result;
   try {
     result.volume.grid = *grid;
-    result.volume.echo.resize(grid->voxelCount());
-    result.volume.coverage.resize(grid->voxelCount());
-    if (options.keepWeights) result.weights.resize(grid->voxelCount());
+    const std::size_t voxels = grid->voxelCount();
+    if (!grow(result.volume.echo, voxels, progress) || !grow(result.volume.coverage, voxels, progress) ||
+        (options.keepWeights && !grow(result.weights, voxels, progress)))
+      return failure(ErrorCode::cancelled, "The reconstruction was stopped before it was complete.");
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
                    "There is not enough memory for a volume of " + gibibytes(forecastBytes(*grid, options)) + "; use a coarser spacing.");
