@@ -5,10 +5,12 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "clip_spans.h"
 #include "parallel.h"
 
 namespace ew {
@@ -32,11 +34,19 @@ class MeasuredBits {
 
   /// Marks one layer. Layers share no word, so they may be marked by different threads.
   void markLayer(const Volume& volume, int k) {
+    const auto width = static_cast<std::size_t>(volume.grid.dims.x);
     for (int j = 0; j < volume.grid.dims.y; ++j) {
       const std::uint8_t* coverage = volume.coverage.data() + volume.grid.indexOf(0, j, k);
       std::uint64_t* row = words_.data() + rowStart(j, k);
-      for (int i = 0; i < volume.grid.dims.x; ++i)
-        row[i / kWordBits] |= std::uint64_t{coverage[i] == static_cast<std::uint8_t>(Coverage::measured)} << (i % kWordBits);
+      for (std::size_t begin = 0; begin < width; begin += sizeof(std::uint64_t)) {
+        const std::size_t end = std::min(begin + sizeof(std::uint64_t), width);
+        // Most of a volume is empty: eight voxels are skipped at a time.
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, coverage + begin, end - begin);
+        if (eight == 0) continue;
+        for (std::size_t i = begin; i < end; ++i)
+          row[i / kWordBits] |= std::uint64_t{coverage[i] == static_cast<std::uint8_t>(Coverage::measured)} << (i % kWordBits);
+      }
     }
   }
 
@@ -67,7 +77,8 @@ class MeasuredBits {
 
 struct Direction13 {
   glm::ivec3 step{0};
-  int longest = 0;  ///< steps from one measured end to the other
+  int longest = 0;                    ///< steps from one measured end to the other
+  std::vector<std::uint64_t> shares;  ///< by steps: 1 / (distance² * steps) in units of 2^-32, so that interpolation stays whole numbers
 };
 
 std::vector<Direction13> directionsFor(int reach_voxels) {
@@ -78,7 +89,11 @@ std::vector<Direction13> directionsFor(int reach_voxels) {
         if (z == 0 && (y < 0 || (y == 0 && x <= 0))) continue;  // the opposite one is in the list
         const double length = std::sqrt(x * x + y * y + z * z);
         const int longest = static_cast<int>(std::floor(reach_voxels / length + 1e-9));
-        if (longest >= 2) directions.push_back({{x, y, z}, longest});
+        if (longest < 2) continue;
+        Direction13 direction{{x, y, z}, longest, std::vector<std::uint64_t>(static_cast<std::size_t>(longest) + 1)};
+        for (std::uint64_t steps = 2; steps <= static_cast<std::uint64_t>(longest); ++steps)
+          direction.shares[steps] = (std::uint64_t{1} << 32) / (steps * steps * steps * static_cast<std::uint64_t>(x * x + y * y + z * z));
+        directions.push_back(std::move(direction));
       }
   return directions;
 }
@@ -152,12 +167,6 @@ class Filler {
     std::vector<std::uint64_t> reached;  ///< one bit per voxel of the tile that has sums
   };
 
-  [[nodiscard]] std::size_t cellOf(const Tile& tile, int i, int j, int k) const {
-    return (static_cast<std::size_t>(k - tile.kBegin) * static_cast<std::size_t>(tiles_.rows) + static_cast<std::size_t>(j - tile.jBegin)) *
-               static_cast<std::size_t>(volume_.grid.dims.x) +
-           static_cast<std::size_t>(i);
-  }
-
   template <class Stopped>
   void fillTile(const Tile& tile, Scratch& scratch, const Stopped& stopped) {
     const glm::ivec3 dims = volume_.grid.dims;
@@ -176,9 +185,11 @@ class Filler {
     if (any) finish(tile, scratch);
   }
 
-  /// Adds the bridges that begin in row (j, k); true when there is one.
+  /// Adds the bridges that begin in row (j, k); true when there is one that reaches into the tile.
   bool bridgeRow(const Direction13& direction, const Tile& tile, int j, int k, Scratch& scratch) {
     const glm::ivec3 dims = volume_.grid.dims;
+    const Span inTile = stepsInTile(direction, tile, j, k);
+    if (inTile.begin >= inTile.end) return false;
     bool any = false;
     for (std::ptrdiff_t word = 0; word < MeasuredBits::dataWords(volume_.grid); ++word) {
       // Open: measured voxels of this word whose way in this direction has met no other measured one yet.
@@ -187,11 +198,10 @@ class Filler {
         const int jFar = j + steps * direction.step.y, kFar = k + steps * direction.step.z;
         if (jFar < 0 || jFar >= dims.y || kFar >= dims.z) break;
         const std::uint64_t met = bits_.shifted(word, steps * direction.step.x, jFar, kFar);
-        if (steps > 1) {
-          for (std::uint64_t hits = open & met; hits != 0; hits &= hits - 1) {
-            bridge(direction, tile, {static_cast<int>(word) * kWordBits + std::countr_zero(hits), j, k}, steps, scratch);
-            any = true;
-          }
+        if (const std::uint64_t hits = open & met; hits != 0 && steps > inTile.begin) {
+          bridge(direction, tile, {static_cast<int>(word) * kWordBits, j, k}, hits, steps, {inTile.begin, std::min(inTile.end, steps)},
+                 scratch);
+          any = true;
         }
         open &= ~met;
       }
@@ -199,23 +209,41 @@ class Filler {
     return any;
   }
 
-  void bridge(const Direction13& direction, const Tile& tile, const glm::ivec3& begin, int steps, Scratch& scratch) {
+  /// The steps from row (j, k), at least 1, that lie in the tile; they follow one another.
+  static Span stepsInTile(const Direction13& direction, const Tile& tile, int j, int k) {
+    const auto inside = [&](int n) {
+      const int jAt = j + n * direction.step.y, kAt = k + n * direction.step.z;
+      return jAt >= tile.jBegin && jAt < tile.jEnd && kAt >= tile.kBegin && kAt < tile.kEnd;
+    };
+    Span steps{1, 1};
+    while (steps.begin < direction.longest && !inside(steps.begin)) ++steps.begin;
+    steps.end = steps.begin;
+    while (steps.end < direction.longest && inside(steps.end)) ++steps.end;
+    return steps;
+  }
+
+  /// Adds the bridges of `steps` steps that begin at the set bits of `hits`, counted from voxel `begin`, as far as they lie in the tile.
+  void bridge(const Direction13& direction, const Tile& tile, const glm::ivec3& begin, std::uint64_t hits, int steps, Span inTile,
+              Scratch& scratch) {
     const glm::ivec3 end = begin + steps * direction.step;
-    const std::uint64_t first = volume_.echo[volume_.grid.indexOf(begin.x, begin.y, begin.z)];
-    const std::uint64_t last = volume_.echo[volume_.grid.indexOf(end.x, end.y, end.z)];
-    const glm::ivec3 d = direction.step;
-    // 1 / distance² in units of 2^-32, shared among the steps so that the interpolation stays whole numbers.
-    const auto squaredDistance = static_cast<std::uint64_t>(steps) * static_cast<std::uint64_t>(steps) *
-                                 static_cast<std::uint64_t>(d.x * d.x + d.y * d.y + d.z * d.z);
-    const std::uint64_t share = (std::uint64_t{1} << 32) / (squaredDistance * static_cast<std::uint64_t>(steps));
-    for (int n = 1; n < steps; ++n) {
-      const glm::ivec3 at = begin + n * d;
-      if (at.y < tile.jBegin || at.y >= tile.jEnd || at.z < tile.kBegin || at.z >= tile.kEnd) continue;
-      const std::size_t cell = cellOf(tile, at.x, at.y, at.z);
-      const auto before = static_cast<std::uint64_t>(n), after = static_cast<std::uint64_t>(steps - n);
-      scratch.sums[cell].total += share * (first * after + last * before);
-      scratch.sums[cell].weight += share * static_cast<std::uint64_t>(steps);
-      scratch.reached[cell / kWordBits] |= std::uint64_t{1} << (cell % kWordBits);
+    const std::uint8_t* const firstRow = volume_.echo.data() + volume_.grid.indexOf(0, begin.y, begin.z);
+    const std::uint8_t* const lastRow = volume_.echo.data() + volume_.grid.indexOf(0, end.y, end.z);
+    const std::uint64_t share = direction.shares[static_cast<std::size_t>(steps)];
+    const std::uint64_t weight = share * static_cast<std::uint64_t>(steps);
+    const std::ptrdiff_t width = volume_.grid.dims.x;
+    const std::ptrdiff_t perStep = (direction.step.z * std::ptrdiff_t{tiles_.rows} + direction.step.y) * width + direction.step.x;
+    const std::ptrdiff_t firstCell =
+        ((begin.z - tile.kBegin) * std::ptrdiff_t{tiles_.rows} + begin.y - tile.jBegin) * width + begin.x;  // may lie before the tile
+    for (; hits != 0; hits &= hits - 1) {
+      const int i = std::countr_zero(hits);
+      const std::uint64_t first = firstRow[begin.x + i] * share, last = lastRow[end.x + i] * share;
+      for (int n = inTile.begin; n < inTile.end; ++n) {
+        const auto cell = static_cast<std::size_t>(firstCell + i + n * perStep);
+        Sums& sums = scratch.sums[cell];
+        sums.total += first * static_cast<std::uint64_t>(steps - n) + last * static_cast<std::uint64_t>(n);
+        sums.weight += weight;
+        scratch.reached[cell / kWordBits] |= std::uint64_t{1} << (cell % kWordBits);
+      }
     }
   }
 
