@@ -42,6 +42,10 @@ void OrbitCamera::look(CameraPreset preset, const Framing& framing) {
       azimuth_rad_ = 0.0;
       elevation_rad_ = kSteepest_rad;
       break;
+    case CameraPreset::overview:
+      azimuth_rad_ = glm::radians(-20.0);
+      elevation_rad_ = glm::radians(27.0);
+      break;
   }
   frame(framing);
 }

@@ -6,16 +6,21 @@
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "camera.h"
 #include "ew/bridge/convert.h"
@@ -51,6 +56,32 @@ double distance_mm(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b) {
   return least;
 }
 
+/// Two touches VTK's lighting has no setting for, made in its shader because they cost nothing there: skin that turns away from the
+/// viewer darkens softly, and where the line of sight goes on through the volume the body gives way to the ground, as if it were
+/// translucent there alone. ewAt runs from -1 to 1 over the box; the longer the way through it, the more.
+void shadeBody(vtkActor& body) {
+  vtkShaderProperty& shader = *body.GetShaderProperty();
+  shader.AddVertexShaderReplacement("//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nout vec4 ewWorld;\n", false);
+  shader.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n  ewWorld = vertexMC;\n", false);
+  shader.AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nin vec4 ewWorld;\n", false);
+  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                      "//VTK::Light::Impl\n"
+                                      "  float ewFacing = clamp(normalVCVSOutput.z, 0.0, 1.0);\n"
+                                      "  vec3 ewShaded = fragOutput0.rgb * mix(0.62, 1.0, sqrt(ewFacing));\n"
+                                      "  vec4 ewHere = vec4(ewWorld.xyz, 1.0);\n"
+                                      "  vec3 ewAt = vec3(dot(ewBoxI, ewHere), dot(ewBoxJ, ewHere), dot(ewBoxK, ewHere));\n"
+                                      "  vec3 ewAlong = ewAt - ewEyeInBox;\n"
+                                      "  ewAlong += vec3(lessThan(abs(ewAlong), vec3(1e-6))) * 1e-6;\n"
+                                      "  vec3 ewNear = min((-1.0 - ewAt) / ewAlong, (1.0 - ewAt) / ewAlong);\n"
+                                      "  vec3 ewFar = max((-1.0 - ewAt) / ewAlong, (1.0 - ewAt) / ewAlong);\n"
+                                      "  float ewBegin = max(max(ewNear.x, ewNear.y), max(ewNear.z, 0.0));\n"
+                                      "  float ewEnd = min(ewFar.x, min(ewFar.y, ewFar.z));\n"
+                                      "  float ewPath = max(0.0, ewEnd - ewBegin) * length(ewAlong);\n"
+                                      "  float ewThrough = ewWindow * smoothstep(0.0, 1.4, ewPath);\n"
+                                      "  fragOutput0 = vec4(mix(ewShaded, ewGround, ewThrough), fragOutput0.a);\n",
+                                      false);
+}
+
 }  // namespace
 
 SceneColours darkColours() { return {}; }
@@ -83,11 +114,13 @@ struct Scene3D::Parts {
   vtkNew<vtkActor> box;
   vtkNew<vtkPolyData> boxMesh;
   std::optional<Bounds> volume;
+  glm::dmat4 worldToBox{1.0};  ///< the volume's box becomes [-1, 1] along each of its own axes
 
   vtkNew<vtkActor> housing;
   vtkNew<vtkPolyDataMapper> housingMapper;
   FanPicture fan;
   Probe probe;
+  double depth_mm = 0.0;
   bool hasProbe = false;
   bool hasPose = false;
   bool probeWanted = true;
@@ -101,6 +134,21 @@ struct Scene3D::Parts {
     setColour(*box->GetProperty(), colours.box);
     fan.setAccent(colours.accent);
     rebuildHousing();
+  }
+
+  /// Hands the shader the box the body is to be seen through, and from where.
+  void updateWindow() {
+    vtkUniforms& uniforms = *body->GetShaderProperty()->GetFragmentCustomUniforms();
+    // Row by row, because VTK 9.1 hands its row-major matrix to the column-major shader as it is.
+    const glm::mat4 rows(glm::transpose(worldToBox));
+    uniforms.SetUniform4f("ewBoxI", &rows[0].x);
+    uniforms.SetUniform4f("ewBoxJ", &rows[1].x);
+    uniforms.SetUniform4f("ewBoxK", &rows[2].x);
+    const glm::vec3 eye(glm::dvec3(worldToBox * glm::dvec4(camera.eye_mm(), 1.0)));
+    uniforms.SetUniform3f("ewEyeInBox", &eye.x);
+    uniforms.SetUniformf("ewWindow", volume ? 0.40F : 0.0F);
+    const glm::vec3 ground(glm::mix(colours.groundBottom, colours.groundTop, 0.5));
+    uniforms.SetUniform3f("ewGround", &ground.x);
   }
 
   void rebuildHousing() {
@@ -140,7 +188,7 @@ struct Scene3D::Parts {
     const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
     const glm::dvec3 middle_mm = 0.5 * (bounds.lowest_mm + bounds.highest_mm);
     if (extent_mm.z < 1200.0) return {middle_mm, 1.1 * std::max(extent_mm.x, extent_mm.y), 1.15 * extent_mm.z};
-    return {{middle_mm.x, middle_mm.y, bounds.highest_mm.z - 0.26 * extent_mm.z}, std::min(extent_mm.x, 620.0), 0.53 * extent_mm.z};
+    return {{middle_mm.x, middle_mm.y, bounds.highest_mm.z - 0.265 * extent_mm.z}, std::min(extent_mm.x, 600.0), 0.50 * extent_mm.z};
   }
 
   void syncCamera() {
@@ -169,9 +217,9 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.bodyLayer->GradientBackgroundOn();
   p.overlay->SetLayer(1);
   p.overlay->InteractiveOff();
-  const std::array<vtkSmartPointer<vtkLight>, 3> lights{cameraLight({-0.55, 0.75, 0.85}, {1.0, 0.985, 0.96}, 0.66),
-                                                        cameraLight({0.9, 0.15, 0.6}, {0.93, 0.96, 1.0}, 0.26),
-                                                        cameraLight({0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, 0.16)};
+  const std::array<vtkSmartPointer<vtkLight>, 3> lights{cameraLight({-0.55, 0.75, 0.85}, {1.0, 0.985, 0.96}, 0.60),
+                                                        cameraLight({0.9, 0.15, 0.6}, {0.93, 0.96, 1.0}, 0.24),
+                                                        cameraLight({0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, 0.36)};
   for (vtkRenderer* layer : {p.bodyLayer.Get(), p.overlay.Get()}) {
     layer->SetActiveCamera(p.vtkView);
     layer->AutomaticLightCreationOff();
@@ -180,6 +228,9 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   }
   p.body->SetMapper(p.bodyMapper);
   p.bodyMapper->ScalarVisibilityOff();
+  // The shader is to see millimetres, not what VTK packs them into.
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(p.bodyMapper))
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   vtkProperty& skin = *p.body->GetProperty();
   skin.BackfaceCullingOn();
   skin.SetInterpolationToPhong();
@@ -208,9 +259,11 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.overlay->AddActor(p.housing);
   p.fan.addTo(*p.overlay);
   p.fan.setProbeToWorld(p.probeToWorld);
+  shadeBody(*p.body);
   p.updateVisibility();
   p.applyColours();
-  showFrom(CameraPreset::front);
+  showFrom(CameraPreset::overview);
+  p.updateWindow();  // a window may paint by itself before the first render(), and the shader needs its values then
 }
 
 Scene3D::~Scene3D() {
@@ -255,6 +308,9 @@ void Scene3D::setVolumeBox(const Grid& grid) {
   p.boxMesh->SetPoints(points);
   p.boxMesh->SetLines(lines);
   p.box->VisibilityOn();
+  const glm::dvec3 half = 0.5 * glm::dvec3(grid.dims);
+  const glm::dmat4 voxelToBox = glm::scale(glm::dmat4(1.0), 1.0 / half) * glm::translate(glm::dmat4(1.0), glm::dvec3(0.5) - half);
+  p.worldToBox = voxelToBox * grid.worldToVoxel().matrix;
 }
 
 void Scene3D::clearVolumeBox() {
@@ -265,10 +321,12 @@ void Scene3D::clearVolumeBox() {
 void Scene3D::setProbe(const Probe& probe, double depth_mm) {
   EW_EXPECTS(depth_mm > 0.0);
   Parts& p = *parts_;
-  const bool sameHousing = p.hasProbe && probe == p.probe;
+  const bool sameProbe = p.hasProbe && probe == p.probe;
+  if (sameProbe && depth_mm == p.depth_mm) return;  // a caller may say so with every frame
   p.probe = probe;
+  p.depth_mm = depth_mm;
   p.hasProbe = true;
-  if (!sameHousing) p.rebuildHousing();
+  if (!sameProbe) p.rebuildHousing();
   p.fan.setOutline(probe, depth_mm);
   p.updateVisibility();
 }
@@ -358,6 +416,7 @@ glm::dvec3 Scene3D::cameraUp() const { return parts_->camera.up(); }
 void Scene3D::render() {
   Parts& p = *parts_;
   p.syncCamera();
+  p.updateWindow();
   if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());
   p.window->Render();
 }

@@ -109,6 +109,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
     connect(button, &QToolButton::clicked, this, action);
     row->addWidget(button);
   };
+  addButton("viewOverview", [this] { showFrom(bridge::CameraPreset::overview); });
   addButton("viewFront", [this] { showFrom(bridge::CameraPreset::front); });
   addButton("viewRight", [this] { showFrom(bridge::CameraPreset::right); });
   addButton("viewLeft", [this] { showFrom(bridge::CameraPreset::left); });
@@ -135,6 +136,7 @@ void View3D::retranslate() {
       found->setAccessibleName(tip);
     }
   };
+  name("viewOverview", tr("Overview"), tr("Look from the front, the right and above"));
   name("viewFront", tr("Front"), tr("Look from the front"));
   name("viewRight", tr("Right"), tr("Look from the patient's right"));
   name("viewLeft", tr("Left"), tr("Look from the patient's left"));

@@ -19,7 +19,9 @@ class vtkRenderer;
 
 namespace ew::bridge {
 
-enum class CameraPreset { front, back, right, left, top };  ///< seen from the patient's front, ..., head
+/// Seen from the patient's front, back, right, left and head; `overview` looks at the front from the right and above, so that a fan
+/// across the body is seen as well.
+enum class CameraPreset { front, back, right, left, top, overview };
 
 struct Ray {
   glm::dvec3 from_mm{0.0};
