@@ -178,7 +178,7 @@ TEST(HardSequences, EqualTimesAndTimeRunningBackwardsAreNotedAndChangeNoPose) {
   const auto poses = sweepPoses(sequence);
   ASSERT_TRUE(succeeded(poses));
   EXPECT_EQ(poses->usable, 5u);
-  EXPECT_TRUE(contains(poses->notes, "1 frames carry the same time"));
+  EXPECT_TRUE(contains(poses->notes, "1 frame carries the same time"));
   EXPECT_TRUE(contains(poses->notes, "backwards at 1"));
 }
 

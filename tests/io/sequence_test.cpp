@@ -123,7 +123,7 @@ TEST(SequenceFile, InvalidTransformsKeepTheirNumbersAndTheirStatus) {
   EXPECT_EQ(frame.transforms[0].matrix, rowsMatrix());
   EXPECT_EQ(frame.transforms[1].status, PoseStatus::invalid);
   EXPECT_EQ(frame.transforms[2].status, PoseStatus::ok);
-  EXPECT_TRUE(contains(read->notes, "1 transforms come without a status"));
+  EXPECT_TRUE(contains(read->notes, "1 transform comes without a status"));
   ASSERT_EQ(frame.otherFields.size(), 1u);
   EXPECT_EQ(frame.otherFields[0].first, "EToFTransformStatus");
 }

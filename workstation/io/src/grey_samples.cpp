@@ -153,7 +153,8 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
     const double share = width > 0.0 && std::isfinite(here) ? (here * 0.5 - lowest * 0.5) / width : 0.0;
     grey[pixel] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
   }
-  if (notFinite > 0) notes.push_back(std::to_string(notFinite) + " samples are not finite numbers and became 0.");
+  if (notFinite > 0)
+    notes.push_back(counted(notFinite, "sample is not a finite number", "samples are not finite numbers") + " and became 0.");
   if (rescale && width > 0.0)
     notes.push_back("The samples are " + std::string(nameOf(header.type)) + ": values from " + textOf(lowest) + " to " + textOf(highest) +
                     " were mapped to 0 to 255.");

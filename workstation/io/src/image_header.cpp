@@ -96,6 +96,10 @@ std::optional<std::uint64_t> productOf(std::span<const std::uint64_t> factors) {
 
 std::string countText(std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "more than 10^19"; }
 
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
 std::string sizesText(std::span<const std::uint64_t> sizes) {
   std::string text;
   for (const std::uint64_t size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);

@@ -64,6 +64,8 @@ struct FrameKey {
 /// The product, or empty when it does not fit 64 bits.
 [[nodiscard]] std::optional<std::uint64_t> productOf(std::span<const std::uint64_t> factors);
 [[nodiscard]] std::string countText(std::optional<std::uint64_t> count);
+/// "1 frame is", "2 frames are": the count and the words that go with it.
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 [[nodiscard]] std::string sizesText(std::span<const std::uint64_t> sizes);
 
 [[nodiscard]] std::string quoted(const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "ew/core/numbers.h"
 #include "image_header.h"
 
 namespace ew::detail {
@@ -198,7 +199,7 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
     const glm::dvec3 step_mm = axes[axis] * toLps * mm;
     const double length = glm::length(step_mm);
     if (!std::isfinite(length) || !(length > 0.0))
-      return badField(header.file, "the voxel size along axis " + std::to_string(axis + 1), std::to_string(length), "a length above 0");
+      return badField(header.file, "the voxel size along axis " + std::to_string(axis + 1), textOf(length), "a length above 0");
     header.geometry.spacing_mm[axis] = length;
     header.geometry.directions[axis] = step_mm / length;
   }
@@ -261,9 +262,11 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
     header.sizes.push_back(static_cast<std::uint64_t>(length));
   }
   if (auto taken = takeType(nifti, header); !taken) return passOn(taken.error());
+  // Some writers leave the place of the samples at 0 and mean "right behind the header".
   const double smallest = size == static_cast<int>(kSize1) ? 352.0 : 544.0;
+  if (nifti.voxelOffset == 0.0) nifti.voxelOffset = smallest;
   if (!std::isfinite(nifti.voxelOffset) || nifti.voxelOffset < smallest || nifti.voxelOffset > 1e15)
-    return badField(file, "vox_offset", std::to_string(nifti.voxelOffset), "at least " + std::to_string(static_cast<int>(smallest)));
+    return badField(file, "vox_offset", textOf(nifti.voxelOffset), "at least " + std::to_string(static_cast<int>(smallest)));
   (compressed ? header.skipUnpacked : header.dataOffset) = static_cast<std::uint64_t>(nifti.voxelOffset);
   if (nifti.slope != 0.0 && std::isfinite(nifti.slope) && std::isfinite(nifti.intercept)) {
     header.slope = nifti.slope;

@@ -82,6 +82,13 @@ Result<void> takeTransform(const ImageHeader& header, std::string_view key, std:
   std::array<double, 16> rows{};
   std::copy_n(numbers->begin(), 16, rows.begin());
   const NamedTransform read{name.from, name.to, matrixFromRows(rows), PoseStatus::ok};
+  // Real recordings have a handful; looking each one up among the others must not become the work of a broken file.
+  constexpr std::size_t most = 1000;
+  if (frame.transforms.size() >= most)
+    return failure(
+        ErrorCode::unsupported,
+        quoted(header.file) + " gives more than " + std::to_string(most) + " transforms for one frame; check that the file is undamaged.",
+        {{"file", header.file.string()}, {"field", std::string(key)}});
   const auto same = std::find_if(frame.transforms.begin(), frame.transforms.end(),
                                  [&](const NamedTransform& known) { return known.from == name.from && known.to == name.to; });
   if (same == frame.transforms.end())
@@ -132,10 +139,15 @@ void applyStatuses(SequenceFrame& frame, OpenFrame& open, Remarks& remarks) {
   remarks.withoutStatus += static_cast<std::uint64_t>(std::count(told.begin(), told.end(), false));
 }
 
-Result<void> takeFields(const ImageHeader& header, Sequence& sequence) {
+Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress& progress) {
   std::vector<OpenFrame> open(sequence.frames.size());
   Remarks remarks;
+  std::size_t fieldsUntilPoll = 0;
   for (const auto& [key, value] : header.fields) {
+    if (fieldsUntilPoll-- == 0) {
+      if (progress.cancelRequested()) return stopped(header.file);
+      fieldsUntilPoll = 4096;
+    }
     if (const auto frame = frameKey(key)) {
       if (frame->frame >= sequence.frames.size()) {
         ++remarks.beyondEnd;
@@ -161,10 +173,12 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence) {
     sequence.notes.push_back("The header says nothing about " + std::to_string(silent) + " of " + std::to_string(sequence.frames.size()) +
                              " frames; their poses and times count as missing.");
   if (remarks.withoutStatus > 0)
-    sequence.notes.push_back(std::to_string(remarks.withoutStatus) + " transforms come without a status and count as valid.");
+    sequence.notes.push_back(counted(remarks.withoutStatus, "transform comes without a status and counts as valid.",
+                                     "transforms come without a status and count as valid."));
   if (remarks.beyondEnd > 0)
-    sequence.notes.push_back("The header has " + std::to_string(remarks.beyondEnd) + " fields about frames after the last image, number " +
-                             std::to_string(sequence.frames.size() - 1) + "; they were kept but not used.");
+    sequence.notes.push_back("The header has " + counted(remarks.beyondEnd, "field", "fields") +
+                             " about frames after the last image, number " + std::to_string(sequence.frames.size() - 1) +
+                             "; they were kept but not used.");
   return {};
 }
 
@@ -208,7 +222,7 @@ Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, c
   SequenceFrame untold;
   untold.imageStatus = PoseStatus::missing;
   sequence.frames.resize(static_cast<std::size_t>(layout->frames), untold);
-  if (const auto taken = takeFields(*header, sequence); !taken) return passOn(taken.error());
+  if (const auto taken = takeFields(*header, sequence, progress); !taken) return passOn(taken.error());
   progress.report("Reading frames", 1.0);
   return sequence;
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "ew/core/numbers.h"
+#include "image_header.h"
 #include "usable_transform.h"
 
 namespace ew {
@@ -137,8 +137,9 @@ void noteTimes(const Sequence& sequence, std::vector<std::string>& notes) {
     if (before_s && *frame.time_s < *before_s) ++backwards;
     before_s = frame.time_s;
   }
-  if (equal > 0) notes.push_back(std::to_string(equal) + " frames carry the same time as the frame before.");
-  if (backwards > 0) notes.push_back("Time runs backwards at " + std::to_string(backwards) + " frames; their order in the file was kept.");
+  if (equal > 0) notes.push_back(detail::counted(equal, "frame carries", "frames carry") + " the same time as the frame before.");
+  if (backwards > 0)
+    notes.push_back("Time runs backwards at " + detail::counted(backwards, "frame", "frames") + "; the order in the file was kept.");
 }
 
 void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<std::string>& notes) {
@@ -173,15 +174,15 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
   if (!best) return noChain(sequence, names, calibration != nullptr, toFrame);
   if (best->usable == 0)
     return failure(ErrorCode::noValidPose,
-                   "None of the " + std::to_string(sequence.frames.size()) + " frames has a usable pose to " + best->toFrame + ": " +
-                       std::to_string(best->invalid) + " are INVALID and " + std::to_string(best->missing) +
+                   "Of " + detail::counted(sequence.frames.size(), "frame", "frames") + ", none has a usable pose to " + best->toFrame +
+                       ": " + detail::counted(best->invalid, "is", "are") + " INVALID and " + std::to_string(best->missing) +
                        " missing; check that the tracker saw the probe, or choose another target frame.",
                    {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
   best->notes = std::move(notes);
   if (toFrame.empty()) best->notes.push_back("The volume is placed in the recording's frame " + best->toFrame + ".");
   if (best->invalid + best->missing > 0)
-    best->notes.push_back(std::to_string(best->invalid) + " frames with an INVALID and " + std::to_string(best->missing) +
-                          " with a missing pose were left out; " + std::to_string(best->usable) + " are used.");
+    best->notes.push_back(detail::counted(best->invalid, "frame", "frames") + " with an INVALID and " + std::to_string(best->missing) +
+                          " with a missing pose were left out; " + detail::counted(best->usable, "is", "are") + " used.");
   const auto first = std::find_if(best->imageToWorld.begin(), best->imageToWorld.end(), [](const auto& pose) { return pose.has_value(); });
   noteGeometry((*first)->matrix, best->notes);
   noteOverride(sequence, given, best->notes);
