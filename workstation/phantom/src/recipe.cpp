@@ -29,7 +29,11 @@ void FieldReader::refuse(const std::string& place, const std::string& found, con
 void FieldReader::allow(const nlohmann::json& object, const std::string& place, const std::set<std::string>& names) {
   if (!object.is_object()) return refuse(place, shown(object), "an object");
   for (const auto& [name, value] : object.items()) {
-    if (name == "name" || name == "note" || name == "source" || names.count(name) > 0) continue;
+    if (name == "name" || name == "note" || name == "source") {
+      if (!value.is_string()) refuse(place + "." + name, shown(value), "a text");
+      continue;
+    }
+    if (names.count(name) > 0) continue;
     std::string known;
     for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
     return refuse(place + "." + name, "not known here", "one of " + known);

@@ -1,0 +1,94 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "recipes.h"
+
+namespace ew {
+namespace {
+
+nlohmann::json jsonOf(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  auto json = nlohmann::json::parse(in, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << file;
+  return json;
+}
+
+bool conforms(const nlohmann::json& recipe, std::string* why = nullptr) {
+  static const nlohmann::json text = jsonOf(EW_SOURCE_DIR "/resources/schemas/patient.schema.json");
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  const valijson::adapters::NlohmannJsonAdapter schemaAdapter(text);
+  parser.populateSchema(schemaAdapter, schema);
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  const valijson::adapters::NlohmannJsonAdapter target(recipe);
+  const bool good = validator.validate(schema, target, &results);
+  valijson::ValidationResults::Error error;
+  while (why && results.popError(error)) {
+    for (const std::string& step : error.context) *why += step;
+    *why += ": " + error.description + "\n";
+  }
+  return good;
+}
+
+class ShippedCase : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static nlohmann::json manifest() {
+    return jsonOf(std::filesystem::path(EW_SOURCE_DIR) / "cases" / GetParam() / "case.json");
+  }
+  [[nodiscard]] static glm::dmat4 startPose() { return matrixFromRows(manifest().at("start_pose").get<std::array<double, 16>>()); }
+};
+
+TEST_P(ShippedCase, HasAPatientThatFollowsTheSchema) {
+  std::string why;
+  EXPECT_TRUE(conforms(jsonOf(testing::shippedPatient(GetParam())), &why)) << why;
+}
+
+TEST_P(ShippedCase, StartsWithTheProbeOnTheSkinLookingIn) {
+  const glm::dmat4 pose = startPose();
+  ASSERT_TRUE(checkRigid(pose));
+  const auto body = readBodyShape(testing::shippedMannequin());
+  ASSERT_TRUE(body) << body.error();
+  const glm::dvec3 face(pose[3]);
+  EXPECT_NEAR((*body)->signedDistance_mm(face), -2.5, 2.5) << "pressed on lightly";
+  EXPECT_LT(glm::dot(outwardNormal(**body, face), glm::dvec3(pose[1])), -std::cos(0.5)) << "within 30 degrees of the normal";
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase, ::testing::Values("upper-abdomen-gall-stone", "upper-abdomen-normal"), [](const auto& found) {
+  std::string name = found.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(GallStoneCase, StartsWithTheStoneAndTheLongGallBladderInThePicture) {
+  const auto manifest = jsonOf(EW_SOURCE_DIR "/cases/upper-abdomen-gall-stone/case.json");
+  const glm::dmat4 worldToProbe = glm::inverse(matrixFromRows(manifest.at("start_pose").get<std::array<double, 16>>()));
+  const auto inProbe = [&](const glm::dvec3& p_world) { return glm::dvec3(worldToProbe * glm::dvec4(p_world, 1.0)); };
+  const glm::dvec3 stone = inProbe({-51.4, -24.4, -55.2});
+  EXPECT_LT(std::abs(stone.z), 3.0) << "the plane cuts the stone near its middle";
+  EXPECT_LT(std::abs(stone.x), 15.0);
+  EXPECT_NEAR(stone.y, 65.0, 15.0) << "depth";
+  for (const glm::dvec3& onAxis : {glm::dvec3(-42, -10, -40), glm::dvec3(-55, -38, -60), glm::dvec3(-63, -55, -71)})
+    EXPECT_LT(std::abs(inProbe(onAxis).z), 4.0) << "neck, body and fundus lie in one picture";
+}
+
+TEST(PatientSchema, RefusesWhatTheReaderRefuses) {
+  const std::string ball = R"({"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [5, 5, 5]}})";
+  const auto recipeWith = [](const std::string& organ) { return nlohmann::json::parse(testing::patientRecipe(organ)); };
+  EXPECT_TRUE(conforms(recipeWith(R"({"name": "egg", "tissue": "dark", "shape": )" + ball + "}")));
+  for (const std::string& organ :
+       {R"({"name": "egg", "tissue": "dark", "colour": 3, "shape": )" + ball + "}", std::string(R"({"name": "egg", "tissue": "dark"})"),
+        std::string(R"({"name": "egg", "tissue": "dark", "shape": {}})"),
+        std::string(R"({"name": "egg", "tissue": "dark", "shape": {"of": "a", "grown": {"of": "a", "by_mm": 1}}})"),
+        R"({"name": "egg", "tissue": "dark", "border": {"echo_level": 300, "width_mm": 1}, "shape": )" + ball + "}"}) {
+    EXPECT_FALSE(conforms(recipeWith(organ))) << organ;
+    EXPECT_FALSE(testing::patientOf(testing::patientRecipe(organ))) << organ;
+  }
+}
+
+}  // namespace
+}  // namespace ew
