@@ -118,6 +118,18 @@ fs::path Outputs::staged(const fs::path& file) const {
   return file;
 }
 
+std::string Outputs::inGivenNames(std::string text) const {
+  for (const auto& entry : entries_) {
+    if (entry.staged == entry.target) continue;
+    const std::pair<std::string, std::string> names[] = {{entry.staged.string(), entry.given.string()},
+                                                         {entry.staged.filename().string(), entry.given.filename().string()}};
+    for (const auto& [staged, given] : names)
+      for (auto at = text.find(staged); at != std::string::npos; at = text.find(staged, at + given.size()))
+        text.replace(at, staged.size(), given);
+  }
+  return text;
+}
+
 Result<void> Outputs::commit() {
   for (auto& entry : entries_) {
     if (entry.staged == entry.target) continue;

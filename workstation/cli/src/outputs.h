@@ -34,6 +34,9 @@ class Outputs {
   /// pixels' file.
   [[nodiscard]] std::filesystem::path staged(const std::filesystem::path& file) const;
 
+  /// The same text with every staged file called by the name it was given: what a writer says is for the user.
+  [[nodiscard]] std::string inGivenNames(std::string text) const;
+
   /// Puts every staged file in place.
   /// @error notWritable
   [[nodiscard]] Result<void> commit();

@@ -6,6 +6,7 @@
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
+#include "ew/library/case.h"
 #include "ew/phantom/patient.h"
 
 namespace ew::cli {
@@ -30,7 +31,8 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 
-  const auto patient = readPatient(arguments.patient);
+  const auto resources = resourceFolder();
+  const auto patient = readPatient(arguments.patient, resources ? *resources / "mannequin" : std::filesystem::path());
   if (!patient) return passOn(patient.error());
   VoxeliseOptions options;
   options.spacing_mm = arguments.spacing_mm;

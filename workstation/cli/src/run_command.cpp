@@ -70,6 +70,14 @@ Result<int> runGuarded(const Work& work, Run& run) {
   }
 }
 
+/// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.
+Error forTheUser(Error error, const Outputs& outputs) {
+  if (error.code == ErrorCode::cancelled) error.sentence = "Stopped as asked; nothing was written.";
+  error.sentence = outputs.inGivenNames(std::move(error.sentence));
+  for (auto& [name, value] : error.context) value = outputs.inGivenNames(std::move(value));
+  return error;
+}
+
 Result<int> execute(const Selection& selection, Run& run) {
   spdlog::set_level(selection.quiet ? spdlog::level::err : spdlog::level::warn);  // what plugins say while they work
   run.report.command = selection.command;
@@ -94,7 +102,7 @@ int finish(const Selection& selection, const Surroundings& surroundings) {
   const auto status = execute(selection, run);
   if (status) return *status;
   run.progress.clear();
-  tell(surroundings.err, status.error(), selection.verbose);
+  tell(surroundings.err, forTheUser(status.error(), run.outputs), selection.verbose);
   return status.error().code == ErrorCode::badUsage ? kWrongUsage : kFailed;
 }
 

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "cli/cli_world.h"
+
+namespace ew::test {
+namespace {
+
+/// Starts the real program without a display; its streams go to files.
+pid_t start(const std::vector<std::string>& args, const std::string& outFile, const std::string& errFile) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  ::unsetenv("DISPLAY");
+  ::unsetenv("WAYLAND_DISPLAY");
+  ::unsetenv("QT_QPA_PLATFORM");
+  if (!std::freopen(outFile.c_str(), "w", stdout) || !std::freopen(errFile.c_str(), "w", stderr)) ::_exit(126);
+  std::vector<char*> words{const_cast<char*>(EW_PROGRAM)};
+  for (const auto& arg : args) words.push_back(const_cast<char*>(arg.c_str()));
+  words.push_back(nullptr);
+  ::execv(EW_PROGRAM, words.data());
+  ::_exit(127);
+}
+
+int statusOf(pid_t child) {
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+Outcome runProgram(const std::vector<std::string>& args, const TemporaryFolder& folder) {
+  Outcome outcome;
+  outcome.status = statusOf(start(args, folder / "stdout", folder / "stderr"));
+  outcome.out = readText(folder / "stdout");
+  outcome.err = readText(folder / "stderr");
+  std::filesystem::remove(folder / "stdout");
+  std::filesystem::remove(folder / "stderr");
+  return outcome;
+}
+
+TEST(Program, WorksHeadlessWithoutADisplay) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeSequence(parallelSweep(8, 6, 5), folder / "s.igs.mha"));
+  const auto reconstructed = runProgram({"reconstruct", folder / "s.igs.mha", "-o", folder / "v.mha", "--spacing", "1"}, folder);
+  ASSERT_EQ(reconstructed.status, 0) << reconstructed.err;
+  const auto sliced =
+      runProgram({"slice", folder / "v.mha", "--pose", kIdentityPose, "-o", folder / "o.png", "--report", folder / "r.json"}, folder);
+  ASSERT_EQ(sliced.status, 0) << sliced.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"o.png", "r.json", "s.igs.mha", "v.mha"}));
+  EXPECT_GT(readJson(folder / "r.json")["memory_mib"].get<double>(), 1.0);
+}
+
+TEST(Program, TellsTheShellHowItWent) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(runProgram({"--version"}, folder).status, 0);
+  EXPECT_EQ(runProgram({"slice", "none.mha", "--pose", kIdentityPose, "--repeat", "1"}, folder).status, 1);
+  EXPECT_EQ(runProgram({"slice", "--nonsense"}, folder).status, 2);
+  const auto slip = runProgram({"sliec"}, folder);
+  EXPECT_EQ(slip.status, 2);
+  EXPECT_NE(slip.err.find("'sliec'"), std::string::npos) << slip.err;
+  const auto missing = runProgram({"folder/none.mha"}, folder);
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.err.find("none.mha"), std::string::npos) << missing.err;
+}
+
+TEST(Program, WithoutADisplayTheWindowIsASentenceAndNoCrash) {
+  const TemporaryFolder folder;
+  const auto outcome = runProgram({"--screenshot", folder / "s.png"}, folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err.rfind("echoweave: ", 0), 0u) << outcome.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Program, AnInterruptEndsItWithinHalfASecondAndLeavesNothing) {
+  const TemporaryFolder folder;
+  auto sweep = parallelSweep(400, 400, 40);
+  ASSERT_TRUE(writeSequence(sweep, folder / "s.igs.mha"));
+  const pid_t child = start({"reconstruct", folder / "s.igs.mha", "-o", folder / "v.mha", "--coverage", folder / "c.mha", "--spacing",
+                             "0.25", "--threads", "1", "--fill-reach", "12"},
+                            folder / "stdout", folder / "stderr");
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  const auto asked = std::chrono::steady_clock::now();
+  ASSERT_EQ(::kill(child, SIGINT), 0);
+  const int status = statusOf(child);
+  const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count();
+  EXPECT_EQ(status, 1) << readText(folder / "stderr");
+  EXPECT_LT(took_s, 0.5);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"s.igs.mha", "stderr", "stdout"}));
+}
+
+}  // namespace
+}  // namespace ew::test

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include "cli/cli_world.h"
+#include "ew/library/case.h"
+
+namespace ew::test {
+namespace {
+
+/// A case folder with a small volume.
+void makeCase(const TemporaryFolder& folder, const std::string& name, const std::string& title) {
+  std::filesystem::create_directories(folder.path() / name / "volumes");
+  ASSERT_TRUE(writeVolume(rampVolume({6, 5, 4}), folder / (name + "/volumes/v.mha")));
+  const nlohmann::json manifest = {
+      {"format", 1},
+      {"id", name},
+      {"title", title},
+      {"region", "knee"},
+      {"patient", {{"name", "A. Nobody"}, {"sex", "female"}, {"age_years", 40}}},
+      {"history", "None."},
+      {"indication", "Pain."},
+      {"diagnosis", "Effusion."},
+      {"volume", {{"file", "volumes/v.mha"}, {"file_to_world", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}};
+  writeText(folder / (name + "/case.json"), manifest.dump(2));
+}
+
+TEST(CaseCommand, ListsTheCasesOfAFolderByTitleAndNamesWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  makeCase(folder, "b", "Ankle");
+  makeCase(folder, "a", "Knee");
+  std::filesystem::create_directory(folder / "c");
+  writeText(folder / "c/case.json", "{");
+  const auto listed = run({"case", "list", folder.path().string()});
+  ASSERT_EQ(listed.status, 0) << listed.err;
+  EXPECT_LT(listed.out.find("Ankle"), listed.out.find("Knee")) << listed.out;
+  EXPECT_NE(listed.err.find("note: "), std::string::npos) << listed.err;
+  const auto asJson = run({"case", "list", folder.path().string(), "--json"});
+  const auto json = nlohmann::json::parse(asJson.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << asJson.out;
+  EXPECT_EQ(json["cases"].size(), 2u);
+  EXPECT_EQ(json["problems"].size(), 1u);
+}
+
+TEST(CaseCommand, ShowsTheShippedCaseByItsId) {
+  const auto listed = run({"case", "list", "--json"});
+  ASSERT_EQ(listed.status, 0) << listed.err;
+  const auto json = nlohmann::json::parse(listed.out, nullptr, false);
+  ASSERT_FALSE(json["cases"].empty());
+  const std::string id = json["cases"][0]["id"], title = json["cases"][0]["title"];
+  const auto shown = run({"case", "show", id});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_NE(shown.out.find(title), std::string::npos) << shown.out;
+  EXPECT_EQ(nlohmann::json::parse(run({"case", "show", id, "--json"}).out)["title"], title);
+  EXPECT_EQ(run({"case", "validate", id}).status, 0);
+}
+
+TEST(CaseCommand, ShowsEveryFieldAndItsManifestAsJson) {
+  const TemporaryFolder folder;
+  makeCase(folder, "a", "Knee");
+  const auto shown = run({"case", "show", folder / "a"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  for (const char* part : {"Knee", "A. Nobody", "female", "40 years", "Pain.", "Effusion.", "volumes/v.mha"})
+    EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
+  const auto manifest = nlohmann::json::parse(run({"case", "show", folder / "a/case.json", "--json"}).out, nullptr, false);
+  EXPECT_EQ(manifest["id"], "a");
+}
+
+TEST(CaseCommand, ValidatePrintsEveryProblemAndFails) {
+  const TemporaryFolder folder;
+  makeCase(folder, "a", "Knee");
+  EXPECT_EQ(run({"case", "validate", folder / "a"}).status, 0);
+  auto manifest = readJson(folder / "a/case.json");
+  manifest["title"] = 3;
+  manifest["volume"]["file_to_world"][0] = 2;
+  manifest["probes"] = "all";
+  writeText(folder / "a/case.json", manifest.dump());
+  const auto checked = run({"case", "validate", folder / "a", "--json"});
+  EXPECT_EQ(checked.status, 1);
+  const auto json = nlohmann::json::parse(checked.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << checked.out;
+  EXPECT_EQ(json["valid"], false);
+  EXPECT_GE(json["problems"].size(), 2u) << checked.out;
+  const auto words = run({"case", "validate", folder / "a"});
+  EXPECT_EQ(words.status, 1);
+  EXPECT_NE(words.out.find("title"), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("probes"), std::string::npos) << words.out;
+}
+
+TEST(CaseCommand, AnUnknownCaseNamesTheShippedOnes) {
+  const auto outcome = run({"case", "show", "no-such-case"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("shipped case"), std::string::npos) << outcome.err;
+}
+
+TEST(CaseCommand, PrepareMakesAVolumeOnceAndThenHasNothingToDo) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  const auto shipped = shippedCasesFolder();
+  ASSERT_TRUE(shipped);
+  std::string recipe;
+  std::filesystem::path home;
+  for (const auto& each : listCases(*shipped).cases)
+    if (!each.volume.recipe.empty()) {
+      recipe = each.volume.recipe;
+      home = each.folder;
+    }
+  ASSERT_FALSE(recipe.empty());
+  std::filesystem::copy(home, folder.path() / "coarse", std::filesystem::copy_options::recursive);
+  auto manifest = readJson(folder / "coarse/case.json");
+  manifest["volume"]["recipe_spacing_mm"] = 6;
+  writeText(folder / "coarse/case.json", manifest.dump());
+
+  const auto first = run({"case", "prepare", folder / "coarse", "--report", folder / "1.json"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(readJson(folder / "1.json")["quality"]["prepared_now"], 1);
+  EXPECT_NE(first.err.find(" %  "), std::string::npos) << "progress in plain lines\n" << first.err;
+  const auto second = run({"case", "prepare", folder / "coarse", "--report", folder / "2.json"});
+  ASSERT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(readJson(folder / "2.json")["quality"]["prepared_now"], 0);
+  EXPECT_EQ(second.err, "");
+}
+
+}  // namespace
+}  // namespace ew::test

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include "cli/cli_world.h"
+#include "ew/library/case.h"
+
+namespace ew::test {
+namespace {
+
+/// The recipe of a shipped virtual patient; empty when none is shipped.
+std::string shippedPatient() {
+  const auto folder = shippedCasesFolder();
+  if (!folder) return {};
+  for (const auto& each : listCases(*folder).cases)
+    if (!each.volume.recipe.empty()) return (each.folder / each.volume.recipe).string();
+  return {};
+}
+
+TEST(PhantomCommand, WritesEchoAndLabelsOfOneGridTheSameForEveryThreadCount) {
+  const std::string patient = shippedPatient();
+  ASSERT_FALSE(patient.empty()) << "a shipped case has a virtual patient";
+  const TemporaryFolder folder;
+  const auto make = [&](const std::string& name, const std::string& threads) {
+    return run({"phantom", patient, "--volume", folder / (name + ".mha"), "--labels", folder / (name + "_labels.mha"), "--spacing", "6",
+                "--seed", "7", "--threads", threads, "--report", folder / (name + ".json")});
+  };
+  const auto one = make("one", "1");
+  ASSERT_EQ(one.status, 0) << one.err;
+  ASSERT_EQ(make("two", "2").status, 0);
+  const auto volume = readVolume(folder / "one.mha"), again = readVolume(folder / "two.mha"),
+             labels = readVolume(folder / "one_labels.mha");
+  ASSERT_TRUE(volume && again && labels);
+  EXPECT_EQ(volume->volume.echo, again->volume.echo);
+  EXPECT_EQ(volume->volume.grid, labels->volume.grid);
+  EXPECT_NEAR(volume->volume.grid.spacing_mm.x, 6.0, 1e-9);
+
+  const auto report = readJson(folder / "one.json");
+  EXPECT_EQ(report["seed"], 7);
+  EXPECT_EQ(report["outputs"].size(), 2u);
+  ASSERT_GT(report["organs"].size(), 3u);
+  std::size_t counted = 0, liver_voxels = 0;
+  for (const auto& organ : report["organs"]) {
+    counted += organ["voxels"].get<std::size_t>();
+    if (organ["name"] == "liver") liver_voxels = organ["voxels"];
+  }
+  std::size_t labelled = 0;
+  for (const auto label : labels->volume.echo) labelled += label > 0 ? 1u : 0u;
+  EXPECT_EQ(counted, labelled);
+  EXPECT_GT(liver_voxels, 100u);
+}
+
+TEST(PhantomCommand, RefusesWhatIsNoPatientAndLeavesNothing) {
+  const TemporaryFolder folder;
+  writeText(folder / "p.json", "{\"organs\": 3}");
+  writeText(folder / "broken.json", "{");
+  for (const std::string name : {"p.json", "broken.json", "missing.json"}) {
+    const auto outcome = run({"phantom", folder / name, "--volume", folder / "v.mha", "--report", folder / "r.json"});
+    EXPECT_EQ(outcome.status, 1) << name;
+    EXPECT_EQ(outcome.err.rfind("echoweave: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"broken.json", "p.json"})) << name;
+  }
+}
+
+TEST(PhantomCommand, RefusesASpacingThatNeedsMoreMemoryThanThereIs) {
+  const std::string patient = shippedPatient();
+  ASSERT_FALSE(patient.empty());
+  const TemporaryFolder folder;
+  const auto outcome = run({"phantom", patient, "--volume", folder / "v.mha", "--spacing", "0.01"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("spacing"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace ew::test

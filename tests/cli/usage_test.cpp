@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/cli_world.h"
+#include "ew/cli/run_command.h"
+#include "ew/core/version.h"
+
+namespace ew::test {
+namespace {
+
+std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
+  const auto version = run({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out, std::string("echoweave ") + kVersion + "\n");
+  const auto help = run({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* command : {"reconstruct", "slice", "scan", "phantom", "case", "plugins", "bench"})
+    EXPECT_NE(help.out.find(command), std::string::npos) << command;
+  EXPECT_EQ(help.err, "");
+}
+
+TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
+  const std::vector<std::vector<std::string>> commands{{"reconstruct"},      {"slice"},           {"scan"},
+                                                       {"phantom"},          {"case", "list"},    {"case", "show"},
+                                                       {"case", "validate"}, {"case", "prepare"}, {"plugins", "list"},
+                                                       {"bench", "slicing"}};
+  for (auto words : commands) {
+    words.push_back("--help");
+    const auto help = run(words);
+    EXPECT_EQ(help.status, 0) << words.front();
+    for (const char* part : {"--report", "--quiet", "Examples:", "echoweave "})
+      EXPECT_NE(help.out.find(part), std::string::npos) << words.front() << part;
+  }
+}
+
+TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> wrong{{"slice"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--nonsense"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--size", "400"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--size", "0x4"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--size", "99999x4"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--pixel", "wide"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--pixel", "-1"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--pixel", "nan"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--quality", "best"},
+                                                    {"slice", "v.mha", "--pose", "x", "-o", "o.png", "--repeat", "0"},
+                                                    {"slice", "v.mha", "--pose", "x"},
+                                                    {"slice", "v.mha", "--pose", "1 2 3", "-o", "o.png"},
+                                                    {"phantom", "p.json"},
+                                                    {"phantom", "p.json", "--volume", folder / "v.mha", "--seed", "-1"},
+                                                    {"case"},
+                                                    {"case", "shove"},
+                                                    {"case", "prepare"},
+                                                    {"no-such-command"},
+                                                    {"reconstruct", "s.igs.mha"},
+                                                    {"reconstruct", "s.igs.mha", "-o", folder / "v.png"},
+                                                    {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--interpolation", "cubic"},
+                                                    {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--clip", "1", "2", "3"},
+                                                    {"bench", "slicing", "--side", "3"}};
+  for (const auto& words : wrong) {
+    const auto outcome = run(words);
+    std::string line;
+    for (const auto& word : words) line += word + " ";
+    EXPECT_EQ(outcome.status, cli::kWrongUsage) << line << outcome.err;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_EQ(outcome.err.rfind("echoweave: ", 0), 0u) << line << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1u) << line << outcome.err;
+    EXPECT_EQ(outcome.err.substr(outcome.err.size() - 2), ".\n") << outcome.err;
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Usage, VerboseAddsTheParticularsOfAnErrorOnASecondLine) {
+  const std::vector<std::string> words{"slice", "no-such.mha", "--pose", kIdentityPose, "--repeat", "1"};
+  auto more = words;
+  more.push_back("--verbose");
+  const auto brief = run(words), verbose = run(more);
+  EXPECT_EQ(brief.status, 1);
+  EXPECT_EQ(lines(brief.err), 1u) << brief.err;
+  EXPECT_EQ(lines(verbose.err), 2u) << verbose.err;
+  EXPECT_NE(verbose.err.find("no-such.mha", verbose.err.find('\n')), std::string::npos) << verbose.err;
+}
+
+TEST(Usage, OnlyCommandsAndQuestionsAreHeadless) {
+  using Words = std::vector<std::string>;
+  for (const Words& words : {Words{"slice"}, Words{"case", "list"}, Words{"--help"}, Words{"--version"}})
+    EXPECT_TRUE(cli::isHeadless(words)) << words.front();
+  for (const Words& words : {Words{}, Words{"case.json"}, Words{"--screenshot", "a.png"}, Words{"sweep.igs.mha"}, Words{"./slice"}})
+    EXPECT_FALSE(cli::isHeadless(words));
+}
+
+}  // namespace
+}  // namespace ew::test
