@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 
 /// Part of every cache name: raise it when voxelise gives other voxels for the same recipe, or when the cache's own files change.
 constexpr int kRecipeCacheFormat = 1;
-constexpr std::size_t kLargestRecipe_bytes = 16u << 20;
 
 std::string hex(std::uint64_t value) {
   std::array<char, 17> text{};
@@ -34,13 +33,20 @@ struct CacheEntry {
   fs::path ready;
 };
 
+/// Where a recipe finds the mannequin it names, wherever the case folder itself lies.
+fs::path mannequinFolder() {
+  const auto resources = resourceFolder();
+  return resources ? *resources / "mannequin" : fs::path();
+}
+
 Result<CacheEntry> cacheEntryOf(const Case& opened) {
   auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
   if (!recipe) return passOn(recipe.error());
-  auto text = readTextFile(*recipe, kLargestRecipe_bytes);
-  if (!text) return passOn(text.error());
-  const std::string key =
-      "format " + std::to_string(kRecipeCacheFormat) + " spacing " + textOf(opened.volume.recipeSpacing_mm) + "\n" + *text;
+  // The patient's own number also changes with its mannequin and with the way voxels are made, which the recipe's text does not.
+  const auto fingerprint = fingerprintOfPatient(*recipe, mannequinFolder());
+  if (!fingerprint) return passOn(fingerprint.error());
+  const std::string key = "format " + std::to_string(kRecipeCacheFormat) + " spacing " + textOf(opened.volume.recipeSpacing_mm) +
+                          " patient " + hex(*fingerprint);
   const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
   const std::string name = hex(hash.high64) + hex(hash.low64);
   const fs::path folder = cacheFolder() / "recipes";
@@ -100,7 +106,7 @@ Result<CaseEcho> fromRecipe(const Case& opened, Progress& progress) {
   }
   auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
   if (!recipe) return passOn(recipe.error());
-  auto patient = readPatient(*recipe);
+  auto patient = readPatient(*recipe, mannequinFolder());
   if (!patient) return passOn(patient.error());
   PartOfProgress making(progress, 0.0, 0.9);
   auto made = voxelise(**patient, {.spacing_mm = opened.volume.recipeSpacing_mm}, making);
