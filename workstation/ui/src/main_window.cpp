@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "import_dialog.h"
 #include "main_window_parts.h"
 #include "theme.h"
 #include "words.h"
@@ -22,7 +23,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kRecentFiles = 6;
-constexpr int kConsoleWidth_px = 216;
+constexpr int kConsoleWidth_px = 240;
 constexpr int kPanelWidth_px = 400;
 
 }  // namespace
@@ -163,6 +164,15 @@ void MainWindow::connectParts() {
     showRecent();
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
+  });
+  connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
+    auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
+    connect(dialog, &ImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
+      parts_->document.close();
+      parts_->opener->showVolume(volume, title, false);
+      Q_EMIT parts_->opener->opened(path);
+    });
+    dialog->open();
   });
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
     parts_->opener->showVolume(volume, title, true);

@@ -14,8 +14,8 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kLeft_px = 64;    // DGC curve
-constexpr int kRight_px = 80;   // depth scale
+constexpr int kLeft_px = 56;    // DGC curve
+constexpr int kRight_px = 64;   // depth scale
 constexpr int kTop_px = 56;     // probe name and marker
 constexpr int kBottom_px = 40;  // what the picture is
 
@@ -94,7 +94,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     painter.drawLine(QPointF(x - (labelled ? 12 : 6), y), QPointF(x, y));
     if (labelled) drawFigures(painter, QRect(x - 56, static_cast<int>(y) - 10, 38, 20), Qt::AlignRight, QString::number(at_mm / 10));
   }
-  if (box.height() > 0) drawFigures(painter, QRect(x - 56, box.bottom() + 8, 56, 20), Qt::AlignRight, tr("cm"));
+  if (box.height() > 0) drawFigures(painter, QRect(x - 56, height() - 32, 56, 24), Qt::AlignRight, tr("cm"));
 
   const double focusY =
       yOfDepth(session_.isFrozen() && session_.pictureKnobs().focus_mm > 0.0 ? session_.pictureKnobs().focus_mm : session_.focus_mm());
@@ -129,7 +129,7 @@ void ScanView::paintDgcCurve(QPainter& painter) {
   const QRect box = pictureRect();
   const double top = yOfDepth(0.0);
   const double bottom = yOfDepth(session_.geometry().depth_mm);
-  const double middle = 32.0;
+  const double middle = 28.0;
   const double reach = 20.0;  // a factor of 0 or 2 lies this far from the neutral line
   painter.setClipRect(QRect(0, box.top(), kLeft_px, box.height()));
   painter.setPen(QPen(theme.line, 1.0));

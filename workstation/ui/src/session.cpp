@@ -8,7 +8,7 @@ namespace ew::ui {
 namespace {
 
 constexpr std::size_t kRememberedFrames = 25;
-constexpr double kGel_mm = 3.0;
+constexpr double kGive_mm = 8.0;
 constexpr int kContactSamples = 17;
 
 /// Points of the transducer's face in the probe frame, evenly from edge to edge.
@@ -141,7 +141,7 @@ std::optional<double> Session::contact() const {
   for (const glm::dvec3& p_probe : facePoints_mm(probe_)) {
     const glm::dvec3 p_world = glm::dvec3(held.probeToWorld.matrix * glm::dvec4(p_probe, 1.0));
     const Skin::Contact nearest = skin_->nearest(p_world);
-    if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGel_mm) ++touching;
+    if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGive_mm) ++touching;
   }
   return static_cast<double>(touching) / kContactSamples;
 }

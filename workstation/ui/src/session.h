@@ -53,7 +53,7 @@ class Session final : public QObject {
   void setHold(const Hold& hold);
   [[nodiscard]] const Hold& hold() const { return hold_; }
   [[nodiscard]] Pose pose() const { return poseOf(hold_); }
-  /// Part of the probe's face that touches the skin, 0..1, with 3 mm of gel between; empty without a skin.
+  /// Part of the probe's face that touches the skin, 0..1, when skin and gel give way by 8 mm under the hand; empty without a skin.
   [[nodiscard]] std::optional<double> contact() const;
 
   /// Freezing keeps the picture, its pose and its knobs; the hand may move on.

@@ -2,6 +2,7 @@
 
 #include <QFontDatabase>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
 
 namespace ew::ui {
@@ -28,6 +29,15 @@ QFont fontOf(int size_px) {
   font.setStyleStrategy(QFont::PreferAntialias);
   return font;
 }
+
+/// Fusion without a line under every menu's letter; the letters still work with Alt.
+class QuietFusion final : public QProxyStyle {
+ public:
+  QuietFusion() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* answer) const override {
+    return hint == SH_UnderlineShortcut ? 0 : QProxyStyle::styleHint(hint, option, widget, answer);
+  }
+};
 
 QPalette paletteOf(const Theme& t) {
   QPalette p;
@@ -105,11 +115,11 @@ QToolButton { background: transparent; border: 1px solid transparent; border-rad
 QToolButton:hover { background: @raised; }
 QToolButton:focus { border-color: @accent; }
 
-QSlider { min-height: 20px; background: transparent; }
+QSlider { background: transparent; }
 QSlider::groove:horizontal { height: 2px; background: @line; border-radius: 1px; }
 QSlider::sub-page:horizontal { height: 2px; background: @accent; border-radius: 1px; }
 QSlider::add-page:horizontal { height: 2px; background: @line; border-radius: 1px; }
-QSlider::handle:horizontal { width: 12px; height: 12px; margin: -6px 0; border-radius: 6px; background: @handle; border: 1px solid @handleEdge; }
+QSlider::handle:horizontal { width: 12px; height: 12px; margin: -6px 0; border-radius: 7px; background: @handle; border: 1px solid @handleEdge; }
 QSlider::handle:horizontal:hover { background: @accent; }
 QSlider::handle:horizontal:focus { border-color: @accent; background: @accent; }
 QSlider::sub-page:horizontal:disabled { background: @line; }
@@ -224,7 +234,7 @@ const Theme& currentTheme() { return theTheme(); }
 
 void applyTheme(const Theme& theme) {
   theTheme() = theme;
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new QuietFusion);
   QApplication::setPalette(paletteOf(theme));
   QApplication::setFont(textFont());
   qApp->setStyleSheet(sheetOf(theme));
