@@ -67,8 +67,9 @@ Volume plainlyFilled(const Volume& volume, int reach_voxels) {
           const int span = steps[0] + steps[1];
           const double squared = static_cast<double>(span) * span * glm::dot(glm::dvec3(step), glm::dvec3(step));
           if (squared > reach_voxels * reach_voxels + 1e-6) continue;
-          total += (static_cast<double>(echo[0]) * steps[1] + static_cast<double>(echo[1]) * steps[0]) / span / squared;
-          weight += 1.0 / squared;
+          const double share = std::pow(squared, -6.0);
+          total += (static_cast<double>(echo[0]) * steps[1] + static_cast<double>(echo[1]) * steps[0]) / span * share;
+          weight += share;
         }
         if (weight == 0.0) continue;
         result.echo[grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(std::floor(total / weight + 0.5));

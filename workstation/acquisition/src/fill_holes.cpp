@@ -18,6 +18,11 @@ namespace {
 
 constexpr int kWordBits = 64;
 
+// The nearest pair of ends must win, or a slanting bridge blurs across structure. Spine sweep at 0.5 mm with every second frame left out,
+// mean error of the left-out frames in grey levels: 12.3 with 1, 12.0 with 2, 11.3 with 8, 11.2 with 12 and with 24; with three of four
+// left out the correlation is best with 12.
+constexpr double kFalloff = 12.0;
+
 /// One bit per voxel, rows padded with zero words on both sides, so that a row may be read at any offset up to the reach.
 class MeasuredBits {
  public:
@@ -77,8 +82,8 @@ class MeasuredBits {
 
 struct Direction13 {
   glm::ivec3 step{0};
-  int longest = 0;                    ///< steps from one measured end to the other
-  std::vector<std::uint64_t> shares;  ///< by steps: 1 / (distance² * steps) in units of 2^-32, so that interpolation stays whole numbers
+  int longest = 0;              ///< steps from one measured end to the other
+  std::vector<double> weights;  ///< by steps: 1 / distance^kFalloff
 };
 
 std::vector<Direction13> directionsFor(int reach_voxels) {
@@ -90,18 +95,19 @@ std::vector<Direction13> directionsFor(int reach_voxels) {
         const double length = std::sqrt(x * x + y * y + z * z);
         const int longest = static_cast<int>(std::floor(reach_voxels / length + 1e-9));
         if (longest < 2) continue;
-        Direction13 direction{{x, y, z}, longest, std::vector<std::uint64_t>(static_cast<std::size_t>(longest) + 1)};
-        for (std::uint64_t steps = 2; steps <= static_cast<std::uint64_t>(longest); ++steps)
-          direction.shares[steps] = (std::uint64_t{1} << 32) / (steps * steps * steps * static_cast<std::uint64_t>(x * x + y * y + z * z));
+        Direction13 direction{{x, y, z}, longest, std::vector<double>(static_cast<std::size_t>(longest) + 1)};
+        for (int steps = 2; steps <= longest; ++steps)
+          direction.weights[static_cast<std::size_t>(steps)] = std::pow(steps * length, -kFalloff);
         directions.push_back(std::move(direction));
       }
   return directions;
 }
 
-/// Sums of one voxel: integers, so that their order does not matter. At most one bridge of each of 13 directions crosses a voxel.
+/// Sums of one voxel. At most one bridge of each direction crosses it, and they are added in the order of directions: the sums do not
+/// depend on how the work is cut.
 struct Sums {
-  std::uint64_t total = 0;
-  std::uint64_t weight = 0;
+  double total = 0.0;
+  double weight = 0.0;
 };
 
 /// A tile of rows: all i, j in [jBegin, jEnd), k in [kBegin, kEnd).
@@ -228,19 +234,19 @@ class Filler {
     const glm::ivec3 end = begin + steps * direction.step;
     const std::uint8_t* const firstRow = volume_.echo.data() + volume_.grid.indexOf(0, begin.y, begin.z);
     const std::uint8_t* const lastRow = volume_.echo.data() + volume_.grid.indexOf(0, end.y, end.z);
-    const std::uint64_t share = direction.shares[static_cast<std::size_t>(steps)];
-    const std::uint64_t weight = share * static_cast<std::uint64_t>(steps);
+    const double weight = direction.weights[static_cast<std::size_t>(steps)];
+    const double perEcho = weight / steps;
     const std::ptrdiff_t width = volume_.grid.dims.x;
     const std::ptrdiff_t perStep = (direction.step.z * std::ptrdiff_t{tiles_.rows} + direction.step.y) * width + direction.step.x;
     const std::ptrdiff_t firstCell =
         ((begin.z - tile.kBegin) * std::ptrdiff_t{tiles_.rows} + begin.y - tile.jBegin) * width + begin.x;  // may lie before the tile
     for (; hits != 0; hits &= hits - 1) {
       const int i = std::countr_zero(hits);
-      const std::uint64_t first = firstRow[begin.x + i] * share, last = lastRow[end.x + i] * share;
+      const double first = firstRow[begin.x + i] * perEcho, last = lastRow[end.x + i] * perEcho;
       for (int n = inTile.begin; n < inTile.end; ++n) {
         const auto cell = static_cast<std::size_t>(firstCell + i + n * perStep);
         Sums& sums = scratch.sums[cell];
-        sums.total += first * static_cast<std::uint64_t>(steps - n) + last * static_cast<std::uint64_t>(n);
+        sums.total += first * (steps - n) + last * n;
         sums.weight += weight;
         scratch.reached[cell / kWordBits] |= std::uint64_t{1} << (cell % kWordBits);
       }
@@ -260,7 +266,7 @@ class Filler {
         const std::size_t index = volume_.grid.indexOf(static_cast<int>(cell % width), j, k);
         Sums& sums = scratch.sums[cell];
         if (volume_.coverage[index] == static_cast<std::uint8_t>(Coverage::absent)) {
-          volume_.echo[index] = static_cast<std::uint8_t>((2 * sums.total + sums.weight) / (2 * sums.weight));
+          volume_.echo[index] = static_cast<std::uint8_t>(std::min(sums.total / sums.weight + 0.5, 255.0));
           volume_.coverage[index] = static_cast<std::uint8_t>(Coverage::interpolated);
           ++filled;
         }

@@ -24,7 +24,8 @@ struct FilledVolume {
 /// An absent voxel is a hole when, along at least one of the 13 directions to its neighbours, the next voxels on both sides are measured
 /// ones and at most `reach_voxels` (Euclidean, in voxels) apart. So nothing is filled outside the hull of what was measured, and nothing
 /// further from it than the reach. Its echo is the mean, over those directions, of the linear interpolation between the two ends, weighted
-/// with 1 / distance², rounded once; its coverage becomes interpolated. All sums are of integers: the order of work does not matter.
+/// with 1 / distance^12 between them, rounded once; its coverage becomes interpolated. Directions are added in a fixed order, so the voxels
+/// are the same however many threads there are.
 /// Cost: words of 64 voxels without a measured one are skipped, so empty space costs next to nothing.
 /// @param volume with coverage (an empty coverage means that everything is measured: nothing to do)
 /// @error badField (reach, or sizes that do not fit the grid), tooLarge (no memory), cancelled
