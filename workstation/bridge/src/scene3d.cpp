@@ -413,8 +413,9 @@ double Scene3D::mmPerPixelAt(const glm::dvec3& p_world_mm) const {
 glm::dvec3 Scene3D::cameraRight() const { return parts_->camera.right(); }
 glm::dvec3 Scene3D::cameraUp() const { return parts_->camera.up(); }
 
-void Scene3D::render() {
+void Scene3D::render(Edges edges) {
   Parts& p = *parts_;
+  p.overlay->SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole picture
   p.syncCamera();
   p.updateWindow();
   if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());

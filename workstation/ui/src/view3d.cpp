@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QTimer>
 #include <QToolButton>
@@ -57,10 +58,27 @@ class EllipsoidSkin final : public Skin {
   static Contact at(const glm::dvec3& p_mm) { return {p_mm, glm::normalize(p_mm / (kRadii_mm * kRadii_mm))}; }
 };
 
+/// Ground for the small buttons: legible over skin and over the background, in either theme.
+class OverlayBar final : public QWidget {
+ public:
+  using QWidget::QWidget;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor veil = palette().color(QPalette::Window);
+    veil.setAlpha(215);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawRoundedRect(rect(), 4, 4);
+  }
+};
+
 }  // namespace
 
 struct View3D::Parts {
-  explicit Parts(View3D* view) : canvas(new QVTKOpenGLNativeWidget(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
+  explicit Parts(View3D* view) : canvas(new QVTKOpenGLNativeWidget(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
     canvas->setRenderWindow(window);
     // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
     canvas->setEnableHiDPI(true);
@@ -81,6 +99,7 @@ struct View3D::Parts {
   std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
   bool renderAsked = false;
+  QTimer still;  ///< runs out when nothing has moved for a moment: then there is time for smooth edges
   QString hintText;
   bool ownHint = false;  ///< somebody set other words than the default ones
 };
@@ -98,7 +117,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   parts_->hint->setProperty("small", true);
   parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
   auto* row = new QHBoxLayout(parts_->buttons);
-  row->setContentsMargins(0, 0, 0, 0);
+  row->setContentsMargins(4, 2, 4, 2);
   row->setSpacing(4);
   const auto addButton = [&](const char* name, auto action) {
     auto* button = new QToolButton(parts_->buttons);
@@ -123,6 +142,9 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   skinButton->setProperty("small", true);
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? 0.45 : 1.0); });
   row->addWidget(skinButton);
+  parts_->still.setSingleShot(true);
+  parts_->still.setInterval(250);
+  connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
   retranslate();
 }
 
@@ -235,15 +257,21 @@ void View3D::render() {
   if (parts_->renderAsked) return;
   parts_->renderAsked = true;
   QTimer::singleShot(0, this, [this] {
-    if (parts_->renderAsked) renderNow();
+    if (!parts_->renderAsked) return;
+    draw(bridge::Scene3D::Edges::quick);
+    parts_->still.start();
   });
 }
 
 void View3D::renderNow() {
+  parts_->still.stop();
+  draw(bridge::Scene3D::Edges::smooth);
+}
+
+void View3D::draw(bridge::Scene3D::Edges edges) {
   parts_->renderAsked = false;
   // Without a context there is nothing to draw into; the widget asks again when it is shown.
-  if (!isVisible() || !parts_->canvas->isValid()) return;
-  parts_->scene->render();
+  if (isVisible() && parts_->canvas->isValid()) parts_->scene->render(edges);
 }
 
 std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {

@@ -53,9 +53,9 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, at the end of this turn of the event loop.
+  /// Draws once, at the end of this turn of the event loop; edges are smoothed when nothing has moved for a quarter of a second.
   void render();
-  /// Draws at once, for screenshots; the picture is complete when this returns.
+  /// Draws at once with smooth edges, for screenshots; the picture is complete when this returns.
   void renderNow();
 
   /// Where the ray through a pixel first meets the skin.
@@ -80,6 +80,7 @@ class View3D : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void draw(bridge::Scene3D::Edges edges);
   void retranslate();
   void placeOverlays();
 
