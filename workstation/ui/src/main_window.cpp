@@ -151,6 +151,7 @@ void MainWindow::connectParts() {
   });
   connect(p.topBar, &TopBar::workspaceChosen, this,
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
+  connect(p.pages, &QStackedWidget::currentChanged, this, &MainWindow::placeOverlays);
   connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
   connect(p.startPage, &StartPage::caseChosen, this, &MainWindow::open);
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
@@ -223,9 +224,16 @@ void MainWindow::setWorkspace(Workspace workspace) {
   p.topBar->setWorkspace(author ? 1 : 0);
   p.exploreAction->setChecked(!author);
   p.authorAction->setChecked(author);
+  const bool wasAuthor = p.panels->isVisible();
   p.panels->setVisible(author);
+  if (author && !wasAuthor) {
+    const int rest = p.columns->width() - kPanelWidth_px;
+    p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2});
+  }
   p.console->setVisible(!author || width() >= 1440);
-  p.pages->setCurrentWidget(p.workspacePage);
+  // Exploring needs something to scan; authoring may begin with nothing.
+  p.pages->setCurrentWidget(!author && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
+  placeOverlays();
   showTitle();
 }
 
@@ -255,7 +263,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::placeOverlays() {
-  const QRect area = parts_->pages->geometry();
+  // Over the views, not over the console: a message must not hide a slider in use.
+  QRect area = parts_->pages->geometry();
+  if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->console->isVisible()) {
+    area.setRight(area.right() - parts_->console->width());
+  }
   parts_->messages->placeIn(area);
   parts_->cards->placeIn(area);
 }

@@ -86,7 +86,7 @@ void MessageBar::refresh() {
 void MessageBar::placeIn(const QRect& area) {
   area_ = area;
   if (waiting_.empty() || area.isEmpty()) return;
-  const int width = std::min(area.width() - 32, 880);
+  const int width = std::min(area.width() - 32, 720);
   const int height = std::max(48, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
   setGeometry(area.left() + (area.width() - width) / 2, area.top() + 12, width, height);
   raise();

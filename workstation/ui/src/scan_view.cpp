@@ -67,7 +67,13 @@ void ScanView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   const ImageView<const std::uint8_t> picture = session_.picture();
-  if (picture.width == 0 || !session_.subject()) return;
+  if (picture.width == 0 || !session_.subject()) {
+    painter.setFont(textFont());
+    painter.setPen(scanTheme().quiet);
+    painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Nothing to scan yet. Open a case, a volume or a sweep (Ctrl+O), or drop one here."));
+    return;
+  }
   QImage image(picture.data, picture.width, picture.height, static_cast<int>(picture.stride), QImage::Format_Grayscale8);
   image.setDevicePixelRatio(devicePixelRatioF());
   painter.drawImage(pictureRect().topLeft(), image);

@@ -73,7 +73,7 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 
 void TopBar::placeTitle() {
   layout()->activate();
-  constexpr int kGap_px = 16;
+  constexpr int kGap_px = 24;
   const int left = menus_->geometry().right() + kGap_px;
   const int right = disclaimer_->geometry().left() - kGap_px;
   const int room = std::max(0, right - left);
