@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Part of every cache name: raise it when voxelise gives other voxels for the same recipe, or when the cache's own files change.
+/// Part of every cache name: raise it when the cache's own files change.
 constexpr int kRecipeCacheFormat = 1;
 
 std::string hex(std::uint64_t value) {
@@ -42,13 +42,10 @@ fs::path mannequinFolder() {
 Result<CacheEntry> cacheEntryOf(const Case& opened) {
   auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
   if (!recipe) return passOn(recipe.error());
-  // The patient's own number also changes with its mannequin and with the way voxels are made, which the recipe's text does not.
-  const auto fingerprint = fingerprintOfPatient(*recipe, mannequinFolder());
+  // The phantom library answers for everything that shapes the voxels but the spacing: recipe, mannequin and its own way of making them.
+  auto fingerprint = fingerprintOfPatient(*recipe, mannequinFolder());
   if (!fingerprint) return passOn(fingerprint.error());
-  const std::string key = "format " + std::to_string(kRecipeCacheFormat) + " spacing " + textOf(opened.volume.recipeSpacing_mm) +
-                          " patient " + hex(*fingerprint);
-  const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
-  const std::string name = hex(hash.high64) + hex(hash.low64);
+  const std::string name = hex(*fingerprint) + "-" + textOf(opened.volume.recipeSpacing_mm) + "mm-" + std::to_string(kRecipeCacheFormat);
   const fs::path folder = cacheFolder() / "recipes";
   return CacheEntry{folder / (name + ".mha"), folder / (name + ".coverage.mha"), folder / (name + ".json")};
 }

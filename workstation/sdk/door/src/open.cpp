@@ -3,6 +3,7 @@
 #include <exception>
 #include <string>
 
+#include "elf_check.h"
 #include "ew/door/door.h"
 
 namespace ew::door {
@@ -56,6 +57,10 @@ std::optional<OpenPlugin> openPlugin(PluginStatus& status, sdk::Host& host) {
   }
   const PluginManifest& manifest = *status.manifest;
   if (manifest.abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(manifest, manifest.abi));
+
+  if (const std::string why = whyNotALibrary(manifest.library); !why.empty())
+    return refuse(status, PluginState::notLoadable,
+                  "The library of the plugin '" + manifest.title + "' cannot be loaded: " + why + "; install the plugin again.");
 
   // RTLD_NODELETE: what a plugin registers with VTK or Qt outlives any handle, and unloading its code crashes the program at its end.
   void* library = ::dlopen(manifest.library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);

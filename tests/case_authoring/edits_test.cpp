@@ -1,0 +1,70 @@
+#include "logic/edits.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "ew/sdk/placement.h"
+
+namespace ew::case_authoring {
+namespace {
+
+using nlohmann::json;
+
+const json kManifest = {{"format", 1},
+                        {"id", "x"},
+                        {"title", "X"},
+                        {"patient", {{"name", "A"}, {"weight_kg", 70}}},
+                        {"volume", {{"file", "a.mha"}, {"licence", "CC0"}}},
+                        {"lesson", {1, 2}}};
+
+TEST(Edits, ChangeOneFieldAndNothingElse) {
+  json expected = kManifest;
+  expected["patient"]["name"] = "B";
+  EXPECT_EQ(withText(kManifest, "patient.name", "B"), expected);
+  EXPECT_EQ(textOf(expected, "patient.name"), "B");
+}
+
+TEST(Edits, AnEmptyTextRemovesTheFieldButNeverARequiredOne) {
+  const json without = withText(kManifest, "patient.name", "");
+  EXPECT_FALSE(without["patient"].contains("name"));
+  EXPECT_EQ(without["patient"]["weight_kg"], 70);
+  EXPECT_EQ(withText(kManifest, "title", "")["title"], "");
+  EXPECT_EQ(withText(kManifest, "history", ""), kManifest);
+}
+
+TEST(Edits, AnObjectThatBecomesEmptyGoesToo) {
+  json manifest = kManifest;
+  manifest["patient"] = {{"age_years", 4}};
+  EXPECT_FALSE(withField(manifest, "patient.age_years", std::nullopt).contains("patient"));
+}
+
+TEST(Edits, AMissingFieldIsEmptyAndCanBeMade) {
+  EXPECT_TRUE(fieldOf(kManifest, "patient.age_years").is_null());
+  EXPECT_TRUE(fieldOf(kManifest, "nobody.knows.this").is_null());
+  EXPECT_EQ(textOf(kManifest, "patient.weight_kg"), "") << "a number is no text";
+  EXPECT_EQ(fieldOf(withField(kManifest, "patient.age_years", 46), "patient.age_years"), 46);
+  EXPECT_EQ(withText(json{{"id", "x"}}, "patient.name", "C")["patient"]["name"], "C");
+}
+
+TEST(Edits, APlaceThatIsMissingIsTheIdentityAndABrokenOneIsAnError) {
+  EXPECT_EQ(placeOf(kManifest).value(), glm::dmat4(1.0));
+  for (const json& wrong : {json("here"), json::array({1, 2}), json::array({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, "16"})})
+    EXPECT_EQ(placeOf(withField(kManifest, "volume.file_to_world", wrong)).error().code, ErrorCode::badField);
+}
+
+TEST(Edits, TheFieldOfAProblemComesFromItsContext) {
+  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, "x", {{"found", "3"}, {"field", "patient.sex"}}}), "patient.sex");
+  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, "x", {{"field", "start_pose[3]"}}}), "start_pose");
+  EXPECT_EQ(fieldOf(Error{ErrorCode::notWritable, "x", {}}), "");
+}
+
+RC_GTEST_PROP(Edits, APlaceSurvivesTheManifestAndItsText, ()) {
+  const auto number = [](double unit) { return *rc::gen::inRange(-20000, 20000) * unit; };
+  const glm::dmat4 matrix = sdk::matrixOf({{number(0.037), number(0.037), number(0.037)}, {number(0.01), number(0.01), number(0.01)}});
+  const json manifest = json::parse(withPlace(kManifest, matrix).dump());
+  RC_ASSERT(placeOf(manifest).value() == matrix);
+  RC_ASSERT(manifest["volume"]["licence"] == "CC0");
+}
+
+}  // namespace
+}  // namespace ew::case_authoring

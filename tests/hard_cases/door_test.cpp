@@ -1,0 +1,164 @@
+#include "ew/door/door.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "ew/door/headless_host.h"
+#include "library/temporary_folder.h"
+
+namespace ew::door {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::EnvironmentValue;
+using test::TemporaryFolder;
+using test::textOf;
+using test::writeText;
+
+json manifest() { return {{"name", "odd"}, {"version", "0.1.0"}, {"abi", sdk::kAbi}, {"library", "odd.so"}}; }
+
+/// Puts one plugin into a folder, opens it, and gives what became of it.
+PluginStatus opened(const std::string& manifestText, const std::string& library) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "odd");
+  if (!manifestText.empty()) writeText(folder / "odd/plugin.json", manifestText);
+  if (!library.empty()) writeText(folder / "odd/odd.so", library);
+  HeadlessHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  EXPECT_EQ(plugins.states().size(), 1u);
+  EXPECT_TRUE(host.registered().empty());
+  const PluginStatus status = plugins.states().empty() ? PluginStatus{} : plugins.states().front();
+  EXPECT_TRUE(status.sentence.ends_with('.')) << status.sentence;
+  return status;
+}
+
+TEST(HardCasesDoor, AFolderWithoutAManifestIsASentence) {
+  const auto status = opened("", "x");
+  EXPECT_EQ(status.state, PluginState::badManifest);
+  EXPECT_NE(status.sentence.find("plugin.json"), std::string::npos);
+  EXPECT_EQ(status.title(), "odd");
+}
+
+TEST(HardCasesDoor, ABrokenManifestIsASentenceThatNamesThePlace) {
+  for (const char* text : {"{", "[]", "null", "{\"name\": \"odd\"", "\xff\xfe"})
+    EXPECT_EQ(opened(text, "x").state, PluginState::badManifest) << text;
+  for (const auto& [field, value] : std::vector<std::pair<std::string, json>>{{"name", 3},
+                                                                              {"name", "../x"},
+                                                                              {"abi", "new"},
+                                                                              {"abi", -1},
+                                                                              {"abi", 4294967296},
+                                                                              {"version", json()},
+                                                                              {"library", "../odd.so"},
+                                                                              {"library", "/lib/x86_64-linux-gnu/libc.so.6"},
+                                                                              {"capabilities", "panel"}}) {
+    json wrong = manifest();
+    wrong[field] = value;
+    const auto status = opened(wrong.dump(), "x");
+    EXPECT_EQ(status.state, PluginState::badManifest) << wrong;
+    EXPECT_NE(status.sentence.find("'" + field + "'"), std::string::npos) << status.sentence;
+  }
+}
+
+TEST(HardCasesDoor, AManifestWhoseLibraryIsMissingIsASentence) {
+  const auto status = opened(manifest().dump(), "");
+  EXPECT_EQ(status.state, PluginState::badManifest);
+  EXPECT_NE(status.sentence.find("odd.so"), std::string::npos);
+}
+
+TEST(HardCasesDoor, AnotherAbiIsRefusedWithBothNumbersBeforeAnyCodeIsLoaded) {
+  json other = manifest();
+  other["abi"] = 65537;
+  const auto status = opened(other.dump(), "not even a library");
+  EXPECT_EQ(status.state, PluginState::otherAbi);
+  EXPECT_NE(status.sentence.find("65537"), std::string::npos);
+  EXPECT_NE(status.sentence.find(std::to_string(sdk::kAbi)), std::string::npos);
+}
+
+TEST(HardCasesDoor, AFileThatIsNoLibraryOrAForeignOneIsASentence) {
+  // An ELF header of another machine, a text, half a header, a library of Windows.
+  std::string foreign =
+      "\x7f"
+      "ELF\x02\x01\x01";
+  foreign.resize(64, '\0');
+  foreign[16] = 3;
+  foreign[18] = static_cast<char>(0xb7);  // AArch64
+  for (const std::string& library : {foreign, std::string("hello"),
+                                     std::string("\x7f"
+                                                 "ELF"),
+                                     std::string("MZ\x90\0\x03", 5)}) {
+    const auto status = opened(manifest().dump(), library);
+    EXPECT_EQ(status.state, PluginState::notLoadable) << status.sentence;
+  }
+}
+
+TEST(HardCasesDoor, APluginCutOffInTheMiddleIsASentence) {
+  // Cut inside the headers: a loader that maps less than the file promises could die of SIGBUS instead of saying so.
+  const std::string whole = textOf(EW_ODD_PLUGIN_DIR "/odd_throws.so");
+  ASSERT_GT(whole.size(), 4096u);
+  for (const std::size_t length :
+       {std::size_t{64}, std::size_t{200}, std::size_t{1000}, std::size_t{4096}, whole.size() / 2, whole.size() - 100}) {
+    const auto status = opened(manifest().dump(), whole.substr(0, length));
+    EXPECT_EQ(status.state, PluginState::notLoadable) << length << ": " << status.sentence;
+  }
+}
+
+TEST(HardCasesDoor, ALibraryWithoutTheThreeFunctionsIsASentence) {
+  const auto status = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_empty.so"));
+  EXPECT_EQ(status.state, PluginState::notLoadable);
+  EXPECT_NE(status.sentence.find("ewPluginAbi"), std::string::npos) << status.sentence;
+}
+
+TEST(HardCasesDoor, CodeWithAnotherAbiIsRefusedAlthoughItsManifestSaysOtherwise) {
+  const auto status = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_abi.so"));
+  EXPECT_EQ(status.state, PluginState::otherAbi) << status.sentence;
+}
+
+TEST(HardCasesDoor, APluginThatThrowsOrGivesNothingIsASentence) {
+  const auto throws = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_throws.so"));
+  EXPECT_EQ(throws.state, PluginState::failed);
+  EXPECT_NE(throws.sentence.find("no licence for the moon"), std::string::npos) << throws.sentence;
+  EXPECT_EQ(opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_number.so")).state, PluginState::failed);
+  EXPECT_EQ(opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_null.so")).state, PluginState::failed);
+}
+
+TEST(HardCasesDoor, OneBrokenPluginDoesNotStopTheNext) {
+  const TemporaryFolder folder;
+  writeText(folder / "a/plugin.json", "{");
+  json good = manifest();
+  good["name"] = "good";
+  good["library"] = "good.so";
+  writeText(folder / "b/plugin.json", good.dump());
+  fs::copy_file(EW_ODD_PLUGIN_DIR "/odd_good.so", folder / "b/good.so");
+  writeText(folder / "c/plugin.json", good.dump());
+  fs::copy_file(EW_ODD_PLUGIN_DIR "/odd_good.so", folder / "c/good.so");
+  HeadlessHost host;
+  PluginList plugins({folder.path(), folder / "nowhere"});
+  plugins.openAll(host);
+  plugins.openAll(host);  // a second time opens nothing twice
+  ASSERT_EQ(plugins.states().size(), 3u);
+  EXPECT_EQ(plugins.states()[0].state, PluginState::badManifest);
+  EXPECT_EQ(plugins.states()[1].state, PluginState::loaded);
+  EXPECT_EQ(plugins.states()[2].state, PluginState::badManifest) << "the same name twice: the first one wins";
+  ASSERT_EQ(host.registered().size(), 1u);
+  const auto thrown = host.registered().front().run({}, noProgress());
+  ASSERT_FALSE(thrown) << "an exception of a command becomes an error at the door";
+  EXPECT_EQ(thrown.error().code, ErrorCode::internal);
+}
+
+TEST(HardCasesDoor, TheFoldersSearchedComeFromTheEnvironmentFirstAndEachOnce) {
+  const TemporaryFolder one;
+  const TemporaryFolder two;
+  const EnvironmentValue searched("ECHOWEAVE_PLUGINS",
+                                  one.path().string() + ":" + two.path().string() + "::/no/where:" + one.path().string());
+  const auto folders = pluginFolders();
+  ASSERT_GE(folders.size(), 2u);
+  EXPECT_EQ(folders[0], fs::weakly_canonical(one.path()));
+  EXPECT_EQ(folders[1], fs::weakly_canonical(two.path()));
+  EXPECT_EQ(std::count(folders.begin(), folders.end(), fs::weakly_canonical(one.path())), 1);
+}
+
+}  // namespace
+}  // namespace ew::door

@@ -1,0 +1,367 @@
+#include "ew/library/case.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "ew/library/schema.h"
+#include "library/temporary_folder.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+using test::EnvironmentValue;
+using test::TemporaryFolder;
+using test::textOf;
+using test::writeText;
+
+json smallest() { return {{"format", 1}, {"id", "one"}, {"title", "One"}, {"volume", {{"file", "volumes/a.mha"}}}}; }
+
+/// A case folder with the files a manifest may name.
+void makeCase(const std::filesystem::path& folder, const json& manifest) {
+  writeText(folder / "case.json", manifest.dump(2));
+  writeText(folder / "volumes/a.mha", "no volume, but a file");
+  writeText(folder / "patient.json", "{}");
+}
+
+json identityWith(std::size_t index, double value) {
+  json rows = rowsOf(glm::dmat4(1.0));
+  rows[index] = value;
+  return rows;
+}
+
+/// The one problem `manifest` has, and what it says about the field.
+Error onlyProblem(const json& manifest) {
+  const TemporaryFolder folder;
+  makeCase(folder.path(), manifest);
+  const auto problems = validateCase(folder.path());
+  EXPECT_EQ(problems.size(), 1u) << manifest;
+  for (const auto& problem : problems) EXPECT_TRUE(problem.sentence.ends_with('.')) << problem.sentence;
+  const auto opened = loadCase(folder.path());
+  EXPECT_FALSE(opened);
+  if (problems.empty()) return {};
+  if (!opened) {
+    EXPECT_EQ(opened.error(), problems.front());
+  }
+  return problems.front();
+}
+std::string context(const Error& error, const std::string& name) {
+  for (const auto& [key, value] : error.context)
+    if (key == name) return value;
+  return {};
+}
+
+TEST(LoadCase, OpensAFolderOrItsManifestAlike) {
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  const auto byFolder = loadCase(folder.path());
+  const auto byManifest = loadCase(folder / "case.json");
+  ASSERT_TRUE(byFolder) << byFolder.error();
+  ASSERT_TRUE(byManifest);
+  EXPECT_EQ(*byFolder, *byManifest);
+  EXPECT_EQ(byFolder->title, "One");
+  EXPECT_EQ(byFolder->volume.fileToWorld, glm::dmat4(1.0));
+  EXPECT_TRUE(byFolder->scene.gainAndDgc);
+  EXPECT_FALSE(byFolder->startPose);
+}
+
+TEST(LoadCase, RefusesANewerFormatAndNamesBothNumbers) {
+  json manifest = smallest();
+  manifest["format"] = 7;
+  manifest["title"] = 12;  // whatever a newer format does with other fields must not be judged
+  const Error problem = onlyProblem(manifest);
+  EXPECT_EQ(problem.code, ErrorCode::newerFormat);
+  EXPECT_NE(problem.sentence.find('7'), std::string::npos);
+  EXPECT_NE(problem.sentence.find(std::to_string(kCaseFormat)), std::string::npos);
+}
+
+TEST(LoadCase, SaysOfEachBadFieldWhatWasFoundAndWhatIsExpected) {
+  struct Wrong {
+    const char* pointer;
+    json value;
+    const char* field;
+    const char* found;
+    const char* expected;
+  };
+  const Wrong wrongs[] = {
+      {"/title", 12, "title", "12", "1 to 200 characters"},
+      {"/title", "", "title", "\"\"", "1 to 200 characters"},
+      {"/id", "../x", "id", "\"../x\"", "letters, digits"},
+      {"/format", 0, "format", "0", "from 1"},
+      {"/format", 1.5, "format", "1.5", "whole number"},
+      {"/patient/age_years", 200, "patient.age_years", "200", "0 to 130"},
+      {"/patient/age_years", "old", "patient.age_years", "\"old\"", "0 to 130"},
+      {"/patient/sex", "yes", "patient.sex", "\"yes\"", "female"},
+      {"/volume/recipe_spacing_mm", 0, "volume.recipe_spacing_mm", "0", "0.1 to 10"},
+      {"/volume/file_to_world", json::array({1, 2}), "volume.file_to_world", "a list of 2", "16 numbers"},
+      {"/start_pose", "here", "start_pose", "\"here\"", "16 numbers"},
+      {"/start_pose", identityWith(3, 0), "", "", ""},  // valid: the identity
+      {"/probes", json::array({"convex-3.5", 3}), "probes[1]", "3", "probe id"},
+      {"/scene", true, "scene", "true", "an object"},
+      {"/scene/gain_and_dgc", "on", "scene.gain_and_dgc", "\"on\"", "true or false"},
+      {"/volume", json::array(), "volume", "a list of 0", "an object"},
+  };
+  for (const auto& wrong : wrongs) {
+    json manifest = smallest();
+    manifest[json::json_pointer(wrong.pointer)] = wrong.value;
+    if (std::string(wrong.field).empty()) continue;
+    const Error problem = onlyProblem(manifest);
+    EXPECT_EQ(problem.code, ErrorCode::badField) << problem;
+    EXPECT_EQ(context(problem, "field"), wrong.field) << problem;
+    EXPECT_EQ(context(problem, "found"), wrong.found) << problem;
+    EXPECT_NE(context(problem, "expected").find(wrong.expected), std::string::npos) << problem;
+    EXPECT_NE(problem.sentence.find(wrong.field), std::string::npos) << problem;
+    EXPECT_NE(problem.sentence.find(wrong.found), std::string::npos) << problem;
+  }
+}
+
+TEST(LoadCase, NamesEachMissingFieldThatACaseNeeds) {
+  for (const char* field : {"format", "id", "title", "volume"}) {
+    json manifest = smallest();
+    manifest.erase(field);
+    const Error problem = onlyProblem(manifest);
+    EXPECT_EQ(context(problem, "field"), field);
+    EXPECT_NE(problem.sentence.find("missing"), std::string::npos) << problem;
+  }
+}
+
+TEST(LoadCase, WantsEitherAFileOrARecipeButNotBoth) {
+  json both = smallest();
+  both["volume"]["recipe"] = "patient.json";
+  EXPECT_EQ(context(onlyProblem(both), "field"), "volume");
+  json neither = smallest();
+  neither["volume"] = json::object();
+  const Error problem = onlyProblem(neither);
+  EXPECT_EQ(context(problem, "field"), "volume");
+  EXPECT_NE(problem.sentence.find("either a file or a recipe"), std::string::npos) << problem;
+}
+
+TEST(LoadCase, RefusesAPlaceThatIsNotRigid) {
+  for (const auto& rows : {identityWith(0, 2.0), identityWith(0, -1.0), identityWith(1, 0.5), identityWith(15, 2.0)}) {
+    json manifest = smallest();
+    manifest["volume"]["file_to_world"] = rows;
+    const Error problem = onlyProblem(manifest);
+    EXPECT_EQ(problem.code, ErrorCode::notRigid);
+    EXPECT_EQ(context(problem, "field"), "volume.file_to_world");
+  }
+  json manifest = smallest();
+  manifest["start_pose"] = identityWith(5, 3.0);
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "start_pose");
+}
+
+TEST(ValidateCase, ListsAllProblemsAtOnce) {
+  const TemporaryFolder folder;
+  json manifest = smallest();
+  manifest["title"] = 3;
+  manifest["patient"] = {{"sex", 4}, {"age_years", -1}};
+  manifest.erase("id");
+  makeCase(folder.path(), manifest);
+  std::vector<std::string> fields;
+  for (const auto& problem : validateCase(folder.path())) fields.push_back(context(problem, "field"));
+  std::sort(fields.begin(), fields.end());
+  EXPECT_EQ(fields, (std::vector<std::string>{"id", "patient.age_years", "patient.sex", "title"}));
+}
+
+TEST(LoadCase, SaysWhereBrokenJsonBreaks) {
+  const TemporaryFolder folder;
+  writeText(folder / "case.json", "{\n  \"format\": 1,\n  \"id\" \"x\"\n}");
+  const auto opened = loadCase(folder.path());
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, ErrorCode::badHeader);
+  EXPECT_EQ(context(opened.error(), "line"), "3");
+  EXPECT_EQ(loadCase(folder / "nowhere").error().code, ErrorCode::notFound);
+  std::filesystem::remove(folder / "case.json");
+  const auto empty = loadCase(folder.path());
+  EXPECT_EQ(empty.error().code, ErrorCode::notFound);
+  EXPECT_NE(empty.error().sentence.find("case.json"), std::string::npos);
+}
+
+TEST(LoadCase, NamesAFileThatIsNotThere) {
+  json manifest = smallest();
+  manifest["volume"]["file"] = "volumes/b.mha";
+  const Error problem = onlyProblem(manifest);
+  EXPECT_EQ(problem.code, ErrorCode::notFound);
+  EXPECT_EQ(context(problem, "field"), "volume.file");
+  manifest = smallest();
+  manifest["mannequin"] = "nobody.json";
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "mannequin");
+}
+
+TEST(SaveCase, KeepsUnknownFieldsWhereTheyWere) {
+  const TemporaryFolder folder;
+  json manifest = smallest();
+  manifest["lesson"] = {{"steps", {1, 2, 3}}};
+  manifest["patient"] = {{"name", "A"}, {"weight_kg", 70.5}};
+  manifest["volume"]["licence"] = "CC0";
+  manifest["scene"] = {{"gain_and_dgc", false}, {"shadow", true}};
+  makeCase(folder.path(), manifest);
+  auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  opened->title = "Another";
+  ASSERT_TRUE(saveCase(*opened, folder.path()));
+  const json saved = json::parse(textOf(folder / "case.json"));
+  EXPECT_EQ(saved["lesson"], manifest["lesson"]);
+  EXPECT_EQ(saved["patient"]["weight_kg"], 70.5);
+  EXPECT_EQ(saved["volume"]["licence"], "CC0");
+  EXPECT_EQ(saved["scene"]["shadow"], true);
+  EXPECT_EQ(saved["title"], "Another");
+  EXPECT_EQ(loadCase(folder.path())->otherFields, opened->otherFields);
+}
+
+TEST(SaveCase, RefusesWhatLoadCaseWouldRefuseAndLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  const std::string before = textOf(folder / "case.json");
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened);
+  const auto refused = [&](auto change) {
+    Case edited = *opened;
+    change(edited);
+    const auto saved = saveCase(edited, folder.path());
+    EXPECT_FALSE(saved);
+    EXPECT_EQ(textOf(folder / "case.json"), before);
+    return saved ? ErrorCode::internal : saved.error().code;
+  };
+  EXPECT_EQ(refused([](Case& c) { c.title.clear(); }), ErrorCode::badField);
+  EXPECT_EQ(refused([](Case& c) { c.patient.age_years = -3; }), ErrorCode::badField);
+  EXPECT_EQ(refused([](Case& c) { c.volume.file = "../../etc/passwd"; }), ErrorCode::badField);
+  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld[0][0] = std::nan(""); }), ErrorCode::notRigid);
+  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld[0][0] = 3.0; }), ErrorCode::notRigid);
+  EXPECT_EQ(refused([](Case& c) { c.history = "\xff\xfe not UTF-8"; }), ErrorCode::badField);
+}
+
+TEST(SaveCase, LeavesTheOldFileWholeWhenTheProcessDiesWhileSaving) {
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  const std::string before = textOf(folder / "case.json");
+  auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened);
+  // A history longer than a file may become: the kernel kills the child with SIGXFSZ in the middle of writing.
+  opened->history = std::string(600'000, 'x');
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    const rlimit small{100'000, 100'000};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    static_cast<void>(saveCase(*opened, folder.path()));
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "the child was meant to die while it saved";
+  EXPECT_EQ(textOf(folder / "case.json"), before);
+  const auto again = loadCase(folder.path());
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->history, "");
+}
+
+TEST(SaveCase, CopiesTheWholeCaseWhenItIsSavedElsewhere) {
+  const TemporaryFolder folder;
+  makeCase(folder / "old", smallest());
+  writeText(folder / "old/media/picture.txt", "a picture");
+  auto opened = loadCase(folder / "old");
+  ASSERT_TRUE(opened);
+  opened->title = "The copy";
+  ASSERT_TRUE(saveCase(*opened, folder / "new"));
+  EXPECT_EQ(loadCase(folder / "new")->title, "The copy");
+  EXPECT_EQ(loadCase(folder / "old")->title, "One");
+  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "a picture");
+  // A second time would overwrite: refused, and nothing aside stays behind.
+  EXPECT_EQ(saveCase(*opened, folder / "new").error().code, ErrorCode::notWritable);
+  EXPECT_EQ(saveCase(*opened, folder / "old/inside").error().code, ErrorCode::notWritable);
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) ++entries;
+  EXPECT_EQ(entries, 2u);
+}
+
+TEST(ListCases, SortsByTitleAndReportsTheOnesItCannotRead) {
+  const TemporaryFolder folder;
+  for (const auto& [name, title] : {std::pair{"x", "Beta"}, std::pair{"y", "Alpha"}}) {
+    json manifest = smallest();
+    manifest["title"] = title;
+    makeCase(folder / name, manifest);
+  }
+  writeText(folder / "broken/case.json", "{");
+  writeText(folder / "notes/readme.txt", "not a case");
+  makeCase(folder / ".half-made", smallest());
+  const CaseList list = listCases(folder.path());
+  ASSERT_EQ(list.cases.size(), 2u);
+  EXPECT_EQ(list.cases[0].title, "Alpha");
+  ASSERT_EQ(list.problems.size(), 1u);
+  EXPECT_NE(context(list.problems[0], "case").find("broken"), std::string::npos);
+  EXPECT_EQ(listCases(folder / "nowhere").problems.size(), 1u);
+}
+
+TEST(Folders, FollowTheEnvironmentAndSayWhenItIsWrong) {
+  const TemporaryFolder folder;
+  {
+    const EnvironmentValue chosen("ECHOWEAVE_RESOURCES", folder.path().string());
+    EXPECT_EQ(resourceFolder().value(), folder.path());
+  }
+  {
+    const EnvironmentValue wrong("ECHOWEAVE_RESOURCES", folder / "nowhere");
+    const auto refused = resourceFolder();
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence.find("ECHOWEAVE_RESOURCES"), std::string::npos);
+  }
+  EXPECT_TRUE(resourceFolder()) << "the source tree's own";
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", "");
+  const EnvironmentValue xdg("XDG_CACHE_HOME", "/some/where");
+  EXPECT_EQ(cacheFolder(), "/some/where/echoweave");
+}
+
+TEST(ShippedCases, AreValid) {
+  const auto folder = shippedCasesFolder();
+  ASSERT_TRUE(folder);
+  const CaseList list = listCases(*folder);
+  for (const auto& problem : list.problems) ADD_FAILURE() << problem;
+  EXPECT_FALSE(list.cases.empty());
+}
+
+RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
+  const auto text = [] {
+    return *rc::gen::container<std::string>(rc::gen::oneOf(rc::gen::inRange<char>(32, 127), rc::gen::element('\n', '\t')));
+  };
+  const auto angle = [] { return *rc::gen::inRange(-314159, 314159) * 1e-5; };
+  const auto matrix = [&] {
+    glm::dmat4 m = glm::rotate(glm::dmat4(1.0), angle(), glm::dvec3(1, 0, 0)) * glm::rotate(glm::dmat4(1.0), angle(), glm::dvec3(0, 0, 1));
+    m[3] = glm::dvec4(*rc::gen::inRange(-99999, 99999) * 0.0137, *rc::gen::inRange(-99999, 99999) / 3.0, 1e-17, 1.0);
+    return m;
+  };
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  Case made;
+  made.id = "a" + std::to_string(*rc::gen::inRange(0, 1000000));
+  made.title = "T" + text().substr(0, 100);
+  made.region = text().substr(0, 100);
+  made.patient = {text().substr(0, 100), *rc::gen::element<std::string>("", "female", "male", "other"), {}};
+  if (*rc::gen::arbitrary<bool>()) made.patient.age_years = *rc::gen::inRange(0, 131);
+  made.history = text();
+  made.indication = text();
+  made.diagnosis = text();
+  (*rc::gen::arbitrary<bool>() ? made.volume.file : made.volume.recipe) = "patient.json";
+  made.volume.recipeSpacing_mm = *rc::gen::inRange(1, 100) * 0.1;
+  made.volume.fileToWorld = matrix();
+  made.probes = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("convex-3.5", "linear-7.5"));
+  made.scene.gainAndDgc = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) made.startPose = Pose{{matrix()}};
+  if (*rc::gen::arbitrary<bool>()) made.otherFields["x_" + std::to_string(*rc::gen::inRange(0, 9))] = {{"deep", text()}};
+  if (*rc::gen::arbitrary<bool>()) made.otherFields["volume"] = {{"source", text()}};
+  made.folder = folder.path();
+  const auto saved = saveCase(made, folder.path());
+  if (!saved) RC_FAIL(saved.error().sentence);
+  const auto read = loadCase(folder.path());
+  if (!read) RC_FAIL(read.error().sentence);
+  RC_ASSERT(*read == made);
+  RC_ASSERT(caseFromManifest(manifestOf(made), made.folder) == made);
+}
+
+}  // namespace
+}  // namespace ew
