@@ -97,7 +97,10 @@ TEST(Loft, PassesThroughItsSections) {
 RC_GTEST_PROP(SmoothUnion, HasAGradientWithoutJumps, ()) {
   static const auto body = bodyOf(R"({"union": [{"ellipsoid": {"centre_mm": [-18, 0, 0], "radii_mm": [20, 20, 20]}},
     {"ellipsoid": {"centre_mm": [18, 0, 0], "radii_mm": [20, 20, 20]}, "blend_mm": 24}]})");
-  const glm::dvec3 p = anyPoint(30);
+  glm::dvec3 p = anyPoint(30);
+  if (*rc::gen::inRange(0, 2) == 0) {
+    p.x = 0.0;  // where both parts are equally far: a plain minimum has its crease here
+  }
   RC_PRE(glm::distance(p, glm::dvec3(-18, 0, 0)) > 2.0 && glm::distance(p, glm::dvec3(18, 0, 0)) > 2.0);
   // Second differences of a function with continuous gradient vanish with the step; across a crease they do not.
   const double h = 1e-3;
