@@ -170,7 +170,7 @@ RC_GTEST_PROP(Reconstruct, GivesTheSameVoxelsWithOneTwoAndEightThreads, ()) {
   const int count = *rc::gen::inRange(1, 12);
   const unsigned seed = *rc::gen::inRange(0u, 1000u);
   ReconstructOptions options;
-  options.spacing_mm = *rc::gen::inRange(8, 60) / 100.0;
+  options.spacing_mm = *rc::gen::inRange(15, 60) / 100.0;
   options.interpolation = *rc::gen::elementOf(std::vector(std::begin(kInterpolations), std::end(kInterpolations)));
   options.compounding = *rc::gen::elementOf(std::vector(std::begin(kCompoundings), std::end(kCompoundings)));
   options.fillReach_voxels = *rc::gen::inRange(0, 9);
