@@ -154,6 +154,19 @@ class View3DTest : public QObject {
     QVERIFY(view_->scene().fanCorners_mm().empty());
   }
 
+  void theOverviewShowsTheFaceOfTheFanHoweverTheProbeIsRotated() {
+    for (int degrees = -180; degrees < 180; degrees += 30) {
+      Hold hold = hand_->hold();
+      hold.rotation_rad = glm::radians(static_cast<double>(degrees));
+      const Pose pose = poseOf(hold);
+      view_->setPose(pose);
+      view_->showFrom(bridge::CameraPreset::overview);
+      const glm::dvec3 forward = glm::cross(view_->scene().cameraUp(), view_->scene().cameraRight());
+      const double faced = std::abs(glm::dot(forward, glm::dvec3(pose.probeToWorld.matrix[2])));
+      QVERIFY2(faced > 0.35, qPrintable(QStringLiteral("%1 at %2 degrees").arg(faced).arg(degrees)));
+    }
+  }
+
   void draggingTheContactMovesItOverTheSkinUnderThePointer() {
     view_->showFrom(bridge::CameraPreset::front);
     settle();

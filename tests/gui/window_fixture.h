@@ -1,0 +1,126 @@
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case_document.h"
+#include "console_panel.h"
+#include "ew/core/volume.h"
+#include "ew/io/safe_file.h"
+#include "ew/io/sequence.h"
+#include "ew/io/volume_file.h"
+#include "ew/ui/main_window.h"
+#include "hand_input.h"
+#include "jobs.h"
+#include "message_bar.h"
+#include "scan_view.h"
+#include "session.h"
+#include "theme.h"
+#include "view3d.h"
+
+namespace ew::ui::testing {
+
+/// What the window's tests share: settings of their own, and files that they write themselves.
+class Files {
+ public:
+  Files() { QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + QStringLiteral("/settings")); }
+
+  [[nodiscard]] QString path(const QString& name) const { return folder_.path() + QLatin1Char('/') + name; }
+
+  /// A case whose volume is a field of many grey levels without any symmetry, at the front of the trunk.
+  [[nodiscard]] QString writeCase(const QString& name) const {
+    const QString folder = path(name);
+    QDir().mkpath(folder);
+    Volume volume;
+    volume.grid.dims = {96, 80, 88};
+    volume.grid.spacing_mm = glm::dvec3(2.0);
+    volume.grid.origin_mm = {-95.0, -110.0, -100.0};
+    volume.echo.resize(volume.grid.voxelCount());
+    for (int k = 0; k < 88; ++k) {
+      for (int j = 0; j < 80; ++j) {
+        for (int i = 0; i < 96; ++i)
+          volume.echo[volume.grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(20 + (2 * i + j + (i * k) / 24) % 200);
+      }
+    }
+    if (!writeVolume(volume, folder.toStdString() + "/volume.mha")) return {};
+    const std::string manifest = R"({
+      "format": 1, "id": "window-test", "title": "Window test", "region": "upper abdomen",
+      "patient": {"name": "Test Person", "sex": "female", "age_years": 40},
+      "history": "None.", "indication": "To be looked at.", "diagnosis": "Healthy.",
+      "volume": {"file": "volume.mha", "file_to_world": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]},
+      "probes": ["convex-3.5"], "scene": {"gain_and_dgc": true}})";
+    if (!writeFileSafely(folder.toStdString() + "/case.json", manifest)) return {};
+    return folder;
+  }
+
+  /// A sweep of 24 frames of 40 x 30 pixels, 1 mm each, 1 mm apart, with one grey level a frame.
+  [[nodiscard]] QString writeSweep(const QString& name) const {
+    Sequence sweep;
+    sweep.width = 40;
+    sweep.height = 30;
+    sweep.orientation = "MF";
+    sweep.imageType = "BRIGHTNESS";
+    for (int n = 0; n < 24; ++n) {
+      SequenceFrame frame;
+      frame.time_s = n * 0.1;
+      glm::dmat4 imageToReference(1.0);
+      imageToReference[3] = glm::dvec4(0.0, 0.0, n, 1.0);
+      frame.transforms.push_back({"Image", "Reference", imageToReference, PoseStatus::ok});
+      sweep.frames.push_back(frame);
+      sweep.pixels.insert(sweep.pixels.end(), 40 * 30, static_cast<std::uint8_t>(40 + 8 * n));
+    }
+    const QString file = path(name);
+    return writeSequence(sweep, file.toStdString()) ? file : QString();
+  }
+
+ private:
+  QTemporaryDir folder_;
+};
+
+/// Runs the event loop until `ready` or the time is over.
+inline bool waitUntil(const std::function<bool()>& ready, int patience_ms = 30000) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!ready()) {
+    if (clock.elapsed() > patience_ms) return false;
+    QTest::qWait(10);
+  }
+  return true;
+}
+
+inline std::vector<std::uint8_t> pixelsOf(const Session& session) {
+  const ImageView<const std::uint8_t> picture = session.picture();
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < picture.height; ++y) pixels.insert(pixels.end(), picture.row(y), picture.row(y) + picture.width);
+  return pixels;
+}
+
+inline QSurfaceFormat windowFormat() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  return format;
+}
+
+}  // namespace ew::ui::testing
+
+/// A main that prepares what the workstation's own start prepares.
+#define EW_WINDOW_TEST_MAIN(Test)                                        \
+  int main(int argc, char** argv) {                                      \
+    QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());   \
+    QApplication app(argc, argv);                                        \
+    QApplication::setOrganizationName(QStringLiteral("EchoWeave"));      \
+    QApplication::setApplicationName(QStringLiteral("EchoWeave tests")); \
+    Test test;                                                           \
+    return QTest::qExec(&test, argc, argv);                              \
+  }

@@ -1,0 +1,286 @@
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "ew/bridge/scene3d.h"
+#include "ew/imaging/gain.h"
+#include "window_fixture.h"
+
+namespace ew::ui::testing {
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  Files files_;
+  std::unique_ptr<MainWindow> window_;
+
+  [[nodiscard]] Session& session() const { return window_->session(); }
+  template <class Widget>
+  [[nodiscard]] Widget* find(const char* name) const {
+    return window_->findChild<Widget*>(QLatin1String(name));
+  }
+  [[nodiscard]] bool openCase(const QString& folder) const {
+    window_->open(folder);
+    return waitUntil([this] { return window_->isSettled() && window_->document().current(); });
+  }
+  void drop(const QString& file) const {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(100, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(100, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &event);
+  }
+
+ private Q_SLOTS:
+  void init() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 720);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("case"))));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+  }
+  void cleanup() { window_.reset(); }
+
+  void gainAndDgcChangeThePictureAsEquation5Says() {
+    const std::vector<std::uint8_t> before = pixelsOf(session());
+    QVERIFY(std::count_if(before.begin(), before.end(), [](std::uint8_t v) { return v > 0; }) > 10000);
+    find<QSlider>("gain")->setValue(130);
+    find<QSlider>("dgc2")->setValue(40);
+    find<QSlider>("dgc7")->setValue(180);
+    session().makePictureNow();
+    const std::vector<std::uint8_t> after = pixelsOf(session());
+    const DisplayGeometry& geometry = session().geometry();
+    const Knobs& knobs = session().knobs();
+    QCOMPARE(knobs.gain, 1.3);
+    for (int y = 0; y < geometry.height; ++y) {
+      const double position = std::clamp((y - geometry.face_px.y) * geometry.pixel_mm / geometry.depth_mm, 0.0, 1.0);
+      const double dgc = dgcAt(knobs.dgc, position);
+      for (int x = 0; x < geometry.width; ++x) {
+        const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(geometry.width) + static_cast<std::size_t>(x);
+        const double expected = std::min(knobs.gain * std::min(dgc * before[at], 255.0), 255.0);
+        if (std::abs(expected - after[at]) > 0.5 + 1e-9) QCOMPARE(static_cast<double>(after[at]), expected);
+      }
+    }
+    // What the session holds is what the screen shows, pixel for pixel.
+    const QImage shown = window_->scanView().grab().toImage();
+    const QPoint corner = window_->scanView().pictureRect().topLeft();
+    const int middleX = geometry.width / 2;
+    for (int y = geometry.height / 4; y < 3 * geometry.height / 4; ++y) {
+      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(geometry.width) + static_cast<std::size_t>(middleX);
+      QCOMPARE(qRed(shown.pixel(corner + QPoint(middleX, y))), static_cast<int>(after[at]));
+    }
+    QTest::mouseClick(find<QPushButton>("dgcReset"), Qt::LeftButton);
+    find<QSlider>("gain")->setValue(100);
+    session().makePictureNow();
+    QCOMPARE(pixelsOf(session()), before);
+  }
+
+  void draggingTheProbeChangesTheSliceAndTheFanTogether() {
+    const std::vector<std::uint8_t> before = pixelsOf(session());
+    const Pose poseBefore = session().picturePose();
+    View3D& view = window_->view3d();
+    view.renderNow();
+    const QPoint from = view.pixelOf(session().hold().contact.point_mm).toPoint();
+    const QPoint to = from + QPoint(24, -16);
+    QWidget* canvas = view.canvas();
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, canvas->mapFrom(&view, from));
+    QMouseEvent move(QEvent::MouseMove, canvas->mapFrom(&view, to), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(canvas, &move);
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, canvas->mapFrom(&view, to));
+    QTest::qWait(50);
+    const Pose pose = session().picturePose();
+    QVERIFY(glm::distance(glm::dvec3(pose.probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0);
+    QVERIFY(pixelsOf(session()) != before);
+    const std::vector<glm::dvec3> fan_mm = view.scene().fanCorners_mm();
+    const std::vector<glm::dvec2> outline_mm = fanOutline_mm(session().probe(), session().geometry().depth_mm);
+    QVERIFY(!fan_mm.empty());
+    const glm::dvec3 expected_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(outline_mm.front(), 0.0, 1.0));
+    QVERIFY2(glm::distance(fan_mm.front(), expected_mm) < 0.01, "the fan in 3D does not lie where the slice was taken");
+  }
+
+  void freezeHoldsThePictureWhileTheHandAndTheKnobsMove() {
+    QTest::keyClick(&window_->scanView(), Qt::Key_F);
+    QVERIFY(session().isFrozen());
+    const std::vector<std::uint8_t> held = pixelsOf(session());
+    const auto fan_mm = window_->view3d().scene().fanCorners_mm();
+    session().setHold(turned(session().hold(), 0.3, 0.1, 0.2));
+    find<QSlider>("gain")->setValue(180);
+    QTest::qWait(50);
+    QCOMPARE(pixelsOf(session()), held);
+    QVERIFY(window_->view3d().scene().fanCorners_mm() == fan_mm);
+    QTest::keyClick(&window_->scanView(), Qt::Key_Space);
+    QVERIFY(!session().isFrozen());
+    QTest::qWait(50);
+    QVERIFY(pixelsOf(session()) != held);
+  }
+
+  void aCaseIsEditedUndoneSavedAndReopened() {
+    window_->openPlugins();
+    window_->setWorkspace(Workspace::author);
+    QTest::qWait(50);
+    CaseDocument& document = window_->document();
+    auto* title = find<QLineEdit>("title");
+    QWidget* panel = window_->findChild<QWidget*>(QStringLiteral("casePanel"));
+    if (panel == nullptr) QSKIP("the case authoring plugin is not built here");
+    title = panel->findChild<QLineEdit*>(QStringLiteral("title"));
+    QVERIFY(title != nullptr);
+    title->selectAll();
+    QTest::keyClicks(title, QStringLiteral("Edited title"));
+    QCOMPARE(QString::fromStdString(document.current()->title), QStringLiteral("Edited title"));
+    QVERIFY(document.hasUnsavedChanges());
+    while (document.history().canUndo()) document.history().undo();
+    QCOMPARE(QString::fromStdString(document.current()->title), QStringLiteral("Window test"));
+    QCOMPARE(title->text(), QStringLiteral("Window test"));
+    QVERIFY(!document.hasUnsavedChanges());
+    while (document.history().canRedo()) document.history().redo();
+    const auto saved = document.save();
+    QVERIFY2(saved, saved ? "" : saved.error().sentence.c_str());
+    QVERIFY(!document.hasUnsavedChanges());
+    const auto folder = document.current()->folder;
+    const auto reopened = loadCase(folder);
+    QVERIFY(reopened.has_value());
+    QCOMPARE(QString::fromStdString(reopened->title), QStringLiteral("Edited title"));
+  }
+
+  void editsOfOneSliderAreOneStepAndMovingTheVolumeMovesTheSlice() {
+    CaseDocument& document = window_->document();
+    const std::vector<std::uint8_t> before = pixelsOf(session());
+    for (const double x_mm : {1.0, 2.0, 6.0}) {
+      nlohmann::json manifest = document.manifest();
+      manifest["volume"]["file_to_world"][3] = x_mm;
+      const auto edited = document.edit(manifest, "Move the volume", "place");
+      QVERIFY2(edited, edited ? "" : edited.error().sentence.c_str());
+    }
+    QCOMPARE(document.history().count(), 1);
+    QTest::qWait(20);
+    QVERIFY(pixelsOf(session()) != before);
+    document.history().undo();
+    QTest::qWait(20);
+    QCOMPARE(pixelsOf(session()), before);
+    nlohmann::json mirrored = document.manifest();
+    mirrored["volume"]["file_to_world"][0] = -1.0;
+    QVERIFY(!document.edit(mirrored, "Mirror", ""));
+    QVERIFY(!document.hasUnsavedChanges());
+  }
+
+  void aSweepDroppedOnTheWindowBecomesAVolume() {
+    const QString sweep = files_.writeSweep(QStringLiteral("dropped.igs.mha"));
+    QVERIFY(!sweep.isEmpty());
+    drop(sweep);
+    QDialog* dialog = nullptr;
+    QVERIFY(waitUntil([&] { return (dialog = find<QDialog>("importDialog")) != nullptr && dialog->isVisible(); }));
+    auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
+    QVERIFY2(waitUntil([&] { return make->isEnabled(); }), qPrintable(dialog->findChild<QLabel*>(QStringLiteral("importNotes"))->text()));
+    QTest::mouseClick(make, Qt::LeftButton);
+    QVERIFY(waitUntil([this] { return session().subject() && session().subject()->title == QLatin1String("dropped.igs.mha"); }));
+    const Volume& volume = *session().subject()->volume;
+    QCOMPARE(volume.grid.dims.x, 79);  // 39 mm in steps of 0.5 mm
+    QCOMPARE(volume.grid.dims.z, 47);
+    // On the plane of frame 12 lies frame 12's grey level.
+    QCOMPARE(static_cast<int>(volume.echo[volume.grid.indexOf(40, 30, 24)]), 40 + 8 * 12);
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    const auto pixels = pixelsOf(session());
+    QVERIFY2(std::any_of(pixels.begin(), pixels.end(), [](std::uint8_t v) { return v > 0; }), "the probe does not see the volume");
+  }
+
+  void aWrongFileDroppedGivesAMessageAndChangesNothing() {
+    const auto title = session().subject()->title;
+    const std::vector<std::uint8_t> before = pixelsOf(session());
+    const QString wrong = files_.path(QStringLiteral("wrong.mha"));
+    QVERIFY(writeFileSafely(wrong.toStdString(), "this is not a MetaImage\n").has_value());
+    drop(wrong);
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }));
+    QVERIFY(window_->messages().text().endsWith(QLatin1Char('.')));
+    QCOMPARE(session().subject()->title, title);
+    QVERIFY(window_->document().current().has_value());
+    QCOMPARE(pixelsOf(session()), before);
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QCOMPARE(window_->messages().count(), 0);
+  }
+
+  void aJobShowsACardAndIsCancelledWithinHalfASecond() {
+    bool stopped = false;
+    window_->jobs().start(
+        QStringLiteral("Endless"),
+        [](Progress& progress) -> Result<void> {
+          while (!progress.cancelRequested()) {
+            progress.report("Turning", 0.25);
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+          }
+          return failure(ErrorCode::cancelled, "Stopped.");
+        },
+        [&stopped](const Result<void>& outcome) { stopped = !outcome && outcome.error().code == ErrorCode::cancelled; });
+    QTest::qWait(250);
+    QVERIFY2(find<QPushButton>("cancelJob") == nullptr, "a short job must not flash a card");
+    QVERIFY(waitUntil([this] { return find<QPushButton>("cancelJob") != nullptr && find<QPushButton>("cancelJob")->isVisible(); }, 2000));
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mouseClick(find<QPushButton>("cancelJob"), Qt::LeftButton);
+    QVERIFY(waitUntil([&stopped] { return stopped; }, 5000));
+    QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+  }
+
+  void closingInTheMiddleOfWorkStopsAndWaitsForIt() {
+    std::atomic<bool> running{false};
+    window_->jobs().start(QStringLiteral("Endless"),
+                          [&running](Progress& progress) -> Result<void> {
+                            running = true;
+                            while (!progress.cancelRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                            running = false;
+                            return failure(ErrorCode::cancelled, "Stopped.");
+                          },
+                          {});
+    QVERIFY(waitUntil([&running] { return running.load(); }));
+    QVERIFY(window_->close());
+    QVERIFY(!running.load());
+    QVERIFY(!window_->jobs().isRunning());
+  }
+
+  void bothThemesKeepTheScanBlackAndAreRemembered() {
+    for (const bool dark : {false, true}) {
+      window_->setDarkTheme(dark);
+      QTest::qWait(50);
+      const QImage scan = window_->scanView().grab().toImage();
+      QCOMPARE(qRed(scan.pixel(4, scan.height() / 2)), 0);
+      const QImage console = window_->console().grab().toImage();
+      QCOMPARE(qGray(console.pixel(4, console.height() - 4)) < 128, dark);
+      QCOMPARE(QSettings().value(QStringLiteral("theme")).toString(), dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    }
+  }
+
+  void noTextIsClippedAt1280x720() {
+    QTest::qWait(300);
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->wordWrap()) continue;
+      QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
+    }
+    for (const QPushButton* button : window_->findChildren<QPushButton*>()) {
+      if (!button->isVisible()) continue;
+      QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));
+      QVERIFY2(button->height() >= button->minimumSizeHint().height() - 1, qPrintable(button->text()));
+    }
+    QCOMPARE(window_->width(), 1280);
+    QCOMPARE(window_->height(), 720);
+  }
+};
+
+}  // namespace ew::ui::testing
+
+EW_WINDOW_TEST_MAIN(ew::ui::testing::WindowTest)
+#include "window_test.moc"
