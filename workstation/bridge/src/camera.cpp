@@ -50,6 +50,26 @@ void OrbitCamera::look(CameraPreset preset, const Framing& framing) {
   frame(framing);
 }
 
+void OrbitCamera::overlook(const glm::dvec3& planeNormal, const Framing& framing) {
+  double best = -1.0;
+  double bestAzimuth_rad = 0.0;
+  double bestElevation_rad = 0.0;
+  for (const double azimuth_deg : {-20.0, 20.0, -38.0, 38.0})
+    for (const double elevation_deg : {27.0, 12.0}) {
+      azimuth_rad_ = glm::radians(azimuth_deg);
+      elevation_rad_ = glm::radians(elevation_deg);
+      const double faced = std::abs(glm::dot(planeNormal, toViewer()));
+      if (faced > best + 0.05) {  // a little more is not worth a view further round
+        best = faced;
+        bestAzimuth_rad = azimuth_rad_;
+        bestElevation_rad = elevation_rad_;
+      }
+    }
+  azimuth_rad_ = bestAzimuth_rad;
+  elevation_rad_ = bestElevation_rad;
+  frame(framing);
+}
+
 void OrbitCamera::frame(const Framing& framing) {
   framing_ = framing;
   framed_ = true;

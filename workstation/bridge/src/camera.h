@@ -21,6 +21,8 @@ class OrbitCamera {
 
   void setWindow(int width_px, int height_px);
   void look(CameraPreset preset, const Framing& framing);
+  /// From the front and above, from whichever side faces a plane with this normal best.
+  void overlook(const glm::dvec3& planeNormal, const Framing& framing);
   void frame(const Framing& framing);  ///< keeps the direction
   void orbit(double right_rad, double up_rad);
   void pan(glm::dvec2 by_px, const Bounds& within);

@@ -67,7 +67,7 @@ void shadeBody(vtkActor& body) {
   shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
                                       "//VTK::Light::Impl\n"
                                       "  float ewFacing = clamp(normalVCVSOutput.z, 0.0, 1.0);\n"
-                                      "  vec3 ewShaded = fragOutput0.rgb * mix(0.62, 1.0, sqrt(ewFacing));\n"
+                                      "  vec3 ewShaded = fragOutput0.rgb * mix(ewRim, 1.0, sqrt(ewFacing));\n"
                                       "  vec4 ewHere = vec4(ewWorld.xyz, 1.0);\n"
                                       "  vec3 ewAt = vec3(dot(ewBoxI, ewHere), dot(ewBoxJ, ewHere), dot(ewBoxK, ewHere));\n"
                                       "  vec3 ewAlong = ewAt - ewEyeInBox;\n"
@@ -91,6 +91,7 @@ SceneColours lightColours() {
   colours.groundTop = {0.965, 0.968, 0.975};
   colours.groundBottom = {0.900, 0.906, 0.918};
   colours.skin = {0.86, 0.745, 0.665};
+  colours.rim = 0.86;
   colours.box = {0.33, 0.36, 0.40};
   colours.accent = {0.055, 0.520, 0.575};
   colours.housing = {0.95, 0.955, 0.965};
@@ -124,6 +125,7 @@ struct Scene3D::Parts {
   bool hasProbe = false;
   bool hasPose = false;
   bool probeWanted = true;
+  bool overviewDue = true;  ///< nobody has chosen a view yet: the first pose on a mannequin does
   Pose pose;
   vtkNew<vtkMatrix4x4> probeToWorld;
 
@@ -146,6 +148,7 @@ struct Scene3D::Parts {
     uniforms.SetUniform4f("ewBoxK", &rows[2].x);
     const glm::vec3 eye(glm::dvec3(worldToBox * glm::dvec4(camera.eye_mm(), 1.0)));
     uniforms.SetUniform3f("ewEyeInBox", &eye.x);
+    uniforms.SetUniformf("ewRim", static_cast<float>(colours.rim));
     uniforms.SetUniformf("ewWindow", volume ? 0.40F : 0.0F);
     const glm::vec3 ground(glm::mix(colours.groundBottom, colours.groundTop, 0.5));
     uniforms.SetUniform3f("ewGround", &ground.x);
@@ -263,6 +266,7 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.updateVisibility();
   p.applyColours();
   showFrom(CameraPreset::overview);
+  p.overviewDue = true;
   p.updateWindow();  // a window may paint by itself before the first render(), and the shader needs its values then
 }
 
@@ -337,6 +341,7 @@ void Scene3D::setPose(const Pose& pose) {
   if (p.hasPose) {
     p.pose = pose;
     copyTo(*p.probeToWorld, pose.probeToWorld.matrix);
+    if (p.overviewDue && p.mannequin != nullptr) showFrom(CameraPreset::overview);
   }
   p.updateVisibility();
 }
@@ -359,7 +364,14 @@ void Scene3D::setColours(const SceneColours& colours) {
   parts_->applyColours();
 }
 
-void Scene3D::showFrom(CameraPreset preset) { parts_->camera.look(preset, parts_->trunkFraming()); }
+void Scene3D::showFrom(CameraPreset preset) {
+  Parts& p = *parts_;
+  p.overviewDue = false;
+  if (preset == CameraPreset::overview && p.hasPose)
+    p.camera.overlook(glm::dvec3(p.pose.probeToWorld.matrix[2]), p.trunkFraming());
+  else
+    p.camera.look(preset, p.trunkFraming());
+}
 
 void Scene3D::fitToVolume() {
   Parts& p = *parts_;
@@ -368,16 +380,23 @@ void Scene3D::fitToVolume() {
   p.camera.frame({0.5 * (p.volume->lowest_mm + p.volume->highest_mm), 1.5 * diagonal_mm, 1.5 * diagonal_mm});
 }
 
-void Scene3D::orbit(double right_rad, double up_rad) { parts_->camera.orbit(right_rad, up_rad); }
+void Scene3D::orbit(double right_rad, double up_rad) {
+  parts_->overviewDue = false;
+  parts_->camera.orbit(right_rad, up_rad);
+}
 
 void Scene3D::pan(glm::dvec2 by_px) {
+  parts_->overviewDue = false;
   Bounds near = parts_->bodyBounds();
   near.lowest_mm -= 150.0;
   near.highest_mm += 150.0;
   parts_->camera.pan(by_px, near);
 }
 
-void Scene3D::zoom(double factor) { parts_->camera.zoom(factor); }
+void Scene3D::zoom(double factor) {
+  parts_->overviewDue = false;
+  parts_->camera.zoom(factor);
+}
 
 Ray Scene3D::rayAt(glm::dvec2 at_px) const {
   parts_->syncCamera();

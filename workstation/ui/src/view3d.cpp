@@ -158,7 +158,7 @@ void View3D::retranslate() {
       found->setAccessibleName(tip);
     }
   };
-  name("viewOverview", tr("Overview"), tr("Look from the front, the right and above"));
+  name("viewOverview", tr("Overview"), tr("Look from the front and above, where the fan is seen best"));
   name("viewFront", tr("Front"), tr("Look from the front"));
   name("viewRight", tr("Right"), tr("Look from the patient's right"));
   name("viewLeft", tr("Left"), tr("Look from the patient's left"));

@@ -19,8 +19,8 @@ class vtkRenderer;
 
 namespace ew::bridge {
 
-/// Seen from the patient's front, back, right, left and head; `overview` looks at the front from the right and above, so that a fan
-/// across the body is seen as well.
+/// Seen from the patient's front, back, right, left and head; `overview` is from the front and above, from the side that shows the fan
+/// best, and what the scene begins with once mannequin and pose are there.
 enum class CameraPreset { front, back, right, left, top, overview };
 
 struct Ray {
@@ -33,6 +33,7 @@ struct SceneColours {
   glm::dvec3 groundTop{0.125, 0.130, 0.145};
   glm::dvec3 groundBottom{0.095, 0.100, 0.112};
   glm::dvec3 skin{0.80, 0.69, 0.615};
+  double rim = 0.66;  ///< brightness left where the skin turns away from the viewer, 0..1
   glm::dvec3 box{0.78, 0.80, 0.83};
   glm::dvec3 accent{0.310, 0.706, 0.753};
   glm::dvec3 housing{0.90, 0.91, 0.93};
