@@ -33,7 +33,7 @@ std::string fixedText(double value, int decimals) {
   return text;
 }
 
-constexpr double kWidth = 640.0, kHeight = 340.0, kLeft = 64.0, kRight = 150.0, kTop = 18.0, kBottom = 46.0;
+constexpr double kWidth = 640.0, kHeight = 340.0, kLeft = 64.0, kRight = 172.0, kTop = 18.0, kBottom = 46.0;
 
 /// Maps milliseconds (logarithmic) and decibels to the picture.
 struct Axes {
@@ -156,7 +156,8 @@ std::string slicingPage(const json& report) {
       "<title>EchoWeave: what accuracy costs in slicing</title><style>" +
       std::string(kStyle) + "</style></head><body><h1>What accuracy costs in slicing</h1><p>A slice of " + std::to_string(side) + " x " +
       std::to_string(side) +
-      " pixels, one voxel a pixel, one thread. Times are medians of interleaved repetitions; accuracy is measured against an analytic "
+      " pixels, one voxel a pixel, one thread. Times are processor time, medians of interleaved repetitions; accuracy is measured against "
+      "an analytic "
       "band-limited field, so its ceiling is the rounding to 256 grey levels. Up and to the left is better.</p><p>Machine: " +
       escaped(report["machine"].get<std::string>()) + "</p>";
   std::set<int> sides;
