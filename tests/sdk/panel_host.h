@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ew/door/headless_host.h"
+#include "ew/library/case.h"
+
+namespace ew::test {
+
+/// One case in memory with a list of what was done to it, checked as the workstation checks it.
+class OneCase final : public sdk::Cases {
+ public:
+  std::optional<nlohmann::json> current() const override { return manifest; }
+  std::filesystem::path currentFolder() const override { return folder; }
+  std::vector<Error> check(const nlohmann::json& next) const override { return checkManifest(next, {}); }
+  Result<void> edit(const nlohmann::json& next, const std::string& what, const std::string& mergeKey) override {
+    const auto problems = checkManifest(next, {});
+    if (!problems.empty()) return passOn(problems.front());
+    if (done.empty() || mergeKey.empty() || done.back().second != mergeKey) before.push_back(*manifest);
+    done.emplace_back(what, mergeKey);
+    manifest = next;
+    unsaved = true;
+    tell();
+    return {};
+  }
+  Result<void> save(const std::filesystem::path&) override {
+    unsaved = false;
+    ++saves;
+    tell();
+    return {};
+  }
+  bool hasUnsavedChanges() const override { return unsaved; }
+  Ticket onChanged(std::function<void()> callback) override {
+    const int key = next_++;
+    callbacks_[key] = std::move(callback);
+    return {nullptr, [this, key](void*) { callbacks_.erase(key); }};
+  }
+  void undo() {
+    manifest = before.back();
+    before.pop_back();
+    tell();
+  }
+  void tell() {
+    const auto copy = callbacks_;
+    for (const auto& [key, callback] : copy) callback();
+  }
+
+  std::optional<nlohmann::json> manifest;
+  std::filesystem::path folder = "/cases/one";
+  std::vector<std::pair<std::string, std::string>> done;
+  std::vector<nlohmann::json> before;
+  bool unsaved = false;
+  int saves = 0;
+
+ private:
+  std::map<int, std::function<void()>> callbacks_;
+  int next_ = 0;
+};
+
+/// Keeps what a plugin shows and offers; everything else is the headless host's.
+class PanelHost final : public sdk::Host, public sdk::Panels, public sdk::Volumes {
+ public:
+  sdk::Volumes& volumes() override { return *this; }
+  sdk::Files& files() override { return inner_.files(); }
+  sdk::Cases& cases() override { return theCase; }
+  sdk::Jobs& jobs() override { return inner_.jobs(); }
+  sdk::Panels& panels() override { return *this; }
+  sdk::Commands& commands() override { return inner_.commands(); }
+  sdk::Log& log() override { return inner_.log(); }
+
+  void add(const std::string& id, const std::string&, std::function<QWidget*(QWidget*)> make) override { made[id] = std::move(make); }
+
+  Result<Volume> read(const std::filesystem::path& file, Progress& p) override { return inner_.volumes().read(file, p); }
+  Result<void> write(const Volume& v, const std::filesystem::path& file, Progress& p) override {
+    return inner_.volumes().write(v, file, p);
+  }
+  Result<void> writeCoverage(const Volume& v, const std::filesystem::path& file, Progress& p) override {
+    return inner_.volumes().writeCoverage(v, file, p);
+  }
+  Result<void> readCoverageInto(Volume& v, const std::filesystem::path& file, Progress& p) override {
+    return inner_.volumes().readCoverageInto(v, file, p);
+  }
+  void show(Volume volume, const std::string& title) override { shown.emplace_back(title, std::move(volume)); }
+
+  OneCase theCase;
+  std::map<std::string, std::function<QWidget*(QWidget*)>> made;
+  std::vector<std::pair<std::string, Volume>> shown;
+
+ private:
+  door::HeadlessHost inner_;
+};
+
+}  // namespace ew::test

@@ -1,0 +1,162 @@
+// The panels of both plugins, opened through the door as the workstation opens them, and driven as a user drives them.
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QUrl>
+#include <QtTest>
+
+#include "ew/door/door.h"
+#include "ew/io/volume_file.h"
+#include "library/temporary_folder.h"
+#include "sdk/panel_host.h"
+
+using namespace ew;
+
+class PanelsTest final : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<QWidget> open(test::PanelHost& host, const std::string& id) {
+    std::unique_ptr<QWidget> panel(host.made.at(id)(nullptr));
+    panel->resize(400, 760);
+    panel->show();
+    [[maybe_unused]] const bool exposed = QTest::qWaitForWindowExposed(panel.get());
+    return panel;
+  }
+  template <class Widget>
+  static Widget* child(const std::unique_ptr<QWidget>& panel, const char* name) {
+    auto* found = panel->findChild<Widget*>(QLatin1String(name));
+    if (found == nullptr) qFatal("there is no widget '%s'", name);
+    return found;
+  }
+  static void drop(const std::unique_ptr<QWidget>& panel, const QList<QUrl>& urls) {
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel.get(), &event);
+  }
+  static void keepPicture(const std::unique_ptr<QWidget>& panel, const char* name) {
+    const QString folder = qEnvironmentVariable("ECHOWEAVE_TEST_PICTURES");
+    if (!folder.isEmpty()) panel->grab().save(folder + QLatin1Char('/') + QLatin1String(name));
+  }
+
+  test::PanelHost host_;
+  std::unique_ptr<door::PluginList> plugins_;
+
+ private Q_SLOTS:
+  void initTestCase() {
+    plugins_ = std::make_unique<door::PluginList>(std::vector<std::filesystem::path>{EW_BINARY_DIR "/lib/plugins"});
+    plugins_->openAll(host_);
+    for (const auto& plugin : plugins_->states()) QVERIFY2(plugin.sentence.empty(), plugin.sentence.c_str());
+    QVERIFY(host_.made.count("stitching") == 1 && host_.made.count("case_authoring") == 1);
+  }
+
+  void withoutACaseTheFormSaysWhatToDo() {
+    host_.theCase.manifest.reset();
+    const auto panel = open(host_, "case_authoring");
+    QVERIFY(!child<QLineEdit>(panel, "title")->isVisible());
+    keepPicture(panel, "case-empty.png");
+  }
+
+  void typingIsOneUndoableStepAField() {
+    host_.theCase.manifest = nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}, {"lesson", 4}};
+    const auto panel = open(host_, "case_authoring");
+    auto* title = child<QLineEdit>(panel, "title");
+    QCOMPARE(title->text(), QStringLiteral("One"));
+    title->setFocus();
+    title->end(false);
+    QTest::keyClicks(title, QStringLiteral(" more"));
+    QTest::keyClicks(child<QPlainTextEdit>(panel, "history"), QStringLiteral("pain"));
+    const auto& manifest = *host_.theCase.manifest;
+    QCOMPARE(manifest["title"].get<std::string>(), std::string("One more"));
+    QCOMPARE(manifest["history"].get<std::string>(), std::string("pain"));
+    QCOMPARE(manifest["lesson"].get<int>(), 4);
+    QCOMPARE(host_.theCase.before.size(), std::size_t(2));
+    QVERIFY(child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("not saved")));
+    host_.theCase.undo();
+    host_.theCase.undo();
+    QCOMPARE(title->text(), QStringLiteral("One"));
+    QCOMPARE(child<QPlainTextEdit>(panel, "history")->toPlainText(), QString());
+  }
+
+  void whatTheSchemaRefusesIsSaidBesideTheFieldAndChangesNothing() {
+    const auto panel = open(host_, "case_authoring");
+    const auto before = host_.theCase.manifest;
+    auto* age = child<QSpinBox>(panel, "patient_age_years");
+    age->setValue(400);
+    auto* problem = child<QLabel>(panel, "patient_age_years_problem");
+    QVERIFY(problem->isVisible());
+    QVERIFY2(problem->text().contains(QStringLiteral("130")), qPrintable(problem->text()));
+    QVERIFY(host_.theCase.manifest == before);
+    const int saves = host_.theCase.saves;
+    QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
+    QCOMPARE(host_.theCase.saves, saves);
+    keepPicture(panel, "case-refused.png");
+    age->setValue(46);
+    QVERIFY(!problem->isVisible());
+    QCOMPARE((*host_.theCase.manifest)["patient"]["age_years"].get<int>(), 46);
+    QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
+    QCOMPARE(host_.theCase.saves, saves + 1);
+    QVERIFY(!child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("not")));
+  }
+
+  void thePlaceOfTheVolumeIsEditedAsSixNumbers() {
+    const auto panel = open(host_, "case_authoring");
+    child<QDoubleSpinBox>(panel, "placement_x")->setValue(12.5);
+    child<QDoubleSpinBox>(panel, "placement_rz")->setValue(90);
+    const std::vector<double> expected = {0, -1, 0, 12.5, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    QVERIFY((*host_.theCase.manifest)["volume"]["file_to_world"].get<std::vector<double>>() == expected);
+    keepPicture(panel, "case-form.png");
+  }
+
+  void droppedVolumesAreStitchedShownAndSaved() {
+    const test::TemporaryFolder folder;
+    Volume volume;
+    volume.grid.dims = {30, 20, 10};
+    volume.grid.spacing_mm = glm::dvec3(0.5);
+    volume.echo.assign(6000, 90);
+    QVERIFY(writeVolume(volume, folder / "right lobe.mha").has_value());
+    volume.grid.origin_mm = {5, 0, 0};
+    QVERIFY(writeVolume(volume, folder / "left lobe.mha").has_value());
+
+    const auto panel = open(host_, "stitching");
+    keepPicture(panel, "stitch-empty.png");
+    drop(panel, {QUrl::fromLocalFile(QString::fromStdString((folder / "right lobe.mha").string())),
+                 QUrl::fromLocalFile(QString::fromStdString((folder / "left lobe.mha").string()))});
+    QCOMPARE(child<QListWidget>(panel, "volumes")->count(), 2);
+    QVERIFY2(child<QLabel>(panel, "forecast")->text().startsWith(QStringLiteral("40 × 20 × 10")),
+             qPrintable(child<QLabel>(panel, "forecast")->text()));
+    const std::size_t shown = host_.shown.size();
+    QTest::mouseClick(child<QPushButton>(panel, "stitch"), Qt::LeftButton);
+    QCOMPARE(host_.shown.size(), shown + 1);
+    QCOMPARE(host_.shown.back().second.grid.dims.x, 40);
+    QVERIFY(child<QPushButton>(panel, "saveResult")->isVisible());
+    keepPicture(panel, "stitch-done.png");
+  }
+
+  void aVolumeThatCannotBeReadIsASentenceInThePanel() {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "bad.mha", "no volume");
+    test::writeText(folder / "bad.json", "{\"volumes\": 3}");
+    const auto panel = open(host_, "stitching");
+    for (const char* name : {"bad.mha", "bad.json"}) {
+      drop(panel, {QUrl::fromLocalFile(QString::fromStdString((folder / name).string()))});
+      QVERIFY(child<QLabel>(panel, "problem")->isVisible());
+    }
+    QCOMPARE(child<QListWidget>(panel, "volumes")->count(), 0);
+  }
+};
+
+QTEST_MAIN(PanelsTest)
+#include "panels_gui_test.moc"
