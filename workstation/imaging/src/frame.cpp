@@ -10,11 +10,11 @@
 namespace ew {
 namespace {
 
-// Nanoseconds a pixel inside the fan, measured with `echoweave bench slicing`.
-constexpr double kWeave_ns = 1.5;
-constexpr double kLinear_ns = 4.0;
-constexpr double kStretch_ns = 1.5;
-constexpr double kTable_ns = 0.7;
+// Nanoseconds a pixel inside the fan, as measured with `echoweave bench slicing` and lastTimes().
+constexpr double kWeave_ns = 1.1;
+constexpr double kLinear_ns = 3.4;
+constexpr double kStretch_ns = 1.1;
+constexpr double kTable_ns = 0.4;
 
 double pixelsOf(const Spans& spans) {
   double pixels = 0.0;
@@ -36,7 +36,11 @@ Plan planFor(double pixels, const Knobs& knobs, const Scene& scene, const Displa
   } else {
     plan.steps.push_back({StepKind::sampleWeave, estimate(kWeave_ns)});
     const double largestVoxel_mm = std::max({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
-    if (geometry.pixel_mm < largestVoxel_mm) plan.steps.push_back({StepKind::zoomStretch, estimate(kStretch_ns)});
+    if (geometry.pixel_mm < largestVoxel_mm) {
+      const double samplesPerPixel = geometry.pixel_mm / largestVoxel_mm;
+      plan.steps.back().estimated_us *= samplesPerPixel * samplesPerPixel;
+      plan.steps.push_back({StepKind::zoomStretch, estimate(kStretch_ns)});
+    }
   }
   if (hasTable(knobs, scene)) plan.steps.push_back({StepKind::table, estimate(kTable_ns)});
   return plan;
