@@ -1,7 +1,9 @@
 #include "mesh_file.h"
 
 #include <vtkCallbackCommand.h>
+
 #include <vtkCellArray.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkOBJReader.h>
 #include <vtkPoints.h>
@@ -15,7 +17,6 @@
 #include <exception>
 #include <fstream>
 #include <glm/glm.hpp>
-#include <optional>
 #include <sstream>
 
 #include "ew/core/numbers.h"
@@ -124,8 +125,10 @@ Result<vtkSmartPointer<vtkPolyData>> readWith(const MeshFile& file) {
     auto& kept = *static_cast<std::string*>(to);
     if (kept.empty() && text != nullptr) kept = static_cast<const char*>(text);
   });
-  reader->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->AddObserver(vtkCommand::WarningEvent, listener);
+  for (vtkObject* speaker : {static_cast<vtkObject*>(reader.Get()), static_cast<vtkObject*>(reader->GetExecutive())}) {
+    speaker->AddObserver(vtkCommand::ErrorEvent, listener);
+    speaker->AddObserver(vtkCommand::WarningEvent, listener);
+  }
   reader->SetFileName(file.path.c_str());
   try {
     reader->Update();

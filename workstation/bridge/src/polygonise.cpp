@@ -9,7 +9,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataConnectivityFilter.h>
-#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <atomic>
@@ -53,7 +52,6 @@ void fillBlock(const BodyShape& body, Field& field, const glm::ivec3& low) {
 /// @return false when it was cancelled
 bool sample(const BodyShape& body, Field& field, Progress& progress) {
   const glm::ivec3 blocks = (field.dims + kBlock - 1) / kBlock;
-  std::atomic<int> layersDone{0};
   std::atomic<bool> stopped{false};
   oneapi::tbb::parallel_for(0, blocks.z * blocks.y, [&](int row) {
     if (stopped.load(std::memory_order_relaxed)) return;
@@ -62,7 +60,6 @@ bool sample(const BodyShape& body, Field& field, Progress& progress) {
       return;
     }
     for (int i = 0; i < blocks.x; ++i) fillBlock(body, field, kBlock * glm::ivec3(i, row % blocks.y, row / blocks.y));
-    ++layersDone;
   });
   progress.report("Shaping the body", 0.6);
   return !stopped;
