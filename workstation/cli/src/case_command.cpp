@@ -179,23 +179,23 @@ void addCase(CLI::App& root, Selection& selection) {
 
   auto& list = addCommand(group, selection, "list", "The cases of a folder, by title", {"case list", "case list my-cases --json"},
                           [arguments](Run& run) { return listAll(*arguments, run); });
-  list.add_option("FOLDER", arguments->folder, "A folder that holds case folders (the shipped cases)");
+  list.add_option("FOLDER", arguments->folder, "A folder that holds case folders (the shipped cases)")->type_name("");
   list.add_flag("--json", arguments->asJson, "As JSON");
 
   auto& shown = addCommand(group, selection, "show", "What a case holds", {"case show upper-abdomen", "case show my-cases/knee --json"},
                            [arguments](Run& run) { return show(*arguments, run); });
-  shown.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required();
+  shown.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
   shown.add_flag("--json", arguments->asJson, "The manifest as JSON");
 
   auto& checked = addCommand(group, selection, "validate", "Every problem of a case, one a line; exit status 1 when there are any",
                              {"case validate my-cases/knee"}, [arguments](Run& run) { return validate(*arguments, run); });
-  checked.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required();
+  checked.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
   checked.add_flag("--json", arguments->asJson, "As JSON");
 
   auto& prepared =
       addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
                  {"case prepare --all", "case prepare upper-abdomen"}, [arguments](Run& run) { return prepare(*arguments, run); });
-  prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases");
+  prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases")->type_name("");
   prepared.add_flag("--all", arguments->all, "All shipped cases");
 }
 

@@ -84,7 +84,7 @@ void addPhantom(CLI::App& root, Selection& selection) {
       root, selection, "phantom", "Turn a virtual patient into a volume whose truth is known",
       {"phantom patient.json --volume truth.mha --labels labels.mha", "phantom patient.json --volume fine.mha --spacing 0.5 --seed 7"},
       [arguments](Run& run) { return makePhantom(*arguments, run); });
-  app.add_option("PATIENT", arguments->patient, "The virtual patient: patient.json")->required();
+  app.add_option("PATIENT", arguments->patient, "The virtual patient: patient.json")->required()->type_name("");
   app.add_option("--volume", arguments->volume, "Echo levels with speckle: .mha or .mhd")->type_name("TRUTH.mha");
   app.add_option("--labels", arguments->labels, "Which organ owns a voxel (0: none); the numbers are listed when done")
       ->type_name("LABELS.mha");

@@ -178,7 +178,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                           "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach 6 --coverage coverage.mha",
                           "reconstruct sweep.igs.mha -o volume.mha --clip 0 0 739 593 --fan -30.28 30.28 369 -139.33 161.34 724.35"},
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
-  app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required();
+  app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required()->type_name("");
   app.add_option("-o,--output", arguments->output, "The volume: .mha, or .mhd with its .raw")->required()->type_name("VOLUME.mha");
   app.add_option("--calibration", arguments->calibration,
                  "Device set of the recording: calibration, and clip, spacing and method if it has them")

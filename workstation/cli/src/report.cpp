@@ -47,27 +47,31 @@ double Report::median_us(const std::string& name) const {
   return 0.0;
 }
 
-nlohmann::json Report::toJson() const {
-  nlohmann::json json = details;
+nlohmann::ordered_json Report::toJson() const {
+  nlohmann::ordered_json json;
   json["command"] = command;
   json["version"] = kVersion;
   json["inputs"] = inputs;
   json["outputs"] = outputs;
   json["options"] = options;
   json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  json["steps"] = summarisedSteps;
+  auto steps = nlohmann::ordered_json(summarisedSteps);
   for (const auto& [name, durations_us] : steps_) {
     const auto summary = summarise(durations_us);
-    json["steps"].push_back({{"name", name},
-                             {"count", summary.count},
-                             {"median_us", summary.median_us},
-                             {"p99_us", summary.p99_us},
-                             {"max_us", summary.max_us}});
+    nlohmann::ordered_json step;
+    step["name"] = name;
+    step["count"] = summary.count;
+    step["median_us"] = summary.median_us;
+    step["p99_us"] = summary.p99_us;
+    step["max_us"] = summary.max_us;
+    steps.push_back(std::move(step));
   }
+  json["steps"] = std::move(steps);
   json["quality"] = quality;
   json["memory_mib"] = peakMemory_mib();
   if (verdict) json["verdict"] = *verdict;
   if (seed) json["seed"] = *seed;
+  for (const auto& [key, value] : details.items()) json[key] = value;
   return json;
 }
 

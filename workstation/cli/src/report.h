@@ -38,7 +38,8 @@ class Report {
   void addStep(const std::string& name, double duration_us);
   /// Median duration of a step so far; 0 when it never ran.
   [[nodiscard]] double median_us(const std::string& name) const;
-  [[nodiscard]] nlohmann::json toJson() const;
+  /// In the order of the contract, then what one command adds.
+  [[nodiscard]] nlohmann::ordered_json toJson() const;
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

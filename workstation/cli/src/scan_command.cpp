@@ -46,6 +46,9 @@ Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string
   return failure(ErrorCode::badUsage, "There is no probe '" + name + "'; there are " + ids + ", or give a probe's .json file.");
 }
 
+/// Frames made only to be timed: the first frame of a program meets cold memory and says little.
+constexpr int kWarmFrames = 15;
+
 struct Source {
   Volume volume;
   std::vector<std::string> probes;
@@ -179,6 +182,11 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
       }
       run.progress.report("Scanning", ++done / total);
     }
+  if (arguments.plan && arguments.repeat == 0)
+    for (int n = 0; n < kWarmFrames; ++n) {
+      maker.make(volume->view(), poses.front());
+      for (const auto& time : maker.lastTimes()) run.report.addStep(nameOf(time.kind), time.measured_us);
+    }
   run.report.quality = {{"pictures_not_black", litPictures}};
   run.report.details["plan"] = nlohmann::json::array();
   for (const auto& step : maker.plan().steps)
@@ -207,7 +215,8 @@ void addScan(CLI::App& root, Selection& selection) {
              "  { \"gain_and_dgc\": true }");
   app.add_option("SOURCE", arguments->source,
                  "A volume (.mha, .mhd, .nrrd, .nii, .nii.gz), a case folder, a case.json, or a shipped case's id")
-      ->required();
+      ->required()
+      ->type_name("");
   app.add_option("--probe", arguments->probe, "A probe's id or name, or a probe's .json file (a case: its first probe)")->type_name("NAME");
   app.add_option(
          "--pose", arguments->pose,

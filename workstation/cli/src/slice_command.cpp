@@ -103,7 +103,7 @@ void addSlice(CLI::App& root, Selection& selection) {
                           "slice liver.mha --pose poses.txt --size 512x512 --pixel 0.5 --quality weave -o out.png",
                           "slice liver.mha --pose poses.txt --repeat 100 --report times.json"},
                          [arguments](Run& run) { return sliceVolume(*arguments, run); });
-  app.add_option("VOLUME", arguments->volume, "The volume: .mha, .mhd, .nrrd, .nii or .nii.gz")->required();
+  app.add_option("VOLUME", arguments->volume, "The volume: .mha, .mhd, .nrrd, .nii or .nii.gz")->required()->type_name("");
   app.add_option(
          "--pose", arguments->pose,
          "16 numbers, row by row, from probe to world in mm (LPS), or a file with one pose a line; the plane is z = 0 of the probe, "
