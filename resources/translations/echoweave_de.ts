@@ -1241,8 +1241,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <translation>Übersicht</translation>
         </message>
         <message>
-            <source>Look from the front, the right and above</source>
-            <translation>Von vorn, rechts und oben sehen</translation>
+            <source>Look from the front and above, where the fan is seen best</source>
+            <translation>Von vorn und oben sehen, wo der Fächer am besten zu sehen ist</translation>
         </message>
         <message>
             <source>Front</source>

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QSignalSpy>
 #include <QSurfaceFormat>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest>
 #include <cmath>
@@ -280,6 +281,20 @@ class View3DTest : public QObject {
     const auto loaded = view_->setMannequinFile("no/such/body.stl");
     QVERIFY(!loaded.has_value());
     QVERIFY(view_->skin() == before);
+  }
+
+  void aNarrowViewCutsNeitherButtonsNorHint() {
+    for (const int width : {700, 420, 280, 250}) {
+      view_->resize(width, 500);
+      QTest::qWait(30);
+      for (const char* name : {"viewButtons", "viewHints"}) {
+        const auto* overlay = view_->findChild<QWidget*>(QString::fromLatin1(name));
+        QVERIFY(overlay != nullptr);
+        QVERIFY2(view_->rect().contains(overlay->geometry()), qPrintable(QStringLiteral("%1 at %2").arg(name).arg(width)));
+      }
+      for (const auto* button : view_->findChildren<QToolButton*>())
+        QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(QStringLiteral("%1 at %2").arg(button->text()).arg(width)));
+    }
   }
 
   void manyChangesInOneTurnAreDrawnOnce() {

@@ -6,7 +6,7 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QResizeEvent>
@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ew/core/contract.h"
 
@@ -96,6 +97,19 @@ struct View3D::Parts {
   QVTKOpenGLNativeWidget* canvas;
   QLabel* hint;
   QWidget* buttons;
+  std::vector<QToolButton*> viewButtons;
+
+  /// As many columns as fit: longer words or a narrow view make more rows, never cut ones.
+  void arrangeButtons(int room_px) {
+    auto* grid = static_cast<QGridLayout*>(buttons->layout());
+    const int count = static_cast<int>(viewButtons.size());
+    for (int columns = count; columns >= 1; columns = (columns + 1) / 2) {
+      for (int i = 0; i < count; ++i) grid->addWidget(viewButtons[static_cast<std::size_t>(i)], i / columns, i % columns);
+      grid->invalidate();
+      if (grid->sizeHint().width() <= room_px || columns == 1) break;
+    }
+    buttons->resize(grid->sizeHint());
+  }
   std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
   bool renderAsked = false;
@@ -116,9 +130,9 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   parts_->hint->setAttribute(Qt::WA_TransparentForMouseEvents);
   parts_->hint->setProperty("small", true);
   parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
-  auto* row = new QHBoxLayout(parts_->buttons);
-  row->setContentsMargins(4, 2, 4, 2);
-  row->setSpacing(4);
+  auto* grid = new QGridLayout(parts_->buttons);
+  grid->setContentsMargins(4, 2, 4, 2);
+  grid->setSpacing(4);
   const auto addButton = [&](const char* name, auto action) {
     auto* button = new QToolButton(parts_->buttons);
     button->setObjectName(QString::fromLatin1(name));
@@ -126,7 +140,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
     button->setAutoRaise(true);
     button->setProperty("small", true);
     connect(button, &QToolButton::clicked, this, action);
-    row->addWidget(button);
+    parts_->viewButtons.push_back(button);
   };
   addButton("viewOverview", [this] { showFrom(bridge::CameraPreset::overview); });
   addButton("viewFront", [this] { showFrom(bridge::CameraPreset::front); });
@@ -141,7 +155,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   skinButton->setCheckable(true);
   skinButton->setProperty("small", true);
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? 0.45 : 1.0); });
-  row->addWidget(skinButton);
+  parts_->viewButtons.push_back(skinButton);
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
   connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
@@ -304,7 +318,7 @@ void View3D::placeOverlays() {
     hint.resize(room, hint.heightForWidth(room));
   }
   hint.move(kMargin_px, height() - kMargin_px - hint.height());
-  parts_->buttons->adjustSize();
+  parts_->arrangeButtons(room);
   parts_->buttons->move(std::max(0, width() - kMargin_px - parts_->buttons->width()), kMargin_px - 4);
   hint.raise();
   parts_->buttons->raise();
