@@ -141,7 +141,7 @@ TEST(HardCasesDoor, OneBrokenPluginDoesNotStopTheNext) {
   ASSERT_EQ(plugins.states().size(), 3u);
   EXPECT_EQ(plugins.states()[0].state, PluginState::badManifest);
   EXPECT_EQ(plugins.states()[1].state, PluginState::loaded);
-  EXPECT_EQ(plugins.states()[2].state, PluginState::badManifest) << "the same name twice: the first one wins";
+  EXPECT_EQ(plugins.states()[2].state, PluginState::replaced) << "the same name twice: the first one wins";
   ASSERT_EQ(host.registered().size(), 1u);
   const auto thrown = host.registered().front().run({}, noProgress());
   ASSERT_FALSE(thrown) << "an exception of a command becomes an error at the door";

@@ -185,6 +185,15 @@ TEST(Stitch, KeepsBothOfTwoVolumesThatDoNotTouch) {
   ASSERT_EQ(result.notes.size(), 1u);
 }
 
+TEST(Stitch, SaysWhenBlackVoxelsCountAsMeasuredForWantOfCoverage) {
+  Volume dark = constant(gridOf({4, 4, 4}), 0);
+  const auto warned = stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")});
+  ASSERT_EQ(warned.notes.size(), 1u);
+  EXPECT_NE(warned.notes.front().find("'dark'"), std::string::npos);
+  dark.coverage.assign(dark.echo.size(), 2);
+  EXPECT_TRUE(stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")}).notes.empty());
+}
+
 TEST(Stitch, PlacesAVolumeWithItsMatrix) {
   // A quarter turn about z takes the file's x to the world's y.
   const glm::dmat4 turn = moved(100, 0, 0) * glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1});

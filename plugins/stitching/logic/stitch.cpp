@@ -156,6 +156,20 @@ void blendRow(const std::vector<Source>& sources, int j, int k, RowSums& row, St
   }
 }
 
+/// Without coverage the black outside of a fan counts as seen, and darkens what another volume shows there.
+void noteMissingCoverage(std::span<const PlacedView> inputs, StitchResult& result) {
+  constexpr double suspicious = 0.05;
+  if (inputs.size() < 2) return;
+  for (const auto& input : inputs) {
+    if (!input.volume->coverage.empty()) continue;
+    const auto black = std::count(input.volume->echo.begin(), input.volume->echo.end(), std::uint8_t{0});
+    if (static_cast<double>(black) > suspicious * static_cast<double>(input.volume->echo.size()))
+      result.notes.push_back("Volume '" + input.name +
+                             "' has no coverage, so its black voxels count as measured and darken the blend; give its coverage file if "
+                             "there is one.");
+  }
+}
+
 tl::unexpected<Error> cancelled() { return failure(ErrorCode::cancelled, "The stitching was cancelled."); }
 
 void addUp(const std::vector<SliceCounts>& slices, StitchResult& result) {
@@ -224,6 +238,7 @@ Result<StitchResult> stitch(std::span<const PlacedView> inputs, const StitchOpti
   });
   if (!whole || progress.cancelRequested()) return cancelled();
   addUp(slices, result);
+  noteMissingCoverage(inputs, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;
 }

@@ -38,6 +38,8 @@ const char* nameOf(PluginState state) {
       return "not loadable";
     case PluginState::failed:
       return "failed";
+    case PluginState::replaced:
+      return "replaced";
   }
   return "unknown";
 }
@@ -118,7 +120,7 @@ std::vector<PluginStatus> discoverPlugins(const std::vector<fs::path>& folders) 
       if (auto manifest = readPluginManifest(entry)) {
         status.manifest = std::move(*manifest);
         if (!names.insert(status.manifest->name).second) {
-          status.state = PluginState::badManifest;
+          status.state = PluginState::replaced;
           status.sentence =
               "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.";
         }

@@ -30,7 +30,8 @@ enum class PluginState {
   badManifest,  ///< missing, broken, or naming a library that is not there
   otherAbi,     ///< built for another program or another version of this one
   notLoadable,  ///< not a library of this system, or one with missing symbols
-  failed        ///< its own code refused or threw while it was created
+  failed,       ///< its own code refused or threw while it was created
+  replaced      ///< another plugin of the same name was found before it and is used
 };
 const char* nameOf(PluginState state);
 
@@ -50,7 +51,7 @@ struct PluginStatus {
 [[nodiscard]] std::vector<std::filesystem::path> pluginFolders();
 
 /// Every sub-folder of `folders` as one plugin, by name within a folder. Reads manifests only. A second plugin of a name that was already
-/// found is reported (badManifest), not loaded: the earlier folder wins.
+/// found is reported (replaced), not loaded: the earlier folder wins.
 [[nodiscard]] std::vector<PluginStatus> discoverPlugins(const std::vector<std::filesystem::path>& folders);
 
 /// @error notFound, badHeader (not JSON), badField (name, value found, value expected), tooLarge
