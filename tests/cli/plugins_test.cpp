@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/cli_world.h"
+#include "ew/cli/run_command.h"
 #include "ew/sdk/plugin.h"
 
 namespace ew::test {
@@ -63,6 +64,36 @@ TEST(PluginsCommand, TheHelpNamesTheCommandsOfPluginsWithoutLoadingThem) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_NE(help.out.find("measure"), std::string::npos) << help.out;
+}
+
+TEST(PluginsCommand, StitchJoinsTwoVolumesAndReportsLikeACommandOfOurOwn) {
+  const std::vector<std::string> stitch{"stitch"};
+  if (!cli::isHeadless(stitch)) GTEST_SKIP() << "the stitching plugin is not part of this build";
+  const TemporaryFolder folder;
+  Volume constant;
+  constant.grid.dims = {8, 6, 4};
+  constant.echo.assign(constant.grid.voxelCount(), 90);
+  ASSERT_TRUE(writeVolume(constant, folder / "a.mha"));
+  const nlohmann::json atRest{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, moved{1, 0, 0, 4, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const nlohmann::json project{{"volumes", {{{"file", "a.mha"}, {"to_world", atRest}}, {{"file", "a.mha"}, {"to_world", moved}}}}};
+  writeText(folder / "project.json", project.dump());
+  const auto outcome = run({"stitch", folder / "project.json", "-o", folder / "out", "--report", folder / "r.json", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  const auto joined = readVolume(folder / "out/volume.mha");
+  ASSERT_TRUE(joined) << joined.error();
+  EXPECT_EQ(joined->volume.grid.dims, glm::ivec3(12, 6, 4));
+  EXPECT_EQ(joined->volume.echo, std::vector<std::uint8_t>(joined->volume.grid.voxelCount(), 90));
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["command"], "stitch");
+  EXPECT_EQ(report["inputs"], nlohmann::json({folder / "project.json"}));
+  EXPECT_FALSE(report["outputs"].empty());
+
+  const auto missing = run({"stitch", folder / "none.json", "-o", folder / "out2"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out2"));
+  EXPECT_EQ(run({"stitch"}).status, 2);
+  EXPECT_EQ(run({"stitch", "--help"}).status, 0);
 }
 
 }  // namespace
