@@ -25,10 +25,8 @@ Result<fs::path> mannequinFileOf(const std::optional<Case>& opened) {
   return *resources / "mannequin" / name;
 }
 
-Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const std::optional<Case>& opened, Progress& progress) {
-  auto file = mannequinFileOf(opened);
-  if (!file) return passOn(file.error());
-  auto loaded = bridge::loadMannequin(*file, {}, progress);
+Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& file, Progress& progress) {
+  auto loaded = bridge::loadMannequin(file, {}, progress);
   if (!loaded) return passOn(loaded.error());
   return std::make_shared<const bridge::Mannequin>(std::move(*loaded));
 }
@@ -63,7 +61,8 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 struct Opener::Loaded {
   std::optional<Case> opened;
   std::shared_ptr<const Volume> volume;
-  std::shared_ptr<const bridge::Mannequin> mannequin;
+  std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
+  fs::path mannequinFile;
   std::vector<std::string> notes;
   bool isSweep = false;
 };
@@ -83,12 +82,18 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
 }
 
 void Opener::loadDefaultMannequin() {
+  const auto file = mannequinFileOf(std::nullopt);
+  if (!file) {
+    messages_.showError(file.error());
+    return;
+  }
+  mannequinFile_ = *file;
   auto loaded = std::make_shared<std::shared_ptr<const bridge::Mannequin>>();
   ++busy_;
   jobs_.start(
       tr("Preparing the mannequin"),
-      [loaded](Progress& progress) -> Result<void> {
-        auto read = readMannequin(std::nullopt, progress);
+      [loaded, file = *file](Progress& progress) -> Result<void> {
+        auto read = readMannequin(file, progress);
         if (!read) return passOn(read.error());
         *loaded = std::move(*read);
         return {};
@@ -96,6 +101,7 @@ void Opener::loadDefaultMannequin() {
       [this, loaded](const Result<void>& outcome) {
         --busy_;
         if (!outcome) {
+          mannequinFile_.clear();
           if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
           return;
         }
@@ -130,20 +136,23 @@ void Opener::openCase(const QString& path) {
   ++busy_;
   jobs_.start(
       tr("Opening %1").arg(QFileInfo(path).fileName()),
-      [loaded, path](Progress& progress) -> Result<void> {
+      [loaded, path, present = mannequinFile_](Progress& progress) -> Result<void> {
         auto opened = loadCase(pathOf(path));
         if (!opened) return passOn(opened.error());
+        auto body = mannequinFileOf(*opened);
+        if (!body) return passOn(body.error());
         PartOfProgress most(progress, 0.0, 0.9);
         auto echo = loadCaseVolume(*opened, most);
         if (!echo) return passOn(echo.error());
         loaded->notes = std::move(echo->notes);
         loaded->volume = std::make_shared<const Volume>(std::move(echo->volume));
-        if (!opened->mannequin.empty()) {
+        if (*body != present) {
           PartOfProgress rest(progress, 0.9, 1.0);
-          auto mannequin = readMannequin(*opened, rest);
+          auto mannequin = readMannequin(*body, rest);
           if (!mannequin) return passOn(mannequin.error());
           loaded->mannequin = std::move(*mannequin);
         }
+        loaded->mannequinFile = std::move(*body);
         loaded->opened = std::move(*opened);
         return {};
       },
@@ -157,6 +166,7 @@ void Opener::openCase(const QString& path) {
         caseVolume_ = loaded->volume;
         casePlacement_ = loaded->opened->volume.fileToWorld;
         startPose_ = loaded->opened->startPose;
+        mannequinFile_ = loaded->mannequinFile;
         showMannequin(loaded->mannequin);
         document_.open(*loaded->opened);
         showCaseVolume();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QObject>
-#include <functional>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -57,7 +57,8 @@ class Opener final : public QObject {
   View3D& view_;
   HandInput& hand_;
   std::shared_ptr<const Volume> caseVolume_;
-  glm::dmat4 casePlacement_{1.0};  ///< the file_to_world that caseVolume_ was placed with when it was loaded
+  glm::dmat4 casePlacement_{1.0};        ///< the file_to_world that caseVolume_ was placed with when it was loaded
+  std::filesystem::path mannequinFile_;  ///< of the body that is shown or on its way
   std::optional<Pose> startPose_;
   bool showsCase_ = false;
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there

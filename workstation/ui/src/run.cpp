@@ -3,10 +3,13 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QPushButton>
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -61,6 +64,10 @@ class Screenshot final : public QObject {
     if (waited_.elapsed() > kScreenshotPatience_s * 1000) {
       return giveUp(MainWindow::tr("The window was not ready within %1 s; try a smaller volume.").arg(kScreenshotPatience_s));
     }
+    if (const auto* dialog = window_.findChild<QDialog*>(QStringLiteral("importDialog")); dialog != nullptr && dialog->isVisible()) {
+      answer(*dialog);
+      return;
+    }
     settled_ = window_.isSettled() ? settled_ + 1 : 0;
     if (settled_ < 20) return;  // a second of rest: the timed figures of the status line are there as well
     poll_.stop();
@@ -70,6 +77,13 @@ class Screenshot final : public QObject {
       return giveUp(MainWindow::tr("The picture cannot be written to '%1'; choose a folder you may write to.").arg(file_));
     }
     QApplication::exit(0);
+  }
+
+  /// Nobody is there to answer what a sweep leaves open: its own suggestions are taken, once it has been read.
+  void answer(const QDialog& dialog) {
+    auto* make = dialog.findChild<QPushButton*>(QStringLiteral("makeVolume"));
+    if (make->isEnabled()) return make->click();
+    if (!window_.jobs().isRunning()) giveUp(dialog.findChild<QLabel*>(QStringLiteral("importNotes"))->text());
   }
 
   MainWindow& window_;
