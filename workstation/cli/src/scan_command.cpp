@@ -180,7 +180,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
         auto written = writeImage(viewOf(std::as_const(picture)), maker.geometry().pixel_mm, run.outputs.staged(file));
         if (!written) return passOn(written.error());
       }
-      run.progress.report("Scanning", ++done / total);
+      run.progress.report("Scanning", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
   if (arguments.plan && arguments.repeat == 0)
     for (int n = 0; n < kWarmFrames; ++n) {

@@ -82,7 +82,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
         const auto target = run.outputs.staged(numbered(arguments.output, n, poses->size()));
         if (auto written = writeImage(viewOf(std::as_const(picture)), pixel_mm, target); !written) return passOn(written.error());
       }
-      run.progress.report("Slicing", ++done / total);
+      run.progress.report("Slicing", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
   run.report.quality = {{"inside_share_mean", sumInside / static_cast<double>(poses->size())}, {"inside_share_min", leastInside}};
   if (writes)

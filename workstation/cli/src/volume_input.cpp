@@ -9,7 +9,8 @@ Result<Volume> readInputVolume(Run& run, const fs::path& file) {
   run.input(file);
   auto loaded = [&] {
     const StepClock clock(run.report, "read");
-    return readVolume(file, run.progress);
+    PartOfProgress reading(run.progress, 0.0, kShareOfReading);
+    return readVolume(file, reading);
   }();
   if (!loaded) return passOn(loaded.error());
   for (const auto& note : loaded->notes) run.remark(note);
@@ -44,7 +45,8 @@ Result<Volume> readCaseVolume(Run& run, const Case& opened) {
   run.input(opened.folder / "case.json");
   auto echo = [&] {
     const StepClock clock(run.report, "read");
-    return loadCaseVolume(opened, run.progress);
+    PartOfProgress reading(run.progress, 0.0, kShareOfReading);
+    return loadCaseVolume(opened, reading);
   }();
   if (!echo) return passOn(echo.error());
   for (const auto& note : echo->notes) run.remark(note);

@@ -8,6 +8,9 @@
 
 namespace ew::cli {
 
+/// How much of a command's progress the reading below takes; the rest is for what follows.
+inline constexpr double kShareOfReading = 0.8;
+
 /// Reads a volume as a command's input: named in the report, timed, its reader's notes told as remarks.
 [[nodiscard]] Result<Volume> readInputVolume(Run& run, const std::filesystem::path& file);
 
