@@ -2,7 +2,14 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
     <context>
-        <name>CasePanel</name>
+        <name>ew::case_authoring</name>
+        <message>
+            <source>Case</source>
+            <translation>Fall</translation>
+        </message>
+    </context>
+    <context>
+        <name>ew::case_authoring::CasePanel</name>
         <message>
             <source>No case is open</source>
             <translation>Kein Fall ist geöffnet</translation>
@@ -153,7 +160,14 @@
         </message>
     </context>
     <context>
-        <name>StitchPanel</name>
+        <name>ew::stitching</name>
+        <message>
+            <source>Stitching</source>
+            <translation>Verbinden</translation>
+        </message>
+    </context>
+    <context>
+        <name>ew::stitching::StitchPanel</name>
         <message>
             <source>Add volumes…</source>
             <translation>Volumen hinzufügen…</translation>

@@ -115,7 +115,11 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
     const QVariant left = QSettings().value(QStringLiteral("theme"));
     window.setDarkTheme(options.theme != "light");
     // A theme given for once is not the choice to remember.
-    QSettings().setValue(QStringLiteral("theme"), left);
+    if (left.isValid()) {
+      QSettings().setValue(QStringLiteral("theme"), left);
+    } else {
+      QSettings().remove(QStringLiteral("theme"));
+    }
   }
   if (options.size_px.x > 0 && options.size_px.y > 0) {
     window.setMinimumSize(0, 0);
