@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
+#include <QTranslator>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -14,7 +15,11 @@
 
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/gain.h"
+#include "ew/library/case.h"
 #include "window_fixture.h"
+
+/// Outside of any namespace, as the macro demands.
+static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui::testing {
 
@@ -43,8 +48,22 @@ class WindowTest : public QObject {
     QDropEvent event(QPointF(100, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &event);
   }
+  void checkNothingIsClipped() const {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->wordWrap()) continue;
+      QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
+    }
+    for (const QPushButton* button : window_->findChildren<QPushButton*>()) {
+      if (!button->isVisible()) continue;
+      QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));
+      QVERIFY2(button->height() >= button->minimumSizeHint().height() - 1, qPrintable(button->text()));
+    }
+    QCOMPARE(window_->width(), 1280);
+    QCOMPARE(window_->height(), 720);
+  }
 
  private Q_SLOTS:
+  void initTestCase() { initTranslations(); }
   void init() {
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
@@ -266,17 +285,39 @@ class WindowTest : public QObject {
 
   void noTextIsClippedAt1280x720() {
     QTest::qWait(300);
-    for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (!label->isVisible() || label->wordWrap()) continue;
-      QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
+    checkNothingIsClipped();
+  }
+
+  void noGermanTextIsClippedAt1280x720() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    QApplication::installTranslator(&german);
+    cleanup();
+    init();
+    QTest::qWait(300);
+    QCOMPARE(find<QPushButton>("freeze")->text(), QStringLiteral("Einfrieren"));
+    checkNothingIsClipped();
+    QApplication::removeTranslator(&german);
+  }
+
+  void theKeysPageFitsTheSmallWindowAndAnyKeyClosesIt() {
+    QTest::keyClick(&window_->scanView(), Qt::Key_F1);
+    auto* page = find<QFrame>("overlay");
+    QVERIFY(page != nullptr && page->isVisible());
+    QVERIFY(page->parentWidget()->rect().contains(page->geometry()));
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->text()));
     }
-    for (const QPushButton* button : window_->findChildren<QPushButton*>()) {
-      if (!button->isVisible()) continue;
-      QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));
-      QVERIFY2(button->height() >= button->minimumSizeHint().height() - 1, qPrintable(button->text()));
-    }
-    QCOMPARE(window_->width(), 1280);
-    QCOMPARE(window_->height(), 720);
+    QTest::keyClick(page, Qt::Key_A);
+    QVERIFY(waitUntil([this] { return find<QFrame>("overlay") == nullptr; }));
+  }
+
+  void theStartPageOffersTheShippedCasesAndOpen() {
+    window_->showStartPage();
+    QTest::qWait(50);
+    QVERIFY(find<QPushButton>("startOpen")->isVisible());
+    QCOMPARE(static_cast<std::size_t>(window_->findChildren<QFrame*>(QStringLiteral("caseCard")).size()),
+             listCases(*shippedCasesFolder()).cases.size());
   }
 };
 

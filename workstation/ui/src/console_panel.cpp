@@ -168,6 +168,7 @@ void ConsolePanel::addChoices() {
   freeze_->setObjectName(QStringLiteral("freeze"));
   freeze_->setCheckable(true);
   freeze_->setToolTip(tr("Keep the picture (Space or F)"));
+  for (QPushButton* button : {flip_, freeze_}) button->setProperty("compact", true);  // two long words side by side in some languages
   auto* last = new QHBoxLayout;
   last->setSpacing(8);
   last->addWidget(flip_, 1);

@@ -101,6 +101,7 @@ QPushButton:focus { border-color: @accent; }
 QPushButton:checked, QPushButton[primary="true"] { background: @accent; border-color: @accent; color: @onAccent; }
 QPushButton:checked:hover, QPushButton[primary="true"]:hover { border-color: @text; }
 QPushButton:disabled { color: @quiet; background: @panel; border-color: @line; }
+QPushButton[compact="true"] { padding: 6px 4px; }
 QPushButton[flat="true"] { background: transparent; border-color: transparent; padding: 2px 8px; }
 QPushButton[flat="true"]:hover { background: @raised; }
 QPushButton[flat="true"]:focus { border-color: @accent; }
