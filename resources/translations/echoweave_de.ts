@@ -1063,6 +1063,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <source>The picture cannot be written to '%1'; choose a folder you may write to.</source>
             <translation>Das Bild lässt sich nicht nach „%1“ schreiben; bitte einen Ordner wählen, in den Sie schreiben dürfen.</translation>
         </message>
+        <message>
+            <source>Saved to %1, and which voxels were measured to %2.</source>
+            <translation>Gespeichert als %1, und welche Voxel gemessen wurden als %2.</translation>
+        </message>
     </context>
     <context>
         <name>ew::ui::MessageBar</name>

@@ -7,7 +7,6 @@
 #include "ew/core/volume.h"
 #include "ew/library/import.h"
 
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;

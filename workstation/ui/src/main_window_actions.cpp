@@ -202,12 +202,21 @@ void MainWindow::saveVolume() {
       this, tr("Save the volume"), QFileInfo(subject->title).completeBaseName() + QStringLiteral(".mha"), tr("MetaImage (*.mha *.mhd)"));
   if (file.isEmpty()) return;
   file = withEnding(file, QStringLiteral(".mha"));
+  // Coverage has a file of its own; without it a reopened volume would count every voxel as measured.
+  const bool covered = !subject->volume->coverage.empty();
+  const QString beside = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral("-coverage.mha");
   parts_->jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
-      [volume = subject->volume, file](Progress& progress) { return writeVolume(*volume, pathOf(file), progress); },
-      [this, file](const Result<void>& outcome) {
+      [volume = subject->volume, file, beside, covered](Progress& progress) -> Result<void> {
+        PartOfProgress first(progress, 0.0, covered ? 0.5 : 1.0);
+        if (auto written = writeVolume(*volume, pathOf(file), first); !written || !covered) return written;
+        PartOfProgress second(progress, 0.5, 1.0);
+        return writeCoverage(*volume, pathOf(beside), second);
+      },
+      [this, file, beside, covered](const Result<void>& outcome) {
         if (outcome) {
-          parts_->messages->showNote(tr("Saved to %1.").arg(file));
+          parts_->messages->showNote(covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside)
+                                             : tr("Saved to %1.").arg(file));
         } else if (outcome.error().code != ErrorCode::cancelled) {
           parts_->messages->showError(outcome.error());
         }
