@@ -83,7 +83,10 @@ function(ew_add_plugin name)
   endforeach()
   # Everything a plugin needs must be found when it is linked, and it stays loaded: what it registered with VTK or Qt lives on.
   # A sanitizer's own symbols come from the program, so there the first check has to rest.
-  target_link_options(ew_plugin_${name} PRIVATE -Wl,-z,nodelete $<$<NOT:$<BOOL:${EW_SANITIZE}>>:-Wl,-z,defs>)
+  target_link_options(ew_plugin_${name} PRIVATE -Wl,-z,nodelete)
+  if(NOT EW_SANITIZE)
+    target_link_options(ew_plugin_${name} PRIVATE -Wl,-z,defs)
+  endif()
   set(folder ${CMAKE_BINARY_DIR}/lib/plugins/${name})
   set_target_properties(ew_plugin_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${folder})
 
