@@ -5,15 +5,7 @@ add_library(ew::warnings ALIAS ew_warnings)
 target_compile_options(ew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
   -Wnull-dereference -Wdouble-promotion $<$<BOOL:${EW_WARNINGS_AS_ERRORS}>:-Werror>)
 
-add_library(ew_sanitizers INTERFACE)
-add_library(ew::sanitizers ALIAS ew_sanitizers)
-if(EW_SANITIZE)
-  target_compile_options(ew_sanitizers INTERFACE -fsanitize=${EW_SANITIZE} -fno-omit-frame-pointer)
-  target_link_options(ew_sanitizers INTERFACE -fsanitize=${EW_SANITIZE})
-  if(EW_SANITIZE MATCHES "undefined")
-    target_compile_options(ew_sanitizers INTERFACE -fno-sanitize-recover=undefined)
-  endif()
-endif()
+include(EwSanitizers)
 
 # ew_add_library(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ... [QT]): the static library ew_NAME, also known as ew::NAME.
 # include/ is its interface; src/ is nobody else's business. QT turns on moc for this target.
@@ -48,7 +40,15 @@ function(ew_add_test name)
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE EW_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   include(GoogleTest)
-  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
+  math(EXPR timeout_s "${arg_TIMEOUT} * ${EW_TEST_SLOWDOWN}")
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${timeout_s})
+  if(EW_SANITIZE)
+    target_compile_definitions(test_${name} PRIVATE EW_TEST_SLOWDOWN=${EW_TEST_SLOWDOWN})
+    # The PROPERTIES of gtest_discover_tests cannot carry a list; ctest reads this file after the tests were discovered.
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_environment.cmake)
+    file(WRITE ${file} "foreach(test \${test_${name}_TESTS})\n  set_tests_properties(\"\${test}\" PROPERTIES ENVIRONMENT \"${EW_TEST_ENVIRONMENT}\")\nendforeach()\n")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
+  endif()
 endfunction()
 
 # ew_add_gui_test(NAME SOURCES ... LINK ...): a QtTest program with its own main, run on the one X server that ./check starts.
@@ -65,7 +65,11 @@ function(ew_add_gui_test name)
   target_link_libraries(test_gui_${name} PRIVATE ${arg_LINK} Qt5::Test Qt5::Widgets ew::warnings ew::sanitizers)
   target_include_directories(test_gui_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_gui_${name} PRIVATE QT_NO_KEYWORDS EW_SOURCE_DIR="${CMAKE_SOURCE_DIR}" EW_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  if(EW_SANITIZE)
+    target_compile_definitions(test_gui_${name} PRIVATE EW_TEST_SLOWDOWN=${EW_TEST_SLOWDOWN})
+  endif()
   add_test(NAME gui_${name} COMMAND test_gui_${name})
-  set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${arg_TIMEOUT} RESOURCE_LOCK display
-    ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp")
+  math(EXPR timeout_s "${arg_TIMEOUT} * ${EW_TEST_SLOWDOWN}")
+  set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${timeout_s} RESOURCE_LOCK display
+    ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp;${EW_TEST_ENVIRONMENT}")
 endfunction()
