@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by ./run and ./check: packages, configuration and build, in one place.
 # Call with the current directory at the top of the project.
 
@@ -16,9 +17,10 @@ ew_missing_packages() {
 
 # ew_install LIST...: installs what is missing, after saying what and how much.
 ew_install() {
-  local missing
-  missing=$(ew_missing_packages "$@" | tr '\n' ' ')
-  [ -n "${missing// /}" ] || return 0
+  local packages missing
+  mapfile -t packages < <(ew_missing_packages "$@")
+  [ ${#packages[@]} -gt 0 ] || return 0
+  missing=${packages[*]}
   if ! command -v apt-get >/dev/null; then
     ew_say "These Debian packages are missing and there is no apt-get here to install them: $missing"
     return 1
@@ -35,17 +37,16 @@ ew_install() {
   ew_say "Missing Debian packages: $missing"
   local log
   log=$(mktemp)
-  # shellcheck disable=SC2086 — the names are words
   if ! "${as_root[@]}" apt-get update >"$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
     ew_say "The package lists could not be updated; check the network, then start again."
     return 1
   fi
-  "${as_root[@]}" env LC_ALL=C apt-get install --no-install-recommends --assume-no $missing 2>/dev/null |
+  "${as_root[@]}" env LC_ALL=C apt-get install --no-install-recommends --assume-no "${packages[@]}" 2>/dev/null |
     grep -E '^Need to get|^After this operation|newly installed' >&2 || true
   ew_say "Installing them now."
-  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >"$log" 2>&1; then
+  if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${packages[@]}" >"$log" 2>&1; then
     tail -n 20 "$log" >&2
     ew_say "The installation failed; the last lines above say why. The whole log is in $log."
     return 1
