@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
 namespace ew::ui {
@@ -64,11 +65,19 @@ int Jobs::start(const QString& title, Work work, Done done) {
   Job* raw = job.get();
   const int id = raw->id;
   running_.push_back(std::move(job));
-  raw->thread = std::thread([this, raw, id, work = std::move(work)] {
-    raw->outcome = guarded(work, *raw);
+  const auto deliverSoon = [this, id] {
     QMetaObject::invokeMethod(
         this, [this, id] { deliver(id); }, Qt::QueuedConnection);
-  });
+  };
+  try {
+    raw->thread = std::thread([raw, deliverSoon, work = std::move(work)] {
+      raw->outcome = guarded(work, *raw);
+      deliverSoon();
+    });
+  } catch (const std::system_error&) {
+    raw->outcome = failure(ErrorCode::internal, "The system has no room for another thread; close other programs and try again.");
+    deliverSoon();
+  }
   Q_EMIT started(id);
   return id;
 }
@@ -100,7 +109,7 @@ void Jobs::deliver(int id) {
   if (at == running_.end()) return;  // already delivered while waiting for everything
   const std::unique_ptr<Job> job = std::move(*at);
   running_.erase(at);
-  job->thread.join();
+  if (job->thread.joinable()) job->thread.join();
   Q_EMIT finished(id);
   if (job->done) job->done(job->outcome);
 }
