@@ -11,33 +11,23 @@ namespace ew {
 namespace {
 
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
+using detail::Clipping;
 using detail::TemplateLine;
 
-using RowSampler = void (*)(const TemplateLine&, const SliceScratch&, int, RowSpan, std::uint8_t*);
-
-/// The spans of row y, or the whole row when no spans were given.
-struct Clipping {
-  std::span<const std::vector<RowSpan>> spans;
-  RowSpan wholeRow;
-  [[nodiscard]] std::span<const RowSpan> of(int y) const {
-    if (spans.empty()) return {&wholeRow, 1};
-    return spans[static_cast<std::size_t>(y)];
-  }
-};
+using RowsSampler = void (*)(const TemplateLine&, const SliceScratch&, int, const Clipping&, ImageView<std::uint8_t>);
 
 void blacken(const Clipping& clipping, ImageView<std::uint8_t> out) {
   for (int y = 0; y < out.height; ++y)
     for (const RowSpan& span : clipping.of(y)) std::fill(out.row(y) + span.begin, out.row(y) + span.end, std::uint8_t{0});
 }
 
-void sliceRows(RowSampler sampleRow, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel,
+void sliceRows(RowsSampler sampleRows, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel,
                const Clipping& clipping, ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const TemplateLine line =
       detail::layTemplate(volume, glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1]), out.width, out.height, scratch);
   if (line.empty) return blacken(clipping, out);
-  for (int y = 0; y < out.height; ++y)
-    for (const RowSpan& span : clipping.of(y)) sampleRow(line, scratch, y, span, out.row(y));
+  sampleRows(line, scratch, 0, clipping, out);
 }
 
 /// How many voxel-sized samples cover `pixels` pixels, ends included; `pixels` when a pixel is not smaller than a voxel.
@@ -78,7 +68,7 @@ void sliceZoomedIn(const VolumeView<const std::uint8_t>& volume, const ImageToVo
   const auto need = [&](int row) {
     for (; sampledRows <= row; ++sampledRows) {
       const auto start = Clock::now();
-      detail::weaveRow(line, scratch, sampledRows, {0, columns}, samples.data());
+      detail::weaveRows(line, scratch, sampledRows, {{}, {0, columns}}, {samples.data(), columns, 1, columns});
       sampling += Clock::now() - start;
       stretch(samples, stretched(sampledRows));
     }
@@ -99,10 +89,10 @@ void sliceZoomedIn(const VolumeView<const std::uint8_t>& volume, const ImageToVo
 void sliceClipped(Quality quality, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   if (out.width < 1 || out.height < 1) return;
-  if (quality == Quality::linear) return sliceRows(detail::linearRow, volume, imageToVoxel, clipping, out, scratch);
+  if (quality == Quality::linear) return sliceRows(detail::linearRows, volume, imageToVoxel, clipping, out, scratch);
   const int columns = voxelSizedSamples(out.width, glm::length(glm::dvec3(imageToVoxel.matrix[0])));
   const int rows = voxelSizedSamples(out.height, glm::length(glm::dvec3(imageToVoxel.matrix[1])));
-  if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRow, volume, imageToVoxel, clipping, out, scratch);
+  if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRows, volume, imageToVoxel, clipping, out, scratch);
   sliceZoomedIn(volume, imageToVoxel, columns, rows, clipping, out, scratch);
 }
 
@@ -112,12 +102,12 @@ Clipping wholeImage(const ImageView<std::uint8_t>& out) { return {{}, {0, out.wi
 
 void sliceWeave(const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
                 SliceScratch& scratch) {
-  sliceRows(detail::weaveRow, volume, imageToVoxel, wholeImage(out), out, scratch);
+  sliceRows(detail::weaveRows, volume, imageToVoxel, wholeImage(out), out, scratch);
 }
 
 void sliceLinear(const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
                  SliceScratch& scratch) {
-  sliceRows(detail::linearRow, volume, imageToVoxel, wholeImage(out), out, scratch);
+  sliceRows(detail::linearRows, volume, imageToVoxel, wholeImage(out), out, scratch);
 }
 
 void slice(Quality quality, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,

@@ -34,22 +34,23 @@ struct TemplateLine {
 TemplateLine layTemplate(const VolumeView<const std::uint8_t>& volume, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
                          const glm::dvec3& acrossRows_voxel, int width, int height, SliceScratch& scratch);
 
-/// Asks the memory for a byte that is read soon; a hint without effect on any value.
-inline void prefetch(const std::uint8_t* at) {
-#if defined(__GNUC__)
-  __builtin_prefetch(at);
-#else
-  static_cast<void>(at);
-#endif
-}
-
 /// The pixels of `within` whose position along every axis lies in [lowest, highest]; positions along a row are monotone, so they are
 /// one run.
 RowSpan clipRow(const TemplateLine& line, const SliceScratch& scratch, const FixedPosition& base, RowSpan within,
                 const FixedPosition& lowest, const FixedPosition& highest);
 
-/// Samples one row of pixels within `within`; writes 0 where the row is outside the volume. row[x] is pixel x.
-void weaveRow(const TemplateLine& line, const SliceScratch& scratch, int y, RowSpan within, std::uint8_t* row);
-void linearRow(const TemplateLine& line, const SliceScratch& scratch, int y, RowSpan within, std::uint8_t* row);
+/// The spans of row y, or the whole row when no spans were given.
+struct Clipping {
+  std::span<const std::vector<RowSpan>> spans;
+  RowSpan wholeRow;
+  [[nodiscard]] std::span<const RowSpan> of(int y) const {
+    if (spans.empty()) return {&wholeRow, 1};
+    return spans[static_cast<std::size_t>(y)];
+  }
+};
+
+/// Samples out.height rows from row `firstRow` of the plane on, within the spans of `clipping`; writes 0 where a row is outside the volume.
+void weaveRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
+void linearRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
 
 }  // namespace ew::detail
