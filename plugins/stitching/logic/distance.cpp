@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "ew/core/contract.h"
-#include "logic/parallel.h"
+#include "ew/core/parallel.h"
 
 namespace ew::stitching {
 namespace {
@@ -67,18 +67,18 @@ Result<std::vector<float>> distanceFromBorder_mm(const Volume& volume, double li
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "The stitching was cancelled."); };
   PartOfProgress alongX(progress, 0.0, 0.4);
   PartOfProgress alongZ(progress, 0.4, 1.0);
-  const bool first = forEachIndex(static_cast<std::size_t>(dims.z), threads, what, alongX, [&](std::size_t k) {
-    float* plane = squared.data() + static_cast<std::ptrdiff_t>(k) * slice;
+  const bool first = forEachTask(dims.z, threads, alongX, what, [&](int k) {
+    float* plane = squared.data() + k * slice;
     Envelope x(dims.x);
     for (int j = 0; j < dims.y; ++j) transformLine(plane + j * row, 1, dims.x, grid.spacing_mm.x, limit2, x);
     Envelope y(dims.y);
     for (int i = 0; i < dims.x; ++i) transformLine(plane + i, row, dims.y, grid.spacing_mm.y, limit2, y);
   });
   if (!first) return cancelled();
-  const bool second = forEachIndex(static_cast<std::size_t>(dims.y), threads, what, alongZ, [&](std::size_t j) {
+  const bool second = forEachTask(dims.y, threads, alongZ, what, [&](int j) {
     Envelope z(dims.z);
     for (int i = 0; i < dims.x; ++i) {
-      float* line = squared.data() + static_cast<std::ptrdiff_t>(j) * row + i;
+      float* line = squared.data() + j * row + i;
       transformLine(line, slice, dims.z, grid.spacing_mm.z, limit2, z);
       for (int k = 0; k < dims.z; ++k) line[k * slice] = std::sqrt(line[k * slice]);
     }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ew/core/contract.h"
+#include "ew/core/parallel.h"
 #include "logic/distance.h"
-#include "logic/parallel.h"
 
 namespace ew::stitching {
 namespace {
@@ -229,12 +229,11 @@ Result<StitchResult> stitch(std::span<const PlacedView> inputs, const StitchOpti
   result.source.assign(voxels, 0);
   std::vector<SliceCounts> slices(static_cast<std::size_t>(forecast->grid.dims.z));
   PartOfProgress part(progress, 0.3, 1.0);
-  const bool whole = forEachIndex(slices.size(), options.threads, "Blending", part, [&](std::size_t k) {
-    SliceCounts& counts = slices[k];
+  const bool whole = forEachTask(forecast->grid.dims.z, options.threads, part, "Blending", [&](int k) {
+    SliceCounts& counts = slices[static_cast<std::size_t>(k)];
     counts.contributions.resize(inputs.size());
     RowSums row(static_cast<std::size_t>(forecast->grid.dims.x));
-    for (int j = 0; j < forecast->grid.dims.y && !progress.cancelRequested(); ++j)
-      blendRow(sources, j, static_cast<int>(k), row, result, counts);
+    for (int j = 0; j < forecast->grid.dims.y && !progress.cancelRequested(); ++j) blendRow(sources, j, k, row, result, counts);
   });
   if (!whole || progress.cancelRequested()) return cancelled();
   addUp(slices, result);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clip_spans.h"
-#include "parallel.h"
+#include "ew/core/parallel.h"
 
 namespace ew {
 namespace {
@@ -140,7 +140,7 @@ class Filler {
         directions_(directionsFor(options.reach_voxels)),
         tiles_(tilesFor(volume.grid)),
         bits_(volume, options.reach_voxels),
-        workers_(workersFor(options.threads)) {
+        workers_(threadCount(options.threads)) {
     scratch_.resize(static_cast<std::size_t>(std::min(workers_, tiles_.tilesY * tiles_.tilesZ)));
     const std::size_t cells =
         static_cast<std::size_t>(volume.grid.dims.x) * static_cast<std::size_t>(tiles_.rows) * static_cast<std::size_t>(tiles_.layers);
@@ -153,8 +153,7 @@ class Filler {
   Result<std::size_t> run(Progress& progress) {
     const auto stop = [] { return failure(ErrorCode::cancelled, "The filling of holes was stopped before it was complete."); };
     PartOfProgress marking(progress, 0.0, 0.1), filling(progress, 0.1, 1.0);
-    if (!forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes",
-                     [this](int k, int, const auto&) { bits_.markLayer(volume_, k); }))
+    if (!forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes", [this](int k) { bits_.markLayer(volume_, k); }))
       return stop();
     if (!forEachTask(
             tiles_.tilesY * tiles_.tilesZ, static_cast<int>(scratch_.size()), filling, "Filling holes",
@@ -317,7 +316,7 @@ std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options) {
   const TilePlan tiles = tilesFor(grid);
   const std::uint64_t cells =
       static_cast<std::uint64_t>(grid.dims.x) * static_cast<std::uint64_t>(tiles.rows) * static_cast<std::uint64_t>(tiles.layers);
-  const auto workers = static_cast<std::uint64_t>(std::min(workersFor(options.threads), tiles.tilesY * tiles.tilesZ));
+  const auto workers = static_cast<std::uint64_t>(std::min(threadCount(options.threads), tiles.tilesY * tiles.tilesZ));
   const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, options.reach_voxels)) *
                              static_cast<std::uint64_t>(grid.dims.y) * static_cast<std::uint64_t>(grid.dims.z) * sizeof(std::uint64_t);
   return bits + workers * (cells * sizeof(Sums) + cells / kWordBits * sizeof(std::uint64_t));

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "parallel.h"
+#include "ew/core/parallel.h"
 #include "paste_modes.h"
 
 namespace ew {
@@ -163,7 +163,7 @@ class Paster {
       : clip_(clip),
         target_(target),
         plan_(planFor(target.grid, sizeof(Cell), Mode::kGuard)),
-        workers_(static_cast<int>(std::min<std::int64_t>(workersFor(options.threads), plan_.bricks()))) {
+        workers_(static_cast<int>(std::min<std::int64_t>(threadCount(options.threads), plan_.bricks()))) {
     frames_.reserve(frames.size());
     for (const PosedFrame& frame : frames) frames_.push_back(mapOf(frame, clip, target.grid, Mode::kGuard == 0 ? 0.5 : 0.0));
     scratch_.resize(static_cast<std::size_t>(workers_));
@@ -325,7 +325,7 @@ std::uint64_t pasteScratchBytes(const Grid& grid, const ReconstructOptions& opti
     using Cell = typename Mode::Cell;
     const BrickPlan plan = planFor(grid, sizeof(Cell), Mode::kGuard);
     const std::uint64_t perWorker = plan.cellsPerBrick * sizeof(Cell) + plan.cellsPerBrick / kBlock;
-    return perWorker * static_cast<std::uint64_t>(std::min<std::int64_t>(workersFor(options.threads), plan.bricks()));
+    return perWorker * static_cast<std::uint64_t>(std::min<std::int64_t>(threadCount(options.threads), plan.bricks()));
   });
 }
 

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "ew/core/contract.h"
-#include "parallel.h"
+#include "ew/core/parallel.h"
 #include "recipe.h"
 
 namespace ew {
@@ -66,7 +66,7 @@ Result<void> sampleDistance(const BodyShape& body, const Grid& grid, std::vector
   const auto voxelToWorld = grid.voxelToWorld();
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
   const glm::ivec3 blocks = (grid.dims + glm::ivec3(kBlock - 1)) / kBlock;
-  const bool finished = phantom::parallelFor(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row) {
+  const bool finished = forEachTask(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row) {
     for (int bi = 0; bi < blocks.x; ++bi) {
       const glm::ivec3 first(bi * kBlock, (row % blocks.y) * kBlock, (row / blocks.y) * kBlock);
       const glm::ivec3 last = glm::min(first + kBlock, grid.dims) - 1;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ew/core/contract.h"
-#include "parallel.h"
+#include "ew/core/parallel.h"
 
 namespace ew::phantom {
 namespace {
@@ -19,7 +19,7 @@ class KeptDistance final : public Shape {
     row_ = static_cast<std::size_t>(nodes.x);
     slice_ = row_ * static_cast<std::size_t>(nodes.y);
     values_.resize(slice_ * static_cast<std::size_t>(nodes.z));
-    parallelFor(nodes.z, 0, noProgress(), "", [&](int k) {
+    forEachTask(nodes.z, 0, noProgress(), "", [&](int k) {
       auto out = static_cast<std::size_t>(k) * slice_;
       for (int j = 0; j < nodes.y; ++j)
         for (int i = 0; i < nodes.x; ++i) values_[out++] = body_->signedDistance_mm(origin_ + spacing_ * glm::dvec3(i, j, k));

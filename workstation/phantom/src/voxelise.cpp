@@ -5,8 +5,8 @@
 
 #include "anatomy.h"
 #include "ew/core/numbers.h"
+#include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"
-#include "parallel.h"
 
 namespace ew {
 namespace {
@@ -149,7 +149,7 @@ double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
   const Grid grid = gridOf(patient, spacing_mm);
   const double slice = static_cast<double>(grid.dims.x) * grid.dims.y;
   const double perThread = static_cast<double>(grid.dims.x) * kStrip * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
-  return slice * grid.dims.z * 3.0 + perThread * phantom::threadCount(0);
+  return slice * grid.dims.z * 3.0 + perThread * threadCount(0);
 }
 
 Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
@@ -234,7 +234,7 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
       if (progress.cancelRequested()) stopped = true;
     }
   };
-  const bool finished = phantom::parallelFor(slabs * strips, options.threads, progress, "Building the virtual patient", paintPiece);
+  const bool finished = forEachTask(slabs * strips, options.threads, progress, "Building the virtual patient", paintPiece);
   if (outOfMemory) return tooLarge();
   if (!finished || stopped) return stoppedByUser();
   return made;

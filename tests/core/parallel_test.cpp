@@ -1,0 +1,86 @@
+#include "ew/core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ew {
+namespace {
+
+/// Says that the user asked to stop after some reports, and checks that they never move backwards.
+class Listener final : public Progress {
+ public:
+  explicit Listener(int stopAfter = -1) : stopAfter_(stopAfter) {}
+  void report(std::string_view, double fraction) override {
+    if (fraction < last_) monotone = false;
+    last_ = fraction;
+    ++reports;
+  }
+  [[nodiscard]] bool cancelRequested() const override { return stopAfter_ >= 0 && reports >= stopAfter_; }
+
+  std::atomic<int> reports{0};
+  bool monotone = true;
+
+ private:
+  int stopAfter_;
+  double last_ = 0.0;
+};
+
+TEST(ForEachTask, DoesEveryTaskOnceHoweverManyThreadsThereAre) {
+  for (const int threads : {1, 2, 7}) {
+    std::vector<std::atomic<int>> times(100);
+    Listener listener;
+    EXPECT_TRUE(forEachTask(100, threads, listener, "Counting", [&](int task) { ++times[static_cast<std::size_t>(task)]; }));
+    for (const auto& each : times) EXPECT_EQ(each, 1);
+    EXPECT_EQ(listener.reports, 100);
+    EXPECT_TRUE(listener.monotone);
+  }
+}
+
+TEST(ForEachTask, NumbersItsWorkersBelowTheThreadsAskedFor) {
+  std::atomic<int> highest{0};
+  forEachTask(64, 3, noProgress(), "", [&](int, int worker, const auto&) {
+    int seen = highest;
+    while (worker > seen && !highest.compare_exchange_weak(seen, worker)) {
+    }
+  });
+  EXPECT_LT(highest, 3);
+}
+
+TEST(ForEachTask, StopsBetweenTasksAndSaysSo) {
+  Listener listener(5);
+  std::atomic<int> done{0};
+  EXPECT_FALSE(forEachTask(1000, 2, listener, "Counting", [&](int) { ++done; }));
+  EXPECT_LT(done, 10);
+}
+
+TEST(ForEachTask, ThrowsWhatATaskThrewAfterAllThreadsHaveEnded) {
+  for (const int threads : {1, 4}) {
+    std::string said;
+    try {
+      forEachTask(50, threads, noProgress(), "", [](int task) {
+        if (task == 20) throw std::runtime_error("task 20");
+      });
+    } catch (const std::runtime_error& thrown) {
+      said = thrown.what();
+    }
+    EXPECT_EQ(said, "task 20");
+  }
+}
+
+TEST(ForEachTask, HasNothingToDoWithoutTasks) {
+  EXPECT_TRUE(forEachTask(0, 4, noProgress(), "", [](int) { FAIL(); }));
+}
+
+TEST(ThreadCount, IsWhatWasAskedOrOnePerProcessor) {
+  EXPECT_EQ(threadCount(3), 3);
+  EXPECT_EQ(threadCount(100000), 256);
+  EXPECT_GE(threadCount(0), 1);
+  EXPECT_EQ(threadCount(-1), threadCount(0));
+}
+
+}  // namespace
+}  // namespace ew
