@@ -38,5 +38,14 @@ TEST(Poses, ComeFromTheArgumentOrFromAFile) {
   EXPECT_EQ(missing.error().code, ErrorCode::notFound);
 }
 
+TEST(Poses, AreNotLookedForInAFolderOrInAFileWithoutAnEnd) {
+  const auto folder = posesFromArgument(std::filesystem::temp_directory_path().string());
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().code, ErrorCode::notReadable);
+  const auto endless = posesFromArgument("/dev/zero");
+  ASSERT_FALSE(endless);
+  EXPECT_EQ(endless.error().code, ErrorCode::tooLarge);
+}
+
 }  // namespace
 }  // namespace ew

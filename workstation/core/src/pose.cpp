@@ -7,6 +7,9 @@
 #include "ew/core/numbers.h"
 
 namespace ew {
+namespace {
+constexpr std::size_t kMostBytesOfPoses = 64u << 20;
+}  // namespace
 
 Result<std::vector<Pose>> parsePoses(std::string_view text) {
   std::vector<Pose> poses;
@@ -44,9 +47,20 @@ Result<std::vector<Pose>> posesFromArgument(const std::string& argument) {
     return failure(ErrorCode::notFound,
                    "'" + argument + "' is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.",
                    {{"file", argument}});
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parsePoses(text.str());
+  // Read in pieces: the name may be that of a device without an end, or of a folder, which opens but cannot be read.
+  std::string text;
+  std::string piece(64u << 10, '\0');
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kMostBytesOfPoses)
+      return failure(ErrorCode::tooLarge,
+                     "'" + argument + "' has more than 64 MiB, which is too much for poses; check that it is the right file.",
+                     {{"file", argument}});
+  }
+  if (file.bad())
+    return failure(ErrorCode::notReadable, "'" + argument + "' cannot be read; give a file with one pose a line.", {{"file", argument}});
+  return parsePoses(text);
 }
 
 }  // namespace ew

@@ -23,7 +23,7 @@ struct Pose {
 /// @error badField with the line and what is wrong with it; notRigid when checkRigid refuses one
 [[nodiscard]] Result<std::vector<Pose>> parsePoses(std::string_view text);
 
-/// The `--pose` argument: 16 numbers, or the name of a file with one pose a line.
+/// The `--pose` argument: 16 numbers, or the name of a file (up to 64 MiB) with one pose a line.
 [[nodiscard]] Result<std::vector<Pose>> posesFromArgument(const std::string& argument);
 
 }  // namespace ew
