@@ -111,7 +111,7 @@ Result<void> take(Draft& draft, const std::string& key, const std::string& value
   return {};
 }
 
-/// `count` finite numbers from `text`; further ones (a 4D file's last axis) are left out.
+/// Exactly `count` finite numbers from `text`.
 Result<std::vector<double>> numbersFor(const ImageHeader& header, std::string_view field, const std::string& text, std::size_t count) {
   auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != count ||

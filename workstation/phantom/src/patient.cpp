@@ -196,7 +196,6 @@ std::vector<OrganName> organsOf(const Patient& patient) {
   return names;
 }
 
-const std::vector<Tissue>& tissuesOf(const Patient& patient) { return patient.tissues; }
 Bounds boxOf(const Patient& patient) { return patient.box; }
 
 Result<double> signedDistance_mm(const Patient& patient, const std::string& organ, const glm::dvec3& p_world_mm) {

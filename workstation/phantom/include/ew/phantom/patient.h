@@ -48,7 +48,6 @@ struct OrganName {
                                                                  const std::filesystem::path& mannequins = {});
 
 [[nodiscard]] std::vector<OrganName> organsOf(const Patient& patient);
-[[nodiscard]] const std::vector<Tissue>& tissuesOf(const Patient& patient);
 
 /// The box that voxelise fills.
 [[nodiscard]] Bounds boxOf(const Patient& patient);
