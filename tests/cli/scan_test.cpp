@@ -26,8 +26,8 @@ class ScanCommand : public testing::Test {
     return {"scan", folder / "v.mha", "--probe", folder / "probe.json", "--pose", kIdentityPose, "--size", "320x240", "-o", output};
   }
   const std::string probeText =
-      R"({"formatVersion": 1, "name": "Test linear", "kind": "linear", "width_mm": 40, "lines": 64, "carrier_hz": 5e6,
-          "elevationalThickness_mm": 2, "minDepth_mm": 20, "maxDepth_mm": 80, "defaultDepth_mm": 60})";
+      R"({"format": 1, "name": "Test linear", "kind": "linear", "width_mm": 40, "lines": 64, "carrier_hz": 5e6,
+          "elevational_thickness_mm": 2, "min_depth_mm": 20, "max_depth_mm": 80, "default_depth_mm": 60})";
   TemporaryFolder folder;
 };
 

@@ -63,8 +63,8 @@ TEST_F(ProbeFile, ThatLacksAFieldIsRefusedWithTheFieldsName) {
 TEST_F(ProbeFile, ThatHasAnImpossibleValueIsRefused) {
   const json whole = shipped("convex-3.5.json");
   const std::pair<const char*, json> wrong[] = {
-      {"radius_mm", -3},   {"opening_deg", 190}, {"lines", 12.5},          {"lines", "many"}, {"carrier_hz", 0}, {"defaultDepth_mm", 500},
-      {"maxDepth_mm", 10}, {"name", ""},         {"kind", "phased-array"}, {"width_mm", 40},  {"depht_mm", 3},   {"radius_mm", nullptr}};
+      {"radius_mm", -3},    {"opening_deg", 190}, {"lines", 12.5},          {"lines", "many"}, {"carrier_hz", 0}, {"default_depth_mm", 500},
+      {"max_depth_mm", 10}, {"name", ""},         {"kind", "phased-array"}, {"width_mm", 40},  {"depht_mm", 3},   {"radius_mm", nullptr}};
   for (const auto& [field, value] : wrong) {
     json changed = whole;
     changed[field] = value;
@@ -76,7 +76,7 @@ TEST_F(ProbeFile, ThatHasAnImpossibleValueIsRefused) {
 
 TEST_F(ProbeFile, OfANewerFormatSaysSo) {
   json newer = shipped("linear-12.json");
-  newer["formatVersion"] = 2;
+  newer["format"] = 2;
   newer["surprise"] = true;
   const auto read = this->read(newer.dump());
   ASSERT_FALSE(read);
@@ -87,6 +87,7 @@ TEST_F(ProbeFile, ThatIsNotJsonOrNotThereOrHugeIsRefused) {
   EXPECT_EQ(read("{ \"name\": ").error().code, ErrorCode::badHeader);
   EXPECT_EQ(read("[1, 2]").error().code, ErrorCode::badHeader);
   EXPECT_EQ(read("").error().code, ErrorCode::badHeader);
+  EXPECT_EQ(read("{\"name\": " + std::string(400000, '[') + std::string(400000, ']') + "}").error().code, ErrorCode::badHeader);
   EXPECT_EQ(read(std::string(2 << 20, ' ')).error().code, ErrorCode::badHeader);
   EXPECT_EQ(readProbe(folder_ / "none.json").error().code, ErrorCode::notFound);
   EXPECT_EQ(readProbes(folder_ / "none").error().code, ErrorCode::notFound);
@@ -106,7 +107,7 @@ TEST_F(ProbeFile, SchemaNamesTheSameFieldsAsTheReader) {
     for (const auto& item : whole.items()) {
       const auto property = schema["properties"].find(item.key());
       ASSERT_NE(property, schema["properties"].end()) << item.key();
-      if (!property->contains("minimum") || item.key() == "formatVersion") continue;
+      if (!property->contains("minimum") || item.key() == "format") continue;
       // The reader draws its line where the schema draws it.
       json changed = whole;
       changed[item.key()] = (*property)["minimum"].get<double>() * 0.99 - 1e-9;

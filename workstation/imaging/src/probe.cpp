@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
 
 namespace ew {
@@ -20,9 +21,10 @@ constexpr std::uintmax_t kLargestFile_bytes = 1 << 20;
 constexpr int kFormatVersion = 1;
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
-constexpr std::array<std::string_view, 12> kFields = {
-    "formatVersion",           "name",        "kind",        "width_mm",       "radius_mm", "opening_deg", "lines", "carrier_hz",
-    "elevationalThickness_mm", "minDepth_mm", "maxDepth_mm", "defaultDepth_mm"};
+constexpr std::array<std::string_view, 12> kFields = {"format",       "name",         "kind",
+                                                      "width_mm",     "radius_mm",    "opening_deg",
+                                                      "lines",        "carrier_hz",   "elevational_thickness_mm",
+                                                      "min_depth_mm", "max_depth_mm", "default_depth_mm"};
 
 /// Reads fields one after another and keeps the first complaint.
 class FieldReader {
@@ -84,7 +86,7 @@ Result<json> readObject(const std::filesystem::path& file) {
   std::string text(static_cast<std::size_t>(size), '\0');
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
     return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read; check its permissions.", {{"file", name}});
-  json object = json::parse(text, nullptr, false);
+  const json object = nestsDeeperThan(text) ? json() : json::parse(text, nullptr, false);
   if (!object.is_object())
     return failure(ErrorCode::badHeader, "The probe file " + name + " is not a JSON object; compare it with a shipped probe.",
                    {{"file", name}});
@@ -99,7 +101,7 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   const std::string name = file.string();
   FieldReader fields(*object, name);
 
-  const int version = fields.wholeNumber("formatVersion", 1, 1000000);
+  const int version = fields.wholeNumber("format", 1, 1000000);
   if (!fields.complaint() && version > kFormatVersion)
     return failure(ErrorCode::newerFormat,
                    "The probe file " + name + " has format " + std::to_string(version) + ", this program reads up to " +
@@ -123,10 +125,10 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   }
   probe.lines = fields.wholeNumber("lines", 2, 4096);
   probe.carrier_hz = fields.number("carrier_hz", 1e5, 1e8);
-  probe.elevationalThickness_mm = fields.number("elevationalThickness_mm", 0.05, 50.0);
-  probe.minDepth_mm = fields.number("minDepth_mm", 1.0, 1000.0);
-  probe.maxDepth_mm = fields.number("maxDepth_mm", probe.minDepth_mm, 1000.0);
-  probe.defaultDepth_mm = fields.number("defaultDepth_mm", probe.minDepth_mm, probe.maxDepth_mm);
+  probe.elevationalThickness_mm = fields.number("elevational_thickness_mm", 0.05, 50.0);
+  probe.minDepth_mm = fields.number("min_depth_mm", 1.0, 1000.0);
+  probe.maxDepth_mm = fields.number("max_depth_mm", probe.minDepth_mm, 1000.0);
+  probe.defaultDepth_mm = fields.number("default_depth_mm", probe.minDepth_mm, probe.maxDepth_mm);
   for (const auto& item : object->items()) {
     const bool foreign = (kind == "linear" && (item.key() == "radius_mm" || item.key() == "opening_deg")) ||
                          (kind == "convex" && item.key() == "width_mm") ||
