@@ -41,8 +41,8 @@ void printResults(std::ostream& out, const json& measured) {
         << right(number(row, "worst_grey", 0), 3) << " grey\n";
   }
   for (const auto& row : measured.value("ratios", json::array()))
-    out << text(row, "quality") << ", " << number(row, "volumeSide", 0) << " cubed, " << text(row, "poseKind")
-        << " poses: " << number(row, "timesFaster", 2) << " times as fast as the peer\n";
+    out << text(row, "quality") << ", " << number(row, "volume_side", 0) << " cubed, " << text(row, "pose_kind")
+        << " poses: " << number(row, "times_faster", 2) << " times as fast as the peer\n";
 }
 
 Result<int> slicing(const BenchArguments& arguments, Run& run) {

@@ -89,7 +89,7 @@ std::string grid(const Axes& axes) {
 /// EchoWeave round and accented, the peer square and grey; random poses filled, smooth ones hollow.
 std::string mark(const json& row, const Axes& axes) {
   const bool peer = row["peer"].get<bool>();
-  const bool smooth = row["poseKind"] == "smooth";
+  const bool smooth = row["pose_kind"] == "smooth";
   const double x = axes.x(row["median_us"].get<double>() * 1e-3), y = axes.y(row["psnr_db"].get<double>());
   const std::string style = std::string("class='") + (peer ? "peer" : "own") + (smooth ? " hollow'" : "'");
   const std::string title = "<title>" + escaped(row["name"].get<std::string>()) + ": " +
@@ -128,7 +128,7 @@ std::string table(const json& results) {
   std::string html =
       "<table><thead><tr><th>Slicer</th><th>Poses</th><th>Median, ms</th><th>PSNR, dB</th><th>Worst, grey levels</th></tr></thead><tbody>";
   for (const auto& row : results)
-    html += "<tr><td>" + escaped(row["method"].get<std::string>()) + "</td><td>" + escaped(row["poseKind"].get<std::string>()) +
+    html += "<tr><td>" + escaped(row["method"].get<std::string>()) + "</td><td>" + escaped(row["pose_kind"].get<std::string>()) +
             "</td><td>" + fixedText(row["median_us"].get<double>() * 1e-3, 3) + "</td><td>" + fixedText(row["psnr_db"].get<double>(), 1) +
             "</td><td>" + fixedText(row["worst_grey"].get<double>(), 1) + "</td></tr>";
   return html + "</tbody></table>";
@@ -150,7 +150,7 @@ td { text-align: right; } th:first-child, td:first-child { text-align: left; } t
 }  // namespace
 
 std::string slicingPage(const json& report) {
-  const int side = report["sliceSide"].get<int>();
+  const int side = report["slice_side"].get<int>();
   std::string html =
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>"
       "<title>EchoWeave: what accuracy costs in slicing</title><style>" +
@@ -161,17 +161,17 @@ std::string slicingPage(const json& report) {
       "band-limited field, so its ceiling is the rounding to 256 grey levels. Up and to the left is better.</p><p>Machine: " +
       escaped(report["machine"].get<std::string>()) + "</p>";
   std::set<int> sides;
-  for (const auto& row : report["results"]) sides.insert(row["volumeSide"].get<int>());
+  for (const auto& row : report["results"]) sides.insert(row["volume_side"].get<int>());
   for (const int volumeSide : sides) {
     json results = json::array();
     for (const auto& row : report["results"])
-      if (row["volumeSide"] == volumeSide) results.push_back(row);
+      if (row["volume_side"] == volumeSide) results.push_back(row);
     const std::string cubed = std::to_string(volumeSide) + "&sup3;";
     html += "<h2>Volume of " + cubed + " voxels</h2><section>" + chart(results);
     for (const auto& ratio : report["ratios"])
-      if (ratio["volumeSide"] == volumeSide)
-        html += "<p>" + escaped(ratio["quality"].get<std::string>()) + ", " + escaped(ratio["poseKind"].get<std::string>()) +
-                " poses: " + fixedText(ratio["timesFaster"].get<double>(), 2) + " times as fast as vtkImageReslice.</p>";
+      if (ratio["volume_side"] == volumeSide)
+        html += "<p>" + escaped(ratio["quality"].get<std::string>()) + ", " + escaped(ratio["pose_kind"].get<std::string>()) +
+                " poses: " + fixedText(ratio["times_faster"].get<double>(), 2) + " times as fast as vtkImageReslice.</p>";
     html += table(results) + "</section>";
   }
   return html + "</body></html>\n";

@@ -346,18 +346,18 @@ void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
     report["results"].push_back({{"name", tested.name},
                                  {"method", tested.method},
                                  {"peer", tested.peer},
-                                 {"volumeSide", volumeSide},
-                                 {"poseKind", tested.poseKind},
+                                 {"volume_side", volumeSide},
+                                 {"pose_kind", tested.poseKind},
                                  {"median_us", medianOf(tested.repetitions_us)},
                                  {"psnr_db", tested.psnr_db},
                                  {"worst_grey", tested.worst_grey}});
     report["steps"].push_back(stepOf(tested));
     for (const Case& peer : cases)
       if (!tested.peer && peer.peer && peer.quality == tested.quality && peer.poseKind == tested.poseKind)
-        report["ratios"].push_back({{"volumeSide", volumeSide},
-                                    {"poseKind", tested.poseKind},
+        report["ratios"].push_back({{"volume_side", volumeSide},
+                                    {"pose_kind", tested.poseKind},
                                     {"quality", tested.method},
-                                    {"timesFaster", medianOf(peer.repetitions_us) / std::max(1e-3, medianOf(tested.repetitions_us))}});
+                                    {"times_faster", medianOf(peer.repetitions_us) / std::max(1e-3, medianOf(tested.repetitions_us))}});
   }
 }
 
@@ -374,7 +374,7 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
   }
   json report = {{"machine", machineName()},
                  {"threads", 1},
-                 {"sliceSide", options.sliceSide},
+                 {"slice_side", options.sliceSide},
                  {"poses", options.poses},
                  {"repetitions", options.repetitions},
                  {"results", json::array()},
