@@ -71,6 +71,13 @@ TEST(StitchProject, TakesAPlaceFromAFileOfSixteenNumbers) {
   EXPECT_EQ(parseProject(project.dump(), folder.path(), files).error().code, ErrorCode::notRigid);
 }
 
+TEST(StitchProject, ThatNestsWithoutEndIsRefused) {
+  PlainFiles files;
+  const auto project = parseProject("{\"volumes\": " + std::string(1000000, '[') + std::string(1000000, ']') + "}", "/nowhere", files);
+  ASSERT_FALSE(project);
+  EXPECT_EQ(project.error().code, ErrorCode::badHeader);
+}
+
 TEST(StitchProject, NamesTheFieldThatIsWrong) {
   const json good = {{"volumes", {{{"file", "a.mha"}, {"to_world", identity()}}}}};
   struct Wrong {

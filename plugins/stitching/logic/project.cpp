@@ -4,6 +4,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
 #include "ew/core/version.h"
 
@@ -119,6 +120,8 @@ Result<glm::dmat4> parseTransform(const std::string& text, const std::string& na
 }
 
 Result<StitchProject> parseProject(const std::string& textOfProject, const fs::path& folder, sdk::Files& files) {
+  if (nestsDeeperThan(textOfProject))
+    return failure(ErrorCode::badHeader, "The stitch project nests too deeply to be one; check that it is the right file.");
   json document;
   try {
     document = json::parse(textOfProject);
