@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/cli_world.h"
+#include "time_limit.h"
 
 namespace ew::test {
 namespace {
@@ -89,7 +90,7 @@ TEST(Program, AnInterruptEndsItWithinHalfASecondAndLeavesNothing) {
   const int status = statusOf(child);
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count();
   EXPECT_EQ(status, 1) << readText(folder / "stderr");
-  EXPECT_LT(took_s, 0.5);
+  EXPECT_LT(took_s, 0.5 * kSlowdown);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"s.igs.mha", "stderr", "stdout"}));
 }
 
