@@ -53,7 +53,7 @@ BrickPlan planFor(const Grid& grid, std::size_t cellBytes, int guard) {
   plan.size.y = plan.size.z = std::clamp(side, 8, 64);
   plan.size = glm::min(plan.size, grid.dims);
   plan.count = (grid.dims + plan.size - 1) / plan.size;
-  plan.rowStride = (plan.size.x + 2 * guard + kBlock - 1) / kBlock * kBlock;
+  plan.rowStride = std::ptrdiff_t{plan.size.x + 2 * guard + kBlock - 1} / kBlock * kBlock;
   plan.layerStride = plan.rowStride * (plan.size.y + 2 * guard);
   plan.cellsPerBrick = static_cast<std::size_t>(plan.layerStride) * static_cast<std::size_t>(plan.size.z + 2 * guard);
   return plan;
