@@ -61,6 +61,13 @@ TEST(HardShapes, ANestDeeperThanAllowedIsRefusedByName) {
   EXPECT_NE(body.error().sentence.find("nested too deeply"), std::string::npos) << body.error().sentence;
 }
 
+TEST(HardShapes, AMillionOpenBracketsAreRefusedBeforeTheStackIsUsedUp) {
+  const testing::Folder folder;
+  const auto file = folder.write("deep.json", bodyRecipe(std::string(1000000, '[') + std::string(1000000, ']')));
+  EXPECT_EQ(readBodyShape(file).error().code, ErrorCode::badHeader);
+  EXPECT_EQ(fingerprintOfPatient(file).error().code, ErrorCode::badHeader);
+}
+
 TEST(HardShapes, NumbersThatAreNoSizesAreRefused) {
   const testing::Folder folder;
   for (const char* radius : {"1e999", "-3", "null", "\"5\"", "1e6"}) {

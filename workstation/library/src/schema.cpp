@@ -10,12 +10,11 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "ew/core/nesting.h"
 #include "schema_text.h"
 
 namespace ew {
 namespace {
-
-constexpr int kDeepestNesting = 64;
 
 struct LoadedSchema {
   nlohmann::json document;
@@ -144,27 +143,6 @@ std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohma
   return problems;
 }
 
-bool nestsDeeperThan(const std::string& text, int limit) {
-  int depth = 0;
-  bool inString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (inString) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        inString = false;
-    } else if (c == '"') {
-      inString = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > limit) return true;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const std::string& documentName) {
@@ -205,7 +183,7 @@ std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName nam
 }
 
 Result<nlohmann::json> parseJson(const std::string& text, const std::string& documentName) {
-  if (nestsDeeperThan(text, kDeepestNesting))
+  if (nestsDeeperThan(text))
     return failure(ErrorCode::badHeader,
                    documentName + " nests deeper than " + std::to_string(kDeepestNesting) +
                        " levels, which no file of this program does; "

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
 
 namespace ew::phantom {
@@ -135,10 +136,14 @@ Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const std::
                    {{"file", name}});
   std::ifstream in(file, std::ios::binary);
   if (!in) return failure(ErrorCode::notReadable, name + " cannot be opened; check its permissions.", {{"file", name}});
-  nlohmann::json recipe = nlohmann::json::parse(in, nullptr, false);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  nlohmann::json recipe = nestsDeeperThan(text) ? nlohmann::json() : nlohmann::json::parse(text, nullptr, false);
   if (recipe.is_discarded() || !recipe.is_object())
     return failure(ErrorCode::badHeader,
-                   name + " is not a " + kind + ": it does not hold one JSON object; check that it is the right file.", {{"file", name}});
+                   name + " is not a " + kind + ": it does not hold one JSON object, or nests too deeply; check that it is the right file.",
+                   {{"file", name}});
   const auto format = recipe.find("format");
   if (format == recipe.end() || !format->is_number_integer() || format->get<long long>() < 1)
     return failure(ErrorCode::badField,
