@@ -1,7 +1,5 @@
 #include "workstation_host.h"
 
-#include <spdlog/spdlog.h>
-
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QTabWidget>
@@ -9,8 +7,8 @@
 #include <exception>
 #include <vector>
 
-#include "ew/io/safe_file.h"
-#include "ew/io/volume_file.h"
+#include "ew/door/host_parts.h"
+#include "ew/library/case.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -49,35 +47,15 @@ class LazyPanel final : public QScrollArea {
   std::function<void(const QString&)> complain_;
 };
 
-class HostVolumes final : public sdk::Volumes {
+class HostVolumes final : public door::FileVolumes {
  public:
   explicit HostVolumes(WorkstationHost& host) : host_(host) {}
-  Result<Volume> read(const std::filesystem::path& file, Progress& progress) override {
-    auto loaded = readVolume(file, progress);
-    if (!loaded) return passOn(loaded.error());
-    return std::move(loaded->volume);
-  }
-  Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return writeVolume(volume, file, progress);
-  }
-  Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return ew::writeCoverage(volume, file, progress);
-  }
-  Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return ew::readCoverageInto(volume, file, progress);
-  }
   void show(Volume volume, const std::string& title) override {
     Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title));
   }
 
  private:
   WorkstationHost& host_;
-};
-
-class HostFiles final : public sdk::Files {
- public:
-  Result<std::string> readText(const std::filesystem::path& file) override { return readTextFile(file); }
-  Result<void> writeText(const std::filesystem::path& file, const std::string& text) override { return writeFileSafely(file, text); }
 };
 
 class HostCases final : public sdk::Cases {
@@ -142,32 +120,22 @@ class HostPanels final : public sdk::Panels {
   std::function<void(const QString&)> complain_;
 };
 
-/// A window has no command line of its own: the words are kept so that a plugin can offer them without asking where it runs.
-class HostCommands final : public sdk::Commands {
+/// A window has no command line, so commands are not kept.
+class NoCommands final : public sdk::Commands {
  public:
-  void add(const std::string& name, const std::string& usage, Run run) override { known_[name] = {usage, std::move(run)}; }
-
- private:
-  std::map<std::string, std::pair<std::string, Run>> known_;
-};
-
-class HostLog final : public sdk::Log {
- public:
-  void info(const std::string& text) override { spdlog::info("{}", text); }
-  void warn(const std::string& text) override { spdlog::warn("{}", text); }
-  void error(const std::string& text) override { spdlog::error("{}", text); }
+  void add(const std::string&, const std::string&, Run) override {}
 };
 
 }  // namespace
 
 struct WorkstationHost::Parts {
   HostVolumes volumes;
-  HostFiles files;
+  door::TextFiles files;
   HostCases cases;
   HostJobs jobs;
   HostPanels panels;
-  HostCommands commands;
-  HostLog log;
+  NoCommands commands;
+  door::ProgramLog log;
 };
 
 WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent)

@@ -5,38 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "ew/io/safe_file.h"
-#include "ew/io/volume_file.h"
+#include "ew/door/host_parts.h"
 #include "ew/library/case.h"
 
 namespace ew::door {
 namespace {
-
-class FileVolumes final : public sdk::Volumes {
- public:
-  Result<Volume> read(const std::filesystem::path& file, Progress& progress) override {
-    auto loaded = readVolume(file, progress);
-    if (!loaded) return passOn(loaded.error());
-    for (const auto& note : loaded->notes) spdlog::warn("{}: {}", file.string(), note);
-    return std::move(loaded->volume);
-  }
-  Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return writeVolume(volume, file, progress);
-  }
-  Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return ew::writeCoverage(volume, file, progress);
-  }
-  Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) override {
-    return ew::readCoverageInto(volume, file, progress);
-  }
-  void show(Volume, const std::string&) override {}
-};
-
-class PlainFiles final : public sdk::Files {
- public:
-  Result<std::string> readText(const std::filesystem::path& file) override { return readTextFile(file); }
-  Result<void> writeText(const std::filesystem::path& file, const std::string& text) override { return writeFileSafely(file, text); }
-};
 
 class NoOpenCase final : public sdk::Cases {
  public:
@@ -71,10 +44,9 @@ class JobsAtOnce final : public sdk::Jobs {
   Progress& progress_;
 };
 
-class PanelNames final : public sdk::Panels {
+class NoPanels final : public sdk::Panels {
  public:
-  void add(const std::string&, const std::string& title, std::function<QWidget*(QWidget*)>) override { titles.push_back(title); }
-  std::vector<std::string> titles;
+  void add(const std::string&, const std::string&, std::function<QWidget*(QWidget*)>) override {}
 };
 
 class CommandList final : public sdk::Commands {
@@ -99,24 +71,17 @@ class CommandList final : public sdk::Commands {
   std::vector<Command> commands;
 };
 
-class SpdLog final : public sdk::Log {
- public:
-  void info(const std::string& text) override { spdlog::info("{}", text); }
-  void warn(const std::string& text) override { spdlog::warn("{}", text); }
-  void error(const std::string& text) override { spdlog::error("{}", text); }
-};
-
 }  // namespace
 
 struct HeadlessHost::Parts {
   explicit Parts(Progress& progress) : jobs(progress) {}
   FileVolumes volumes;
-  PlainFiles files;
+  TextFiles files;
   NoOpenCase cases;
   JobsAtOnce jobs;
-  PanelNames panels;
+  NoPanels panels;
   CommandList commands;
-  SpdLog log;
+  ProgramLog log;
 };
 
 HeadlessHost::HeadlessHost(Progress& progress) : parts_(std::make_unique<Parts>(progress)) {}
@@ -133,6 +98,5 @@ const Command* HeadlessHost::find(const std::string& name) const {
   const auto at = std::find_if(registered().begin(), registered().end(), [&](const Command& c) { return c.name == name; });
   return at == registered().end() ? nullptr : &*at;
 }
-const std::vector<std::string>& HeadlessHost::offeredPanels() const { return parts_->panels.titles; }
 
 }  // namespace ew::door

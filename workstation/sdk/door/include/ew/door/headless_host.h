@@ -34,8 +34,6 @@ class HeadlessHost final : public sdk::Host {
   /// Commands registered so far, in order. A name that is already taken is refused with a warning in the log.
   [[nodiscard]] const std::vector<Command>& registered() const;
   [[nodiscard]] const Command* find(const std::string& name) const;
-  /// Titles of the panels a plugin offered; no widget is made.
-  [[nodiscard]] const std::vector<std::string>& offeredPanels() const;
 
  private:
   struct Parts;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ew/sdk/host.h"
+
+namespace ew::door {
+
+/// Volumes of a host in files. What a reader had to decide goes to the log. There is nowhere to show one; a host with a window adds that.
+class FileVolumes : public sdk::Volumes {
+ public:
+  Result<Volume> read(const std::filesystem::path& file, Progress& progress) override;
+  Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) override;
+  Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) override;
+  Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) override;
+  void show(Volume volume, const std::string& title) override;
+};
+
+class TextFiles final : public sdk::Files {
+ public:
+  Result<std::string> readText(const std::filesystem::path& file) override;
+  Result<void> writeText(const std::filesystem::path& file, const std::string& text) override;
+};
+
+/// The log of the program, which is spdlog's default one.
+class ProgramLog final : public sdk::Log {
+ public:
+  void info(const std::string& text) override;
+  void warn(const std::string& text) override;
+  void error(const std::string& text) override;
+};
+
+}  // namespace ew::door
