@@ -375,6 +375,13 @@
             <source>The project was saved as %1.</source>
             <translation>Das Projekt wurde als %1 gespeichert.</translation>
         </message>
+        <message numerus="yes">
+            <source>Reading %n volumes</source>
+            <translation>
+                <numerusform>%n Volumen werden gelesen</numerusform>
+                <numerusform>%n Volumen werden gelesen</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>ew::ui::ConsolePanel</name>
@@ -1067,6 +1074,18 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <source>Saved to %1, and which voxels were measured to %2.</source>
             <translation>Gespeichert als %1, und welche Voxel gemessen wurden als %2.</translation>
         </message>
+        <message>
+            <source>Weave: nearest voxels, fastest</source>
+            <translation>Weben: nächste Voxel, am schnellsten</translation>
+        </message>
+        <message>
+            <source>Linear: interpolated</source>
+            <translation>Linear: interpoliert</translation>
+        </message>
+        <message>
+            <source>Swap left and right</source>
+            <translation>Links und rechts tauschen</translation>
+        </message>
     </context>
     <context>
         <name>ew::ui::MessageBar</name>
@@ -1158,6 +1177,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <source>depth %1 mm   gain %2 %   zoom %3</source>
             <translation>Tiefe %1 mm   Verstärkung %2 %   Zoom %3</translation>
         </message>
+        <message>
+            <source>The probe is beside the volume.</source>
+            <translation>Die Sonde steht neben dem Volumen.</translation>
+        </message>
+        <message>
+            <source>The probe is beside the volume. Slide it back, or press Home for the start.</source>
+            <translation>Die Sonde steht neben dem Volumen. Schieben Sie sie zurück, oder drücken Sie Pos1 für den Anfang.</translation>
+        </message>
     </context>
     <context>
         <name>ew::ui::StartPage</name>
@@ -1227,6 +1254,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <message>
             <source>plan: %1 = %2 ms</source>
             <translation>Plan: %1 = %2 ms</translation>
+        </message>
+        <message>
+            <source>plan: %1 ms</source>
+            <translation>Plan: %1 ms</translation>
         </message>
     </context>
     <context>

@@ -145,8 +145,6 @@ void ConsolePanel::addChoices() {
     exclusive->addButton(button);
     quality->addWidget(button, 1);
   }
-  weave_->setShortcut(QKeySequence(Qt::Key_1));
-  linear_->setShortcut(QKeySequence(Qt::Key_2));
   rows->addLayout(quality);
   rows->addSpacing(12);
 
@@ -163,7 +161,6 @@ void ConsolePanel::addChoices() {
   flip_->setObjectName(QStringLiteral("flip"));
   flip_->setCheckable(true);
   flip_->setToolTip(tr("Swap left and right in the picture; the marker moves along (X)"));
-  flip_->setShortcut(QKeySequence(Qt::Key_X));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
   freeze_->setCheckable(true);
@@ -174,10 +171,12 @@ void ConsolePanel::addChoices() {
   last->addWidget(flip_, 1);
   last->addWidget(freeze_, 1);
   rows->addLayout(last);
+  // A click must not take the arrow keys away from the probe.
+  for (QPushButton* button : {reset_, weave_, linear_, flip_, freeze_}) button->setFocusPolicy(Qt::TabFocus);
   refreshIcons();
 
-  connect(weave_, &QPushButton::clicked, this, [this] { change([](Knobs& k) { k.quality = Quality::weave; }); });
-  connect(linear_, &QPushButton::clicked, this, [this] { change([](Knobs& k) { k.quality = Quality::linear; }); });
+  connect(weave_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::weave); });
+  connect(linear_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::linear); });
   connect(flip_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.flipLeftRight = on; }); });
   connect(freeze_, &QPushButton::toggled, &session_, &Session::setFrozen);
   connect(probe_, qOverload<int>(&QComboBox::activated), this,
@@ -232,6 +231,10 @@ void ConsolePanel::showKnobs() {
 void ConsolePanel::stepDepth(int steps) { depth_.slider->setValue(depth_.slider->value() + 10 * steps); }
 void ConsolePanel::stepGain(int steps) { gain_.slider->setValue(gain_.slider->value() + 5 * steps); }
 void ConsolePanel::stepZoom(int steps) { zoom_.slider->setValue(zoom_.slider->value() + steps * kZoomSteps / 2); }
+void ConsolePanel::chooseQuality(Quality quality) {
+  change([quality](Knobs& k) { k.quality = quality; });
+}
+void ConsolePanel::flip() { flip_->toggle(); }
 void ConsolePanel::resetDgc() {
   change([](Knobs& k) { k.dgc = Knobs{}.dgc; });
 }

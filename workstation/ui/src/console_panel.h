@@ -25,6 +25,8 @@ class ConsolePanel final : public QWidget {
   void stepGain(int steps);
   void stepZoom(int steps);
   void resetDgc();
+  void chooseQuality(Quality quality);
+  void flip();
   void refreshIcons();
 
  private:

@@ -295,9 +295,19 @@ void ImportDialog::start() {
         return {};
       },
       [here = QPointer<ImportDialog>(this), made, title, messages = QPointer<MessageBar>(&messages_)](const Result<void>& outcome) {
-        if (!outcome && outcome.error().code != ErrorCode::cancelled && messages) messages->showError(outcome.error());
+        const bool failed = !outcome && outcome.error().code != ErrorCode::cancelled;
         ImportDialog* dialog = here.data();
-        if (dialog == nullptr) return;
+        if (dialog == nullptr) {
+          if (failed && messages) messages->showError(outcome.error());
+          return;
+        }
+        if (failed) {
+          // Back with every choice as it was, so that one of them can be changed.
+          dialog->open();
+          dialog->refuse(words(outcome.error().sentence));
+          dialog->make_->setEnabled(true);
+          return;
+        }
         if (outcome) Q_EMIT dialog->imported(*made, title);
         dialog->close();
       });

@@ -151,7 +151,10 @@ void MainWindow::connectParts() {
   });
   connect(p.topBar, &TopBar::workspaceChosen, this,
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
-  connect(p.pages, &QStackedWidget::currentChanged, this, &MainWindow::placeOverlays);
+  connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
+    placeOverlays();
+    showTitle();
+  });
   connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
   connect(p.startPage, &StartPage::caseChosen, this, &MainWindow::open);
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);

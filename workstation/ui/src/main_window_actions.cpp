@@ -122,6 +122,12 @@ void MainWindow::makeActions() {
   QAction* farther = add(scan, tr("Zoom out"), {keys("Shift+Z")}, [this] { parts_->console->stepZoom(-1); });
   QAction* reset = add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
 
+  scan->addSeparator();
+  // Here and not on the console's buttons: the console may be hidden beside an author's panels.
+  add(scan, tr("Weave: nearest voxels, fastest"), {QKeySequence(Qt::Key_1)}, [this] { parts_->console->chooseQuality(Quality::weave); });
+  add(scan, tr("Linear: interpolated"), {QKeySequence(Qt::Key_2)}, [this] { parts_->console->chooseQuality(Quality::linear); });
+  add(scan, tr("Swap left and right"), {QKeySequence(Qt::Key_X)}, [this] { parts_->console->flip(); });
+
   QMenu* help = bar.addMenu(tr("&Help"));
   QAction* shortcuts = add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] {
     if (parts_->shortcuts) {

@@ -124,6 +124,8 @@ void Opener::open(const QString& path) {
     Q_EMIT failed(error);
     return;
   }
+  // The second click of a double click asks for what is already on its way.
+  if (info.absoluteFilePath() == openingPath_) return;
   if (info.isDir() || info.suffix() == QLatin1String("json")) {
     openCase(path);
   } else {
@@ -131,11 +133,29 @@ void Opener::open(const QString& path) {
   }
 }
 
+void Opener::startOpening(const QString& path, Jobs::Work work, std::function<void()> taken) {
+  // Whoever chooses something else while a case is prepared wants that, not whatever happens to be ready last.
+  if (openingJob_ != 0) jobs_.cancel(openingJob_);
+  ++busy_;
+  auto id = std::make_shared<int>(0);
+  *id = jobs_.start(tr("Opening %1").arg(QFileInfo(path).fileName()), std::move(work),
+                    [this, id, taken = std::move(taken)](const Result<void>& outcome) {
+                      --busy_;
+                      if (*id != openingJob_) return;
+                      openingJob_ = 0;
+                      openingPath_.clear();
+                      if (outcome) return taken();
+                      if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+                      Q_EMIT failed(outcome.error());
+                    });
+  openingJob_ = *id;
+  openingPath_ = QFileInfo(path).absoluteFilePath();
+}
+
 void Opener::openCase(const QString& path) {
   auto loaded = std::make_shared<Loaded>();
-  ++busy_;
-  jobs_.start(
-      tr("Opening %1").arg(QFileInfo(path).fileName()),
+  startOpening(
+      path,
       [loaded, path, present = mannequinFile_](Progress& progress) -> Result<void> {
         auto opened = loadCase(pathOf(path));
         if (!opened) return passOn(opened.error());
@@ -156,13 +176,7 @@ void Opener::openCase(const QString& path) {
         loaded->opened = std::move(*opened);
         return {};
       },
-      [this, loaded, path](const Result<void>& outcome) {
-        --busy_;
-        if (!outcome) {
-          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
-          Q_EMIT failed(outcome.error());
-          return;
-        }
+      [this, loaded, path] {
         caseVolume_ = loaded->volume;
         casePlacement_ = loaded->opened->volume.fileToWorld;
         startPose_ = loaded->opened->startPose;
@@ -193,9 +207,8 @@ void Opener::showCaseVolume() {
 
 void Opener::openImage(const QString& path) {
   auto loaded = std::make_shared<Loaded>();
-  ++busy_;
-  jobs_.start(
-      tr("Opening %1").arg(QFileInfo(path).fileName()),
+  startOpening(
+      path,
       [loaded, path](Progress& progress) -> Result<void> {
         auto sequence = isSequence(pathOf(path));
         if (!sequence) return passOn(sequence.error());
@@ -207,13 +220,7 @@ void Opener::openImage(const QString& path) {
         loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
         return {};
       },
-      [this, loaded, path](const Result<void>& outcome) {
-        --busy_;
-        if (!outcome) {
-          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
-          Q_EMIT failed(outcome.error());
-          return;
-        }
+      [this, loaded, path] {
         if (loaded->isSweep) {
           Q_EMIT sweepChosen(path);
           return;

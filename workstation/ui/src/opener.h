@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -45,6 +46,8 @@ class Opener final : public QObject {
   struct Loaded;
   void openCase(const QString& path);
   void openImage(const QString& path);
+  /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
+  void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken);
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
   void takeStart();
@@ -62,6 +65,8 @@ class Opener final : public QObject {
   std::optional<Pose> startPose_;
   bool showsCase_ = false;
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there
+  QString openingPath_;      ///< what is being opened; empty: nothing
+  int openingJob_ = 0;
   int busy_ = 0;
 };
 

@@ -82,6 +82,22 @@ void ScanView::paintEvent(QPaintEvent*) {
   paintMarker(painter);
   paintDgcCurve(painter);
   paintWords(painter);
+  if (isBesideVolume()) {
+    painter.setFont(textFont());
+    painter.setPen(scanTheme().quiet);
+    painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     session_.isFrozen() ? tr("The probe is beside the volume.")
+                                         : tr("The probe is beside the volume. Slide it back, or press Home for the start."));
+  }
+}
+
+bool ScanView::isBesideVolume() const {
+  // A picture with a single echo in it needs no question; most do.
+  const ImageView<const std::uint8_t> picture = session_.picture();
+  for (int y = 0; y < picture.height; ++y) {
+    if (std::any_of(picture.row(y), picture.row(y) + picture.width, [](std::uint8_t grey) { return grey != 0; })) return false;
+  }
+  return !session_.seesVolume();
 }
 
 void ScanView::paintDepthScale(QPainter& painter) {

@@ -25,6 +25,7 @@ class ScanView final : public QWidget {
 
  private:
   void askForPicture();
+  [[nodiscard]] bool isBesideVolume() const;
   void paintDepthScale(QPainter& painter);
   void paintMarker(QPainter& painter);
   void paintDgcCurve(QPainter& painter);

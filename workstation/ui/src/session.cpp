@@ -146,6 +146,25 @@ std::optional<double> Session::contact() const {
   return static_cast<double>(touching) / kContactSamples;
 }
 
+bool Session::seesVolume() const {
+  const Pose at = picturePose();
+  if (!subject_ || at.status != PoseStatus::ok || picture_.width == 0) return false;
+  const Grid& grid = subject_->placedGrid;
+  const glm::dmat4 imageToVoxel = (grid.worldToVoxel() * at.probeToWorld * geometry().imageToProbe()).matrix;
+  const Spans& fan = maker_.spans();
+  constexpr int kEvery_px = 8;
+  for (std::size_t y = 0; y < fan.size(); y += kEvery_px) {
+    for (const RowSpan& run : fan[y]) {
+      for (int x = run.begin; x < run.end; x += kEvery_px) {
+        const glm::dvec3 p_voxel(imageToVoxel * glm::dvec4(x, y, 0.0, 1.0));
+        if (glm::all(glm::greaterThanEqual(p_voxel, glm::dvec3(-0.5))) && glm::all(glm::lessThan(p_voxel, glm::dvec3(grid.dims) - 0.5)))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
 void Session::setFrozen(bool frozen) {
   if (frozen == frozen_) return;
   if (frozen) {

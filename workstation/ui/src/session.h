@@ -55,6 +55,8 @@ class Session final : public QObject {
   [[nodiscard]] Pose pose() const { return poseOf(hold_); }
   /// Part of the probe's face that touches the skin, 0..1, when skin and gel give way by 8 mm under the hand; empty without a skin.
   [[nodiscard]] std::optional<double> contact() const;
+  /// Whether any part of the fan, as the picture shows it, lies within the volume.
+  [[nodiscard]] bool seesVolume() const;
 
   /// Freezing keeps the picture, its pose and its knobs; the hand may move on.
   void setFrozen(bool frozen);

@@ -1,5 +1,7 @@
 #include "shortcuts_overlay.h"
 
+#include <QApplication>
+#include <QCloseEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -54,11 +56,19 @@ ShortcutsOverlay::ShortcutsOverlay(const std::vector<Group>& groups, QWidget* pa
   move((parent->width() - width()) / 2, std::max(0, (parent->height() - height()) / 2));
   show();
   raise();
+  before_ = QApplication::focusWidget();
   setFocus();
 }
 
 void ShortcutsOverlay::keyPressEvent(QKeyEvent*) { close(); }
 void ShortcutsOverlay::mousePressEvent(QMouseEvent*) { close(); }
 void ShortcutsOverlay::focusOutEvent(QFocusEvent*) { close(); }
+
+void ShortcutsOverlay::closeEvent(QCloseEvent* event) {
+  // Left alone, Qt would give the focus to the next button, and the arrows would no longer move the probe.
+  QWidget* before = before_.data();
+  if (before != nullptr && hasFocus() && before->isVisible()) before->setFocus(Qt::OtherFocusReason);
+  QFrame::closeEvent(event);
+}
 
 }  // namespace ew::ui

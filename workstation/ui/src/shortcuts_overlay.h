@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QKeySequence>
+#include <QPointer>
 #include <vector>
 
 namespace ew::ui {
@@ -24,6 +25,10 @@ class ShortcutsOverlay final : public QFrame {
   void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QPointer<QWidget> before_;  ///< had the focus, and gets it back
 };
 
 }  // namespace ew::ui

@@ -94,7 +94,11 @@ void StatusLine::showPlan() {
     total_ms += step.measured_us / 1000.0;
     parts << QStringLiteral("%1 %2").arg(nameOfStep(step.kind)).arg(step.measured_us / 1000.0, 0, 'f', 2);
   }
-  plan_->setText(parts.isEmpty() ? QString() : tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(total_ms, 0, 'f', 2));
+  if (parts.size() == 1) {
+    plan_->setText(tr("plan: %1 ms").arg(parts.front()));
+  } else {
+    plan_->setText(parts.isEmpty() ? QString() : tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(total_ms, 0, 'f', 2));
+  }
   const auto contact = session_.contact();
   contact_->setText(contact ? tr("contact %1 %").arg(static_cast<int>(std::lround(*contact * 100.0))) : QString());
 }

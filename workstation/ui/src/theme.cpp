@@ -97,9 +97,11 @@ QMenu::icon { left: 8px; }
 QPushButton { background: @raised; border: 1px solid @raised; border-radius: 4px; padding: 6px 12px; min-height: 18px; }
 QPushButton:hover { border-color: @quiet; }
 QPushButton:pressed { background: @line; }
-QPushButton:focus { border-color: @accent; }
+QPushButton:focus { border-color: @accent; outline: 0; }
 QPushButton:checked, QPushButton[primary="true"] { background: @accent; border-color: @accent; color: @onAccent; }
 QPushButton:checked:hover, QPushButton[primary="true"]:hover { border-color: @text; }
+QPushButton:checked:focus, QPushButton[primary="true"]:focus { border-color: @text; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:disabled { color: @quiet; background: @panel; border-color: @line; }
 QPushButton[compact="true"] { padding: 6px 4px; }
 QPushButton[flat="true"] { background: transparent; border-color: transparent; padding: 2px 8px; }
@@ -153,7 +155,7 @@ QProgressBar { background: @line; border: 0; border-radius: 1px; max-height: 3px
 QProgressBar::chunk { background: @accent; border-radius: 1px; }
 QHeaderView::section { background: @panel; color: @quiet; border: 0; border-bottom: 1px solid @line; padding: 6px 8px; }
 QTableView, QTreeView, QListView { background: @ground; border: 1px solid @line; border-radius: 4px; gridline-color: @line; outline: 0; }
-QTableView::item, QTreeView::item, QListView::item { padding: 6px 8px; }
+QTableView::item, QTreeView::item, QListView::item { padding: 6px 8px; border: 0; background: transparent; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @raised; color: @text; }
 QSplitter::handle { background: @line; }
 QGroupBox { border: 0; border-top: 1px solid @line; margin-top: 16px; padding-top: 8px; }

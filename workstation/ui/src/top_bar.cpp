@@ -43,6 +43,7 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   for (QPushButton* button : {explore_, author_}) {
     button->setProperty("workspace", true);
     button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     group->addButton(button);
   }
   explore_->setChecked(true);

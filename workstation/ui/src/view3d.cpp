@@ -5,6 +5,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -22,6 +23,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kMargin_px = 16;
+constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
 
 /// A trunk's size, so that there is something to slide on before a mannequin is loaded.
 class EllipsoidSkin final : public Skin {
@@ -113,7 +115,9 @@ struct View3D::Parts {
   std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
   bool renderAsked = false;
-  QTimer still;  ///< runs out when nothing has moved for a moment: then there is time for smooth edges
+  QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
+  qint64 drawing_ms = 0;     ///< how long that took
+  QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
   QString hintText;
   bool ownHint = false;  ///< somebody set other words than the default ones
 };
@@ -270,7 +274,10 @@ void View3D::fitToVolume() {
 void View3D::render() {
   if (parts_->renderAsked) return;
   parts_->renderAsked = true;
-  QTimer::singleShot(0, this, [this] {
+  // Drawing without a GPU takes longer than a scan frame; at most half of the time goes into it, so that the scan is never held up.
+  const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
+  const qint64 wait_ms = std::clamp(std::min(parts_->drawing_ms, kLongestRest_ms) - rested_ms, qint64{0}, kLongestRest_ms);
+  QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
     if (!parts_->renderAsked) return;
     draw(bridge::Scene3D::Edges::quick);
     parts_->still.start();
@@ -285,7 +292,10 @@ void View3D::renderNow() {
 void View3D::draw(bridge::Scene3D::Edges edges) {
   parts_->renderAsked = false;
   // Without a context there is nothing to draw into; the widget asks again when it is shown.
-  if (isVisible() && parts_->canvas->isValid()) parts_->scene->render(edges);
+  if (!isVisible() || !parts_->canvas->isValid()) return;
+  parts_->sinceDrawn.start();
+  parts_->scene->render(edges);
+  parts_->drawing_ms = parts_->sinceDrawn.restart();
 }
 
 std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {
