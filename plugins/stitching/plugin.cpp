@@ -10,7 +10,8 @@ namespace {
 class StitchingPlugin final : public ew::sdk::Plugin {
  public:
   explicit StitchingPlugin(ew::sdk::Host& host) {
-    host.commands().add("stitch", ew::stitching::kStitchUsage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
+    const std::string usage = std::string(ew::stitching::kStitchUsage) + "\n\n" + ew::stitching::kStitchHelp;
+    host.commands().add("stitch", usage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
       return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), host.log(), progress);
     });
     host.panels().add("stitching", QCoreApplication::translate("ew::stitching", "Stitching").toStdString(),

@@ -111,6 +111,40 @@ class PanelsTest final : public QObject {
     QVERIFY(!child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("not")));
   }
 
+  void theDigitsOnTheWayToARefusedNumberDoNotStayInTheCase() {
+    const auto panel = open(host_, "case_authoring");
+    const auto before = host_.theCase.manifest;
+    auto* age = child<QSpinBox>(panel, "patient_age_years");
+    age->setFocus();
+    age->selectAll();
+    QTest::keyClicks(age, QStringLiteral("999"));
+    QCOMPARE(age->value(), 999);
+    QVERIFY(child<QLabel>(panel, "patient_age_years_problem")->isVisible());
+    QVERIFY2(host_.theCase.manifest == before, host_.theCase.manifest->dump().c_str());
+    auto* title = child<QLineEdit>(panel, "title");
+    title->setFocus();
+    while (!title->text().isEmpty()) QTest::keyClick(title, Qt::Key_Backspace);
+    QVERIFY(child<QLabel>(panel, "title_problem")->isVisible());
+    QVERIFY2(host_.theCase.manifest == before, host_.theCase.manifest->dump().c_str());
+  }
+
+  void undoInAFieldIsTheCasesOwn() {
+    const auto panel = open(host_, "case_authoring");
+    auto* title = child<QLineEdit>(panel, "title");
+    title->setFocus();
+    QTest::keyClicks(title, QStringLiteral("abc"));
+    for (QWidget* field : {static_cast<QWidget*>(title), static_cast<QWidget*>(child<QSpinBox>(panel, "patient_age_years")),
+                           static_cast<QWidget*>(child<QDoubleSpinBox>(panel, "placement_x"))}) {
+      for (const int key : {Qt::Key_Z, Qt::Key_C}) {
+        QKeyEvent claim(QEvent::ShortcutOverride, key, Qt::ControlModifier);
+        claim.ignore();
+        QApplication::sendEvent(field, &claim);
+        if (key == Qt::Key_Z) QVERIFY2(!claim.isAccepted(), qPrintable(field->objectName()));
+        if (key == Qt::Key_C) QVERIFY2(claim.isAccepted(), qPrintable(field->objectName()));
+      }
+    }
+  }
+
   void thePlaceOfTheVolumeIsEditedAsSixNumbers() {
     const auto panel = open(host_, "case_authoring");
     child<QDoubleSpinBox>(panel, "placement_x")->setValue(12.5);

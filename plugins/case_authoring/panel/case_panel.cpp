@@ -25,9 +25,9 @@ QString nameOf(const std::string& path) {
 }
 
 /// Like NumberField: scrolling the form past it must not change it.
-class AgeField final : public QSpinBox {
+class AgeField final : public sdk::WithHostUndo<QSpinBox> {
  public:
-  using QSpinBox::QSpinBox;
+  using WithHostUndo::WithHostUndo;
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
@@ -157,7 +157,7 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
 }
 
 void CasePanel::addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
-  auto* line = new QLineEdit;
+  auto* line = new sdk::WithHostUndo<QLineEdit>;
   line->setObjectName(nameOf(path));
   connect(line, &QLineEdit::textEdited, this, [this, path, what](const QString& text) {
     change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text.toStdString()); });
@@ -246,11 +246,20 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   auto manifest = host_.cases().current();
   if (!manifest) return;
   const nlohmann::json next = edit(*manifest);
+  if (path != typedIn_) {
+    typedIn_ = path;
+    beforeTyping_ = fieldOf(*manifest, path);
+  }
   sdk::setProblem(problem_, {});
   sdk::setProblem(fields_[path].problem, {});
   if (next == *manifest) return;
   changing_ = true;
   const auto done = host_.cases().edit(next, what.toStdString(), path);
+  if (!done && fieldOf(*manifest, path) != beforeTyping_) {
+    // 9 and 99 are fit to be ages on the way to 999, which is not: what nobody meant must not stay in the case and be saved.
+    const auto back = beforeTyping_.is_null() ? std::nullopt : std::optional<nlohmann::json>(beforeTyping_);
+    [[maybe_unused]] const auto restored = host_.cases().edit(withField(*manifest, path, back), what.toStdString(), path);
+  }
   changing_ = false;
   showSaved();
   if (done) return;
@@ -279,6 +288,7 @@ void CasePanel::say(const Error& problem) {
 
 void CasePanel::showCase() {
   if (changing_) return;
+  typedIn_.clear();
   const auto manifest = host_.cases().current();
   pages_->setCurrentIndex(manifest ? 1 : 0);
   sdk::setProblem(problem_, {});

@@ -50,7 +50,9 @@ class CasePanel final : public QWidget {
 
   sdk::Host& host_;
   std::map<std::string, Field> fields_;
-  bool changing_ = false;  ///< this panel is the one that edits: its fields are already as the user typed them
+  std::string typedIn_;          ///< path of the field whose changes are one step of undo
+  nlohmann::json beforeTyping_;  ///< what it held before that step
+  bool changing_ = false;        ///< this panel is the one that edits: its fields are already as the user typed them
   QStackedWidget* pages_ = nullptr;
   QLabel* saved_ = nullptr;
   QLabel* where_ = nullptr;

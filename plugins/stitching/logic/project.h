@@ -64,5 +64,18 @@ struct StitchFiles {
 [[nodiscard]] Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes,
                                                               sdk::Files& files, sdk::Log& log, Progress& progress);
 inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--threads N]";
+/// What `--help` says after the usage: how a project is written and what lies in DIR afterwards.
+inline constexpr const char* kStitchHelp =
+    "  -o, --output DIR  Folder for volume.mha, coverage.mha, source.mha and provenance.json; made when it is not there\n"
+    "  --threads N       Threads; 0: all cores; the voxels do not depend on it (0)\n"
+    "\n"
+    "PROJECT.json; only the volumes and their files are required, files are relative to it:\n"
+    "  { \"format\": 1,\n"
+    "    \"volumes\": [\n"
+    "      { \"file\": \"right.mha\", \"coverage\": \"right-coverage.mha\" },\n"
+    "      { \"file\": \"left.mha\", \"to_world\": \"left-to-right.txt\" } ],\n"
+    "    \"spacing_mm\": 0, \"feather_mm\": 10, \"interpolated_weight\": 0.25, \"axes\": \"first\" }\n"
+    "to_world is a list of 16 numbers, row by row, or a text file that holds them; spacing_mm 0 takes the finest volume's;\n"
+    "axes is \"first\" (of the first volume) or \"world\".";
 
 }  // namespace ew::stitching

@@ -48,7 +48,7 @@ StitchPanel::StitchPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), ho
   column->addWidget(pages_, 1);
   problem_ = sdk::problemLabel(this);
   problem_->setObjectName(QStringLiteral("problem"));
-  problem_->setMargin(kGap_px);
+  problem_->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   column->addWidget(problem_);
 }
 
@@ -194,47 +194,67 @@ StitchProject StitchPanel::project() const {
 
 void StitchPanel::addFiles(const std::vector<fs::path>& files) {
   sdk::setProblem(problem_, {});
+  std::vector<ProjectVolume> places;
   for (const auto& file : files) {
     if (isProject(file)) {
-      readProject(file);
+      const auto project = readProject(file);
+      places.insert(places.end(), project.begin(), project.end());
     } else {
       ProjectVolume place;
       place.file = file;
       place.name = file.filename().string();
-      readEntry(place);
+      places.push_back(std::move(place));
     }
   }
+  if (!places.empty()) readEntries(std::move(places));
 }
 
-void StitchPanel::readProject(const fs::path& file) {
+std::vector<ProjectVolume> StitchPanel::readProject(const fs::path& file) {
   auto text = host_.files().readText(file);
-  if (!text) return say(text.error());
+  if (!text) {
+    say(text.error());
+    return {};
+  }
   auto project = parseProject(*text, file.parent_path(), host_.files());
-  if (!project) return say(project.error());
+  if (!project) {
+    say(project.error());
+    return {};
+  }
   spacing_->setValue(project->options.spacing_mm);
   feather_->setValue(project->options.featherWidth_mm);
   axes_->setCurrentIndex(project->options.axes == GridAxes::world ? 1 : 0);
-  for (const auto& volume : project->volumes) readEntry(volume);
+  return project->volumes;
 }
 
-void StitchPanel::readEntry(const ProjectVolume& place) {
-  auto read = std::make_shared<Volume>();
+void StitchPanel::readEntries(std::vector<ProjectVolume> places) {
+  // One job for all: the first volume decides about the result's axes, so the order is the user's, not that of the fastest to read.
+  auto read = std::make_shared<std::vector<Entry>>();
   auto& volumes = host_.volumes();
   const QPointer<StitchPanel> here(this);
+  const QString what = places.size() == 1 ? tr("Reading %1").arg(wordsOf(places.front().file.filename()))
+                                          : tr("Reading %n volumes", nullptr, static_cast<int>(places.size()));
   host_.jobs().start(
-      tr("Reading %1").arg(wordsOf(place.file.filename())).toStdString(),
-      [read, place, &volumes](Progress& progress) -> Result<void> {
-        auto volume = volumes.read(place.file, progress);
-        if (!volume) return passOn(volume.error());
-        *read = std::move(*volume);
-        if (place.coverage.empty()) return {};
-        return volumes.readCoverageInto(*read, place.coverage, progress);
+      what.toStdString(),
+      [read, places = std::move(places), &volumes](Progress& progress) -> Result<void> {
+        const double share = 1.0 / static_cast<double>(places.size());
+        for (const ProjectVolume& place : places) {
+          const double from = share * static_cast<double>(&place - places.data());
+          PartOfProgress part(progress, from, from + share);
+          auto volume = volumes.read(place.file, part);
+          if (!volume) return passOn(volume.error());
+          if (!place.coverage.empty()) {
+            if (auto covered = volumes.readCoverageInto(*volume, place.coverage, part); !covered) return covered;
+          }
+          read->push_back({place, std::make_shared<Volume>(std::move(*volume))});
+        }
+        return {};
       },
-      [here, read, place](const Result<void>& outcome) {
+      [here, read](const Result<void>& outcome) {
         StitchPanel* panel = here.data();
         if (panel == nullptr) return;
-        if (!outcome) return panel->say(outcome.error());
-        panel->appendEntry({place, read});
+        // What could be read before one that could not stays: its file may have taken minutes.
+        for (auto& entry : *read) panel->appendEntry(std::move(entry));
+        if (!outcome) panel->say(outcome.error());
       });
 }
 

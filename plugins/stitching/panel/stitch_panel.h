@@ -49,8 +49,9 @@ class StitchPanel final : public QWidget {
   QWidget* makeWorkPage();
   QWidget* makeVolumeBox();
   QWidget* makeResultBox();
-  void readEntry(const ProjectVolume& place);
-  void readProject(const std::filesystem::path& file);
+  /// Takes over the project's options and gives its volumes; says why when it cannot.
+  std::vector<ProjectVolume> readProject(const std::filesystem::path& file);
+  void readEntries(std::vector<ProjectVolume> places);
   void appendEntry(Entry entry);
   void removeSelected();
   void chooseTransform();

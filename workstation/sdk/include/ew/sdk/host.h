@@ -86,7 +86,8 @@ class Commands {
     std::vector<std::string> outputs;                     ///< files written
     std::vector<std::pair<std::string, double>> quality;  ///< figures by name, unit in the name: for the report
   };
-  /// @param usage one line; `args` are the words after the name without --report and --quiet, which the host handles
+  /// @param usage one line, and after an empty line what else `--help` should say; `args` are the words after the name without --report and
+  /// --quiet, which the host handles
   using Run = std::function<Result<Outcome>(const std::vector<std::string>& args, Progress& progress)>;
   virtual void add(const std::string& name, const std::string& usage, Run run) = 0;
 };

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -51,10 +52,30 @@ inline void setProblem(QLabel* label, const QString& sentence) {
   label->setVisible(!sentence.isEmpty());
 }
 
-/// A number field that the wheel changes only when it has the focus, so that scrolling past it changes nothing.
-class NumberField final : public QDoubleSpinBox {
+/// An editor of a value whose undo belongs to the host: Ctrl+Z in it takes back the last edit of the case, instead of a private history
+/// that would count as one edit more.
+template <class Editor>
+class WithHostUndo : public Editor {
  public:
-  NumberField(double lowest, double highest, int decimals, const QString& unit, QWidget* parent = nullptr) : QDoubleSpinBox(parent) {
+  using Editor::Editor;
+
+ protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride) {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+        event->ignore();  // not claimed here, so the window's action gets it
+        return true;
+      }
+    }
+    return Editor::event(event);
+  }
+};
+
+/// A number field that the wheel changes only when it has the focus, so that scrolling past it changes nothing.
+class NumberField final : public WithHostUndo<QDoubleSpinBox> {
+ public:
+  NumberField(double lowest, double highest, int decimals, const QString& unit, QWidget* parent = nullptr) : WithHostUndo(parent) {
     setRange(lowest, highest);
     setDecimals(decimals);
     if (!unit.isEmpty()) setSuffix(QStringLiteral(" ") + unit);
