@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> samples, const fs::path& file, std::string_view what,
                           Progress& progress, const WriteOptions& options) {
-  if (const auto usable = checkGrid(grid); !usable) return usable;
+  if (auto usable = checkGrid(grid); !usable) return usable;
   EW_EXPECTS(samples.size() == grid.voxelCount());
   if (samples.size() != grid.voxelCount())
     return failure(ErrorCode::internal, "The volume has " + std::to_string(samples.size()) + " voxels, but its grid " +
@@ -38,7 +38,7 @@ Result<void> writeVolume(const Volume& volume, const fs::path& file, Progress& p
 
 Result<void> writeCoverage(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
   if (!volume.coverage.empty()) return writeSamples(volume.grid, volume.coverage, file, "Writing coverage", progress, options);
-  if (const auto usable = checkGrid(volume.grid); !usable) return usable;
+  if (auto usable = checkGrid(volume.grid); !usable) return usable;
   const std::vector<std::uint8_t> measured(volume.grid.voxelCount(), static_cast<std::uint8_t>(Coverage::measured));
   return writeSamples(volume.grid, measured, file, "Writing coverage", progress, options);
 }
