@@ -40,6 +40,7 @@ TEST(SliceCommand, IsZeroOutsideTheVolumeAndSaysWhenThePlaneMissesIt) {
                             "--report", folder / "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("does not meet the volume"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" mm; its picture is black"), std::string::npos) << outcome.err;
   const auto image = readImage(folder / "o.png");
   ASSERT_TRUE(image);
   EXPECT_EQ(image->pixels, std::vector<std::uint8_t>(120, 0));

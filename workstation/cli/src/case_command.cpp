@@ -182,8 +182,9 @@ void addCase(CLI::App& root, Selection& selection) {
   list.add_option("FOLDER", arguments->folder, "A folder that holds case folders (the shipped cases)")->type_name("");
   list.add_flag("--json", arguments->asJson, "As JSON");
 
-  auto& shown = addCommand(group, selection, "show", "What a case holds", {"case show upper-abdomen", "case show my-cases/knee --json"},
-                           [arguments](Run& run) { return show(*arguments, run); });
+  auto& shown =
+      addCommand(group, selection, "show", "What a case holds", {"case show upper-abdomen-gall-stone", "case show my-cases/knee --json"},
+                 [arguments](Run& run) { return show(*arguments, run); });
   shown.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
   shown.add_flag("--json", arguments->asJson, "The manifest as JSON");
 
@@ -192,9 +193,9 @@ void addCase(CLI::App& root, Selection& selection) {
   checked.add_option("CASE", arguments->chosen, "A case folder, its case.json, or a shipped case's id")->required()->type_name("");
   checked.add_flag("--json", arguments->asJson, "As JSON");
 
-  auto& prepared =
-      addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
-                 {"case prepare --all", "case prepare upper-abdomen"}, [arguments](Run& run) { return prepare(*arguments, run); });
+  auto& prepared = addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
+                              {"case prepare --all", "case prepare upper-abdomen-gall-stone"},
+                              [arguments](Run& run) { return prepare(*arguments, run); });
   prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases")->type_name("");
   prepared.add_flag("--all", arguments->all, "All shipped cases");
 }

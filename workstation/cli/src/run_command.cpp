@@ -172,7 +172,6 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   root.set_version_flag("--version", std::string("echoweave ") + kVersion, "The program's version");
   root.require_subcommand(1);
   root.get_formatter()->column_width(34);
-  root.footer(kFooter);
   addReconstruct(root, selection);
   addSlice(root, selection);
   addScan(root, selection);
@@ -180,6 +179,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
   addCase(root, selection);
   addPlugins(root, selection);
   addBench(root, selection);
+  root.footer(kFooter);  // last, because groups of commands inherit what the root has when they are made
 
   const auto builtIn = builtInNames();
   const bool ours = args.empty() || args.front().starts_with("-") || args.front() == "help" ||

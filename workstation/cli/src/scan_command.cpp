@@ -203,7 +203,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
 void addScan(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<ScanArguments>();
   auto& app = addCommand(root, selection, "scan", "Scan a volume or a case with a probe, as the window shows it",
-                         {"scan upper-abdomen -o scan.png --plan",
+                         {"scan upper-abdomen-gall-stone -o scan.png --plan",
                           "scan liver.mha --probe convex-3.5 --pose poses.txt --knobs knobs.json --size 800x600 -o scan.png",
                           "scan liver.mha --probe linear-7.5 --pose poses.txt --repeat 100 --report times.json"},
                          [arguments](Run& run) { return scan(*arguments, run); });

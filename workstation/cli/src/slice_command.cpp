@@ -21,6 +21,16 @@ struct SliceArguments {
   int repeat = 0;  // 0: once, with pictures
 };
 
+/// "x -10 to 50, y 0 to 40, z 5 to 90 mm": where a pose has to be to see something.
+std::string extentOf(const Grid& grid) {
+  const Bounds bounds = boundsOf(grid);
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis)
+    text += std::string(axis == 0 ? "" : ", ") + "xyz"[axis] + " " + std::to_string(std::lround(bounds.lowest_mm[axis])) + " to " +
+            std::to_string(std::lround(bounds.highest_mm[axis]));
+  return text + " mm";
+}
+
 /// Share of the pixels that lie on the volume: at most half a voxel outside the outermost voxel centres.
 double shareInside(const Grid& grid, const Transform<frame::Voxel, frame::Image>& imageToVoxel, const glm::ivec2& size_px) {
   const glm::dvec3 start(imageToVoxel.matrix[3]), perX(imageToVoxel.matrix[0]), perY(imageToVoxel.matrix[1]);
@@ -75,7 +85,9 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
         const double inside = shareInside(volume->grid, imageToVoxel, arguments.size_px);
         leastInside = std::min(leastInside, inside);
         sumInside += inside;
-        if (inside == 0.0) run.remark("The plane of pose " + std::to_string(n + 1) + " does not meet the volume; its picture is black.");
+        if (inside == 0.0)
+          run.remark("The plane of pose " + std::to_string(n + 1) + " does not meet the volume, which spans " + extentOf(volume->grid) +
+                     "; its picture is black.");
       }
       if (writes) {
         const StepClock clock(run.report, "write");
