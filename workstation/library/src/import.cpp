@@ -164,7 +164,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
   auto effective = effectiveOptions(options, calibration, plan.notes);
   if (!effective) return passOn(effective.error());
-  plan.reconstruct = std::move(*effective);
+  plan.reconstruct = *effective;
   plan.toFrame = opened.poses.toFrame;
   plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
 

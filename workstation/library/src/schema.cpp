@@ -99,7 +99,7 @@ std::string shown(const nlohmann::json& value) {
   if (value.is_object()) return value.empty() ? "an empty object" : "an object with " + std::to_string(value.size()) + " fields";
   if (value.is_array()) return "a list of " + std::to_string(value.size());
   if (value.is_string()) {
-    const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     constexpr std::size_t longest = 60;
     if (text.size() <= longest) return text;
     return "a text of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";
