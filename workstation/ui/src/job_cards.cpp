@@ -40,6 +40,7 @@ struct JobCards::Card final : QFrame {
     cancel = new QPushButton(JobCards::tr("Cancel"));
     cancel->setProperty("flat", true);
     cancel->setObjectName(QStringLiteral("cancelJob"));
+    cancel->setFocusPolicy(Qt::TabFocus);  // it vanishes with its job; the focus had better stay where it was
     head->addWidget(title, 1);
     head->addWidget(cancel);
     rows->addLayout(head);

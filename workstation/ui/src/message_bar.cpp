@@ -30,6 +30,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   close_->setToolTip(tr("Dismiss (Esc)"));
   close_->setAccessibleName(tr("Dismiss"));
   close_->setFixedSize(32, 32);
+  close_->setFocusPolicy(Qt::TabFocus);  // it vanishes with its message; the focus had better stay where it was
   row->addWidget(sentence_, 1);
   row->addWidget(more_);
   row->addWidget(close_, 0, Qt::AlignTop);
