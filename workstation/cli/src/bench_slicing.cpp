@@ -22,6 +22,7 @@
 #include <string>
 
 #include "bench_page.h"
+#include "ew/core/large_pages.h"
 #include "ew/imaging/slicing.h"
 #include "ew/io/safe_file.h"
 
@@ -117,7 +118,7 @@ Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volume
   auto scene = std::make_unique<Scene>(Scene{{}, Field(volumeSide), posesFor(options, volumeSide)});
   Grid& grid = scene->volume.grid;
   grid.dims = glm::ivec3(volumeSide);
-  scene->volume.echo.resize(grid.voxelCount());
+  scene->volume.echo = zerosInLargePages(grid.voxelCount());  // as volumes from files; the peer reads the same memory
   for (int k = 0; k < volumeSide; ++k) {
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
     for (int j = 0; j < volumeSide; ++j)

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "byte_source.h"
+#include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 
 namespace ew::detail {
@@ -209,7 +210,7 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
   if (!fits) return passOn(fits.error());
 
   progress.report(request.what, 0.0);
-  std::vector<std::uint8_t> stored(static_cast<std::size_t>(request.pixels * perPixel));
+  std::vector<std::uint8_t> stored = zerosInLargePages(static_cast<std::size_t>(request.pixels * perPixel));
   if (const auto filled = fill(header, *opened->source, stored, request.what, progress); !filled) return passOn(filled.error());
   if (request.pixels == request.promised)
     if (const auto ended = checkEnd(header, *opened->source, promisedBytes, progress, notes); !ended) return passOn(ended.error());
@@ -220,7 +221,7 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
     if (scaled) notes.push_back("The header's rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.");
     return stored;
   }
-  std::vector<std::uint8_t> grey(static_cast<std::size_t>(request.pixels));
+  std::vector<std::uint8_t> grey = zerosInLargePages(static_cast<std::size_t>(request.pixels));
   const bool rescale = header.type != SampleType::u8 || scaled;
   if (const auto converted = convert(header, stored, grey, rescale, progress, notes); !converted) return passOn(converted.error());
   return grey;
