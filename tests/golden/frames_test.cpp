@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "ew/imaging/frame.h"
@@ -69,6 +70,9 @@ struct Kept {
   Knobs knobs;
   double turn_rad = 0.0;
 };
+
+/// What ctest's list of names shows for a parameter.
+void PrintTo(const Kept& kept, std::ostream* out) { *out << kept.name; }
 
 std::vector<Kept> keptFrames() {
   Knobs weave{.quality = Quality::weave}, zoomedWeave{.zoom = 3.0, .quality = Quality::weave}, zoomed{.zoom = 3.0}, amplified{.gain = 1.3};
