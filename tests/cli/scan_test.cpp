@@ -63,6 +63,28 @@ TEST_F(ScanCommand, GainActsAsTheKnobsFileSays) {
   EXPECT_EQ(viewOf(*image).at(160, 120), 150);
 }
 
+TEST_F(ScanCommand, PutsTheMarkedSideAtTheLeftUnlessTheKnobsSayOtherwise) {
+  Volume volume;
+  volume.grid.dims = {90, 90, 90};
+  volume.grid.origin_mm = {-44.5, -10.0, -45.0};
+  volume.echo.assign(volume.grid.voxelCount(), 50);
+  for (std::size_t n = 0; n < volume.echo.size(); ++n)
+    if (n % 90 >= 45) volume.echo[n] = 200;  // the side that +x of the probe points to
+  ASSERT_TRUE(writeVolume(volume, folder / "v.mha"));
+  for (const bool markerLeft : {true, false}) {
+    auto with = words(folder / "o.mha");
+    if (!markerLeft) {
+      writeText(folder / "knobs.json", R"({"marker_left": false})");
+      with.insert(with.end(), {"--knobs", folder / "knobs.json"});
+    }
+    ASSERT_EQ(run(with).status, 0);
+    const auto image = readImage(folder / "o.mha");
+    ASSERT_TRUE(image);
+    EXPECT_EQ(viewOf(*image).at(120, 120), markerLeft ? 200 : 50);
+    EXPECT_EQ(viewOf(*image).at(200, 120), markerLeft ? 50 : 200);
+  }
+}
+
 TEST_F(ScanCommand, PlanNamesTheStepsWithEstimatedAndMeasuredTimes) {
   writeText(folder / "knobs.json", R"({"gain": 1.5})");
   const auto neutral = run({"scan", folder / "v.mha", "--probe", folder / "probe.json", "--pose", kIdentityPose, "--plan"});
@@ -85,7 +107,7 @@ TEST_F(ScanCommand, AKnobsFileIsReadStrictly) {
                                                                {R"({"dgc": [1, 1, 1, 1, 1, 1, 1, -1]})", "dgc"},
                                                                {R"({"zoom": 0.5})", "zoom"},
                                                                {R"({"quality": "best"})", "quality"},
-                                                               {R"({"flip_left_right": 1})", "flip_left_right"},
+                                                               {R"({"marker_left": 1})", "marker_left"},
                                                                {R"({"depth_mm": 500})", "depth"},
                                                                {R"([1, 2])", "knobs.json"},
                                                                {R"({"gain": )", "knobs.json"}};

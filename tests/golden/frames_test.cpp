@@ -80,11 +80,11 @@ std::vector<Kept> keptFrames() {
   Probe linear;
   linear.width_mm = 50.0;
   linear.defaultDepth_mm = 80.0;
-  Knobs mirrored{.quality = Quality::linear, .flipLeftRight = true};
+  Knobs markerRight{.quality = Quality::linear, .markerLeft = false};
   return {{"convex_linear", convexProbe(), {}, 0.2},          {"convex_weave", convexProbe(), weave, 0.2},
           {"convex_gain_dgc", convexProbe(), amplified, 0.2}, {"convex_zoom_weave", convexProbe(), zoomedWeave, 0.2},
           {"convex_zoom_linear", convexProbe(), zoomed, 0.2}, {"linear_turned", linear, {}, 0.9},
-          {"linear_mirrored", linear, mirrored, 0.9}};
+          {"linear_marker_right", linear, markerRight, 0.9}};
 }
 
 class GoldenFrame : public ::testing::TestWithParam<Kept> {};

@@ -103,7 +103,7 @@ TEST(FanSpans, HoldExactlyThePixelsInsideTheFan) {
     }
     Knobs knobs;
     knobs.zoom = *rc::gen::inRange(100, 800) / 100.0;
-    knobs.flipLeftRight = *rc::gen::arbitrary<bool>();
+    knobs.markerLeft = *rc::gen::arbitrary<bool>();
     const DisplayGeometry geometry = fitDisplay(probe, knobs, *rc::gen::inRange(1, 200), *rc::gen::inRange(1, 200));
     const Spans spans = fanSpans(probe, geometry);
     RC_ASSERT(spans.size() == static_cast<std::size_t>(geometry.height));
@@ -211,12 +211,38 @@ TEST(FrameMaker, AppliesEquationFiveAtTheDepthOfEachRow) {
     }
 }
 
-TEST(FrameMaker, MirrorsThePictureWhenAskedTo) {
+TEST(FitDisplay, PutsTheMarkedSideAtTheLeftUnlessAskedOtherwise) {
+  const DisplayGeometry usual = fitDisplay(convexProbe(), {}, 101, 90);
+  EXPECT_TRUE(usual.markerLeft);
+  EXPECT_GT((usual.imageToProbe() * Point<frame::Image>{{0, 45, 0}}).at.x, 0.0) << "+x of the probe is its marked side";
+  const DisplayGeometry other = fitDisplay(convexProbe(), {.markerLeft = false}, 101, 90);
+  EXPECT_LT((other.imageToProbe() * Point<frame::Image>{{0, 45, 0}}).at.x, 0.0);
+}
+
+TEST(FrameMaker, ShowsTheBrightSideWhereTheMarkerIs) {
+  Volume volume = bodyVolume();
+  const Grid& grid = volume.grid;
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const double x_mm = (grid.voxelToWorld() * Point<frame::Voxel>{{i, j, k}}).at.x;
+        volume.echo[grid.indexOf(i, j, k)] = x_mm > 0.0 ? 200 : 50;
+      }
+  for (const bool markerLeft : {true, false}) {
+    FrameMaker maker;
+    maker.configure(linearProbe(), {.markerLeft = markerLeft}, {}, grid, 101, 90);
+    const auto picture = maker.make(volume.view(), poseAt({0, -50, 0}));
+    EXPECT_EQ(picture.at(35, 45), markerLeft ? 200 : 50);
+    EXPECT_EQ(picture.at(65, 45), markerLeft ? 50 : 200);
+  }
+}
+
+TEST(FrameMaker, MirrorsThePictureWhenTheMarkerChangesSides) {
   const Volume volume = bodyVolume();
   Knobs knobs;
   FrameMaker straight, mirrored;
   straight.configure(linearProbe(), knobs, {}, volume.grid, 101, 90);
-  knobs.flipLeftRight = true;
+  knobs.markerLeft = false;
   mirrored.configure(linearProbe(), knobs, {}, volume.grid, 101, 90);
   const auto a = straight.make(volume.view(), poseAt({0, -50, 0}, 0.2));
   const auto b = mirrored.make(volume.view(), poseAt({0, -50, 0}, 0.2));

@@ -84,11 +84,11 @@ Result<Knobs> readKnobs(const std::filesystem::path& file) {
           knobs.quality = v == "weave" ? Quality::weave : Quality::linear;
           return true;
         }}},
-      {"flip_left_right",
+      {"marker_left",
        {"true or false",
         [&](const json& v) {
           if (!v.is_boolean()) return false;
-          knobs.flipLeftRight = v.get<bool>();
+          knobs.markerLeft = v.get<bool>();
           return true;
         }}},
   };
@@ -122,7 +122,7 @@ nlohmann::json toJson(const Knobs& knobs) {
           {"focus_mm", knobs.focus_mm},
           {"zoom", knobs.zoom},
           {"quality", knobs.quality == Quality::weave ? "weave" : "linear"},
-          {"flip_left_right", knobs.flipLeftRight}};
+          {"marker_left", knobs.markerLeft}};
 }
 
 }  // namespace ew::cli

@@ -10,7 +10,7 @@
 
 namespace ew::cli {
 
-/// Knobs from a JSON object: gain, dgc (8 factors, near to far), depth_mm, focus_mm, zoom, quality ("weave" or "linear"), flip_left_right;
+/// Knobs from a JSON object: gain, dgc (8 factors, near to far), depth_mm, focus_mm, zoom, quality ("weave" or "linear"), marker_left;
 /// what is not named stays neutral.
 /// @error notFound, notReadable, badHeader (not a JSON object), badField (unknown key, wrong type, out of range: named with what was found)
 [[nodiscard]] Result<Knobs> readKnobs(const std::filesystem::path& file);

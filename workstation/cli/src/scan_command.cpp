@@ -210,7 +210,7 @@ void addScan(CLI::App& root, Selection& selection) {
   app.footer(app.get_footer() +
              "\n\nKNOBS.json may hold, what is missing stays neutral:\n"
              "  { \"gain\": 1.2, \"dgc\": [1, 1, 1, 1, 1.2, 1.4, 1.6, 1.8], \"depth_mm\": 160, \"focus_mm\": 80,\n"
-             "    \"zoom\": 1, \"quality\": \"linear\", \"flip_left_right\": false }\n"
+             "    \"zoom\": 1, \"quality\": \"linear\", \"marker_left\": true }\n"
              "SCENE.json may hold:\n"
              "  { \"gain_and_dgc\": true }");
   app.add_option("SOURCE", arguments->source,

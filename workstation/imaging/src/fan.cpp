@@ -57,7 +57,7 @@ RowSpan pixelsBetween(double low_px, double high_px, int width) {
 
 Transform<frame::Probe, frame::Image> DisplayGeometry::imageToProbe() const {
   Transform<frame::Probe, frame::Image> result;
-  const double lateral_mm = flipLeftRight ? -pixel_mm : pixel_mm;
+  const double lateral_mm = markerLeft ? -pixel_mm : pixel_mm;
   result.matrix[0][0] = lateral_mm;
   result.matrix[1][1] = pixel_mm;
   result.matrix[2][2] = pixel_mm;
@@ -72,7 +72,7 @@ DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, in
   DisplayGeometry geometry;
   geometry.width = width;
   geometry.height = height;
-  geometry.flipLeftRight = knobs.flipLeftRight;
+  geometry.markerLeft = knobs.markerLeft;
   geometry.depth_mm = resolvedDepth_mm(probe, knobs);
   const FanBox box = boxOf(probe, geometry.depth_mm);
   const double usable = 1.0 - 2.0 * kMargin;

@@ -160,7 +160,6 @@ void ConsolePanel::addChoices() {
   flip_ = new QPushButton(tr("Flip"));
   flip_->setObjectName(QStringLiteral("flip"));
   flip_->setCheckable(true);
-  flip_->setToolTip(tr("Swap left and right in the picture; the marker moves along (X)"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
   freeze_->setCheckable(true);
@@ -177,7 +176,7 @@ void ConsolePanel::addChoices() {
 
   connect(weave_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::weave); });
   connect(linear_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::linear); });
-  connect(flip_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.flipLeftRight = on; }); });
+  connect(flip_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.markerLeft = !on; }); });
   connect(freeze_, &QPushButton::toggled, &session_, &Session::setFrozen);
   connect(probe_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { session_.chooseProbe(probe_->itemData(index).toString().toStdString()); });
@@ -224,7 +223,9 @@ void ConsolePanel::showKnobs() {
   zoom_.value->setText(tr("%1 x").arg(knobs.zoom, 0, 'f', 1));
   weave_->setChecked(knobs.quality == Quality::weave);
   linear_->setChecked(knobs.quality == Quality::linear);
-  flip_->setChecked(knobs.flipLeftRight);
+  flip_->setChecked(!knobs.markerLeft);
+  flip_->setToolTip(knobs.markerLeft ? tr("The marker is at the left, as usual; put it at the right (X)")
+                                     : tr("The marker is at the right; put it at the left, as usual (X)"));
   showing_ = false;
 }
 

@@ -122,7 +122,7 @@ void MainWindow::makeViews() {
   p.hand.watch(p.view3d);
   p.hand.watch(p.scanView, [this] {
     const double mm = parts_->scanView->mmPerWidgetPixel();
-    return parts_->session.geometry().flipLeftRight ? -mm : mm;
+    return parts_->session.geometry().markerLeft ? -mm : mm;
   });
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, *p.panels, this);

@@ -17,7 +17,7 @@ struct Knobs {
   double focus_mm = 0.0;                                        ///< depth of the focus mark; 0: half of the depth
   double zoom = 1.0;                                            ///< display magnification about the middle of the image, 1..8
   Quality quality = Quality::linear;
-  bool flipLeftRight = false;  ///< display only: the marker moves to the other side
+  bool markerLeft = true;  ///< display only: the marked side (+x of the probe) at the left of the picture, as in general imaging
   bool operator==(const Knobs&) const = default;
 };
 
