@@ -54,7 +54,7 @@ TEST_P(ShippedCase, StartsWithTheProbeOnTheSkinLookingIn) {
   const auto body = readBodyShape(testing::shippedMannequin());
   ASSERT_TRUE(body) << body.error();
   const glm::dvec3 face(pose[3]);
-  EXPECT_NEAR((*body)->signedDistance_mm(face), -2.5, 2.5) << "pressed on lightly";
+  EXPECT_NEAR((*body)->signedDistance_mm(face), -8.0, 1.0) << "pressed on so far that the sides of its curved face touch";
   EXPECT_LT(glm::dot(outwardNormal(**body, face), glm::dvec3(pose[1])), -std::cos(0.5)) << "within 30 degrees of the normal";
 }
 
@@ -63,6 +63,11 @@ INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase, ::testing::Values("upper-abdomen-ga
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+TEST_P(ShippedCase, StartsWithTheMarkerTowardsThePatientsRightOrHead) {
+  const glm::dvec3 marked(startPose()[0]);
+  EXPECT_GT(std::max(-marked.x, marked.z), 0.7) << "so that the picture, marker at the left, has right or head at the left";
+}
 
 TEST(GallStoneCase, StartsWithTheStoneAndTheLongGallBladderInThePicture) {
   const auto manifest = jsonOf(EW_SOURCE_DIR "/cases/upper-abdomen-gall-stone/case.json");

@@ -39,6 +39,7 @@ Hold anyHold(const Skin& skin) {
   glm::dvec3 p(between(-1, 1), between(-1, 1), between(-1, 1));
   if (glm::length(p) < 1e-3) p = {0.0, -1.0, 0.0};
   hold.contact = skin.nearest(200.0 * p);
+  hold.press_mm = between(0.0, 15.0);
   return turned(hold, between(-3.1, 3.1), between(-1.2, 1.2), between(-1.2, 1.2));
 }
 
@@ -69,12 +70,23 @@ TEST(PoseOf, RockKeepsTheScanPlaneAndTiltKeepsTheLateralAxis) {
   EXPECT_NEAR(glm::dot(axisOf(tilted, 1), axisOf(before, 1)), std::cos(0.4), 1e-12);
 }
 
-RC_GTEST_PROP(PoseOf, IsRigidAndStandsOnTheContactWhateverTheHold, ()) {
+RC_GTEST_PROP(PoseOf, IsRigidAndLiesThePressBelowTheContactWhateverTheHold, ()) {
   const Hold hold = anyHold(SphereSkin(120.0));
   const Pose pose = poseOf(hold);
   RC_ASSERT(checkRigid(pose.probeToWorld.matrix, 1e-9).has_value());
-  RC_ASSERT(originOf(pose) == hold.contact.point_mm);
+  RC_ASSERT(glm::distance(originOf(pose), hold.contact.point_mm - hold.press_mm * hold.contact.outward) < 1e-12);
   RC_ASSERT(glm::dot(axisOf(pose, 1), -hold.contact.outward) >= std::cos(kMaxTip_rad) - 1e-9);
+}
+
+TEST(PoseOf, PressesAgainstTheNormalEvenWhenTheBeamIsTippedAndNeverOutOfTheBody) {
+  Hold hold = turned(onTheFront(), 0.7, 0.3, -0.2);
+  hold.press_mm = 6.0;
+  EXPECT_EQ(originOf(poseOf(hold)), glm::dvec3(0, -94, 0));
+  EXPECT_EQ(originOf(uprightPoseOf(hold)), glm::dvec3(0, -94, 0));
+  hold.press_mm = -3.0;
+  EXPECT_EQ(originOf(poseOf(hold)), glm::dvec3(0, -100, 0));
+  hold.press_mm = 1e9;
+  EXPECT_EQ(originOf(poseOf(hold)), glm::dvec3(0, -100 + kMaxPress_mm, 0));
 }
 
 TEST(Turned, StopsAtTheLargestTipAndComesBackFromThereAtOnce) {
@@ -99,11 +111,13 @@ TEST(Slid, OnAPlaneMovesByExactlyTheAskedVector) {
   Hold hold;
   hold.contact = {{5.0, 7.0, 0.0}, {0.0, 0.0, 1.0}};
   hold.rotation_rad = 0.3;
+  hold.press_mm = 4.0;
   const Pose before = poseOf(hold);
   const Hold moved = slid(hold, PlaneSkin(), 12.5, -3.25);
   const glm::dvec3 expected = originOf(before) + 12.5 * axisOf(before, 0) - 3.25 * axisOf(before, 2);
-  EXPECT_LT(glm::distance(moved.contact.point_mm, expected), 1e-9);
+  EXPECT_LT(glm::distance(originOf(poseOf(moved)), expected), 1e-9);
   EXPECT_EQ(moved.rotation_rad, hold.rotation_rad);
+  EXPECT_EQ(moved.press_mm, 4.0) << "the hand presses on while it slides";
   EXPECT_LT(glm::length(axisOf(poseOf(moved), 0) - axisOf(before, 0)), 1e-12);
 }
 
@@ -217,12 +231,35 @@ TEST(HoldFor, FindsTheVeryAnglesWhereTheHintIsTheUsualOne) {
   EXPECT_NEAR(found.tilt_rad, 0.6, 1e-9);
 }
 
+TEST(HoldFor, RecoversThePressWhereSmoothedNormalsLeanAwayFromTheSurface) {
+  const test::LeaningSkin skin;
+  for (const double press_mm : {0.0, 0.5, 5.0, 12.0, kMaxPress_mm}) {
+    for (double x_mm = -40.0; x_mm <= 40.0; x_mm += 5.0) {
+      Hold hold;
+      hold.contact = skin.nearest({x_mm, 3.0, 1.0});
+      hold.press_mm = press_mm;
+      const Hold found = holdFor(poseOf(hold), skin);
+      EXPECT_NEAR(found.press_mm, press_mm, 1e-6) << "at " << x_mm;
+      EXPECT_LT(largestDifference(poseOf(found), poseOf(hold)), 1e-6) << "at " << x_mm << " pressed " << press_mm;
+    }
+  }
+}
+
+TEST(HoldFor, TakesNoMorePressFromADeepPoseThanAHandCanGive) {
+  Pose pose = poseOf(onTheFront());
+  pose.probeToWorld.matrix[3] = glm::dvec4(0.0, -50.0, 0.0, 1.0);
+  const Hold found = holdFor(pose, SphereSkin(100.0));
+  EXPECT_EQ(found.press_mm, kMaxPress_mm);
+  EXPECT_LT(glm::distance(found.contact.point_mm, glm::dvec3(0.0, -100.0, 0.0)), 1e-9);
+}
+
 TEST(HoldFor, PutsAProbeHeldInTheAirOnTheSkinBelowIt) {
   const SphereSkin skin(100.0);
   Pose pose = poseOf(onTheFront());
   pose.probeToWorld.matrix[3] = glm::dvec4(0.0, -180.0, 0.0, 1.0);
   const Hold found = holdFor(pose, skin);
   EXPECT_LT(glm::distance(found.contact.point_mm, glm::dvec3(0.0, -100.0, 0.0)), 1e-9);
+  EXPECT_EQ(found.press_mm, 0.0);
 }
 
 }  // namespace

@@ -19,6 +19,15 @@ class PlaneSkin final : public Skin {
   [[nodiscard]] Contact nearest(const glm::dvec3& p) const override { return {{p.x, p.y, 0.0}, {0.0, 0.0, 1.0}}; }
 };
 
+/// z = 0 whose normals lean to either side, as normals smoothed over a bumpy surface do.
+class LeaningSkin final : public Skin {
+ public:
+  [[nodiscard]] std::optional<Contact> hit(const glm::dvec3&, const glm::dvec3&) const override { return std::nullopt; }
+  [[nodiscard]] Contact nearest(const glm::dvec3& p) const override {
+    return {{p.x, p.y, 0.0}, glm::normalize(glm::dvec3(0.15 * std::sin(p.x / 15.0), 0.0, 1.0))};
+  }
+};
+
 class SphereSkin final : public Skin {
  public:
   explicit SphereSkin(double radius_mm) : radius_mm_(radius_mm) {}

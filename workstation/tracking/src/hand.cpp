@@ -100,8 +100,36 @@ Pose poseWith(const Hold& hold, const Tip& tip) {
   const glm::dmat3 axes = baseAxes(hold.contact, hold.lateralHint) * anglesMatrix(hold.rotation_rad, tip);
   Pose pose;
   for (int column = 0; column < 3; ++column) pose.probeToWorld.matrix[column] = glm::dvec4(axes[column], 0.0);
-  pose.probeToWorld.matrix[3] = glm::dvec4(hold.contact.point_mm, 1.0);
+  EW_EXPECTS(std::isfinite(hold.press_mm));
+  const double press_mm = std::clamp(hold.press_mm, 0.0, kMaxPress_mm);
+  pose.probeToWorld.matrix[3] = glm::dvec4(hold.contact.point_mm - press_mm * hold.contact.outward, 1.0);
   return pose;
+}
+
+/// The contact whose normal passes through p. The nearest point alone is not it where the normals are smoothed: there the way back
+/// from the point along its normal misses p by the press times the angle between the two normals.
+Skin::Contact contactAbove(const Skin& skin, const glm::dvec3& p_mm) {
+  constexpr int kRounds = 24;
+  constexpr double kClose_mm = 1e-9;
+  const auto missOf = [&](const Skin::Contact& c) {
+    const glm::dvec3 below = p_mm - c.point_mm;
+    return below - glm::dot(below, c.outward) * c.outward;
+  };
+  Skin::Contact best = skin.nearest(p_mm);
+  // Above the skin the probe is put down at the nearest point, and from deep inside many normals meet.
+  const double depth_mm = glm::dot(best.point_mm - p_mm, best.outward);
+  if (depth_mm <= 0.0 || depth_mm > kMaxPress_mm) return best;
+  glm::dvec3 miss_mm = missOf(best);
+  glm::dvec3 asked_mm = best.point_mm;
+  for (int round = 0; round < kRounds && glm::length(miss_mm) > kClose_mm; ++round) {
+    asked_mm += miss_mm;
+    const Skin::Contact next = skin.nearest(asked_mm);
+    const glm::dvec3 nextMiss_mm = missOf(next);
+    if (!(glm::length(nextMiss_mm) < glm::length(miss_mm))) break;
+    best = next;
+    miss_mm = nextMiss_mm;
+  }
+  return best;
 }
 
 }  // namespace
@@ -130,7 +158,9 @@ Hold turned(const Hold& hold, double byRotation_rad, double byRock_rad, double b
 Hold holdFor(const Pose& pose, const Skin& skin) {
   EW_EXPECTS(pose.status == PoseStatus::ok && checkRigid(pose.probeToWorld.matrix).has_value());
   Hold hold;
-  hold.contact = skin.nearest(glm::dvec3(pose.probeToWorld.matrix[3]));
+  const glm::dvec3 origin_mm(pose.probeToWorld.matrix[3]);
+  hold.contact = contactAbove(skin, origin_mm);
+  hold.press_mm = std::clamp(glm::dot(hold.contact.point_mm - origin_mm, hold.contact.outward), 0.0, kMaxPress_mm);
   // Within about 6 degrees of the normal the patient's right is a poor hint: a little slide would turn the stated rotation a lot.
   if (std::abs(hold.contact.outward.x) > 0.995) hold.lateralHint = {0.0, 1.0, 0.0};
   // Entries of Ry(rotation) Rx(tilt) Rz(rock) that hold one angle each.

@@ -200,7 +200,7 @@ bool HandInput::scanEvent(QEvent* event) {
       const QPointF by = mouse.localPos() - state_->last;
       state_->last = mouse.localPos();
       const double perPixel_mm = state_->lateralPerPixel_mm ? state_->lateralPerPixel_mm() : 0.0;
-      // Upwards on the screen is away from the viewer who looks along -elevational, as on the skin seen from the probe's handle.
+      // Downwards is along the elevational axis: with the marker at the left that is how the skin looks from the probe's handle.
       if (std::isfinite(perPixel_mm)) slide(perPixel_mm * by.x(), std::abs(perPixel_mm) * by.y());
       return true;
     }
@@ -293,9 +293,12 @@ bool HandInput::handleKey(const QKeyEvent& key, const QWidget* where) {
     case Qt::Key_S:
       change(turned(state_->hold, 0.0, 0.0, -kKeyTurn_rad));
       break;
-    case Qt::Key_Home:
-      change(state_->start);
+    case Qt::Key_Home: {
+      Hold home = state_->start;
+      home.press_mm = state_->hold.press_mm;  // the probe may have been changed since
+      change(home);
       break;
+    }
     default:
       return false;
   }

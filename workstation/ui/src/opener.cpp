@@ -75,10 +75,11 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
     if (!startTaken_) {
       takeStart();
     } else if (session_.subject()) {
-      showHold(holdFor(session_.pose(), *view_.skin()));
+      showHold(movedTo(session_.hold(), view_.skin()->nearest(session_.hold().contact.point_mm)));
     }
   });
   connect(&hand_, &HandInput::holdChanged, &session_, &Session::setHold);
+  connect(&session_, &Session::holdChanged, this, [this] { hand_.setHold(session_.hold()); });  // another probe is pressed on otherwise
 }
 
 void Opener::loadDefaultMannequin() {
@@ -277,6 +278,7 @@ void Opener::takeStart() {
     hold = holdFor(*startPose_, *skin);
   } else {
     hold.contact = skinInFrontOf(*skin, centreOf(session_.subject()->placedGrid));
+    hold.press_mm = usualPress_mm(session_.probe());
   }
   // Before the mannequin is there the skin is a rough ellipsoid: the start is taken again when it comes.
   startTaken_ = view_.scene().mannequin() != nullptr;

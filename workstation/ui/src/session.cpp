@@ -8,7 +8,7 @@ namespace ew::ui {
 namespace {
 
 constexpr std::size_t kRememberedFrames = 25;
-constexpr double kGive_mm = 8.0;
+constexpr double kGel_mm = 3.0;
 constexpr int kContactSamples = 17;
 
 /// Points of the transducer's face in the probe frame, evenly from edge to edge.
@@ -27,6 +27,13 @@ std::vector<glm::dvec3> facePoints_mm(const Probe& probe) {
 }
 
 }  // namespace
+
+double usualPress_mm(const Probe& probe) {
+  constexpr double kLeast_mm = 1.0;
+  constexpr double kShare = 0.8;
+  const double sagitta_mm = probe.kind == ProbeKind::convex ? probe.radius_mm * (1.0 - std::cos(probe.halfAngle_rad)) : 0.0;
+  return std::min(kLeast_mm + kShare * sagitta_mm, kMaxPress_mm);
+}
 
 Session::Session(QObject* parent) : QObject(parent) {
   // A hold needs a surface to stand on, also before there is a skin: the middle of the trunk's front.
@@ -49,25 +56,30 @@ void Session::updateUsableProbes() {
   if (usable_.empty()) usable_ = all_;
   const bool stillThere = std::any_of(usable_.begin(), usable_.end(), [this](const Probe& p) { return p == probe_; });
   if (!stillThere && !usable_.empty()) {
-    probe_ = usable_.front();
-    knobs_.depth_mm = 0.0;
-    knobs_.focus_mm = 0.0;
+    takeProbe(usable_.front());
     due();
+    Q_EMIT holdChanged();
   }
   Q_EMIT probeChanged();
   Q_EMIT knobsChanged();
 }
 
-void Session::chooseProbe(const std::string& id) {
-  const auto found = std::find_if(usable_.begin(), usable_.end(), [&](const Probe& p) { return p.id == id; });
-  if (found == usable_.end() || *found == probe_) return;
-  probe_ = *found;
+void Session::takeProbe(const Probe& probe) {
+  probe_ = probe;
   // Another probe sees to another depth: its own default, rather than a depth it may not reach.
   knobs_.depth_mm = 0.0;
   knobs_.focus_mm = 0.0;
+  hold_.press_mm = usualPress_mm(probe_);
+}
+
+void Session::chooseProbe(const std::string& id) {
+  const auto found = std::find_if(usable_.begin(), usable_.end(), [&](const Probe& p) { return p.id == id; });
+  if (found == usable_.end() || *found == probe_) return;
+  takeProbe(*found);
   due();
   Q_EMIT probeChanged();
   Q_EMIT knobsChanged();
+  Q_EMIT holdChanged();
 }
 
 void Session::show(Subject subject) {
@@ -76,11 +88,7 @@ void Session::show(Subject subject) {
   recent_.clear();
   if (!subject_->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject_->probes.front(); });
-    if (first != all_.end()) {
-      probe_ = *first;
-      knobs_.depth_mm = 0.0;
-      knobs_.focus_mm = 0.0;
-    }
+    if (first != all_.end()) takeProbe(*first);
   }
   updateUsableProbes();
   due();
@@ -141,7 +149,7 @@ std::optional<double> Session::contact() const {
   for (const glm::dvec3& p_probe : facePoints_mm(probe_)) {
     const glm::dvec3 p_world = glm::dvec3(held.probeToWorld.matrix * glm::dvec4(p_probe, 1.0));
     const Skin::Contact nearest = skin_->nearest(p_world);
-    if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGive_mm) ++touching;
+    if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGel_mm) ++touching;
   }
   return static_cast<double>(touching) / kContactSamples;
 }
