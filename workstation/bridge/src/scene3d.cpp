@@ -94,7 +94,7 @@ SceneColours lightColours() {
   colours.rim = 0.86;
   colours.box = {0.33, 0.36, 0.40};
   colours.accent = {0.055, 0.520, 0.575};
-  colours.housing = {0.95, 0.955, 0.965};
+  colours.housing = {0.74, 0.75, 0.765};
   return colours;
 }
 
@@ -255,9 +255,11 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.housing->SetMapper(p.housingMapper);
   p.housingMapper->SetColorModeToDirectScalars();
   p.housing->GetProperty()->SetInterpolationToPhong();
-  p.housing->GetProperty()->SetAmbient(0.16);
-  p.housing->GetProperty()->SetSpecular(0.22);
-  p.housing->GetProperty()->SetSpecularPower(30.0);
+  // The lights add up to more than one where they overlap: brighter than this, plastic turns into a white patch without form.
+  p.housing->GetProperty()->SetAmbient(0.10);
+  p.housing->GetProperty()->SetDiffuse(0.82);
+  p.housing->GetProperty()->SetSpecular(0.08);
+  p.housing->GetProperty()->SetSpecularPower(18.0);
   p.housing->SetUserMatrix(p.probeToWorld);
   p.overlay->AddActor(p.housing);
   p.fan.addTo(*p.overlay);

@@ -36,7 +36,7 @@ struct SceneColours {
   double rim = 0.66;  ///< brightness left where the skin turns away from the viewer, 0..1
   glm::dvec3 box{0.78, 0.80, 0.83};
   glm::dvec3 accent{0.310, 0.706, 0.753};
-  glm::dvec3 housing{0.90, 0.91, 0.93};
+  glm::dvec3 housing{0.72, 0.73, 0.75};
 };
 [[nodiscard]] SceneColours darkColours();
 [[nodiscard]] SceneColours lightColours();
