@@ -466,8 +466,12 @@
             <translation>Spiegeln</translation>
         </message>
         <message>
-            <source>Swap left and right in the picture; the marker moves along (X)</source>
-            <translation>Links und rechts im Bild tauschen; die Marke geht mit (X)</translation>
+            <source>The marker is at the left, as usual; put it at the right (X)</source>
+            <translation>Die Marke ist links, wie üblich; nach rechts setzen (X)</translation>
+        </message>
+        <message>
+            <source>The marker is at the right; put it at the left, as usual (X)</source>
+            <translation>Die Marke ist rechts; nach links setzen, wie üblich (X)</translation>
         </message>
         <message>
             <source>Freeze</source>
@@ -687,7 +691,7 @@
             <translation>Fallordner öffnen</translation>
         </message>
         <message>
-            <source>Open &amp;lately</source>
+            <source>Open &amp;recent</source>
             <translation>&amp;Zuletzt geöffnet</translation>
         </message>
         <message>
@@ -1023,6 +1027,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <translation>-Kopie</translation>
         </message>
         <message>
+            <source>The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?</source>
+            <translation>Das Volumen liegt im Körper woanders, als seine eigenen Koordinaten sagen. Welchen Ort soll die Datei festhalten?</translation>
+        </message>
+        <message>
+            <source>Its own coordinates keep it in place beside other volumes of the same recording.</source>
+            <translation>Mit den eigenen Koordinaten bleibt es am richtigen Ort neben anderen Volumen derselben Aufnahme.</translation>
+        </message>
+        <message>
+            <source>Its own coordinates</source>
+            <translation>Seine eigenen Koordinaten</translation>
+        </message>
+        <message>
+            <source>Its place in the body</source>
+            <translation>Seinen Ort im Körper</translation>
+        </message>
+        <message>
             <source>Save the volume</source>
             <translation>Das Volumen speichern</translation>
         </message>
@@ -1201,7 +1221,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <translation>Fall, Volumen oder Schwenk öffnen (Strg+O)</translation>
         </message>
         <message>
-            <source>Opened lately</source>
+            <source>Recently opened</source>
             <translation>Zuletzt geöffnet</translation>
         </message>
         <message>

@@ -2,11 +2,13 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
+#include <QTimer>
 #include <QTranslator>
 #include <algorithm>
 #include <atomic>
@@ -131,6 +133,93 @@ class WindowTest : public QObject {
     QVERIFY(!fan_mm.empty());
     const glm::dvec3 expected_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(outline_mm.front(), 0.0, 1.0));
     QVERIFY2(glm::distance(fan_mm.front(), expected_mm) < 0.01, "the fan in 3D does not lie where the slice was taken");
+  }
+
+  void theMarkerStandsAtTheLeftUntilFlipped() {
+    const auto dotIsAt = [this] {
+      const QImage shown = window_->scanView().grab().toImage();
+      const QRgb accent = scanTheme().accent.rgb();
+      const QRect box = window_->scanView().pictureRect();
+      double sum = 0.0;
+      int count = 0;
+      for (int y = box.top() - 20; y < box.center().y(); ++y) {
+        for (int x = box.left(); x < box.right(); ++x) {
+          if (shown.pixel(x, y) != accent) continue;
+          sum += x;
+          ++count;
+        }
+      }
+      return count > 0 ? sum / count - box.center().x() : 0.0;
+    };
+    auto* flip = find<QPushButton>("flip");
+    const std::vector<std::uint8_t> usual = pixelsOf(session());
+    QVERIFY(session().geometry().markerLeft && !flip->isChecked());
+    QVERIFY(dotIsAt() < -20.0);
+    const QString tipBefore = flip->toolTip();
+    QTest::keyClick(&window_->scanView(), Qt::Key_X);
+    session().makePictureNow();
+    QVERIFY(!session().geometry().markerLeft && flip->isChecked());
+    QVERIFY(flip->toolTip() != tipBefore);
+    QVERIFY(dotIsAt() > 20.0);
+    const DisplayGeometry& geometry = session().geometry();
+    const std::vector<std::uint8_t> flipped = pixelsOf(session());
+    const auto width = static_cast<std::size_t>(geometry.width);
+    for (std::size_t y = 0; y < static_cast<std::size_t>(geometry.height); ++y) {
+      for (std::size_t x = 0; x < width; ++x) QVERIFY(std::abs(usual[y * width + x] - flipped[y * width + width - 1 - x]) <= 1);
+    }
+    QTest::mouseClick(flip, Qt::LeftButton);
+    session().makePictureNow();
+    QCOMPARE(pixelsOf(session()), usual);
+  }
+
+  void theProbeIsPressedOnUntilItsFaceTouchesAndKeepsThePressWhileSliding() {
+    const double usual_mm = usualPress_mm(session().probe());
+    QVERIFY(usual_mm > 5.0);
+    QCOMPARE(session().hold().press_mm, usual_mm);
+    const double pressed = *session().contact();
+    QTest::keyClick(&window_->scanView(), Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(session().hold().press_mm, usual_mm);
+    QTest::keyClick(&window_->scanView(), Qt::Key_Home);
+    Hold lifted = session().hold();
+    lifted.press_mm = 0.0;
+    session().setHold(lifted);
+    QVERIFY2(*session().contact() < pressed - 0.2, "contact follows the press");
+    QCOMPARE(window_->hand().hold(), lifted);
+  }
+
+  void aMovedVolumeIsSavedWhereTheAnswerSays() {
+    CaseDocument& document = window_->document();
+    nlohmann::json manifest = document.manifest();
+    manifest["volume"]["file_to_world"][3] = 7.0;
+    QVERIFY(document.edit(manifest, "Move the volume", "place").has_value());
+    QTest::qWait(20);
+    const glm::dvec3 own_mm = session().subject()->volume->grid.origin_mm;
+    for (const bool inBody : {false, true}) {
+      const QString file = files_.path(inBody ? QStringLiteral("body.mha") : QStringLiteral("own.mha"));
+      QTimer answer;
+      connect(&answer, &QTimer::timeout, this, [&] {
+        QWidget* modal = QApplication::activeModalWidget();
+        if (modal == nullptr) return;
+        if (modal->objectName() == QLatin1String("volumePlace")) {
+          modal->findChild<QPushButton*>(inBody ? QStringLiteral("bodyPlace") : QStringLiteral("ownPlace"))->click();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+          dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
+          QMetaObject::invokeMethod(dialog, "accept");
+        }
+      });
+      answer.start(30);
+      for (QAction* action : window_->findChildren<QAction*>()) {
+        if (action->text() == QStringLiteral("Save &volume as…")) action->trigger();
+      }
+      answer.stop();
+      QVERIFY(waitUntil([&] { return !window_->jobs().isRunning() && QFile::exists(file); }));
+      const auto saved = readVolume(file.toStdString());
+      QVERIFY(saved.has_value());
+      const glm::dvec3 expected_mm = own_mm + glm::dvec3(inBody ? 7.0 : 0.0, 0.0, 0.0);
+      QVERIFY(glm::distance(saved->volume.grid.origin_mm, expected_mm) < 1e-6);
+      QVERIFY(saved->volume.echo == session().subject()->volume->echo);
+    }
+    document.history().undo();
   }
 
   void freezeHoldsThePictureWhileTheHandAndTheKnobsMove() {

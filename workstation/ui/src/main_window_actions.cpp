@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 
 #include "ew/core/version.h"
@@ -47,7 +48,7 @@ void MainWindow::makeActions() {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open case folder"));
     if (!folder.isEmpty()) open(folder);
   });
-  p.recentMenu = file->addMenu(tr("Open &lately"));
+  p.recentMenu = file->addMenu(tr("Open &recent"));
   p.startPageAction = add(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
   file->addSeparator();
   p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { saveCase(false); });
@@ -204,6 +205,25 @@ void MainWindow::saveCase(bool elsewhere) {
 void MainWindow::saveVolume() {
   const auto& subject = parts_->session.subject();
   if (!subject) return;
+  bool isPlaced = false;
+  if (!(subject->placedGrid == subject->volume->grid)) {
+    // Either answer surprises someone: a volume moved here for looking must not lose its place beside others of its recording, and one
+    // placed with care must not jump back.
+    QMessageBox question(this);
+    question.setObjectName(QStringLiteral("volumePlace"));
+    question.setWindowTitle(tr("Save the volume"));
+    question.setText(tr("The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?"));
+    question.setInformativeText(tr("Its own coordinates keep it in place beside other volumes of the same recording."));
+    QPushButton* own = question.addButton(tr("Its own coordinates"), QMessageBox::AcceptRole);
+    QPushButton* body = question.addButton(tr("Its place in the body"), QMessageBox::AcceptRole);
+    own->setObjectName(QStringLiteral("ownPlace"));
+    body->setObjectName(QStringLiteral("bodyPlace"));
+    question.addButton(QMessageBox::Cancel);
+    question.setDefaultButton(own);
+    question.exec();
+    if (question.clickedButton() != own && question.clickedButton() != body) return;
+    isPlaced = question.clickedButton() == body;
+  }
   QString file = QFileDialog::getSaveFileName(
       this, tr("Save the volume"), QFileInfo(subject->title).completeBaseName() + QStringLiteral(".mha"), tr("MetaImage (*.mha *.mhd)"));
   if (file.isEmpty()) return;
@@ -213,7 +233,13 @@ void MainWindow::saveVolume() {
   const QString beside = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral("-coverage.mha");
   parts_->jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
-      [volume = subject->volume, file, beside, covered](Progress& progress) -> Result<void> {
+      [shown = subject->volume, grid = subject->placedGrid, isPlaced, file, beside, covered](Progress& progress) -> Result<void> {
+        std::shared_ptr<const Volume> volume = shown;
+        if (isPlaced) {
+          auto moved = std::make_shared<Volume>(*shown);
+          moved->grid = grid;
+          volume = std::move(moved);
+        }
         PartOfProgress first(progress, 0.0, covered ? 0.5 : 1.0);
         if (auto written = writeVolume(*volume, pathOf(file), first); !written || !covered) return written;
         PartOfProgress second(progress, 0.5, 1.0);
@@ -304,11 +330,15 @@ void MainWindow::prepareThumbnails() {
   parts_->jobs.start(
       tr("Preparing the cards"),
       [cases = listCases(*folder).cases, pictures](Progress& progress) -> Result<void> {
+        const auto resources = resourceFolder();
+        if (!resources) return passOn(resources.error());
+        const auto probes = readProbes(*resources / "probes");
+        if (!probes) return passOn(probes.error());
         for (const Case& shown : cases) {
           // A case that is not prepared yet keeps its drawn card: a start page is no reason to compute for minutes.
           if (progress.cancelRequested() || caseNeedsPreparation(shown)) continue;
           auto echo = loadCaseVolume(shown, progress);
-          if (echo) pictures->emplace_back(shown.id, thumbnailOf(echo->volume, QSize(544, 320)));
+          if (echo) pictures->emplace_back(shown.id, thumbnailOf(shown, echo->volume, *probes, QSize(544, 320)));
         }
         return {};
       },

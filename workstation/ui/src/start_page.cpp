@@ -13,7 +13,8 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "ew/imaging/slicing.h"
+#include "ew/imaging/frame.h"
+#include "ew/tracking/hand.h"
 #include "icons.h"
 #include "theme.h"
 #include "words.h"
@@ -164,7 +165,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   grid_ = new QGridLayout;
   grid_->setSpacing(16);
   rows->addLayout(grid_);
-  recentTitle_ = heading(tr("Opened lately"));
+  recentTitle_ = heading(tr("Recently opened"));
   recentTitle_->hide();
   rows->addSpacing(16);
   rows->addWidget(recentTitle_);
@@ -236,21 +237,25 @@ void StartPage::arrange() {
   for (int column = 0; column < known; ++column) grid_->setColumnStretch(column, column == columns ? 1 : 0);
 }
 
-QImage thumbnailOf(const Volume& volume, const QSize& size) {
-  const Bounds bounds = boundsOf(volume.grid);
-  const glm::dvec3 centre_mm = (bounds.lowest_mm + bounds.highest_mm) / 2.0;
-  const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
-  // The axial cut through the middle: patient's right at the left, front on top, as a transverse scan shows it.
-  const double pixel_mm = std::max({extent_mm.x / size.width(), extent_mm.y / size.height(), 1e-6});
-  Transform<frame::World, frame::Image> imageToWorld;
-  imageToWorld.matrix =
-      glm::dmat4(pixel_mm, 0, 0, 0, 0, pixel_mm, 0, 0, 0, 0, pixel_mm, 0, centre_mm.x - pixel_mm * (size.width() - 1) / 2.0,
-                 centre_mm.y - pixel_mm * (size.height() - 1) / 2.0, centre_mm.z, 1);
-  GreyImage picture(size.width(), size.height());
-  SliceScratch scratch;
-  sliceLinear(volume.view(), volume.grid.worldToVoxel() * imageToWorld, viewOf(picture), scratch);
-  const QImage wrapped(picture.pixels.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8);
-  return wrapped.copy();
+QImage thumbnailOf(const Case& shown, const Volume& volume, const std::vector<Probe>& probes, const QSize& size) {
+  const auto probe =
+      std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return shown.probes.empty() || p.id == shown.probes.front(); });
+  if (probe == probes.end()) return {};
+  Pose pose;
+  if (shown.startPose) {
+    pose = *shown.startPose;
+  } else {
+    const Bounds bounds = boundsOf(volume.grid);
+    Hold hold;
+    hold.contact.point_mm = (bounds.lowest_mm + bounds.highest_mm) / 2.0;
+    hold.contact.point_mm.y = bounds.lowest_mm.y;
+    hold.contact.outward = {0.0, -1.0, 0.0};
+    pose = poseOf(hold);
+  }
+  FrameMaker maker;
+  maker.configure(*probe, {}, shown.scene, volume.grid, size.width(), size.height());
+  const ImageView<const std::uint8_t> picture = maker.make(volume.view(), pose);
+  return QImage(picture.data, picture.width, picture.height, static_cast<int>(picture.stride), QImage::Format_Grayscale8).copy();
 }
 
 }  // namespace ew::ui

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "ew/imaging/probe.h"
 #include "ew/library/case.h"
 
 class QGridLayout;
@@ -12,7 +13,7 @@ class QVBoxLayout;
 
 namespace ew::ui {
 
-/// The shipped cases as cards, *Open*, and what was open lately. Says what to do when there is nothing.
+/// The shipped cases as cards, *Open*, and what was open recently. Says what to do when there is nothing.
 class StartPage final : public QWidget {
   Q_OBJECT
 
@@ -43,7 +44,9 @@ class StartPage final : public QWidget {
   int columns_ = 0;
 };
 
-/// A middle cut through a volume seen from the front, as a card shows it.
-[[nodiscard]] QImage thumbnailOf(const Volume& volume, const QSize& size);
+/// What a case's own start shows: its volume scanned by its first probe from its start pose, the console neutral. A case without a start
+/// pose is scanned across the middle of its volume's front. Null when the case's probe is not among `probes`.
+/// @param volume the case's, in place
+[[nodiscard]] QImage thumbnailOf(const Case& shown, const Volume& volume, const std::vector<Probe>& probes, const QSize& size);
 
 }  // namespace ew::ui
