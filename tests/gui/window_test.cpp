@@ -157,6 +157,7 @@ class WindowTest : public QObject {
     QVERIFY(dotIsAt() < -20.0);
     const QString tipBefore = flip->toolTip();
     QTest::keyClick(&window_->scanView(), Qt::Key_X);
+    QVERIFY(waitUntil([flip] { return flip->isChecked(); }, 2000));
     session().makePictureNow();
     QVERIFY(!session().geometry().markerLeft && flip->isChecked());
     QVERIFY(flip->toolTip() != tipBefore);
