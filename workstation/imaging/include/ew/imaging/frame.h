@@ -26,8 +26,8 @@ struct DisplayGeometry {
   int height = 0;
   double pixel_mm = 0.0;    ///< size of a pixel, the same in both directions
   glm::dvec2 face_px{0.0};  ///< pixel coordinates of the probe frame's origin (may lie outside the picture when zoomed in)
-  bool markerLeft = true;  ///< the probe's +x points to the left of the picture
-  double depth_mm = 0.0;  ///< resolved: never 0
+  bool markerLeft = true;   ///< the probe's +x points to the left of the picture
+  double depth_mm = 0.0;    ///< resolved: never 0
   bool operator==(const DisplayGeometry&) const = default;
   [[nodiscard]] Transform<frame::Probe, frame::Image> imageToProbe() const;
 };
