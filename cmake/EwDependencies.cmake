@@ -10,8 +10,8 @@ find_package(spdlog REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS
-  CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersGeneral FiltersModeling FiltersSources ImagingCore
-  IOGeometry IOImage IOPLY InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
+  CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersSources ImagingCore
+  IOGeometry IOPLY InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
 find_package(benchmark REQUIRED)
 if(EW_BUILD_TESTS)
   find_package(GTest REQUIRED)

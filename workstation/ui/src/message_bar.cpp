@@ -65,11 +65,6 @@ void MessageBar::dismiss() {
   refresh();
 }
 
-void MessageBar::dismissAll() {
-  waiting_.clear();
-  refresh();
-}
-
 void MessageBar::refresh() {
   setVisible(!waiting_.empty());
   if (waiting_.empty()) return;

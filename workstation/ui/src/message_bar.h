@@ -25,7 +25,6 @@ class MessageBar final : public QFrame {
   [[nodiscard]] bool isError() const;
   [[nodiscard]] int count() const { return static_cast<int>(waiting_.size()); }
   void dismiss();
-  void dismissAll();
   /// Keeps the bar at the top of `area` (in the parent's coordinates).
   void placeIn(const QRect& area);
   void refreshIcons();

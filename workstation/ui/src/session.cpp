@@ -211,7 +211,6 @@ void Session::makePictureNow() {
   maker_.configure(pictureProbe(), pictureKnobs(), subject_->scene, subject_->placedGrid, width_, height_);
   const VolumeView<const std::uint8_t> voxels{subject_->volume->echo.data(), subject_->placedGrid};
   picture_ = maker_.make(voxels, picturePose());
-  ++framesMade_;
   recent_.push_back(maker_.lastTimes());
   if (recent_.size() > kRememberedFrames) recent_.erase(recent_.begin());
   Q_EMIT pictureChanged();

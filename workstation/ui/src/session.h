@@ -80,7 +80,6 @@ class Session final : public QObject {
   [[nodiscard]] const Plan& plan() const { return maker_.plan(); }
   /// Median time of each step over the last frames, in the plan's order.
   [[nodiscard]] std::vector<StepTime> stepTimes() const;
-  [[nodiscard]] int framesMade() const { return framesMade_; }
 
   /// Makes the picture now when one is due (tests and the screenshot wait for it).
   void makePictureNow();
@@ -107,7 +106,6 @@ class Session final : public QObject {
   bool frozen_ = false;
   bool due_ = false;
   int width_ = 0, height_ = 0;
-  int framesMade_ = 0;
   FrameMaker maker_;
   ImageView<const std::uint8_t> picture_;
   std::vector<std::vector<StepTime>> recent_;

@@ -119,7 +119,6 @@ struct View3D::Parts {
   qint64 drawing_ms = 0;     ///< how long that took
   QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
   QString hintText;
-  bool ownHint = false;  ///< somebody set other words than the default ones
 };
 
 View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
@@ -183,7 +182,7 @@ void View3D::retranslate() {
   name("viewTop", tr("Head"), tr("Look from the head"));
   name("viewFit", tr("Fit"), tr("Show the whole volume"));
   name("viewThrough", tr("See through"), tr("Make the body translucent"));
-  if (!parts_->ownHint) parts_->hint->setText(defaultHint());
+  parts_->hint->setText(defaultHint());
   placeOverlays();
 }
 
@@ -253,12 +252,6 @@ void View3D::setDarkTheme(bool dark) {
 void View3D::setBodyOpacity(double opacity) {
   parts_->scene->setBodyOpacity(opacity);
   render();
-}
-
-void View3D::setHint(const QString& text) {
-  parts_->ownHint = true;
-  parts_->hint->setText(text);
-  placeOverlays();
 }
 
 void View3D::showFrom(bridge::CameraPreset preset) {

@@ -47,7 +47,6 @@ class View3D : public QWidget {
 
   void setDarkTheme(bool dark);
   void setBodyOpacity(double opacity);  ///< 0..1
-  void setHint(const QString& text);    ///< the line at the lower left; empty hides it
   [[nodiscard]] QString defaultHint() const;
 
   void showFrom(bridge::CameraPreset preset);
