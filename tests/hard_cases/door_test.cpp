@@ -124,6 +124,25 @@ TEST(HardCasesDoor, APluginThatThrowsOrGivesNothingIsASentence) {
   EXPECT_EQ(opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_null.so")).state, PluginState::failed);
 }
 
+TEST(HardCasesDoor, APluginThatCannotBeUsedDoesNotHideAGoodOneOfTheSameName) {
+  const TemporaryFolder folder;
+  json good = manifest();
+  good["name"] = "twin";
+  good["library"] = "good.so";
+  json old = good;
+  old["abi"] = 65536;
+  writeText(folder / "a/plugin.json", old.dump());
+  fs::copy_file(EW_ODD_PLUGIN_DIR "/odd_good.so", folder / "a/good.so");
+  writeText(folder / "b/plugin.json", good.dump());
+  fs::copy_file(EW_ODD_PLUGIN_DIR "/odd_good.so", folder / "b/good.so");
+  HeadlessHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  ASSERT_EQ(plugins.states().size(), 2u);
+  EXPECT_EQ(plugins.states()[0].state, PluginState::otherAbi);
+  EXPECT_EQ(plugins.states()[1].state, PluginState::loaded) << plugins.states()[1].sentence;
+}
+
 TEST(HardCasesDoor, OneBrokenPluginDoesNotStopTheNext) {
   const TemporaryFolder folder;
   writeText(folder / "a/plugin.json", "{");

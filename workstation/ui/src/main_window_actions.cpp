@@ -319,7 +319,8 @@ void MainWindow::openPlugins() {
   p.plugins.emplace();
   p.plugins->openAll(*p.host);
   for (const door::PluginStatus& plugin : p.plugins->states()) {
-    if (plugin.state != door::PluginState::loaded) p.messages->showError(words(plugin.sentence));
+    if (plugin.state != door::PluginState::loaded && plugin.state != door::PluginState::replaced)
+      p.messages->showError(words(plugin.sentence));
   }
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "ew/door/door.h"
 #include "ew/io/safe_file.h"
@@ -105,7 +104,6 @@ Result<PluginManifest> readPluginManifest(const fs::path& folder) {
 
 std::vector<PluginStatus> discoverPlugins(const std::vector<fs::path>& folders) {
   std::vector<PluginStatus> found;
-  std::set<std::string> names;
   for (const auto& folder : folders) {
     std::vector<fs::path> entries;
     std::error_code error;
@@ -119,11 +117,6 @@ std::vector<PluginStatus> discoverPlugins(const std::vector<fs::path>& folders) 
       status.folder = entry;
       if (auto manifest = readPluginManifest(entry)) {
         status.manifest = std::move(*manifest);
-        if (!names.insert(status.manifest->name).second) {
-          status.state = PluginState::replaced;
-          status.sentence =
-              "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.";
-        }
       } else {
         status.state = PluginState::badManifest;
         status.sentence = manifest.error().sentence;

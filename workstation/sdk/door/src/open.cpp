@@ -1,6 +1,7 @@
 #include <dlfcn.h>
 
 #include <exception>
+#include <set>
 #include <string>
 
 #include "elf_check.h"
@@ -104,9 +105,17 @@ PluginList::~PluginList() {
 }
 
 void PluginList::openAll(sdk::Host& host) {
-  for (auto& status : states_)
-    if (status.state == PluginState::found)
+  std::set<std::string> running;
+  for (auto& status : states_) {
+    if (status.state == PluginState::found && running.contains(status.manifest->name)) {
+      status.state = PluginState::replaced;
+      status.sentence =
+          "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.";
+    } else if (status.state == PluginState::found) {
       if (auto opened = openPlugin(status, host)) open_.push_back(std::move(*opened));
+    }
+    if (status.state == PluginState::loaded) running.insert(status.manifest->name);
+  }
 }
 
 }  // namespace ew::door

@@ -50,8 +50,7 @@ struct PluginStatus {
 /// (installed); those that exist, each once.
 [[nodiscard]] std::vector<std::filesystem::path> pluginFolders();
 
-/// Every sub-folder of `folders` as one plugin, by name within a folder. Reads manifests only. A second plugin of a name that was already
-/// found is reported (replaced), not loaded: the earlier folder wins.
+/// Every sub-folder of `folders` as one plugin, by name within a folder. Reads manifests only.
 [[nodiscard]] std::vector<PluginStatus> discoverPlugins(const std::vector<std::filesystem::path>& folders);
 
 /// @error notFound, badHeader (not JSON), badField (name, value found, value expected), tooLarge
@@ -86,7 +85,8 @@ class PluginList {
   PluginList(PluginList&&) noexcept = default;
   ~PluginList();
 
-  /// Opens every plugin that was found and not opened yet, in order.
+  /// Opens every plugin that was found and not opened yet, in order. One whose name belongs to a plugin that runs already is not opened
+  /// (replaced): the earlier folder wins, but a plugin that cannot be used hides nobody.
   void openAll(sdk::Host& host);
   [[nodiscard]] const std::vector<PluginStatus>& states() const { return states_; }
 
