@@ -134,7 +134,8 @@ TEST_F(ScanCommand, NumbersSeveralPosesAndRepeatsWithoutWriting) {
   expected.push_back("r.json");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(folder.names(), expected);
-  for (const auto& step : readJson(folder / "r.json")["steps"])
+  const auto report = readJson(folder / "r.json");
+  for (const auto& step : report["steps"])
     if (step["name"] == "frame") {
       EXPECT_EQ(step["count"], 6);
     }

@@ -81,7 +81,8 @@ TEST(SliceCommand, RepeatRunsTheWholeListAndWritesNothingButTheReport) {
       {"slice", folder / "v.mha", "--pose", folder / "poses.txt", "--repeat", "5", "-o", folder / "o.png", "--report", folder / "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"poses.txt", "r.json", "v.mha"}));
-  for (const auto& step : readJson(folder / "r.json")["steps"])
+  const auto report = readJson(folder / "r.json");
+  for (const auto& step : report["steps"])
     if (step["name"] == "slice") {
       EXPECT_EQ(step["count"], 10);
     }

@@ -165,7 +165,9 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   retranslate();
 }
 
-View3D::~View3D() = default;
+View3D::~View3D() {
+  delete parts_->canvas;  // while this is still a View3D: event filters on the canvas ask it for more than a QWidget
+}
 
 void View3D::retranslate() {
   const auto name = [this](const char* button, const QString& text, const QString& tip) {
