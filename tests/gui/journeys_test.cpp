@@ -30,18 +30,10 @@ class PaintCount final : public QObject {
 
 }  // namespace
 
-class JourneysTest : public QObject {
+class JourneysTest : public WindowFixture {
   Q_OBJECT
 
  private:
-  Files files_;
-  std::unique_ptr<MainWindow> window_;
-
-  [[nodiscard]] Session& session() const { return window_->session(); }
-  template <class Widget>
-  [[nodiscard]] Widget* find(const char* name) const {
-    return window_->findChild<Widget*>(QLatin1String(name));
-  }
   [[nodiscard]] QString writeCaseCalled(const QString& title) const {
     const QString folder = files_.writeCase(title);
     auto opened = loadCase(folder.toStdString());
@@ -51,16 +43,7 @@ class JourneysTest : public QObject {
   }
 
  private Q_SLOTS:
-  void init() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 720);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());
-    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
-    window_->open(writeCaseCalled(QStringLiteral("first")));
-    QVERIFY(waitUntil([this] { return window_->isSettled() && window_->document().current(); }));
-  }
+  void init() { showWindowWithCase(writeCaseCalled(QStringLiteral("first"))); }
   void cleanup() { window_.reset(); }
 
   void theTitleOfACaseChosenOnTheStartPageStandsInTheTopBar() {

@@ -112,6 +112,33 @@ inline QSurfaceFormat windowFormat() {
   return format;
 }
 
+/// A test with one window of 1280 x 720, made anew for every test function.
+class WindowFixture : public QObject {
+ protected:
+  Files files_;
+  std::unique_ptr<MainWindow> window_;
+
+  [[nodiscard]] Session& session() const { return window_->session(); }
+  template <class Widget>
+  [[nodiscard]] Widget* find(const char* name) const {
+    return window_->findChild<Widget*>(QLatin1String(name));
+  }
+  [[nodiscard]] bool openCase(const QString& folder) const {
+    window_->open(folder);
+    return waitUntil([this] { return window_->isSettled() && window_->document().current(); });
+  }
+  void showWindowWithCase(const QString& folder) {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 720);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    QVERIFY(openCase(folder));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+  }
+};
+
 }  // namespace ew::ui::testing
 
 /// A main that prepares what the workstation's own start prepares.

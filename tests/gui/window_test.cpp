@@ -25,22 +25,10 @@ static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui::testing {
 
-class WindowTest : public QObject {
+class WindowTest : public WindowFixture {
   Q_OBJECT
 
  private:
-  Files files_;
-  std::unique_ptr<MainWindow> window_;
-
-  [[nodiscard]] Session& session() const { return window_->session(); }
-  template <class Widget>
-  [[nodiscard]] Widget* find(const char* name) const {
-    return window_->findChild<Widget*>(QLatin1String(name));
-  }
-  [[nodiscard]] bool openCase(const QString& folder) const {
-    window_->open(folder);
-    return waitUntil([this] { return window_->isSettled() && window_->document().current(); });
-  }
   void drop(const QString& file) const {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
@@ -66,16 +54,7 @@ class WindowTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() { initTranslations(); }
-  void init() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 720);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
-    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
-    QVERIFY(openCase(files_.writeCase(QStringLiteral("case"))));
-    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
-  }
+  void init() { showWindowWithCase(files_.writeCase(QStringLiteral("case"))); }
   void cleanup() { window_.reset(); }
 
   void gainAndDgcChangeThePictureAsEquation5Says() {
