@@ -8,6 +8,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(pugixml REQUIRED)
+find_package(hwy REQUIRED)
+find_package(TBB REQUIRED)
 find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersSources ImagingCore

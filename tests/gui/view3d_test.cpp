@@ -125,7 +125,7 @@ class View3DTest : public QObject {
     Hold hold = turned(hand_->hold(), 0.7, 0.2, -0.4);
     hand_->setHold(hold);
     view_->setPose(poseOf(hold));
-    const auto outline_mm = fanOutline_mm(convex(), 160.0);
+    const auto outline_mm = fanOutline_mm(convex(), {}, 160.0);
     const auto corners_mm = view_->scene().fanCorners_mm();
     QVERIFY(corners_mm.size() + 1 >= outline_mm.size() && corners_mm.size() > 10);
     for (std::size_t i = 0; i < corners_mm.size(); ++i) {

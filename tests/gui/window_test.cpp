@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "ew/bridge/scene3d.h"
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 #include "ew/library/case.h"
 #include "window_fixture.h"
 
@@ -108,7 +108,7 @@ class WindowTest : public WindowFixture {
     QVERIFY(glm::distance(glm::dvec3(pose.probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0);
     QVERIFY(pixelsOf(session()) != before);
     const std::vector<glm::dvec3> fan_mm = view.scene().fanCorners_mm();
-    const std::vector<glm::dvec2> outline_mm = fanOutline_mm(session().probe(), session().geometry().depth_mm);
+    const std::vector<glm::dvec2> outline_mm = fanOutline_mm(session().probe(), session().knobs(), session().geometry().depth_mm);
     QVERIFY(!fan_mm.empty());
     const glm::dvec3 expected_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(outline_mm.front(), 0.0, 1.0));
     QVERIFY2(glm::distance(fan_mm.front(), expected_mm) < 0.01, "the fan in 3D does not lie where the slice was taken");

@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "ew/imaging/frame.h"
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 #include "ew/imaging/slicing.h"
-#include "ew/imaging/stretch.h"
+#include "ew/imaging/effects/stretch.h"
 #include "imaging/support.h"
 
 namespace ew {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 #include "imaging/count_allocations.h"
 #include "imaging/support.h"
 
@@ -61,7 +61,7 @@ TEST(FitDisplay, ShowsTheWholeFanAndTouchesTheMarginsOnOneAxis) {
       const DisplayGeometry geometry = fitDisplay(probe, {}, width, height);
       EXPECT_EQ(geometry.depth_mm, probe.defaultDepth_mm);
       glm::dvec2 lowest(1e9), highest(-1e9);
-      for (const glm::dvec2& p : fanOutline_mm(probe, geometry.depth_mm)) {
+      for (const glm::dvec2& p : fanOutline_mm(probe, {}, geometry.depth_mm)) {
         const glm::dvec2 px = geometry.face_px + p / geometry.pixel_mm;
         lowest = glm::min(lowest, px);
         highest = glm::max(highest, px);
@@ -105,7 +105,7 @@ TEST(FanSpans, HoldExactlyThePixelsInsideTheFan) {
     knobs.zoom = *rc::gen::inRange(100, 800) / 100.0;
     knobs.markerLeft = *rc::gen::arbitrary<bool>();
     const DisplayGeometry geometry = fitDisplay(probe, knobs, *rc::gen::inRange(1, 200), *rc::gen::inRange(1, 200));
-    const Spans spans = fanSpans(probe, geometry);
+    const Spans spans = fanSpans(probe, {}, geometry);
     RC_ASSERT(spans.size() == static_cast<std::size_t>(geometry.height));
     for (int y = 0; y < geometry.height; ++y) {
       std::vector<bool> inside(static_cast<std::size_t>(geometry.width), false);
@@ -126,14 +126,14 @@ TEST(FanSpans, HoldExactlyThePixelsInsideTheFan) {
 
 TEST(FanSpans, OfAConvexFaceHaveTwoRunsAboveItsForemostPoint) {
   const DisplayGeometry geometry = fitDisplay(convexProbe(), {}, 640, 480);
-  const Spans spans = fanSpans(convexProbe(), geometry);
+  const Spans spans = fanSpans(convexProbe(), {}, geometry);
   EXPECT_EQ(spans[static_cast<std::size_t>(geometry.face_px.y) - 2].size(), 2U);
   EXPECT_EQ(spans[static_cast<std::size_t>(geometry.face_px.y) + 2].size(), 1U);
 }
 
 TEST(FanOutline, IsClosedAndLiesOnTheFansEdge) {
   for (const Probe& probe : {convexProbe(), linearProbe()}) {
-    const auto outline = fanOutline_mm(probe, 120.0, 32);
+    const auto outline = fanOutline_mm(probe, {}, 120.0, 32);
     EXPECT_EQ(outline.front(), outline.back());
     for (const glm::dvec2& p : outline) {
       EXPECT_TRUE(isInFan(probe, 120.0, {p, 0.0}, 1e-9));

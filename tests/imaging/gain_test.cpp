@@ -1,4 +1,4 @@
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

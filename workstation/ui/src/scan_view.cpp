@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 #include "figures.h"
 #include "theme.h"
 #include "words.h"

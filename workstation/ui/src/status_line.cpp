@@ -20,6 +20,32 @@ QString nameOfStep(StepKind kind) {
       return StatusLine::tr("stretch");
     case StepKind::table:
       return StatusLine::tr("table");
+    case StepKind::sampleCubic:
+      return StatusLine::tr("cubic");
+    case StepKind::elevationPlanes:
+      return StatusLine::tr("slice thickness");
+    case StepKind::labels:
+      return StatusLine::tr("tissues");
+    case StepKind::contact:
+      return StatusLine::tr("contact");
+    case StepKind::attenuation:
+      return StatusLine::tr("shadow");
+    case StepKind::reverberation:
+      return StatusLine::tr("reverberation");
+    case StepKind::focusStretch:
+      return StatusLine::tr("focus");
+    case StepKind::focusKernel:
+      return StatusLine::tr("focus");
+    case StepKind::noise:
+      return StatusLine::tr("noise");
+    case StepKind::scanConversion:
+      return StatusLine::tr("scan conversion");
+    case StepKind::edges:
+      return StatusLine::tr("edges");
+    case StepKind::persistence:
+      return StatusLine::tr("persistence");
+    case StepKind::mMode:
+      return StatusLine::tr("M-mode");
   }
   return {};
 }

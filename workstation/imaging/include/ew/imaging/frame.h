@@ -1,69 +1,63 @@
 #pragma once
 
-#include <chrono>
+#include <cstdint>
 #include <iosfwd>
-#include <string>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "ew/core/image.h"
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/display.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/probe.h"
+#include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
 
 namespace ew {
 
-/// What a case says its scene calls for; the plan runs nothing else.
-struct Scene {
-  bool gainAndDgc = true;
-  bool operator==(const Scene&) const = default;
+/// One thing a frame has to do, in the order it is done.
+enum class StepKind {
+  sampleWeave,
+  sampleLinear,
+  sampleCubic,
+  zoomStretch,      ///< the paper's interleaved stretches of a weave that zooms in
+  elevationPlanes,  ///< the planes beside the middle one, and their mean
+  labels,           ///< which tissue each sample lies in
+  contact,
+  attenuation,
+  reverberation,
+  focusStretch,
+  focusKernel,
+  noise,
+  scanConversion,
+  edges,
+  persistence,
+  table,  ///< gain, DGC, dynamic range and grey map
+  mMode,
 };
-
-/// Where the fan of a probe lies in the picture.
-struct DisplayGeometry {
-  int width = 0;
-  int height = 0;
-  double pixel_mm = 0.0;    ///< size of a pixel, the same in both directions
-  glm::dvec2 face_px{0.0};  ///< pixel coordinates of the probe frame's origin (may lie outside the picture when zoomed in)
-  bool markerLeft = true;   ///< the probe's +x points to the left of the picture
-  double depth_mm = 0.0;    ///< resolved: never 0
-  bool operator==(const DisplayGeometry&) const = default;
-  [[nodiscard]] Transform<frame::Probe, frame::Image> imageToProbe() const;
-};
-
-/// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
-/// about the picture's middle. A depth outside the probe's range is brought to the nearer end of it, a zoom to 1..8.
-/// @param width, height pixels, >= 1
-[[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height);
-
-/// The pixels of each row whose centres lie inside the fan: none in a row the fan does not touch, two runs beside the face of a convex
-/// probe.
-[[nodiscard]] Spans fanSpans(const Probe& probe, const DisplayGeometry& geometry);
-
-/// Outline of the fan in the probe's x-y plane, mm: what the 3D view draws. Closed: the last point repeats the first. It runs along the
-/// face from -x to +x, then back along the bottom; an arc has `pointsPerArc` points (>= 2), a straight edge its two ends.
-[[nodiscard]] std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, double depth_mm, int pointsPerArc = 48);
-
-/// One thing a frame has to do.
-enum class StepKind { sampleWeave, sampleLinear, zoomStretch, table };
 const char* nameOf(StepKind kind);
 struct Step {
   StepKind kind = StepKind::sampleLinear;
-  double estimated_us = 0.0;  ///< from the pixel count, on a machine of 2023; not part of comparison
+  double estimated_us = 0.0;  ///< from the counts of pixels and samples, on a machine of 2023; not part of comparison
   bool operator==(const Step& other) const { return kind == other.kind; }
 };
 
 /// What a frame runs, in order. Neutral steps are not in it. Printable, comparable.
 struct Plan {
   std::vector<Step> steps;
+  bool onBeams = false;  ///< sampled on the beam grid and scan-converted; otherwise the display grid is sampled directly
   bool operator==(const Plan&) const = default;
 };
 std::ostream& operator<<(std::ostream& out, const Plan& plan);
 
-/// The steps that this setting calls for. The table is left out when gain and all DGC factors are 1 or the scene has none; the zoom is
-/// left out of a linear plan (interpolation needs none) and when a pixel is nowhere smaller than a voxel.
-[[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid);
+/// The steps that this setting calls for. Left out are: every effect the scene does not have, a table that changes nothing, knobs at their
+/// neutral setting; beams, when no step needs them (a linear array that steers or fans out does not: the display grid is clipped to its
+/// fan).
+/// @param hasLabels whether frames come with a label volume
+[[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
+                            bool hasLabels = false);
 
 /// Time of one step of one frame.
 struct StepTime {
@@ -71,41 +65,52 @@ struct StepTime {
   double measured_us = 0.0;
 };
 
+/// Everything that changes from frame to frame. Someone else owns voxels and gaps until the frame is made.
+struct FrameInput {
+  SliceSource echo;    ///< its grid's place in the world may differ from the one configured (a moved volume needs no new tables)
+  SliceSource labels;  ///< of the tissues of the scene, on any grid; empty: grey levels decide
+  Pose pose;
+  std::span<const float> gaps_mm;  ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
+  double time_s = 0.0;             ///< of the M-mode strip
+  std::uint64_t number = 0;        ///< of the noise: the same number, the same noise
+};
+
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.
 class FrameMaker {
  public:
+  /// @param threads that work on one frame; 0: one per processor. Pictures do not depend on it.
+  explicit FrameMaker(int threads = 1);
+  ~FrameMaker();
+  FrameMaker(FrameMaker&&) noexcept;
+  FrameMaker& operator=(FrameMaker&&) noexcept;
+
   /// Rebuilds what depends on these values, and only when they changed.
-  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height);
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
+                 bool hasLabels = false);
 
   /// The picture for one pose: 0 outside the fan and outside the volume. The view stays valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.
-  /// @param volume the grid's place in the world may differ from the one configured (a moved volume needs no new tables)
+  ImageView<const std::uint8_t> make(const FrameInput& input);
+  /// The same with everything touching, no labels, frame number 0.
   ImageView<const std::uint8_t> make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
 
-  [[nodiscard]] const Plan& plan() const { return plan_; }
-  [[nodiscard]] const DisplayGeometry& geometry() const { return geometry_; }
+  /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
+  [[nodiscard]] ImageView<const std::uint8_t> strip() const;
+  [[nodiscard]] int stripCursor() const;
+  /// Forgets earlier frames: persistence and M-mode start afresh.
+  void forget();
+
+  [[nodiscard]] const Plan& plan() const;
+  [[nodiscard]] const DisplayGeometry& geometry() const;
   /// What the last frame's steps took, in the order of the plan; empty when the frame was black for want of a pose.
-  [[nodiscard]] const std::vector<StepTime>& lastTimes() const { return times_; }
+  [[nodiscard]] const std::vector<StepTime>& lastTimes() const;
   /// The status of the last pose, PoseStatus::invalid when its matrix was refused, PoseStatus::missing before the first frame.
-  [[nodiscard]] PoseStatus lastStatus() const { return status_; }
-  [[nodiscard]] const Spans& spans() const { return spans_; }
+  [[nodiscard]] PoseStatus lastStatus() const;
+  [[nodiscard]] const Spans& spans() const;
 
  private:
-  bool configured_ = false;
-  Probe probe_;
-  Knobs knobs_;
-  Scene scene_;
-  Grid grid_;
-  DisplayGeometry geometry_;
-  Plan plan_;
-  Spans spans_;
-  double spanPixels_ = 0.0;
-  std::vector<double> rowPosition_;  ///< depth of each row, 0 at the face, 1 at the bottom
-  std::vector<std::uint8_t> table_;  ///< 256 x rows of Eq. 5
-  SliceScratch scratch_;
-  GreyImage picture_;
-  std::vector<StepTime> times_;
-  PoseStatus status_ = PoseStatus::missing;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace ew

@@ -5,9 +5,22 @@
 namespace ew {
 
 /// How the volume is sampled; each step up costs time (see `echoweave bench slicing`).
-enum class Quality { weave, linear };
+enum class Quality { weave, linear, cubic };
+
+/// How the focus acts (`Scene::focus` says whether it does).
+enum class FocusMethod {
+  rowStretch,     ///< the paper's: rows out of focus are undersampled and stretched back
+  lateralKernel,  ///< every depth is blurred by the width its beam has there
+};
+
+/// How grey levels are shown after the dynamic range; see effects/gain.h for the curves.
+enum class GreyMap { linear, soft, contrast, bright };
+
+/// What the scan view shows.
+enum class DisplayMode { bMode, mMode, both };
 
 inline constexpr int kDgcSliders = 8;
+inline constexpr int kMostFoci = 4;
 
 /// The console. Defaults are neutral: an effect at its neutral setting is not run.
 struct Knobs {
@@ -15,9 +28,23 @@ struct Knobs {
   std::array<double, kDgcSliders> dgc{1, 1, 1, 1, 1, 1, 1, 1};  ///< factors of Eq. 4, near to far, >= 0; 1 is neutral
   double depth_mm = 0.0;                                        ///< 0: the probe's default depth
   double focus_mm = 0.0;                                        ///< depth of the focus mark; 0: half of the depth
-  double zoom = 1.0;                                            ///< display magnification about the middle of the image, 1..8
+  std::array<double, kMostFoci - 1> moreFoci_mm{};              ///< further foci, 0: not used
+  FocusMethod focusMethod = FocusMethod::lateralKernel;
+  double carrier_hz = 0.0;       ///< one of the probe's frequencies; 0: the probe's own
+  double dynamicRange_db = 0.0;  ///< shown range below full white, 20..120; 0: the range the volume was recorded with
+  GreyMap greyMap = GreyMap::linear;
+  double edgeEnhancement = 0.0;  ///< 0 (neutral)..1
+  double persistence = 0.0;      ///< share of the last picture that stays, 0 (neutral)..0.95
+  int elevationPlanes = 5;       ///< planes the slice thickness is averaged over, odd, 3..9; acts when the scene has a slice thickness
+  double steering_rad = 0.0;     ///< linear probes: towards +x, within the probe's largest
+  bool trapezoid = false;        ///< linear probes: lines fan out to the probe's trapezoid angle; then steering does not act
+  double zoom = 1.0;             ///< display magnification about the middle of the image, 1..8
   Quality quality = Quality::linear;
-  bool markerLeft = true;  ///< display only: the marked side (+x of the probe) at the left of the picture, as in general imaging
+  DisplayMode mode = DisplayMode::bMode;
+  double mLine = 0.0;       ///< which beam M-mode follows: -1 at the face's -x end .. +1
+  double mSweep_s = 4.0;    ///< time across the M-mode strip, 1..16
+  bool markerLeft = true;   ///< display only: the marked side (+x of the probe) at the left of the picture, as in general imaging
+  bool upsideDown = false;  ///< display only: the face at the bottom
   bool operator==(const Knobs&) const = default;
 };
 

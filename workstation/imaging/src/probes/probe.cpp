@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "ew/core/contract.h"
 #include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
 
@@ -137,6 +138,29 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   }
   if (fields.complaint()) return passOn(*fields.complaint());
   return probe;
+}
+
+double faceHalfWidth_mm(const Probe& probe) {
+  if (!isSector(probe.kind) || probe.kind == ProbeKind::phased) return 0.5 * probe.width_mm;
+  return probe.radius_mm * std::sin(probe.halfAngle_rad);
+}
+
+double faceSagitta_mm(const Probe& probe) { return isSector(probe.kind) ? probe.radius_mm * (1.0 - std::cos(probe.halfAngle_rad)) : 0.0; }
+
+std::vector<glm::dvec3> facePoints_mm(const Probe& probe, int count) {
+  EW_EXPECTS(count >= 2);
+  const bool straight = !isSector(probe.kind) || probe.kind == ProbeKind::phased;
+  std::vector<glm::dvec3> points;
+  points.reserve(static_cast<std::size_t>(count));
+  for (int n = 0; n < count; ++n) {
+    const double across = 2.0 * n / (count - 1) - 1.0;
+    const double angle_rad = across * probe.halfAngle_rad;
+    if (straight)
+      points.emplace_back(across * 0.5 * probe.width_mm, 0.0, 0.0);
+    else
+      points.emplace_back(probe.radius_mm * std::sin(angle_rad), probe.radius_mm * (std::cos(angle_rad) - 1.0), 0.0);
+  }
+  return points;
 }
 
 Result<std::vector<Probe>> readProbes(const std::filesystem::path& folder) {

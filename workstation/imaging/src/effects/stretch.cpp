@@ -1,4 +1,4 @@
-#include "ew/imaging/stretch.h"
+#include "ew/imaging/effects/stretch.h"
 
 #include <cstddef>
 

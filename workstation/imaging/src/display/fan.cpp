@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/imaging/frame.h"
+#include "ew/imaging/display.h"
+
+#include "ew/core/contract.h"
 
 namespace ew {
 namespace {
@@ -58,11 +60,12 @@ RowSpan pixelsBetween(double low_px, double high_px, int width) {
 Transform<frame::Probe, frame::Image> DisplayGeometry::imageToProbe() const {
   Transform<frame::Probe, frame::Image> result;
   const double lateral_mm = markerLeft ? -pixel_mm : pixel_mm;
+  const double axial_mm = upsideDown ? -pixel_mm : pixel_mm;
   result.matrix[0][0] = lateral_mm;
-  result.matrix[1][1] = pixel_mm;
+  result.matrix[1][1] = axial_mm;
   result.matrix[2][2] = pixel_mm;
   result.matrix[3][0] = -face_px.x * lateral_mm;
-  result.matrix[3][1] = -face_px.y * pixel_mm;
+  result.matrix[3][1] = -face_px.y * axial_mm;
   return result;
 }
 
@@ -73,6 +76,7 @@ DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, in
   geometry.width = width;
   geometry.height = height;
   geometry.markerLeft = knobs.markerLeft;
+  geometry.upsideDown = knobs.upsideDown;
   geometry.depth_mm = resolvedDepth_mm(probe, knobs);
   const FanBox box = boxOf(probe, geometry.depth_mm);
   const double usable = 1.0 - 2.0 * kMargin;
@@ -86,7 +90,7 @@ DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, in
   return geometry;
 }
 
-Spans fanSpans(const Probe& probe, const DisplayGeometry& geometry) {
+Spans fanSpans(const Probe& probe, const Knobs&, const DisplayGeometry& geometry) {
   Spans spans(static_cast<std::size_t>(geometry.height));
   for (int y = 0; y < geometry.height; ++y) {
     const HalfRow half = halfRowAt(probe, geometry.depth_mm, (static_cast<double>(y) - geometry.face_px.y) * geometry.pixel_mm);
@@ -111,7 +115,7 @@ Spans fanSpans(const Probe& probe, const DisplayGeometry& geometry) {
   return spans;
 }
 
-std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, double depth_mm, int pointsPerArc) {
+std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, const Knobs&, double depth_mm, int pointsPerArc) {
   EW_EXPECTS(pointsPerArc >= 2);
   if (probe.kind == ProbeKind::linear) {
     const double half_mm = 0.5 * probe.width_mm;

@@ -31,7 +31,7 @@ struct TemplateLine {
   [[nodiscard]] FixedPosition base(int y) const;
 };
 
-TemplateLine layTemplate(const VolumeView<const std::uint8_t>& volume, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
+TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
                          const glm::dvec3& acrossRows_voxel, int width, int height, SliceScratch& scratch);
 
 /// The pixels of `within` whose position along every axis lies in [lowest, highest]; positions along a row are monotone, so they are

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "ew/imaging/stretch.h"
+#include "ew/imaging/effects/stretch.h"
 #include "template_line.h"
 
 namespace ew {
@@ -21,11 +21,11 @@ void blacken(const Clipping& clipping, ImageView<std::uint8_t> out) {
     for (const RowSpan& span : clipping.of(y)) std::fill(out.row(y) + span.begin, out.row(y) + span.end, std::uint8_t{0});
 }
 
-void sliceRows(RowsSampler sampleRows, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel,
-               const Clipping& clipping, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+void sliceRows(RowsSampler sampleRows, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
+               ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const TemplateLine line =
-      detail::layTemplate(volume, glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1]), out.width, out.height, scratch);
+      detail::layTemplate(source, glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1]), out.width, out.height, scratch);
   if (line.empty) return blacken(clipping, out);
   sampleRows(line, scratch, 0, clipping, out);
 }
@@ -47,11 +47,11 @@ void blendRows(const std::uint8_t* upper, const std::uint8_t* lower, int weight,
 }
 
 /// Fig. 5: rows x columns voxel-sized samples, stretched along each row as it is sampled and downwards as soon as two rows are there.
-void sliceZoomedIn(const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, int columns, int rows,
-                   const Clipping& clipping, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, int columns, int rows, const Clipping& clipping,
+                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const auto scale = [](int pixels, int samples) { return samples > 1 ? static_cast<double>(pixels - 1) / (samples - 1) : 0.0; };
-  const TemplateLine line = detail::layTemplate(volume, glm::dvec3(m[3]), glm::dvec3(m[0]) * scale(out.width, columns),
+  const TemplateLine line = detail::layTemplate(source, glm::dvec3(m[3]), glm::dvec3(m[0]) * scale(out.width, columns),
                                                 glm::dvec3(m[1]) * scale(out.height, rows), columns, rows, scratch);
   if (line.empty) return blacken(clipping, out);
 
@@ -86,39 +86,37 @@ void sliceZoomedIn(const VolumeView<const std::uint8_t>& volume, const ImageToVo
   scratch.zoomSampling_us = std::chrono::duration<double, std::micro>(sampling).count();
 }
 
-void sliceClipped(Quality quality, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
+void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   if (out.width < 1 || out.height < 1) return;
-  if (quality == Quality::linear) return sliceRows(detail::linearRows, volume, imageToVoxel, clipping, out, scratch);
+  if (quality == Quality::linear) return sliceRows(detail::linearRows, source, imageToVoxel, clipping, out, scratch);
   const int columns = voxelSizedSamples(out.width, glm::length(glm::dvec3(imageToVoxel.matrix[0])));
   const int rows = voxelSizedSamples(out.height, glm::length(glm::dvec3(imageToVoxel.matrix[1])));
-  if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRows, volume, imageToVoxel, clipping, out, scratch);
-  sliceZoomedIn(volume, imageToVoxel, columns, rows, clipping, out, scratch);
+  if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRows, source, imageToVoxel, clipping, out, scratch);
+  sliceZoomedIn(source, imageToVoxel, columns, rows, clipping, out, scratch);
 }
 
 Clipping wholeImage(const ImageView<std::uint8_t>& out) { return {{}, {0, out.width}}; }
 
 }  // namespace
 
-void sliceWeave(const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
-                SliceScratch& scratch) {
-  sliceRows(detail::weaveRows, volume, imageToVoxel, wholeImage(out), out, scratch);
+void sliceWeave(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+  sliceRows(detail::weaveRows, source, imageToVoxel, wholeImage(out), out, scratch);
 }
 
-void sliceLinear(const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
-                 SliceScratch& scratch) {
-  sliceRows(detail::linearRows, volume, imageToVoxel, wholeImage(out), out, scratch);
+void sliceLinear(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+  sliceRows(detail::linearRows, source, imageToVoxel, wholeImage(out), out, scratch);
 }
 
-void slice(Quality quality, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
+void slice(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
            SliceScratch& scratch) {
-  sliceClipped(quality, volume, imageToVoxel, wholeImage(out), out, scratch);
+  sliceClipped(quality, source, imageToVoxel, wholeImage(out), out, scratch);
 }
 
-void slice(Quality quality, const VolumeView<const std::uint8_t>& volume, const ImageToVoxel& imageToVoxel,
-           std::span<const std::vector<RowSpan>> spans, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+void slice(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, std::span<const std::vector<RowSpan>> spans,
+           ImageView<std::uint8_t> out, SliceScratch& scratch) {
   EW_EXPECTS(spans.size() == static_cast<std::size_t>(out.height));
-  sliceClipped(quality, volume, imageToVoxel, {spans, {}}, out, scratch);
+  sliceClipped(quality, source, imageToVoxel, {spans, {}}, out, scratch);
 }
 
 Transform<frame::Probe, frame::Image> sliceGeometry(int width, double pixel_mm) {

@@ -24,6 +24,23 @@ namespace ew {
 void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
                     std::vector<std::uint8_t>& table);
 
+/// What follows gain and DGC on the way to the screen: the dynamic range shown and the grey map.
+struct Tone {
+  double recordedDynamicRange_db = 60.0;
+  double dynamicRange_db =
+      60.0;  ///< shown: full white stays, levels this far below it become black; wider than recorded: black becomes grey
+  GreyMap map = GreyMap::linear;
+  bool operator==(const Tone&) const = default;
+  [[nodiscard]] bool isNeutral() const { return map == GreyMap::linear && dynamicRange_db == recordedDynamicRange_db; }
+};
+
+/// The grey level shown for an echo level 0..255 (before rounding): monotone, 255 stays 255 for every map.
+[[nodiscard]] double shownLevel(const Tone& tone, double level);
+
+/// buildGainTable with `tone` behind it, in one table and one rounding: tables fuse.
+void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, const Tone& tone, std::span<const double> rowPosition,
+                    std::vector<std::uint8_t>& table);
+
 /// Looks every pixel up in its row's part of the table, in place.
 /// @param table 256 x image.height entries, as buildGainTable makes them
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table);

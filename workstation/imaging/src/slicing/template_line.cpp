@@ -23,15 +23,15 @@ FixedPosition TemplateLine::base(int y) const {
   return {fixed(at.x), fixed(at.y), fixed(at.z)};
 }
 
-TemplateLine layTemplate(const VolumeView<const std::uint8_t>& volume, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
+TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
                          const glm::dvec3& acrossRows_voxel, int width, int height, SliceScratch& scratch) {
   TemplateLine line;
-  line.voxels = volume.data;
-  line.dims = volume.grid.dims;
+  line.voxels = source.voxels;
+  line.dims = source.grid.dims;
   line.origin_voxel = origin_voxel;
   line.alongRow_voxel = alongRow_voxel;
   line.acrossRows_voxel = acrossRows_voxel;
-  const bool hasVoxels = volume.data != nullptr && line.dims.x > 0 && line.dims.y > 0 && line.dims.z > 0;
+  const bool hasVoxels = source.voxels != nullptr && line.dims.x > 0 && line.dims.y > 0 && line.dims.z > 0;
   line.empty = !hasVoxels || width < 1 || height < 1 || !isInRange(origin_voxel) ||
                !isInRange(alongRow_voxel * static_cast<double>(width)) || !isInRange(acrossRows_voxel * static_cast<double>(height));
   if (line.empty) return line;
@@ -39,7 +39,7 @@ TemplateLine layTemplate(const VolumeView<const std::uint8_t>& volume, const glm
   const auto nx = static_cast<std::uint64_t>(line.dims.x);
   const auto ny = static_cast<std::uint64_t>(line.dims.y);
   line.stride = {line.dims.x > 1 ? 1U : 0U, line.dims.y > 1 ? nx : 0U, line.dims.z > 1 ? nx * ny : 0U};
-  line.needsLongOffsets = volume.grid.voxelCount() > 0xffffffffULL;
+  line.needsLongOffsets = source.grid.voxelCount() > 0xffffffffULL;
 
   const auto count = static_cast<std::size_t>(width);
   for (int axis = 0; axis < 3; ++axis) {

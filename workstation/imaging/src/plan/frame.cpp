@@ -5,7 +5,7 @@
 #include <ostream>
 #include <utility>
 
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 
 namespace ew {
 namespace {
@@ -54,10 +54,36 @@ const char* nameOf(StepKind kind) {
       return "weave";
     case StepKind::sampleLinear:
       return "linear";
+    case StepKind::sampleCubic:
+      return "cubic";
     case StepKind::zoomStretch:
       return "zoom stretch";
+    case StepKind::elevationPlanes:
+      return "slice thickness";
+    case StepKind::labels:
+      return "tissues";
+    case StepKind::contact:
+      return "contact";
+    case StepKind::attenuation:
+      return "shadow";
+    case StepKind::reverberation:
+      return "reverberation";
+    case StepKind::focusStretch:
+      return "focus (stretch)";
+    case StepKind::focusKernel:
+      return "focus";
+    case StepKind::noise:
+      return "noise";
+    case StepKind::scanConversion:
+      return "scan conversion";
+    case StepKind::edges:
+      return "edges";
+    case StepKind::persistence:
+      return "persistence";
     case StepKind::table:
       return "gain and DGC";
+    case StepKind::mMode:
+      return "M-mode";
   }
   return "unknown";
 }
@@ -71,11 +97,55 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
   return out;
 }
 
-Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid) {
-  return planFor(pixelsOf(fanSpans(probe, geometry)), knobs, scene, geometry, grid);
+Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool) {
+  return planFor(pixelsOf(fanSpans(probe, knobs, geometry)), knobs, scene, geometry, grid);
 }
 
-void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height) {
+struct FrameMaker::Parts {
+  bool configured_ = false;
+  Probe probe_;
+  Knobs knobs_;
+  Scene scene_;
+  Grid grid_;
+  DisplayGeometry geometry_;
+  Plan plan_;
+  Spans spans_;
+  double spanPixels_ = 0.0;
+  std::vector<double> rowPosition_;  ///< depth of each row, 0 at the face, 1 at the bottom
+  std::vector<std::uint8_t> table_;  ///< 256 x rows of Eq. 5
+  SliceScratch scratch_;
+  GreyImage picture_;
+  std::vector<StepTime> times_;
+  PoseStatus status_ = PoseStatus::missing;
+
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height);
+  ImageView<const std::uint8_t> make(const FrameInput& input);
+};
+
+FrameMaker::FrameMaker(int) : parts_(std::make_unique<Parts>()) {}
+FrameMaker::~FrameMaker() = default;
+FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
+FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
+void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool) {
+  parts_->configure(probe, knobs, scene, grid, width, height);
+}
+ImageView<const std::uint8_t> FrameMaker::make(const FrameInput& input) { return parts_->make(input); }
+ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+  FrameInput input;
+  input.echo = volume;
+  input.pose = pose;
+  return make(input);
+}
+ImageView<const std::uint8_t> FrameMaker::strip() const { return {}; }
+int FrameMaker::stripCursor() const { return 0; }
+void FrameMaker::forget() {}
+const Plan& FrameMaker::plan() const { return parts_->plan_; }
+const DisplayGeometry& FrameMaker::geometry() const { return parts_->geometry_; }
+const std::vector<StepTime>& FrameMaker::lastTimes() const { return parts_->times_; }
+PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
+const Spans& FrameMaker::spans() const { return parts_->spans_; }
+
+void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height) {
   EW_EXPECTS(width >= 1 && height >= 1);
   if (configured_ && probe == probe_ && knobs == knobs_ && scene == scene_ && grid == grid_ && width == geometry_.width &&
       height == geometry_.height)
@@ -89,7 +159,7 @@ void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   grid_ = grid;
   geometry_ = geometry;
   if (geometryChanged) {
-    spans_ = fanSpans(probe_, geometry_);
+    spans_ = fanSpans(probe_, knobs_, geometry_);
     spanPixels_ = pixelsOf(spans_);
     rowPosition_.resize(static_cast<std::size_t>(height));
     for (int y = 0; y < height; ++y) {
@@ -112,11 +182,11 @@ void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   configured_ = true;
 }
 
-ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   EW_EXPECTS(configured_);
   times_.clear();
-  status_ = pose.status;
-  if (status_ == PoseStatus::ok && !checkRigid(pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
+  status_ = input.pose.status;
+  if (status_ == PoseStatus::ok && !checkRigid(input.pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
   if (status_ != PoseStatus::ok) {
     std::fill(picture_.pixels.begin(), picture_.pixels.end(), std::uint8_t{0});
     return viewOf(std::as_const(picture_));
@@ -125,11 +195,12 @@ ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) { return std::chrono::duration<double, std::micro>(Clock::now() - start).count(); };
   const ImageView<std::uint8_t> picture = viewOf(picture_);
-  const Transform<frame::Voxel, frame::Image> imageToVoxel = volume.grid.worldToVoxel() * pose.probeToWorld * geometry_.imageToProbe();
+  const Transform<frame::Voxel, frame::Image> imageToVoxel =
+      input.echo.grid.worldToVoxel() * input.pose.probeToWorld * geometry_.imageToProbe();
 
   const auto sliceStart = Clock::now();
   scratch_.zoomSampling_us = 0.0;
-  slice(knobs_.quality, volume, imageToVoxel, spans_, picture, scratch_);
+  slice(knobs_.quality, input.echo, imageToVoxel, spans_, picture, scratch_);
   const double slice_us = since(sliceStart);
   for (const Step& step : plan_.steps) {
     switch (step.kind) {
@@ -146,6 +217,8 @@ ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8
         times_.push_back({step.kind, since(start)});
         break;
       }
+      default:
+        break;
     }
   }
   return viewOf(std::as_const(picture_));

@@ -1,4 +1,4 @@
-#include "ew/imaging/gain.h"
+#include "ew/imaging/effects/gain.h"
 
 #include <algorithm>
 #include <cmath>

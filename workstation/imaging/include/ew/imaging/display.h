@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ew/core/frames.h"
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+#include "ew/imaging/slicing.h"
+
+namespace ew {
+
+/// Where the fan of a probe lies in the picture.
+struct DisplayGeometry {
+  int width = 0;
+  int height = 0;
+  double pixel_mm = 0.0;    ///< size of a pixel, the same in both directions
+  glm::dvec2 face_px{0.0};  ///< pixel coordinates of the probe frame's origin (may lie outside the picture when zoomed in)
+  bool markerLeft = true;   ///< the probe's +x points to the left of the picture
+  bool upsideDown = false;  ///< the probe's +y points to the top of the picture
+  double depth_mm = 0.0;    ///< resolved: never 0
+  bool operator==(const DisplayGeometry&) const = default;
+  [[nodiscard]] Transform<frame::Probe, frame::Image> imageToProbe() const;
+};
+
+/// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
+/// about the picture's middle. A depth outside the probe's range is brought to the nearer end of it, a zoom to 1..8.
+/// @param width, height pixels, >= 1
+[[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height);
+
+/// The pixels of each row whose centres lie inside the fan: none in a row the fan does not touch, two runs beside the face of a convex
+/// probe.
+[[nodiscard]] Spans fanSpans(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry);
+
+/// Outline of the fan in the probe's x-y plane, mm: what the 3D view draws. Closed: the last point repeats the first. It runs along the
+/// face from -x to +x, then back along the bottom; an arc has `pointsPerArc` points (>= 2), a straight edge its two ends.
+[[nodiscard]] std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, const Knobs& knobs, double depth_mm, int pointsPerArc = 48);
+
+}  // namespace ew

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace ew {
+
+/// How long pictures took from pose to pixels: a histogram of fixed size, so that keeping it costs a frame nothing.
+class LatencyHistogram {
+ public:
+  static constexpr int kBuckets = 64;  ///< logarithmic, four to a doubling from 16 us on
+  void add(double us);
+  void clear() { *this = {}; }
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// Upper edge of a bucket, us.
+  [[nodiscard]] static double edge_us(int bucket);
+  [[nodiscard]] std::uint64_t inBucket(int bucket) const { return buckets_[static_cast<std::size_t>(bucket)]; }
+  /// The smallest edge that `share` (0..1) of the pictures do not exceed; 0 when there are none. Good to a bucket (19 %).
+  [[nodiscard]] double quantile_us(double share) const;
+  [[nodiscard]] double max_us() const { return max_us_; }
+
+ private:
+  std::array<std::uint64_t, kBuckets> buckets_{};
+  std::uint64_t count_ = 0;
+  double max_us_ = 0.0;
+};
+
+}  // namespace ew

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ew {
+
+/// How sound behaves in the tissue that a label stands for.
+struct TissueAcoustics {
+  int label = 0;  ///< value in the label volume
+  std::string name;
+  double attenuation_dbPerCmMhz = 0.5;  ///< one way
+  double reflection_db =
+      0.0;  ///< lost once, both ways together, on entering the tissue from another one: 0 soft tissue, 20 and more stone, bone, gas
+  bool operator==(const TissueAcoustics&) const = default;
+};
+
+/// effects/focus.h: lateral resolution that depends on depth and on the focus marks.
+struct FocusEffect {
+  double strength = 1.0;  ///< scales the width the beam has beyond the recorded volume's own; 0..3
+  bool operator==(const FocusEffect&) const = default;
+};
+
+/// effects/slice_thickness.h: the picture is an average over the beam's elevational width.
+struct SliceThicknessEffect {
+  double scale = 1.0;  ///< of the probe's own thickness, 0.1..4
+  bool operator==(const SliceThicknessEffect&) const = default;
+};
+
+/// effects/attenuation.h: shadow behind what takes sound away, enhancement behind what takes less than the machine expects.
+struct AttenuationEffect {
+  double expected_dbPerCmMhz = 0.5;    ///< what the machine's own compensation removes
+  double interfaceLevel = 215.0;       ///< grey levels from here on reflect, when no labels say what they are
+  double interface_dbPerMm = 6.0;      ///< loss, both ways, in each mm of such grey
+  double fluidLevel = 18.0;            ///< smoothed grey levels up to here take nothing, when no labels say what they are
+  double largestEnhancement_db = 9.0;  ///< the machine's amplifier ends here
+  bool operator==(const AttenuationEffect&) const = default;
+};
+
+/// effects/reverberation.h: repeated echoes between the face and strong interfaces, and mirror images beyond them.
+struct ReverberationEffect {
+  double interfaceLevel = 225.0;   ///< grey levels from here on are strong interfaces
+  double loss_dbPerBounce = 14.0;  ///< of each way there and back
+  int bounces = 3;                 ///< 1..6
+  bool mirror = true;              ///< mirror images beyond smooth strong interfaces
+  double mirrorLoss_db = 12.0;
+  bool operator==(const ReverberationEffect&) const = default;
+};
+
+/// effects/noise.h: electronic noise, which the machine's own depth compensation makes grow with depth.
+struct NoiseEffect {
+  double atFace_db = -75.0;        ///< noise level below full white at the face
+  double growth_dbPerCmMhz = 0.5;  ///< of the compensation: both ways, times frequency
+  bool operator==(const NoiseEffect&) const = default;
+};
+
+/// effects/contact.h: parts of the face off the skin go dark and ring down.
+struct ContactEffect {
+  double gel_mm = 3.0;      ///< gaps up to here are filled by gel
+  double ringDown_mm = 12;  ///< length of the bright lines under a face in air
+  bool operator==(const ContactEffect&) const = default;
+};
+
+/// What a case says its scene calls for; the plan runs nothing else. An effect that is absent costs nothing.
+struct Scene {
+  bool gainAndDgc = true;
+  double recordedDynamicRange_db = 60.0;  ///< what 0..255 of the volume span, 20..120
+  std::optional<FocusEffect> focus = std::nullopt;
+  std::optional<SliceThicknessEffect> sliceThickness = std::nullopt;
+  std::optional<AttenuationEffect> attenuation = std::nullopt;
+  std::optional<ReverberationEffect> reverberation = std::nullopt;
+  std::optional<NoiseEffect> noise = std::nullopt;
+  std::optional<ContactEffect> contact = std::nullopt;
+  std::vector<TissueAcoustics> tissues = {};  ///< of the label volume, when the case has one
+  bool operator==(const Scene&) const = default;
+};
+
+/// Every effect at its usual strength: what the workstation offers for a volume without a case.
+[[nodiscard]] Scene sceneWithEverything();
+
+}  // namespace ew
