@@ -1,6 +1,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "recipes.h"
 
@@ -202,6 +203,11 @@ TEST(ReadPatient, NamesTheFieldThatCannotBeUsed) {
        patientRecipe(R"({"name": "egg", "tissue": "dark", )" + ball + R"(, "border": {"echo_level": 9, "width_mm": 1, "shine": "x"}})")},
       {"organs[1] (egg).name",
        patientRecipe(R"({"name": "egg", "tissue": "dark", )" + ball + R"(}, {"name": "egg", "tissue": "dark", )" + ball + "}")},
+      {"tissues[0].reflection_db",
+       [] {
+         std::string recipe = patientRecipe(R"({"name": "egg", "tissue": "dark", "shape": {"of": "skin surface"}})");
+         return recipe.replace(recipe.find(R"("speckle": 1})"), 13, R"("speckle": 1, "reflection_db": 61})");
+       }()},
       {"organs[0].colour", patientRecipe(R"({"name": "egg", "tissue": "dark", "colour": 3, )" + ball + "}")},
       {"organs[0] (egg).shape.shell.to_depth_mm",
        patientRecipe(
@@ -217,6 +223,21 @@ TEST(ReadPatient, NamesTheFieldThatCannotBeUsed) {
     EXPECT_NE(patient.error().sentence.find(field), std::string::npos) << patient.error().sentence << "\ndoes not name " << field;
     EXPECT_NE(patient.error().sentence.find("expected"), std::string::npos) << patient.error().sentence;
   }
+}
+
+TEST(LabelTissues, AreThoseOfTheOrgansInTheOrderOfTheirLabels) {
+  const auto tissues = readLabelTissues(testing::shippedPatient());
+  ASSERT_TRUE(tissues) << tissues.error();
+  const auto organs = organsOf(shipped());
+  ASSERT_EQ(tissues->size(), organs.size() + 1);
+  EXPECT_EQ((*tissues)[0].tissue.name, "mesentery") << "label 0 is the background";
+  for (std::size_t n = 0; n < organs.size(); ++n) {
+    EXPECT_EQ((*tissues)[n + 1].label, organs[n].label);
+    EXPECT_EQ((*tissues)[n + 1].organ, organs[n].name);
+  }
+  for (const auto& each : *tissues)
+    EXPECT_EQ(each.tissue.reflection_db >= 20.0, (std::set<std::string>{"bone", "stone", "bowel gas", "lung"}.count(each.tissue.name) > 0))
+        << each.organ;
 }
 
 TEST(ReadPatient, SaysWhatIsWrongWithAFileAsAWhole) {

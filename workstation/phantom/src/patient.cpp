@@ -48,12 +48,13 @@ Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& rec
 
 Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
   Tissue tissue;
-  reader.allow(object, place, {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "texture"});
+  reader.allow(object, place, {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "reflection_db", "texture"});
   if (reader.problem()) return tissue;
   tissue.name = reader.text(object, place, "name");
   tissue.echoLevel = reader.number(object, place, "echo_level", 0.0, 255.0);
   tissue.speckle = reader.number(object, place, "speckle", 0.0, 1.0);
   tissue.attenuation_dbPerCmMhz = reader.number(object, place, "attenuation_db_per_cm_mhz", 0.0, 100.0, 0.5);
+  tissue.reflection_db = reader.number(object, place, "reflection_db", 0.0, 60.0, 0.0);
   if (const auto texture = object.find("texture"); texture != object.end()) {
     const std::string at = place + ".texture";
     reader.allow(*texture, at, {"level", "scale_mm", "follows_the_skin"});
@@ -66,6 +67,19 @@ Tissue readTissue(FieldReader& reader, const json& object, const std::string& pl
     tissue.texture.followsTheSkin = reader.flag(*texture, at, "follows_the_skin", false);
   }
   return tissue;
+}
+
+std::vector<Tissue> readTissues(FieldReader& reader, const json& recipe) {
+  std::vector<Tissue> read;
+  std::set<std::string> names;
+  const json& tissues = reader.list(recipe, "patient", "tissues", 1, 254);
+  for (std::size_t n = 0; n < tissues.size() && !reader.problem(); ++n) {
+    const std::string at = "tissues[" + std::to_string(n) + "]";
+    read.push_back(readTissue(reader, tissues[n], at));
+    if (!reader.problem() && !names.insert(read.back().name).second)
+      reader.refuse(at + ".name", '"' + read.back().name + '"', "a name that is not taken yet");
+  }
+  return read;
 }
 
 std::size_t tissueNamed(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
@@ -160,14 +174,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
     }
   }
 
-  std::set<std::string> tissueNames;
-  const json& tissues = reader.list(*recipe, "patient", "tissues", 1, 254);
-  for (std::size_t n = 0; n < tissues.size() && !reader.problem(); ++n) {
-    const std::string at = "tissues[" + std::to_string(n) + "]";
-    patient->tissues.push_back(readTissue(reader, tissues[n], at));
-    if (!reader.problem() && !tissueNames.insert(patient->tissues.back().name).second)
-      reader.refuse(at + ".name", '"' + patient->tissues.back().name + '"', "a name that is not taken yet");
-  }
+  patient->tissues = readTissues(reader, *recipe);
   patient->backgroundTissue = tissueNamed(reader, *recipe, "patient", "background", patient->tissues);
   const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
@@ -194,6 +201,26 @@ std::vector<OrganName> organsOf(const Patient& patient) {
   std::vector<OrganName> names;
   for (std::size_t n = 0; n < patient.organs.size(); ++n) names.push_back({static_cast<int>(n) + 1, patient.organs[n].name});
   return names;
+}
+
+Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file) {
+  const auto recipe = phantom::readRecipe(file, "virtual patient");
+  if (!recipe) return passOn(recipe.error());
+  FieldReader reader(file.string());
+  const std::vector<Tissue> tissues = readTissues(reader, *recipe);
+  const std::size_t background = tissueNamed(reader, *recipe, "patient", "background", tissues);
+  if (reader.problem()) return passOn(*reader.problem());
+  std::vector<LabelTissue> labels{{0, "", tissues[background]}};
+  const json& organs = reader.list(*recipe, "patient", "organs", 1, 254);
+  for (std::size_t n = 0; n < organs.size() && !reader.problem(); ++n) {
+    const std::string at = "organs[" + std::to_string(n) + "]";
+    if (!organs[n].is_object()) reader.refuse(at, "not an object", "an organ");
+    const std::string name = reader.text(organs[n], at, "name");
+    const std::size_t tissue = tissueNamed(reader, organs[n], at, "tissue", tissues);
+    if (!reader.problem()) labels.push_back({static_cast<int>(n) + 1, name, tissues[tissue]});
+  }
+  if (reader.problem()) return passOn(*reader.problem());
+  return labels;
 }
 
 Bounds boxOf(const Patient& patient) { return patient.box; }

@@ -25,9 +25,10 @@ struct TissueTexture {
 /// What a tissue looks like to an ultrasound machine.
 struct Tissue {
   std::string name;
-  double echoLevel = 0.0;  ///< mean grey level after log compression, 0..255
-  double speckle = 0.0;    ///< 0: anechoic or specular; 1: fully developed
-  double attenuation_dbPerCmMhz = 0.5;
+  double echoLevel = 0.0;               ///< mean grey level after log compression, 0..255
+  double speckle = 0.0;                 ///< 0: anechoic or specular; 1: fully developed
+  double attenuation_dbPerCmMhz = 0.5;  ///< one way
+  double reflection_db = 0.0;           ///< lost once, both ways together, on entering it from another tissue, 0..60
   TissueTexture texture;
   bool operator==(const Tissue&) const = default;
 };
@@ -41,6 +42,14 @@ struct OrganName {
   std::string name;
 };
 
+/// The tissue that a label of voxelise stands for.
+struct LabelTissue {
+  int label = 0;
+  std::string organ;  ///< empty for label 0, the background
+  Tissue tissue;
+  bool operator==(const LabelTissue&) const = default;
+};
+
 /// Reads a virtual patient (resources/schemas/patient.schema.json says what it may hold). The mannequin it names gives its skin and is
 /// looked for beside the recipe, in `mannequins`, in resources/mannequin of the folders above the recipe, then of $ECHOWEAVE_RESOURCES.
 /// @error notFound, notReadable, tooLarge, badHeader, badField (organ, field, value found, expected), newerFormat
@@ -48,6 +57,10 @@ struct OrganName {
                                                                  const std::filesystem::path& mannequins = {});
 
 [[nodiscard]] std::vector<OrganName> organsOf(const Patient& patient);
+
+/// The tissues of all labels of a recipe, by rising label; nothing is built, so it is quick where the voxels are there already.
+/// @error as readPatient, as far as it goes: neither shapes nor the mannequin are looked at
+[[nodiscard]] Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file);
 
 /// The box that voxelise fills.
 [[nodiscard]] Bounds boxOf(const Patient& patient);
