@@ -81,6 +81,8 @@ TEST(LoadCaseVolume, MakesARecipeOnceAndThenReadsItFromTheCache) {
   ASSERT_TRUE(second);
   EXPECT_EQ(second->volume.echo, first->volume.echo);
   EXPECT_EQ(second->volume.coverage, first->volume.coverage);
+  EXPECT_EQ(second->labels->echo, first->labels->echo);
+  EXPECT_EQ(second->tissues, first->tissues);
   EXPECT_EQ(second->volume.grid.dims, first->volume.grid.dims);
   EXPECT_LT(glm::length(second->volume.grid.origin_mm - first->volume.grid.origin_mm), 1e-9);
 
@@ -93,6 +95,109 @@ TEST(LoadCaseVolume, MakesARecipeOnceAndThenReadsItFromTheCache) {
   EXPECT_TRUE(caseNeedsPreparation(made)) << "another recipe is another volume";
 }
 
+TEST(LoadCaseVolume, GivesWithARecipeTheTissueOfEveryVoxel) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  auto shipped = loadCase(*shippedCasesFolder() / "upper-abdomen-gall-stone");
+  ASSERT_TRUE(shipped) << shipped.error();
+  shipped->volume.recipeSpacing_mm = 4.0;
+  for (const bool fromCache : {false, true}) {
+    const auto echo = loadCaseVolume(*shipped, noProgress());
+    ASSERT_TRUE(echo) << echo.error();
+    ASSERT_TRUE(echo->labels.has_value());
+    const Grid& grid = echo->labels->grid;
+    EXPECT_EQ(grid, echo->volume.grid);
+    const auto tissueAt = [&](const glm::dvec3& p_world) {
+      const auto p = glm::ivec3(glm::round(glm::dvec3(grid.worldToVoxel().matrix * glm::dvec4(p_world, 1.0))));
+      const int label = echo->labels->echo[grid.indexOf(p.x, p.y, p.z)];
+      for (const auto& tissue : echo->tissues)
+        if (tissue.label == label) return tissue;
+      ADD_FAILURE() << "label " << label << " has no tissue";
+      return TissueAcoustics{};
+    };
+    const auto stone = tissueAt({-51.4, -24.4, -55.2});
+    EXPECT_EQ(stone.name, "gall stone") << fromCache;
+    EXPECT_GE(stone.reflection_db, 20.0);
+    EXPECT_GE(stone.attenuation_dbPerCmMhz, 5.0);
+    const auto bile = tissueAt({-59, -47, -66});
+    EXPECT_EQ(bile.name, "gall bladder lumen") << fromCache;
+    EXPECT_LT(bile.attenuation_dbPerCmMhz, 0.05) << "fluid takes nothing: what lies behind it is enhanced";
+    EXPECT_EQ(bile.reflection_db, 0.0);
+    EXPECT_LT(tissueAt({13, 25, -50}).attenuation_dbPerCmMhz, 0.25) << "blood of the aorta";
+    EXPECT_GE(tissueAt({-20, -55, -122}).reflection_db, 20.0) << "gas in the colon";
+  }
+}
+
+TEST(LoadCaseVolume, PlacesALabelFileOnItsOwnGridBesideTheEcho) {
+  const TemporaryFolder folder;
+  Volume echo{{.dims = {3, 4, 5}}, std::vector<std::uint8_t>(60, 7), {}};
+  Volume labels{{.dims = {2, 2, 2}, .spacing_mm = {2, 2, 2}, .origin_mm = {1, 0, 0}}, {0, 1, 2, 3, 4, 5, 6, 255}, {}};
+  ASSERT_TRUE(writeVolume(echo, folder / "a.mha"));
+  ASSERT_TRUE(writeVolume(labels, folder / "l.mha"));
+  Case made;
+  made.id = made.title = "x";
+  made.volume.file = "a.mha";
+  made.volume.labels = "l.mha";
+  made.volume.fileToWorld = glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1});
+  ASSERT_TRUE(saveCase(made, folder.path()));
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->volume.labels, "l.mha");
+  const auto found = loadCaseVolume(*opened, noProgress());
+  ASSERT_TRUE(found) << found.error();
+  ASSERT_TRUE(found->labels.has_value());
+  EXPECT_EQ(found->labels->echo, labels.echo);
+  EXPECT_EQ(found->labels->grid, placed(labels.grid, made.volume.fileToWorld));
+  EXPECT_TRUE(found->tissues.empty()) << "what a label file means is the scene's to say";
+}
+
+TEST(LoadCaseVolume, RefusesLabelsThatWouldNotMeanWhatTheyWere) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeVolume({{.dims = {3, 4, 5}}, std::vector<std::uint8_t>(60, 7), {}}, folder / "a.mha"));
+  writeText(folder / "l.mha",
+            "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_USHORT\nElementDataFile = LOCAL\n" + std::string(16, '\1'));
+  Case made;
+  made.id = made.title = "x";
+  made.volume.file = "a.mha";
+  made.volume.labels = "l.mha";
+  made.folder = folder.path();
+  const auto found = loadCaseVolume(made, noProgress());
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::unsupported);
+  EXPECT_NE(found.error().sentence.find("16 bit unsigned"), std::string::npos) << found.error();
+  made.volume.labels = "none.mha";
+  EXPECT_EQ(loadCaseVolume(made, noProgress()).error().code, ErrorCode::notFound);
+}
+
+TEST(CaseManifest, TakesALabelFileUnderTheRulesOfAVolumeFile) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.mha", "l.mha", "patient.json"}) writeText(folder / name, "x");
+  const auto problemsOf = [&](const nlohmann::json& volume) {
+    return checkManifest({{"format", 1}, {"id", "x"}, {"title", "x"}, {"volume", volume}}, folder.path());
+  };
+  EXPECT_TRUE(problemsOf({{"file", "a.mha"}, {"labels", "l.mha"}}).empty());
+  const nlohmann::json refused[] = {{{"file", "a.mha"}, {"labels", "../l.mha"}},
+                                    {{"file", "a.mha"}, {"labels", "none.mha"}},
+                                    {{"file", "a.mha"}, {"labels", 3}},
+                                    {{"recipe", "patient.json"}, {"labels", "l.mha"}}};
+  for (const auto& volume : refused) {
+    const auto problems = problemsOf(volume);
+    ASSERT_EQ(problems.size(), 1u) << volume;
+    EXPECT_NE(problems.front().sentence.find("volume.labels"), std::string::npos) << problems.front();
+  }
+}
+
+TEST(SceneWithTissues, PrefersTheManifestsTissueOfALabel) {
+  Scene manifest;
+  manifest.tissues = {{.label = 2, .name = "softer stone", .attenuation_dbPerCmMhz = 3.0, .reflection_db = 8.0}};
+  const std::vector<TissueAcoustics> recipe = {{.label = 0, .name = "fat"}, {.label = 2, .name = "stone"}, {.label = 3, .name = "bile"}};
+  const Scene scene = sceneWithTissues(manifest, recipe);
+  ASSERT_EQ(scene.tissues.size(), 3u);
+  EXPECT_EQ(scene.tissues[0].name, "fat");
+  EXPECT_EQ(scene.tissues[1], manifest.tissues[0]);
+  EXPECT_EQ(scene.tissues[2].name, "bile");
+}
+
 TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
   const TemporaryFolder folder;
   const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
@@ -100,7 +205,7 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
   const auto first = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(first);
   const auto files = filesIn(folder / "cache");
-  ASSERT_EQ(files.size(), 3u);
+  ASSERT_EQ(files.size(), 4u);
   for (const auto& file : files) {
     for (const int damage : {0, 1, 2}) {
       const std::string whole = textOf(file);
@@ -115,6 +220,7 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
       ASSERT_TRUE(again) << file << again.error();
       EXPECT_EQ(again->volume.echo, first->volume.echo) << file << " damage " << damage;
       EXPECT_EQ(again->volume.coverage, first->volume.coverage) << file << " damage " << damage;
+      EXPECT_EQ(again->labels->echo, first->labels->echo) << file << " damage " << damage;
       EXPECT_EQ(again->notes.size(), 1u) << file << " damage " << damage;
       EXPECT_TRUE(loadCaseVolume(made, noProgress())->notes.empty()) << "mended";
     }
@@ -143,7 +249,7 @@ TEST(LoadCaseVolume, TwoProcessesMayMakeTheSameVolumeAtOnce) {
   const auto echo = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(echo);
   EXPECT_TRUE(echo->notes.empty());
-  EXPECT_EQ(filesIn(folder / "cache").size(), 3u) << "nothing aside is left behind";
+  EXPECT_EQ(filesIn(folder / "cache").size(), 4u) << "nothing aside is left behind";
 }
 
 TEST(LoadCaseVolume, OpensTheCaseAlsoWhenTheCacheCannotBeWritten) {

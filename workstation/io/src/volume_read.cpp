@@ -77,4 +77,17 @@ Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const 
   return loaded;
 }
 
+Result<LoadedVolume> readLabelVolume(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+  const auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  const bool rescaled = header->slope != 1.0 || header->intercept != 0.0;
+  if (header->type != SampleType::u8 || header->channels != 1 || rescaled) {
+    const std::string found = std::to_string(header->channels) + " x " + nameOf(header->type) + (rescaled ? ", rescaled" : "");
+    return failure(ErrorCode::unsupported,
+                   quoted(file) + " holds " + found + " samples, but labels are one 8 bit unsigned number a voxel; export them as such.",
+                   {{"file", file.string()}, {"found", found}, {"expected", "1 x 8 bit unsigned"}});
+  }
+  return readVolume(file, progress, limits);
+}
+
 }  // namespace ew

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 constexpr std::array<std::string_view, 13> kTopFields = {"format",    "id",     "title",     "region", "patient", "history",   "indication",
                                                          "diagnosis", "volume", "mannequin", "probes", "scene",   "start_pose"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
-constexpr std::array<std::string_view, 4> kVolumeFields = {"file", "recipe", "recipe_spacing_mm", "file_to_world"};
+constexpr std::array<std::string_view, 5> kVolumeFields = {"file", "labels", "recipe", "recipe_spacing_mm", "file_to_world"};
 constexpr std::array<std::string_view, 1> kSceneFields = {"gain_and_dgc"};
 
 template <class Names>
@@ -102,6 +102,11 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
                         "'volume.recipe_spacing_mm' in case.json is not a number; it must be from 0.1 to 10 mm.",
                         {{"field", "volume.recipe_spacing_mm"}}});
   checkFile(folder, volume, "file", "volume.file", problems);
+  checkFile(folder, volume, "labels", "volume.labels", problems);
+  if (volume.contains("labels") && volume.contains("recipe"))
+    problems.push_back({ErrorCode::badField,
+                        "'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.",
+                        {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
   checkFile(folder, volume, "recipe", "volume.recipe", problems);
   checkMannequin(folder, manifest, problems);
   return problems;
@@ -124,6 +129,7 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   made.diagnosis = manifest.value("diagnosis", "");
   const json& volume = manifest["volume"];
   made.volume.file = volume.value("file", "");
+  made.volume.labels = volume.value("labels", "");
   made.volume.recipe = volume.value("recipe", "");
   made.volume.recipeSpacing_mm = volume.value("recipe_spacing_mm", 1.0);
   if (volume.contains("file_to_world")) made.volume.fileToWorld = matrixOf(volume["file_to_world"]);
@@ -158,6 +164,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   text("diagnosis", edited.diagnosis);
   ordered_json volume = ordered_json::object();
   if (!edited.volume.file.empty()) volume["file"] = edited.volume.file;
+  if (!edited.volume.labels.empty()) volume["labels"] = edited.volume.labels;
   if (!edited.volume.recipe.empty()) volume["recipe"] = edited.volume.recipe;
   if (!edited.volume.recipe.empty() || edited.volume.recipeSpacing_mm != 1.0) volume["recipe_spacing_mm"] = edited.volume.recipeSpacing_mm;
   volume["file_to_world"] = rowsOf(edited.volume.fileToWorld);

@@ -28,6 +28,11 @@ struct LoadedVolume {
 [[nodiscard]] Result<LoadedVolume> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
                                               const ReadLimits& limits = {});
 
+/// Reads a volume of labels: each sample stands for itself, so nothing but one 8 bit unsigned value a voxel is taken.
+/// @error as readVolume; unsupported (another sample type, colours, a header that rescales)
+[[nodiscard]] Result<LoadedVolume> readLabelVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                                   const ReadLimits& limits = {});
+
 struct WriteOptions {
   bool compress = true;  ///< .mha only; a .mhd + .raw is never compressed, so that it can be mapped
 };

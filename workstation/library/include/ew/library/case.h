@@ -26,6 +26,7 @@ struct CasePatient {
 /// Where the case's volume comes from and where it lies in the mannequin.
 struct CaseVolume {
   std::string file;    ///< relative to the case folder ("volumes/abdomen.mha"), or empty when a recipe makes it
+  std::string labels;  ///< of a file: which tissue each voxel is (scene.tissues says what they do), on a grid of its own, or empty
   std::string recipe;  ///< virtual patient ("patient.json"), voxelised on first start into the cache; empty when there is a file
   double recipeSpacing_mm = 1.0;
   glm::dmat4 fileToWorld{1.0};  ///< rigid placement in the mannequin, mm, LPS
@@ -88,13 +89,21 @@ struct CaseList {
 };
 [[nodiscard]] CaseList listCases(const std::filesystem::path& folder);
 
-/// The echo volume of a case, placed in the world: from its file, or from its recipe by way of the cache, making it when it is not there.
-/// @error as readVolume, readPatient, voxelise; notWritable for the cache is recovered (noted), not an error
+/// What a case shows and what it is made of.
 struct CaseEcho {
-  Volume volume;
+  Volume volume;                         ///< echo levels
+  std::optional<Volume> labels;          ///< its `echo` holds a label per voxel; none when the case names no labels
+  std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<std::string> notes;
 };
+
+/// Echo and labels of a case, both placed in the world: from its files, or from its recipe by way of the cache, making them when they
+/// are not there.
+/// @error as readVolume, readLabelVolume, readPatient, voxelise; notWritable for the cache is recovered (noted), not an error
 [[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress);
+
+/// The scene a case is scanned with: what its manifest says, and of each label the recipe's tissue unless the manifest has its own.
+[[nodiscard]] Scene sceneWithTissues(const Scene& manifest, const std::vector<TissueAcoustics>& recipe);
 
 /// Whether loadCaseVolume will have to make the volume first (and how long that takes is for the progress to say).
 [[nodiscard]] bool caseNeedsPreparation(const Case& opened);
