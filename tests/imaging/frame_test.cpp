@@ -80,7 +80,7 @@ TEST(FitDisplay, ZoomsAboutTheMiddleOfThePicture) {
   const DisplayGeometry whole = fitDisplay(convexProbe(), knobs, 600, 500);
   knobs.zoom = 3.0;
   const DisplayGeometry zoomed = fitDisplay(convexProbe(), knobs, 600, 500);
-  EXPECT_NEAR(zoomed.pixel_mm, whole.pixel_mm / 3.0, 1e-12);
+  EXPECT_NEAR(zoomed.pixel_mm, whole.pixel_mm / 3.0, 1e-9);
   const Point<frame::Image> middle{{299.5, 249.5, 0.0}};
   const glm::dvec3 before = (whole.imageToProbe() * middle).at, after = (zoomed.imageToProbe() * middle).at;
   EXPECT_NEAR(glm::length(before - after), 0.0, 1e-9);

@@ -3,56 +3,29 @@
 
 #include "ew/imaging/display.h"
 
+#include "../probes/fan_shape.h"
 #include "ew/core/contract.h"
 
 namespace ew {
 namespace {
-
-/// Smallest box around the fan in the probe's x-y plane.
-struct FanBox {
-  double halfWidth_mm = 0.0;
-  double top_mm = 0.0;
-  double bottom_mm = 0.0;
-};
-
-FanBox boxOf(const Probe& probe, double depth_mm) {
-  if (probe.kind == ProbeKind::linear) return {0.5 * probe.width_mm, 0.0, depth_mm};
-  // The ends of the face lie behind its foremost point.
-  return {(probe.radius_mm + depth_mm) * std::sin(probe.halfAngle_rad), probe.radius_mm * (std::cos(probe.halfAngle_rad) - 1.0), depth_mm};
-}
 
 double resolvedDepth_mm(const Probe& probe, const Knobs& knobs) {
   if (!(knobs.depth_mm > 0.0)) return probe.defaultDepth_mm;
   return std::clamp(knobs.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
 }
 
-/// Half of the fan's width at axial position y, and half of the gap that the face of a convex probe leaves there; halfWidth < 0 where
-/// the fan has no point.
-struct HalfRow {
-  double halfWidth_mm = -1.0;
-  double halfGap_mm = -1.0;
-};
-
-HalfRow halfRowAt(const Probe& probe, double depth_mm, double y_mm) {
-  if (probe.kind == ProbeKind::linear) return {y_mm >= 0.0 && y_mm <= depth_mm ? 0.5 * probe.width_mm : -1.0, -1.0};
-  const double fromCentre_mm = y_mm + probe.radius_mm;
-  const double far_mm = probe.radius_mm + depth_mm;
-  if (fromCentre_mm <= 0.0 || fromCentre_mm > far_mm) return {};
-  HalfRow half;
-  half.halfWidth_mm =
-      std::min(fromCentre_mm * std::tan(probe.halfAngle_rad), std::sqrt(std::max(0.0, far_mm * far_mm - fromCentre_mm * fromCentre_mm)));
-  if (fromCentre_mm < probe.radius_mm) half.halfGap_mm = std::sqrt(probe.radius_mm * probe.radius_mm - fromCentre_mm * fromCentre_mm);
-  if (half.halfGap_mm > half.halfWidth_mm) return {};
-  return half;
-}
-
-/// Pixels whose centres lie in [low, high], kept inside the picture.
-RowSpan pixelsBetween(double low_px, double high_px, int width) {
-  const double end = static_cast<double>(width);
-  const double first = std::clamp(std::ceil(low_px), 0.0, end);
-  const double afterLast = std::clamp(std::floor(high_px) + 1.0, 0.0, end);
-  if (!(first < afterLast)) return {};
-  return {static_cast<int>(first), static_cast<int>(afterLast)};
+/// Pixels x of a row of `width` whose centres lie in [low, high], lengths in mm from column `middle_px`.
+RowSpan pixelsBetween(double low_mm, double high_mm, double middle_px, double pixel_mm, int width) {
+  const auto nearest = [&](double at_mm) { return std::clamp(std::round(middle_px + at_mm / pixel_mm), -1.0, static_cast<double>(width)); };
+  // The nearest pixels are only a guess: what counts is the comparison, which mirrored pixels pass or fail together.
+  const auto at_mm = [&](int x) { return (x - middle_px) * pixel_mm; };
+  int begin = static_cast<int>(nearest(low_mm));
+  while (begin > 0 && at_mm(begin - 1) >= low_mm) --begin;
+  while (begin < width && (begin < 0 || at_mm(begin) < low_mm)) ++begin;
+  int end = std::max(begin, static_cast<int>(nearest(high_mm)));
+  while (end < width && at_mm(end) <= high_mm) ++end;
+  while (end > begin && at_mm(end - 1) > high_mm) --end;
+  return {begin, end};
 }
 
 }  // namespace
@@ -69,68 +42,75 @@ Transform<frame::Probe, frame::Image> DisplayGeometry::imageToProbe() const {
   return result;
 }
 
+glm::dvec2 DisplayGeometry::probePoint_mm(int x_px, int y_px) const {
+  const double x_mm = (x_px - face_px.x) * pixel_mm;
+  const double y_mm = (y_px - face_px.y) * pixel_mm;
+  return {markerLeft ? -x_mm : x_mm, upsideDown ? -y_mm : y_mm};
+}
+
 DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height) {
   EW_EXPECTS(width >= 1 && height >= 1);
   constexpr double kMargin = 0.02;  // of the picture, on each side
+  constexpr double kPixelSteps_perMm = 4294967296.0;
   DisplayGeometry geometry;
   geometry.width = width;
   geometry.height = height;
   geometry.markerLeft = knobs.markerLeft;
   geometry.upsideDown = knobs.upsideDown;
   geometry.depth_mm = resolvedDepth_mm(probe, knobs);
-  const FanBox box = boxOf(probe, geometry.depth_mm);
+  const detail::FanShape::Box box = detail::fanShapeOf(probe, knobs).box(geometry.depth_mm);
   const double usable = 1.0 - 2.0 * kMargin;
   geometry.pixel_mm = std::max(2.0 * box.halfWidth_mm / (usable * static_cast<double>(width)),
                                (box.bottom_mm - box.top_mm) / (usable * static_cast<double>(height)));
   const double zoom = knobs.zoom > 1.0 ? std::min(knobs.zoom, 8.0) : 1.0;  // NaN compares false
-  geometry.pixel_mm /= zoom;
+  // Of few binary digits, so that products with columns are exact and imageToProbe sends mirrored columns to mirrored places.
+  geometry.pixel_mm = std::ceil(geometry.pixel_mm / zoom * kPixelSteps_perMm) / kPixelSteps_perMm;
   // The middle of the fan's box stays in the middle of the picture at every zoom.
   geometry.face_px.x = 0.5 * static_cast<double>(width - 1);
-  geometry.face_px.y = 0.5 * static_cast<double>(height - 1) - 0.5 * (box.top_mm + box.bottom_mm) / geometry.pixel_mm;
+  const double middle_px = 0.5 * (box.top_mm + box.bottom_mm) / geometry.pixel_mm;
+  geometry.face_px.y = 0.5 * static_cast<double>(height - 1) + (geometry.upsideDown ? middle_px : -middle_px);
   return geometry;
 }
 
-Spans fanSpans(const Probe& probe, const Knobs&, const DisplayGeometry& geometry) {
+Spans fanSpans(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry) {
+  const detail::FanShape fan = detail::fanShapeOf(probe, knobs);
   Spans spans(static_cast<std::size_t>(geometry.height));
   for (int y = 0; y < geometry.height; ++y) {
-    const HalfRow half = halfRowAt(probe, geometry.depth_mm, (static_cast<double>(y) - geometry.face_px.y) * geometry.pixel_mm);
-    if (half.halfWidth_mm < 0.0) continue;
-    const double outer_px = half.halfWidth_mm / geometry.pixel_mm;
-    const double centre_px = geometry.face_px.x;
+    const detail::FanShape::Row place = fan.rowAt(geometry.probePoint_mm(0, y).y, geometry.depth_mm);
+    if (place.low_mm > place.high_mm) continue;
+    const double low_mm = geometry.markerLeft ? -place.high_mm : place.low_mm;
+    const double high_mm = geometry.markerLeft ? -place.low_mm : place.high_mm;
     auto& row = spans[static_cast<std::size_t>(y)];
+    const auto between = [&](double from_mm, double to_mm) {
+      return pixelsBetween(from_mm, to_mm, geometry.face_px.x, geometry.pixel_mm, geometry.width);
+    };
     const auto add = [&row](RowSpan span) {
       if (span.begin < span.end) row.push_back(span);
     };
-    if (half.halfGap_mm < 0.0) {
-      add(pixelsBetween(centre_px - outer_px, centre_px + outer_px, geometry.width));
+    if (place.gap_mm <= 0.0) {
+      add(between(low_mm, high_mm));
       continue;
     }
-    const double gap_px = half.halfGap_mm / geometry.pixel_mm;
-    const RowSpan left = pixelsBetween(centre_px - outer_px, centre_px - gap_px, geometry.width);
-    RowSpan right = pixelsBetween(centre_px + gap_px, centre_px + outer_px, geometry.width);
-    if (left.begin < left.end) right.begin = std::max(right.begin, left.end);  // a gap of no width: the middle pixel belongs to one side
-    add(left);
-    add(right);
+    add(between(low_mm, -place.gap_mm));
+    add(between(place.gap_mm, high_mm));
   }
   return spans;
 }
 
-std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, const Knobs&, double depth_mm, int pointsPerArc) {
+std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, const Knobs& knobs, double depth_mm, int pointsPerArc) {
   EW_EXPECTS(pointsPerArc >= 2);
-  if (probe.kind == ProbeKind::linear) {
-    const double half_mm = 0.5 * probe.width_mm;
-    return {{-half_mm, 0.0}, {half_mm, 0.0}, {half_mm, depth_mm}, {-half_mm, depth_mm}, {-half_mm, 0.0}};
-  }
+  const detail::FanShape fan = detail::fanShapeOf(probe, knobs);
+  const bool sector = fan.kind == detail::FanShape::Kind::sector;
   std::vector<glm::dvec2> outline;
   outline.reserve(2 * static_cast<std::size_t>(pointsPerArc) + 1);
-  const auto addArc = [&](double radius_mm, double direction) {
-    for (int n = 0; n < pointsPerArc; ++n) {
-      const double angle_rad = direction * probe.halfAngle_rad * (2.0 * n / (pointsPerArc - 1) - 1.0);
-      outline.emplace_back(radius_mm * std::sin(angle_rad), radius_mm * std::cos(angle_rad) - probe.radius_mm);
+  const auto add = [&](double at_mm, double towards, int points) {
+    for (int n = 0; n < points; ++n) {
+      const detail::FanShape::Line line = fan.lineAt(points == 1 ? 0.0 : towards * (2.0 * n / (points - 1) - 1.0));
+      outline.push_back(line.origin_mm + at_mm * line.direction);
     }
   };
-  addArc(probe.radius_mm, 1.0);
-  addArc(probe.radius_mm + depth_mm, -1.0);
+  add(0.0, 1.0, !sector ? 2 : fan.apexToFace_mm > 0.0 ? pointsPerArc : 1);
+  add(depth_mm, -1.0, fan.kind == detail::FanShape::Kind::parallel ? 2 : pointsPerArc);
   outline.push_back(outline.front());
   return outline;
 }

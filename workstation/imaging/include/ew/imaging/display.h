@@ -21,10 +21,13 @@ struct DisplayGeometry {
   double depth_mm = 0.0;    ///< resolved: never 0
   bool operator==(const DisplayGeometry&) const = default;
   [[nodiscard]] Transform<frame::Probe, frame::Image> imageToProbe() const;
+  /// The same for one pixel centre, in the image plane. Pixels mirrored about face_px get mirrored points, to the bit.
+  [[nodiscard]] glm::dvec2 probePoint_mm(int x_px, int y_px) const;
 };
 
 /// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
-/// about the picture's middle. A depth outside the probe's range is brought to the nearer end of it, a zoom to 1..8.
+/// about the picture's middle. The middle of the face stays in the picture's middle column, so a fan that leans to one side is fitted as
+/// if it leant to both. A depth outside the probe's range is brought to the nearer end of it, a zoom to 1..8.
 /// @param width, height pixels, >= 1
 [[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height);
 
@@ -33,7 +36,8 @@ struct DisplayGeometry {
 [[nodiscard]] Spans fanSpans(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry);
 
 /// Outline of the fan in the probe's x-y plane, mm: what the 3D view draws. Closed: the last point repeats the first. It runs along the
-/// face from -x to +x, then back along the bottom; an arc has `pointsPerArc` points (>= 2), a straight edge its two ends.
+/// face from -x to +x, then back along the bottom; a curve has `pointsPerArc` points (>= 2), a straight edge its two ends, a face of
+/// radius 0 its one point.
 [[nodiscard]] std::vector<glm::dvec2> fanOutline_mm(const Probe& probe, const Knobs& knobs, double depth_mm, int pointsPerArc = 48);
 
 }  // namespace ew

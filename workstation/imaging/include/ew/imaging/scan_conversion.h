@@ -20,9 +20,11 @@ struct ScanConversionTable {
     std::uint32_t first = 0;         ///< index of sample s of line l in a BeamImage: s * lines + l; l + 1 and s + 1 exist
     std::uint16_t lineWeight = 0;    ///< of line l + 1, in 1/32768
     std::uint16_t sampleWeight = 0;  ///< of sample s + 1
+    bool operator==(const Tap&) const = default;
   };
   std::vector<Tap> taps;                   ///< of the pixels in the spans, row after row
   std::vector<std::size_t> firstTapOfRow;  ///< height + 1 entries
+  bool operator==(const ScanConversionTable&) const = default;
 };
 
 /// Exact: each pixel's centre is taken back to the grid in closed form, weights are rounded to 2^-15.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <limits>
+
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+
+namespace ew::detail {
+
+/// The area a probe looks at, as formulas: everything that asks where lines lie asks here. A place along the face is `across`, -1 at the
+/// -x end to +1 at the +x end; lines are spaced evenly in it. Every formula is odd or even in x to the bit unless the lines are steered,
+/// so a mirrored question gets the mirrored answer.
+struct FanShape {
+  enum class Kind {
+    parallel,   ///< from a straight face, all in the direction (sin steering, cos steering)
+    trapezoid,  ///< evenly from a straight face, away from an apex behind it
+    sector,     ///< evenly in angle from an arc about an apex; radius 0: from the apex itself
+  };
+  Kind kind = Kind::parallel;
+  double halfWidth_mm = 0.0;   ///< parallel, trapezoid
+  double steering_rad = 0.0;   ///< parallel
+  double apexToFace_mm = 0.0;  ///< trapezoid, sector
+  double halfAngle_rad = 0.0;  ///< trapezoid, sector
+
+  struct Line {
+    glm::dvec2 origin_mm;
+    glm::dvec2 direction;
+  };
+  [[nodiscard]] Line lineAt(double across) const;
+
+  struct Place {
+    double across;
+    double depth_mm;
+  };
+  /// The inverse of lineAt(across).origin_mm + depth_mm * direction.
+  [[nodiscard]] Place placeOf(const glm::dvec2& p_mm) const;
+
+  /// Smallest box around the fan; x is symmetric about the middle of the face.
+  struct Box {
+    double halfWidth_mm = 0.0;
+    double top_mm = 0.0;
+    double bottom_mm = 0.0;
+  };
+  [[nodiscard]] Box box(double depth_mm) const;
+
+  /// Points of the fan at one axial position: low <= x <= high and |x| >= gap; none when low > high.
+  struct Row {
+    double low_mm = std::numeric_limits<double>::infinity();
+    double high_mm = -std::numeric_limits<double>::infinity();
+    double gap_mm = 0.0;
+  };
+  [[nodiscard]] Row rowAt(double y_mm, double depth_mm) const;
+};
+
+/// Steering outside the probe's range is brought to the nearer end of it; steering that is no number is none.
+[[nodiscard]] FanShape fanShapeOf(const Probe& probe, const Knobs& knobs);
+
+}  // namespace ew::detail
