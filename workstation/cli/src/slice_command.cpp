@@ -62,7 +62,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   if (!volume) return passOn(volume.error());
   const auto& spacing_mm = volume->grid.spacing_mm;
   const double pixel_mm = arguments.pixel_mm.value_or(std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z}));
-  const Quality quality = arguments.quality == "weave" ? Quality::weave : Quality::linear;
+  const Quality quality = arguments.quality == "weave" ? Quality::weave : arguments.quality == "cubic" ? Quality::cubic : Quality::linear;
   const auto worldToVoxel = volume->grid.worldToVoxel();
   const auto imageToProbe = sliceGeometry(arguments.size_px.x, pixel_mm);
   run.report.options = {{"pose", arguments.pose}, {"poses", poses->size()},       {"size", {arguments.size_px.x, arguments.size_px.y}},
@@ -126,8 +126,9 @@ void addSlice(CLI::App& root, Selection& selection) {
       ->type_name("OUT");
   addSize(app, "--size", arguments->size_px, "Pixels of the picture (400x400)");
   addNumber(app, "--pixel", arguments->pixel_mm, {1e-6, 1e6}, "Size of a pixel in mm (the volume's smallest spacing)");
-  app.add_option("--quality", arguments->quality, "weave: nearest voxel, fastest; linear: trilinear (linear)")
-      ->check(CLI::IsMember({"weave", "linear"}))
+  app.add_option("--quality", arguments->quality,
+                 "weave: nearest voxel, fastest; linear: trilinear; cubic: cubic convolution, smoothest (linear)")
+      ->check(CLI::IsMember({"weave", "linear", "cubic"}))
       ->type_name("QUALITY");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }

@@ -16,6 +16,18 @@ using detail::TemplateLine;
 
 using RowsSampler = void (*)(const TemplateLine&, const SliceScratch&, int, const Clipping&, ImageView<std::uint8_t>);
 
+RowsSampler samplerOf(Quality quality) {
+  switch (quality) {
+    case Quality::weave:
+      return detail::weaveRows;
+    case Quality::linear:
+      return detail::linearRows;
+    case Quality::cubic:
+      return detail::cubicRows;
+  }
+  return detail::linearRows;
+}
+
 void blacken(const Clipping& clipping, ImageView<std::uint8_t> out) {
   for (int y = 0; y < out.height; ++y)
     for (const RowSpan& span : clipping.of(y)) std::fill(out.row(y) + span.begin, out.row(y) + span.end, std::uint8_t{0});
@@ -89,7 +101,7 @@ void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, 
 void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   if (out.width < 1 || out.height < 1) return;
-  if (quality == Quality::linear) return sliceRows(detail::linearRows, source, imageToVoxel, clipping, out, scratch);
+  if (quality != Quality::weave) return sliceRows(samplerOf(quality), source, imageToVoxel, clipping, out, scratch);
   const int columns = voxelSizedSamples(out.width, glm::length(glm::dvec3(imageToVoxel.matrix[0])));
   const int rows = voxelSizedSamples(out.height, glm::length(glm::dvec3(imageToVoxel.matrix[1])));
   if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRows, source, imageToVoxel, clipping, out, scratch);
@@ -117,6 +129,26 @@ void slice(Quality quality, const SliceSource& source, const ImageToVoxel& image
            ImageView<std::uint8_t> out, SliceScratch& scratch) {
   EW_EXPECTS(spans.size() == static_cast<std::size_t>(out.height));
   sliceClipped(quality, source, imageToVoxel, {spans, {}}, out, scratch);
+}
+
+void sliceCubic(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+  sliceRows(detail::cubicRows, source, imageToVoxel, wholeImage(out), out, scratch);
+}
+
+void sampleRows(Quality quality, const SliceSource& source, std::span<const SampleRow> rows, ImageView<std::uint8_t> out,
+                SliceScratch& scratch) {
+  const RowsSampler sampler = samplerOf(quality);
+  for (const SampleRow& row : rows) {
+    EW_EXPECTS(row.row >= 0 && row.row < out.height && row.span.begin >= 0 && row.span.end <= out.width);
+    if (row.span.begin >= row.span.end) continue;
+    const Clipping clipping{{}, row.span};
+    const ImageView<std::uint8_t> outRow{out.row(row.row), out.width, 1, out.stride};
+    const TemplateLine line = detail::layTemplate(source, row.start_voxel, row.step_voxel, glm::dvec3(0.0), row.span.end, 1, scratch);
+    if (line.empty)
+      blacken(clipping, outRow);
+    else
+      sampler(line, scratch, 0, clipping, outRow);
+  }
 }
 
 Transform<frame::Probe, frame::Image> sliceGeometry(int width, double pixel_mm) {

@@ -52,5 +52,6 @@ struct Clipping {
 /// Samples out.height rows from row `firstRow` of the plane on, within the spans of `clipping`; writes 0 where a row is outside the volume.
 void weaveRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
 void linearRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
+void cubicRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
 
 }  // namespace ew::detail

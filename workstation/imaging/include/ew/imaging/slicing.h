@@ -59,6 +59,12 @@ void sliceWeave(const SliceSource& source, const Transform<frame::Voxel, frame::
 void sliceLinear(const SliceSource& source, const Transform<frame::Voxel, frame::Image>& imageToVoxel, ImageView<std::uint8_t> out,
                  SliceScratch& scratch);
 
+/// Samples the same plane by cubic convolution over 4 x 4 x 4 voxels, exact on constants and, two voxels from the faces, on ramps within
+/// one rounding. Nearer to a face the missing neighbours repeat the outermost voxel; beyond it the border is that of sliceLinear. Overshoot
+/// is cut off at 0 and 255. Source: Keys, IEEE Trans. ASSP 29(6), 1981, a = -1/2, along i, j and k.
+void sliceCubic(const SliceSource& source, const Transform<frame::Voxel, frame::Image>& imageToVoxel, ImageView<std::uint8_t> out,
+                SliceScratch& scratch);
+
 /// The slicer of a quality. Zooming in (several pixels a voxel) with Quality::weave runs the paper's two interleaved stretches: rows of
 /// voxel-sized samples are stretched as they are sampled, and blended downwards as soon as two of them are there. The direction along
 /// which a pixel is not smaller than a voxel is not stretched. Pixels beside the volume's edge blend towards 0.

@@ -1,0 +1,50 @@
+#include "ew/imaging/bands.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+namespace ew {
+namespace {
+
+TEST(Bands, HandOutEveryRowOnceWhateverTheNumberOfThreads) {
+  for (const int threads : {1, 2, 3, 8}) {
+    Bands bands(threads);
+    EXPECT_EQ(bands.threads(), threads);
+    for (const int rows : {0, 1, 7, 8, 9, 64, 65, 768, 1001}) {
+      std::vector<std::atomic<int>> visits(static_cast<std::size_t>(rows));
+      bands.run(rows, [&](int firstRow, int rowCount, int) {
+        for (int y = firstRow; y < firstRow + rowCount; ++y) ++visits.at(static_cast<std::size_t>(y));
+      });
+      for (const auto& count : visits) ASSERT_EQ(count, 1) << threads << " threads, " << rows << " rows";
+    }
+  }
+}
+
+TEST(Bands, NeverUseASlotTwiceAtATime) {
+  constexpr int kThreads = 4;
+  Bands bands(kThreads);
+  std::vector<std::atomic<int>> inUse(kThreads);
+  std::atomic<int> clashes = 0;
+  for (int frame = 0; frame < 200; ++frame)
+    bands.run(256, [&](int, int, int slot) {
+      if (slot < 0 || slot >= kThreads || inUse[static_cast<std::size_t>(slot)]++ != 0) ++clashes;
+      if (slot >= 0 && slot < kThreads) --inUse[static_cast<std::size_t>(slot)];
+    });
+  EXPECT_EQ(clashes, 0);
+}
+
+TEST(Bands, ZeroThreadsMeansOnePerProcessor) { EXPECT_GE(Bands(0).threads(), 1); }
+
+TEST(Bands, SeveralOwnersMayRunAtTheSameTimeInsideEachOther) {
+  Bands outer(2), inner(2);
+  std::atomic<int> rows = 0;
+  outer.run(64, [&](int, int outerRows, int) {
+    for (int n = 0; n < outerRows; ++n) inner.run(32, [&](int, int innerRows, int) { rows += innerRows; });
+  });
+  EXPECT_EQ(rows, 64 * 32);
+}
+
+}  // namespace
+}  // namespace ew

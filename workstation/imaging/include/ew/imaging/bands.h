@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace ew {
+
+/// Shares the rows of a picture between threads that stay ready between frames. Whatever is written by rows does not depend on the number
+/// of threads. Running allocates nothing of its own; the threads and their tasks exist after the first run.
+class Bands {
+ public:
+  /// @param threads that work on one picture, the caller's among them; 0: one per processor
+  explicit Bands(int threads = 1);
+  ~Bands();
+  Bands(Bands&&) noexcept;
+  Bands& operator=(Bands&&) noexcept;
+
+  [[nodiscard]] int threads() const { return threads_; }
+
+  /// Calls work(firstRow, rowCount, slot) until every row of 0 .. rows - 1 was handed out once, and returns when all calls have. Two calls
+  /// with the same `slot`, 0 <= slot < threads(), never overlap: scratch memory is kept per slot.
+  /// @param rows   >= 0; with one thread there is a single call
+  /// @param work   does not throw
+  template <class Work>
+  void run(int rows, Work&& work) {
+    using Plain = std::remove_reference_t<Work>;
+    runErased(rows, const_cast<void*>(static_cast<const void*>(std::addressof(work))),
+              [](void* erased, int firstRow, int rowCount, int slot) { (*static_cast<Plain*>(erased))(firstRow, rowCount, slot); });
+  }
+
+ private:
+  struct Arena;
+  using Erased = void (*)(void* work, int firstRow, int rowCount, int slot);
+  void runErased(int rows, void* work, Erased call);
+  int threads_ = 1;
+  std::unique_ptr<Arena> arena_;  ///< none with one thread
+};
+
+}  // namespace ew

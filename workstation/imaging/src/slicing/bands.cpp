@@ -1,0 +1,51 @@
+#include "ew/imaging/bands.h"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "ew/core/contract.h"
+
+namespace ew {
+namespace {
+
+// Bands a thread: rows near the middle of a fan are longer, and other programs take processors away, so that equal shares end late.
+constexpr int kBandsPerThread = 4;
+constexpr int kFewestRows = 8;  // below, starting a task costs more than its rows
+
+}  // namespace
+
+struct Bands::Arena {
+  // More threads than processors would only wait for each other, and oneTBB says so on the terminal.
+  explicit Arena(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+  tbb::task_arena arena;
+};
+
+Bands::Bands(int threads) : threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
+  EW_EXPECTS(threads >= 0);
+  if (threads_ > 1) arena_ = std::make_unique<Arena>(threads_);
+}
+Bands::~Bands() = default;
+Bands::Bands(Bands&&) noexcept = default;
+Bands& Bands::operator=(Bands&&) noexcept = default;
+
+void Bands::runErased(int rows, void* work, Erased call) {
+  if (rows <= 0) return;
+  const int bands = std::min(kBandsPerThread * threads_, (rows + kFewestRows - 1) / kFewestRows);
+  if (!arena_ || bands < 2) return call(work, 0, rows, 0);
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        0, bands,
+        [&](int band) {
+          const auto rowOf = [&](int n) { return static_cast<int>(static_cast<long long>(rows) * n / bands); };
+          const int first = rowOf(band);
+          call(work, first, rowOf(band + 1) - first, tbb::this_task_arena::current_thread_index());
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+}  // namespace ew
