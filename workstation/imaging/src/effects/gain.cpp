@@ -49,12 +49,31 @@ double curveAt(const Sliders& sliders, const Sliders& slope, double position) {
 // NaN compares false. A thousand already makes every level above 0 white, and infinity times 0 is not a number.
 double usableFactor(double factor) { return factor > 0.0 ? std::min(factor, 1e9) : 0.0; }
 
-}  // namespace
+double usableRange_db(double range_db, double otherwise_db) { return std::clamp(range_db > 0.0 ? range_db : otherwise_db, 20.0, 120.0); }
 
-double dgcAt(const std::array<double, kDgcSliders>& sliders, double position) { return curveAt(sliders, slopesOf(sliders), position); }
+/// 255 f(x) of shownLevel with its numbers worked out: f = first x + second x^2 + third x^3.
+struct ToneCurve {
+  double recordedOverShown = 1.0;
+  double first = 1.0, second = 0.0, third = 0.0;
 
-void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
-                    std::vector<std::uint8_t>& table) {
+  explicit ToneCurve(const Tone& tone) {
+    const double recorded_db = usableRange_db(tone.recordedDynamicRange_db, 60.0);
+    recordedOverShown = recorded_db / usableRange_db(tone.dynamicRange_db, recorded_db);
+    if (tone.map == GreyMap::soft) first = 2.0, second = -3.0, third = 2.0;
+    if (tone.map == GreyMap::contrast) first = 0.0, second = 3.0, third = -2.0;
+    if (tone.map == GreyMap::bright) first = 1.7, second = -0.7;
+  }
+  [[nodiscard]] bool isIdentity() const { return recordedOverShown == 1.0 && first == 1.0; }
+  [[nodiscard]] double at(double level) const {
+    const double x = std::max(1.0 - (255.0 - level) * (recordedOverShown / 255.0), 0.0);
+    return 255.0 * x * (first + x * (second + x * third));
+  }
+};
+
+/// Eq. 5 row by row, with `show` between its last MIN and the rounding.
+template <class Show>
+void fillGainTable(double gain, const Sliders& dgc, std::span<const double> rowPosition, const Show& show,
+                   std::vector<std::uint8_t>& table) {
   Sliders sliders{};
   std::transform(dgc.begin(), dgc.end(), sliders.begin(), usableFactor);
   const Sliders slope = slopesOf(sliders);
@@ -65,10 +84,34 @@ void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std
     const double factor = curveAt(sliders, slope, position);
     for (int v = 0; v < 256; ++v) {
       const double compensated = std::min(factor * static_cast<double>(v), 255.0);
-      row[v] = static_cast<std::uint8_t>(static_cast<int>(std::min(usableGain * compensated, 255.0) + 0.5));
+      row[v] = static_cast<std::uint8_t>(static_cast<int>(show(std::min(usableGain * compensated, 255.0)) + 0.5));
     }
     row += 256;
   }
+}
+
+}  // namespace
+
+double dgcAt(const std::array<double, kDgcSliders>& sliders, double position) { return curveAt(sliders, slopesOf(sliders), position); }
+
+void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
+                    std::vector<std::uint8_t>& table) {
+  fillGainTable(
+      gain, dgc, rowPosition, [](double level) { return level; }, table);
+}
+
+double shownLevel(const Tone& tone, double level) {
+  const double usable = level > 0.0 ? std::min(level, 255.0) : 0.0;
+  const ToneCurve curve(tone);
+  return curve.isIdentity() ? usable : curve.at(usable);
+}
+
+void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, const Tone& tone, std::span<const double> rowPosition,
+                    std::vector<std::uint8_t>& table) {
+  const ToneCurve curve(tone);
+  if (curve.isIdentity()) return buildGainTable(gain, dgc, rowPosition, table);
+  fillGainTable(
+      gain, dgc, rowPosition, [&curve](double level) { return curve.at(level); }, table);
 }
 
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table) {

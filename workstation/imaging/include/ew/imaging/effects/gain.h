@@ -25,8 +25,9 @@ void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std
                     std::vector<std::uint8_t>& table);
 
 /// What follows gain and DGC on the way to the screen: the dynamic range shown and the grey map.
+/// Ranges are brought into 20..120 dB; one that is no number above 0 counts as 60 (recorded) or as the recorded one (shown).
 struct Tone {
-  double recordedDynamicRange_db = 60.0;
+  double recordedDynamicRange_db = 60.0;  ///< what 0..255 span
   double dynamicRange_db =
       60.0;  ///< shown: full white stays, levels this far below it become black; wider than recorded: black becomes grey
   GreyMap map = GreyMap::linear;
@@ -35,13 +36,21 @@ struct Tone {
 };
 
 /// The grey level shown for an echo level 0..255 (before rounding): monotone, 255 stays 255 for every map.
+/// A level lies d = (255 - level) / 255 * recorded dB below full white; with x = 1 - d / shown, clamped to 0..1, it is shown as
+/// 255 f(x), where f keeps 0, 1 and the order, and S(x) = 3 x^2 - 2 x^3:
+///   linear    f = x
+///   soft      f = 2 x - S(x)         half the slope in the middle greys, twice at both ends: flatter tissue, nothing lost in the dark
+///   contrast  f = S(x)               the slope 1.5 in the middle greys, 0 at both ends
+///   bright    f = 1.7 x - 0.7 x^2    darker greys lifted: the middle grey by 35 %
+/// A level that is not a number counts as 0.
 [[nodiscard]] double shownLevel(const Tone& tone, double level);
 
-/// buildGainTable with `tone` behind it, in one table and one rounding: tables fuse.
+/// buildGainTable with `tone` behind it, in one table and one rounding: tables fuse. A neutral tone gives the table without it.
 void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, const Tone& tone, std::span<const double> rowPosition,
                     std::vector<std::uint8_t>& table);
 
-/// Looks every pixel up in its row's part of the table, in place.
+/// Looks every pixel up in its row's part of the table, in place. Threads share a picture by bands of rows: a band is a view of its
+/// rows, with the sub-spans of `spans` and of `table` that begin at its first row.
 /// @param table 256 x image.height entries, as buildGainTable makes them
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table);
 

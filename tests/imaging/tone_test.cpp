@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "ew/imaging/effects/gain.h"
+
+namespace ew {
+namespace {
+
+using Sliders = std::array<double, kDgcSliders>;
+constexpr Sliders kOnes{1, 1, 1, 1, 1, 1, 1, 1};
+constexpr std::array kMaps = {GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright};
+
+std::vector<std::uint8_t> tableOf(double gain, const Sliders& dgc, const Tone& tone, const std::vector<double>& rows) {
+  std::vector<std::uint8_t> table;
+  buildGainTable(gain, dgc, tone, rows, table);
+  return table;
+}
+
+Tone anyTone() {
+  return {.recordedDynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
+          .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
+          .map = *rc::gen::elementOf(kMaps)};
+}
+
+Sliders anySliders() {
+  Sliders sliders{};
+  const bool extreme = *rc::gen::arbitrary<bool>();
+  for (std::size_t k = 0; k < sliders.size(); ++k) sliders[k] = extreme ? (k % 2 ? 1e4 : 0.0) : *rc::gen::inRange(0, 400) / 100.0;
+  return sliders;
+}
+
+TEST(Tone, OfTheRecordedRangeAndTheLinearMapIsNeutralAndGivesThePlainTable) {
+  EXPECT_TRUE(Tone{}.isNeutral());
+  EXPECT_FALSE((Tone{.dynamicRange_db = 50.0}.isNeutral()));
+  EXPECT_FALSE((Tone{.map = GreyMap::soft}.isNeutral()));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> factor(0.0, 4.0);
+  for (int trial = 0; trial < 50; ++trial) {
+    Sliders dgc{};
+    for (double& slider : dgc) slider = factor(random);
+    const double gain = factor(random);
+    const std::vector<double> rows = {0.0, 0.2, 0.33, 0.71, 1.0};
+    std::vector<std::uint8_t> plain;
+    buildGainTable(gain, dgc, rows, plain);
+    ASSERT_EQ(tableOf(gain, dgc, {}, rows), plain);
+    ASSERT_EQ(tableOf(gain, dgc, {.recordedDynamicRange_db = 47.0, .dynamicRange_db = 47.0}, rows), plain);
+  }
+}
+
+TEST(Tone, ShowsALevelAtItsDistanceBelowWhiteInDecibels) {
+  EXPECT_TRUE(rc::check("levels", [] {
+    const Tone tone{.recordedDynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
+                    .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121))};
+    const double level = *rc::gen::inRange(0, 25501) / 100.0;
+    const double below_db = (255.0 - level) / 255.0 * tone.recordedDynamicRange_db;
+    RC_ASSERT(std::abs(shownLevel(tone, level) - 255.0 * std::clamp(1.0 - below_db / tone.dynamicRange_db, 0.0, 1.0)) < 1e-9);
+  }));
+}
+
+TEST(Tone, NarrowerThanRecordedBlackensTheWeakestAndWiderTurnsBlackGrey) {
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 85.0), 0.0, 1e-9) << "85 of 255 lies 40 dB below white";
+  EXPECT_EQ(shownLevel({.dynamicRange_db = 40.0}, 60.0), 0.0);
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 170.0), 127.5, 1e-9);
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 90.0}, 0.0), 85.0, 1e-9);
+  for (const double range_db : {20.0, 40.0, 90.0, 120.0}) EXPECT_EQ(shownLevel({.dynamicRange_db = range_db}, 255.0), 255.0);
+}
+
+TEST(GreyMaps, KeepBlackWhiteAndTheOrder) {
+  for (const GreyMap map : kMaps) {
+    const Tone tone{.map = map};
+    EXPECT_EQ(shownLevel(tone, 0.0), 0.0);
+    EXPECT_NEAR(shownLevel(tone, 255.0), 255.0, 1e-9);
+    for (int n = 1; n <= 2550; ++n) ASSERT_GE(shownLevel(tone, n / 10.0), shownLevel(tone, (n - 1) / 10.0)) << n;
+  }
+}
+
+TEST(GreyMaps, AreTheCurvesTheyPromise) {
+  const auto slope = [](GreyMap map, double level) {
+    return (shownLevel({.map = map}, level + 0.01) - shownLevel({.map = map}, level - 0.01)) / 0.02;
+  };
+  EXPECT_NEAR(slope(GreyMap::soft, 127.5), 0.5, 1e-3);
+  EXPECT_NEAR(slope(GreyMap::contrast, 127.5), 1.5, 1e-3);
+  EXPECT_NEAR(slope(GreyMap::linear, 127.5), 1.0, 1e-9);
+  for (const GreyMap map : {GreyMap::linear, GreyMap::soft, GreyMap::contrast})
+    EXPECT_NEAR(shownLevel({.map = map}, 127.5), 127.5, 1e-9) << "the middle stays";
+  EXPECT_NEAR(shownLevel({.map = GreyMap::bright}, 127.5), 1.35 * 127.5, 1e-9);
+  EXPECT_NEAR(shownLevel({.map = GreyMap::soft}, 100.0) + shownLevel({.map = GreyMap::contrast}, 100.0), 200.0, 1e-9)
+      << "what one adds the other takes";
+}
+
+RC_GTEST_PROP(ToneTable, IsEquationFiveWithTheToneBehindItRoundedOnce, ()) {
+  const Sliders dgc = anySliders();
+  const Tone tone = anyTone();
+  const double gain = *rc::gen::inRange(0, 1000) / 100.0;
+  const std::vector<double> rows = {0.0, 0.11, 0.5, 0.77, 1.0};
+  const std::vector<std::uint8_t> table = tableOf(gain, dgc, tone, rows);
+  RC_ASSERT(table.size() == 256U * rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t v = 0; v < 256; ++v) {
+      const double amplified = std::min(gain * std::min(dgcAt(dgc, rows[row]) * static_cast<double>(v), 255.0), 255.0);
+      RC_ASSERT(std::abs(table[256 * row + v] - shownLevel(tone, amplified)) <= 0.5 + 1e-9);
+    }
+}
+
+RC_GTEST_PROP(ToneTable, StaysMonotoneInGreyForSlidersAlternatingBetweenExtremes, ()) {
+  Sliders dgc{};
+  const double far = *rc::gen::elementOf(std::array{4.0, 1e4, 1e-17, 1e300});
+  for (std::size_t k = 0; k < dgc.size(); ++k) dgc[k] = k % 2 ? far : 0.0;
+  const double gain = *rc::gen::elementOf(std::array{0.0, 1e-12, 0.3, 1.0, 7.0, 1e4});
+  const std::vector<double> rows = {0.0, 0.1, 0.13, 0.2, 0.4, 0.45, 0.8, 1.0};
+  const std::vector<std::uint8_t> table = tableOf(gain, dgc, anyTone(), rows);
+  for (std::size_t n = 1; n < table.size(); ++n)
+    if (n % 256 != 0) RC_ASSERT(table[n] >= table[n - 1]);
+}
+
+TEST(ToneTable, OfRangesThatAreNoNumbersIsThatOfTheRecordedRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> rows = {0.5};
+  const std::vector<std::uint8_t> neutral = tableOf(1.3, kOnes, {}, rows);
+  for (const double none : {nan, 0.0, -40.0}) {
+    EXPECT_EQ(tableOf(1.3, kOnes, {.dynamicRange_db = none}, rows), neutral);
+    EXPECT_EQ(tableOf(1.3, kOnes, {.recordedDynamicRange_db = none}, rows), neutral);
+  }
+  EXPECT_EQ(tableOf(1.3, kOnes, {.dynamicRange_db = infinity}, rows), tableOf(1.3, kOnes, {.dynamicRange_db = 120.0}, rows));
+  EXPECT_EQ(tableOf(1.3, kOnes, {.dynamicRange_db = 1e-9}, rows), tableOf(1.3, kOnes, {.dynamicRange_db = 20.0}, rows));
+  EXPECT_EQ(shownLevel({.dynamicRange_db = 90.0}, nan), shownLevel({.dynamicRange_db = 90.0}, 0.0));
+}
+
+/// A picture with a convex fan's kind of runs: none, one or two in a row, of any lengths.
+struct FannedPicture {
+  GreyImage image;
+  Spans spans;
+};
+FannedPicture anyFannedPicture(std::mt19937& random, int width, int height) {
+  FannedPicture made{GreyImage(width, height), Spans(static_cast<std::size_t>(height))};
+  for (std::uint8_t& pixel : made.image.pixels) pixel = static_cast<std::uint8_t>(random());
+  for (auto& row : made.spans) {
+    int x = static_cast<int>(random() % 20);
+    for (unsigned runs = random() % 3; runs > 0 && x < width; --runs) {
+      const int end = std::min(width, x + 1 + static_cast<int>(random() % static_cast<unsigned>(width)));
+      row.push_back({x, end});
+      x = end + 1 + static_cast<int>(random() % 9);
+    }
+  }
+  return made;
+}
+
+TEST(ToneTable, IsAppliedToEveryPixelOfTheSpansAndToNoOther) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int width = 1 + static_cast<int>(random() % 300), height = 1 + static_cast<int>(random() % 5);
+    FannedPicture picture = anyFannedPicture(random, width, height);
+    std::vector<std::uint8_t> table(256 * static_cast<std::size_t>(height));
+    for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random());
+    GreyImage expected = picture.image;
+    for (int y = 0; y < height; ++y)
+      for (const RowSpan& span : picture.spans[static_cast<std::size_t>(y)])
+        for (int x = span.begin; x < span.end; ++x) {
+          std::uint8_t& pixel = expected.pixels[static_cast<std::size_t>(y * width + x)];
+          pixel = table[static_cast<std::size_t>(256 * y) + pixel];
+        }
+    applyGainTable(viewOf(picture.image), picture.spans, table);
+    ASSERT_EQ(picture.image, expected) << "trial " << trial;
+  }
+}
+
+TEST(ToneTable, AppliedInBandsOfRowsGivesTheSamePicture) {
+  std::mt19937 random(12);
+  FannedPicture whole = anyFannedPicture(random, 211, 23);
+  std::vector<double> rows;
+  for (int y = 0; y < 23; ++y) rows.push_back(y / 22.0);
+  const std::vector<std::uint8_t> table =
+      tableOf(1.3, {0.2, 2, 0.5, 3, 1, 1, 0, 4}, {.dynamicRange_db = 45.0, .map = GreyMap::contrast}, rows);
+  GreyImage banded = whole.image;
+  applyGainTable(viewOf(whole.image), whole.spans, table);
+  const std::span<const std::vector<RowSpan>> spans(whole.spans);
+  for (const auto& [first, count] : {std::pair{0, 7}, std::pair{7, 1}, std::pair{8, 15}}) {
+    const ImageView<std::uint8_t> all = viewOf(banded);
+    applyGainTable({all.row(first), all.width, count, all.stride},
+                   spans.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)),
+                   std::span(table).subspan(256 * static_cast<std::size_t>(first)));
+  }
+  EXPECT_EQ(banded, whole.image);
+}
+
+}  // namespace
+}  // namespace ew
