@@ -9,13 +9,17 @@ namespace ew {
 class LatencyHistogram {
  public:
   static constexpr int kBuckets = 64;  ///< logarithmic, four to a doubling from 16 us on
+  /// A time below 0 counts as 0; one that is not finite is not counted.
   void add(double us);
   void clear() { *this = {}; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// Upper edge of a bucket, us.
+  /// Upper edge of a bucket, us: 16 * 2^(bucket / 4), which the bucket includes; the last bucket holds all longer times and has the edge
+  /// infinity.
+  /// @param bucket 0..kBuckets - 1
   [[nodiscard]] static double edge_us(int bucket);
   [[nodiscard]] std::uint64_t inBucket(int bucket) const { return buckets_[static_cast<std::size_t>(bucket)]; }
-  /// The smallest edge that `share` (0..1) of the pictures do not exceed; 0 when there are none. Good to a bucket (19 %).
+  /// The smallest edge that `share` (0..1) of the pictures do not exceed; 0 when there are none. Good to a bucket (19 %). In the last
+  /// bucket it is the longest time there was.
   [[nodiscard]] double quantile_us(double share) const;
   [[nodiscard]] double max_us() const { return max_us_; }
 

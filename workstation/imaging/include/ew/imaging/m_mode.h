@@ -9,26 +9,32 @@
 namespace ew {
 
 /// One beam over time: a strip whose columns are moments and whose rows are depths. New columns overwrite the oldest at a running cursor,
-/// as on a machine. Allocates in configure alone.
+/// as on a machine. Column c of a sweep shows the moment c * sweep_s / width after the first beam. Allocates in configure alone.
 class MModeStrip {
  public:
-  /// @param width  columns of the strip, @param height rows, @param sweep_s time across it. A change clears the strip.
+  /// @param width   columns of the strip, >= 0
+  /// @param height  rows, >= 0
+  /// @param sweep_s time across it; not a number above 0 counts as 4. A change of any clears the strip, the same again does nothing.
   void configure(int width, int height, double sweep_s);
-  /// The beam as it is at `time_s`. Columns passed since the last call are filled by interpolating between the last beam and this one; time
-  /// that stands still or runs backwards draws nothing; a jump of more than a sweep starts afresh.
-  /// @param beam values from the face down, 0..255; resampled to the strip's height
+  /// The beam as it is at `time_s`. Columns passed since the last beam are filled by interpolating between it and this one; time that
+  /// stands still, runs backwards or is not finite draws nothing, and so does every beam until the last time is passed again; a jump of
+  /// more than a sweep, forwards or backwards, starts afresh.
+  /// @param beam values from the face down, 0..255, stretched to the strip's height (effects/stretch.h); an empty one draws nothing
   void add(double time_s, std::span<const std::uint8_t> beam);
   void clear();
   [[nodiscard]] ImageView<const std::uint8_t> picture() const;
-  /// Column that is written next; a few columns ahead of it are black, so that the seam is seen.
+  /// Column that is written next; an eighth of the strip, at most 6 columns, is black from here on, so that the seam is seen.
   [[nodiscard]] int cursor() const { return cursor_; }
 
  private:
+  void draw(std::int64_t first, std::int64_t end, double lastColumn, double column);
+
   GreyImage strip_;
   std::vector<std::uint8_t> last_;
+  std::vector<std::uint8_t> now_;
   double sweep_s_ = 4.0;
+  double start_s_ = 0.0;  ///< moment of the first column; columns are counted from it, so that no error adds up
   double lastTime_s_ = 0.0;
-  double lastColumn_ = 0.0;
   int cursor_ = 0;
   bool started_ = false;
 };
