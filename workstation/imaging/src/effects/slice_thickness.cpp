@@ -1,0 +1,134 @@
+#include "ew/imaging/effects/slice_thickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ew {
+namespace {
+
+const double kWidthOfSigma = std::sqrt(8.0 * std::numbers::ln2);
+constexpr double kQuantum = 1.0 / 65536.0;
+/// How much too wide a straight piece may be between its ends, as a share of the width.
+constexpr double kWidthError = 0.03;
+
+/// Hermite polynomial He_n, orthogonal under the normal distribution, and He_(n-1).
+std::pair<double, double> hermite(int n, double x) {
+  double last = 0.0, value = 1.0;
+  for (int k = 0; k < n; ++k) {
+    const double next = x * value - k * last;
+    last = value;
+    value = next;
+  }
+  return {value, last};
+}
+
+double rootBetween(int n, double low, double high) {
+  const bool lowIsNegative = hermite(n, low).first < 0.0;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    ((hermite(n, middle).first < 0.0) == lowIsNegative ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Lies the curve nowhere further than kWidthError inside the chord between two samples?
+bool straightEnough(const std::vector<double>& width_mm, std::size_t first, std::size_t last) {
+  const double slope = (width_mm[last] - width_mm[first]) / static_cast<double>(last - first);
+  for (std::size_t s = first + 1; s < last; ++s)
+    if (width_mm[first] + slope * static_cast<double>(s - first) > (1.0 + kWidthError) * width_mm[s]) return false;
+  return true;
+}
+
+/// The longest straight pieces, from the face on: the width is convex over depth, so that a shorter chord is never worse.
+std::vector<ElevationPlane::Piece> piecesOf(const std::vector<double>& width_mm) {
+  std::vector<ElevationPlane::Piece> pieces;
+  for (std::size_t first = 0; first < width_mm.size();) {
+    std::size_t good = first, bad = width_mm.size();
+    while (good + 1 < bad) {
+      const std::size_t middle = good + (bad - good) / 2;
+      (middle == first + 1 || straightEnough(width_mm, first, middle) ? good : bad) = middle;
+    }
+    pieces.push_back({static_cast<int>(first), static_cast<int>(good), width_mm[first], width_mm[good]});
+    first = good + 1;
+  }
+  return pieces;
+}
+
+}  // namespace
+
+double elevationalWidth_mm(const Probe& probe, double carrier_hz, const SliceThicknessEffect& effect, double depth_mm) {
+  EW_EXPECTS(probe.elevationalFocus_mm > 0.0);
+  const double z_mm = depth_mm > 0.0 ? depth_mm : 0.0;
+  const double wavelengths = carrier_hz > 0.0 ? probe.carrier_hz / carrier_hz : 1.0;
+  const double fromLens = z_mm / probe.elevationalFocus_mm;
+  return effect.scale * std::hypot(probe.elevationalAperture_mm * (1.0 - fromLens), probe.elevationalThickness_mm * wavelengths * fromLens);
+}
+
+ElevationRule elevationRule(int planes) {
+  EW_EXPECTS(planes >= 1 && planes <= 9 && planes % 2 == 1);
+  double factorial = 1.0;
+  for (int k = 2; k <= planes; ++k) factorial *= k;
+  // Gauss-Hermite: the offsets are the roots of He_n, the weights n! / (n He_(n-1))^2.
+  const auto weightAt = [&](double root) {
+    const double below = planes * hermite(planes, root).second;
+    return factorial / (below * below);
+  };
+  ElevationRule rule{{0.0}, {weightAt(0.0)}};
+  // The roots up to n = 9 are more than half a standard deviation apart.
+  constexpr double kStep = 0.25;
+  for (double low = 0.5 * kStep; rule.weights.size() < static_cast<std::size_t>(planes); low += kStep) {
+    if ((hermite(planes, low).first < 0.0) == (hermite(planes, low + kStep).first < 0.0)) continue;
+    const double root = rootBetween(planes, low, low + kStep);
+    rule.offset_sigmas.insert(rule.offset_sigmas.end(), {root, -root});
+    rule.weights.insert(rule.weights.end(), 2, weightAt(root));
+  }
+  return rule;
+}
+
+std::vector<ElevationPlane> makeElevationPlanes(const Probe& probe, double carrier_hz, const SliceThicknessEffect& effect,
+                                                const BeamGrid& grid, int planes) {
+  const ElevationRule rule = elevationRule(std::clamp(planes, 3, 9) | 1);
+  std::vector<double> width_mm(static_cast<std::size_t>(grid.samples));
+  for (int s = 0; s < grid.samples; ++s)
+    width_mm[static_cast<std::size_t>(s)] = elevationalWidth_mm(probe, carrier_hz, effect, grid.depth_mm(s));
+  const std::vector<ElevationPlane::Piece> widths = piecesOf(width_mm);
+
+  std::vector<ElevationPlane> result(rule.weights.size());
+  double middleWeight = 1.0;
+  for (std::size_t p = 1; p < result.size(); ++p) {
+    const double weight = kQuantum * std::round(rule.weights[p] / kQuantum);
+    result[p].weight = static_cast<float>(weight);
+    middleWeight -= weight;
+    result[p].pieces = widths;
+    const double sigmas = rule.offset_sigmas[p] / kWidthOfSigma;
+    for (ElevationPlane::Piece& piece : result[p].pieces) {
+      piece.offsetAtFirst_mm *= sigmas;
+      piece.offsetAtLast_mm *= sigmas;
+    }
+  }
+  result[0].weight = static_cast<float>(middleWeight);
+  result[0].pieces = {{0, grid.samples - 1, 0.0, 0.0}};
+  return result;
+}
+
+void rowsOf(const BeamGrid& grid, const ElevationPlane& plane, const Transform<frame::Voxel, frame::Probe>& probeToVoxel,
+            std::vector<SampleRow>& rows) {
+  rows.resize(grid.lines.size() * plane.pieces.size());
+  auto row = rows.begin();
+  for (std::size_t n = 0; n < grid.lines.size(); ++n) {
+    const BeamGrid::Line& line = grid.lines[n];
+    for (const ElevationPlane::Piece& piece : plane.pieces) {
+      const int steps = piece.lastSample - piece.firstSample;
+      const double slope_mm = steps > 0 ? (piece.offsetAtLast_mm - piece.offsetAtFirst_mm) / steps : 0.0;
+      const glm::dvec4 start_mm(line.origin_mm, piece.offsetAtFirst_mm - slope_mm * piece.firstSample, 1.0);
+      const glm::dvec4 step_mm(grid.sampleSpacing_mm * line.direction, slope_mm, 0.0);
+      *row++ = {glm::dvec3(probeToVoxel.matrix * start_mm),
+                glm::dvec3(probeToVoxel.matrix * step_mm),
+                static_cast<int>(n),
+                {piece.firstSample, piece.lastSample + 1}};
+    }
+  }
+}
+
+}  // namespace ew
