@@ -1,0 +1,129 @@
+#include "ew/imaging/effects/reverberation.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+namespace ew {
+namespace {
+
+constexpr double kGreyPerDb = 255.0 / 60.0;
+
+float& at(BeamImage& image, int x, int y) {
+  return image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
+}
+
+BeamImage reverberated(const ReverberationEffect& effect, BeamImage echoes) {
+  ReverberationScratch scratch;
+  reverberate(effect, kGreyPerDb, 5, viewOf(echoes), scratch);
+  return echoes;
+}
+
+/// Two powers together, in grey levels.
+double together(double a, double b) {
+  const double tenth = 10.0 * kGreyPerDb;
+  return tenth * std::log10(std::pow(10.0, a / tenth) + std::pow(10.0, b / tenth));
+}
+
+TEST(Reverberation, OfABrightPlaneRepeatsItAtMultiplesOfItsDepthABounceWeakerEachTime) {
+  ReverberationEffect effect;
+  effect.mirror = false;
+  effect.bounces = 3;
+  BeamImage echoes(37, 500, -400.0F);
+  for (int x = 0; x < 37; ++x) at(echoes, x, 90) = 250.0F;
+  BeamImage shown = reverberated(effect, echoes);
+  for (int x = 0; x < 37; ++x)
+    for (int y = 0; y < 500; ++y) {
+      double expected = -400.0;
+      if (y == 90) expected = 250.0;
+      if (y == 180 || y == 270 || y == 360) expected = 250.0 - (y / 90 - 1) * 14.0 * kGreyPerDb;
+      if (y > 90 && y <= 360) {
+        const int times = (y - 1) / 90;
+        expected = y % 90 == 0 ? 250.0 - times * 14.0 * kGreyPerDb : together(-400.0, -400.0 - times * 14.0 * kGreyPerDb);
+      }
+      ASSERT_NEAR(at(shown, x, y), expected, 0.01) << x << ", " << y;
+    }
+}
+
+TEST(Reverberation, RepeatsWhatLiesBeforeTheInterfaceAddedAsPower) {
+  ReverberationEffect effect;
+  effect.mirror = false;
+  effect.bounces = 1;
+  BeamImage echoes(5, 300, 60.0F);
+  for (int x = 0; x < 5; ++x) {
+    at(echoes, x, 100) = 240.0F;
+    at(echoes, x, 40) = 150.0F;
+  }
+  BeamImage shown = reverberated(effect, echoes);
+  EXPECT_NEAR(at(shown, 2, 140), together(60.0, 150.0 - 14.0 * kGreyPerDb), 0.01);
+  EXPECT_NEAR(at(shown, 2, 150), together(60.0, 60.0 - 14.0 * kGreyPerDb), 0.01);
+  EXPECT_EQ(at(shown, 2, 201), 60.0F) << "one bounce reaches to twice the depth";
+}
+
+TEST(Reverberation, MirrorsTheTissueBeforeASmoothInterfaceBehindIt) {
+  ReverberationEffect effect;
+  effect.bounces = 1;
+  effect.loss_dbPerBounce = 100.0;
+  BeamImage echoes(16, 300, -300.0F);
+  for (int x = 0; x < 16; ++x) {
+    for (int y = 5; y < 100; ++y) at(echoes, x, y) = static_cast<float>(40 + y);
+    at(echoes, x, 100) = 240.0F;
+  }
+  BeamImage shown = reverberated(effect, echoes);
+  for (int x = 0; x < 16; ++x)
+    for (int d = 1; d <= 95; ++d)
+      EXPECT_NEAR(at(shown, x, 100 + d), static_cast<double>(at(echoes, x, 100 - d)) - 12.0 * kGreyPerDb, 0.02) << d;
+}
+
+TEST(Reverberation, DoesNotMirrorAtARoughInterface) {
+  ReverberationEffect effect;
+  effect.bounces = 1;
+  effect.loss_dbPerBounce = 1000.0;
+  BeamImage echoes(16, 300, 100.0F);
+  for (int x = 0; x < 16; ++x) at(echoes, x, 100 + 20 * (x % 2)) = 240.0F;
+  EXPECT_EQ(reverberated(effect, echoes), echoes);
+}
+
+TEST(Reverberation, WithoutAStrongInterfaceWritesNothing) {
+  ReverberationEffect effect;
+  BeamImage echoes(33, 200, 224.0F);
+  for (int x = 0; x < 33; ++x) at(echoes, x, 3) = 255.0F;  // the near field
+  const BeamImage before = echoes;
+  ReverberationScratch scratch;
+  EXPECT_EQ(reverberate(effect, kGreyPerDb, 5, viewOf(echoes), scratch), 0);
+  EXPECT_EQ(echoes, before);
+}
+
+TEST(Reverberation, TouchesOnlyTheLinesThatHaveAnInterface) {
+  EXPECT_TRUE(rc::check("lines are independent but for smoothness", [] {
+    ReverberationEffect effect;
+    effect.bounces = *rc::gen::inRange(1, 7);
+    const int lines = *rc::gen::inRange(1, 50);
+    BeamImage echoes(lines, 150, 80.0F);
+    std::vector<int> depth(static_cast<std::size_t>(lines), 0);
+    for (int x = 0; x < lines; ++x) {
+      if (!*rc::gen::arbitrary<bool>()) continue;
+      depth[static_cast<std::size_t>(x)] = *rc::gen::inRange(5, 150);
+      at(echoes, x, depth[static_cast<std::size_t>(x)]) = 230.0F;
+    }
+    ReverberationScratch scratch;
+    BeamImage shown = echoes;
+    const int found = reverberate(effect, kGreyPerDb, 5, viewOf(shown), scratch);
+    int expected = 0;
+    for (int x = 0; x < lines; ++x) {
+      const int interface = depth[static_cast<std::size_t>(x)];
+      expected += interface > 0 ? 1 : 0;
+      for (int y = 0; y < 150; ++y) {
+        if (interface == 0 || y <= interface)
+          RC_ASSERT(at(shown, x, y) == at(echoes, x, y));
+        else
+          RC_ASSERT(at(shown, x, y) >= at(echoes, x, y));
+      }
+    }
+    RC_ASSERT(found == expected);
+  }));
+}
+
+}  // namespace
+}  // namespace ew

@@ -1,0 +1,99 @@
+#include "ew/imaging/effects/noise.h"
+
+#include <cmath>
+
+#include "effects/grey_scale.h"
+
+// The instruction sets left out would only repeat the code of a neighbour.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/noise.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "effects/powers-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ew {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Multiply and shift hash of 32 bits; constants of C. Wellons' search for low bias (public domain), a second key between the rounds.
+template <class D>
+HWY_INLINE hn::Vec<D> hashOf(D d, hn::Vec<D> x, std::uint64_t key) {
+  x = hn::Add(x, hn::Set(d, static_cast<std::uint32_t>(key)));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(d, 0x21f0aaadU));
+  x = hn::Xor(x, hn::Set(d, static_cast<std::uint32_t>(key >> 32)));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(d, 0x735a2d97U));
+  return hn::Xor(x, hn::ShiftRight<15>(x));
+}
+
+/// @param levelOfLog2 level of a sample whose -log2(u) is 1
+void addNoiseToRow(std::uint64_t key, float levelOfLog2, float perDoubling, float* echoes, int width) {
+  forColumns(width, [&](auto d, int x) HWY_ATTR {
+    const hn::RebindToSigned<decltype(d)> di;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto column = hn::Iota(du, static_cast<std::uint32_t>(x));
+    const auto bits = hashOf(du, hn::Mul(column, hn::Set(du, 0x9e3779b9U)), key);
+    // 23 bits and a half: never 0, never 1, exact in a float.
+    const auto whole = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<9>(bits)));
+    const auto u = hn::Mul(hn::Add(whole, hn::Set(d, 0.5F)), hn::Set(d, 0x1p-23F));
+    const auto power = hn::Neg(log2Of(d, u));
+    const auto scale = hn::Set(d, perDoubling);
+    const auto noise = hn::Add(hn::Set(d, levelOfLog2), hn::Mul(log2Of(d, power), scale));
+    const auto echo = hn::LoadU(d, echoes + x);
+    hn::StoreU(addPowers(d, echo, noise, scale, hn::Set(d, 1.0F / perDoubling)), d, echoes + x);
+  });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace ew
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ew {
+namespace {
+
+HWY_EXPORT(addNoiseToRow);
+
+/// Finalizer of SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a bijection that spreads every bit.
+std::uint64_t spread(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+// The largest power is 24 ln 2 = 16.6 (12.2 dB) above the mean; 0.1 levels more on black need a power of 0.0054 (-22.7 dB) at 42.5
+// levels a factor of ten. So from 35 dB below black on no sample changes by as much.
+constexpr double kUnseen_db = 35.0;
+
+}  // namespace
+
+std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, double recordedDynamicRange_db, const BeamGrid& grid) {
+  EW_EXPECTS(recordedDynamicRange_db > 0.0);
+  std::vector<float> levels(static_cast<std::size_t>(grid.samples));
+  for (int s = 0; s < grid.samples; ++s) {
+    const double depth_cm = 0.1 * grid.depth_mm(s);
+    const double growth_db = 2.0 * effect.growth_dbPerCmMhz * 1e-6 * carrier_hz * depth_cm;
+    levels[static_cast<std::size_t>(s)] = static_cast<float>(255.0 * (1.0 + (effect.atFace_db + growth_db) / recordedDynamicRange_db));
+  }
+  return levels;
+}
+
+void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t frameNumber, int firstRow, ImageView<float> echoes) {
+  EW_EXPECTS(greyPerDb > 0.0);
+  EW_EXPECTS(firstRow >= 0 && static_cast<std::size_t>(firstRow) + static_cast<std::size_t>(echoes.height) <= levels.size());
+  const float perDoubling = levelsPerDoubling(greyPerDb);
+  const auto unseen = static_cast<float>(-kUnseen_db * greyPerDb);
+  for (int y = 0; y < echoes.height; ++y) {
+    const float level = levels[static_cast<std::size_t>(firstRow + y)];
+    if (!(level > unseen)) continue;
+    const auto gridRow = static_cast<std::uint64_t>(firstRow + y);
+    const std::uint64_t key = spread(spread(frameNumber + 0x9e3779b97f4a7c15ULL) + gridRow * 0x9e3779b97f4a7c15ULL);
+    const float levelOfLog2 = level + perDoubling * static_cast<float>(std::log2(std::log(2.0)));
+    HWY_DYNAMIC_DISPATCH(addNoiseToRow)(key, levelOfLog2, perDoubling, echoes.row(y), echoes.width);
+  }
+}
+
+}  // namespace ew
+#endif
