@@ -1,41 +1,107 @@
-#include "ew/imaging/effects/edge_enhancement.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/edge_enhancement.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 
-namespace ew {
+#include "ew/imaging/effects/edge_enhancement.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ew::HWY_NAMESPACE {
 namespace {
 
 constexpr int kReach = 2;  // pixels the kernel looks at on each side
+constexpr int kPiece = 512;
 
-using FiveRows = std::array<const std::uint8_t*, 5>;
+// Sums with the weights 1 4 6 4 1 down the rows reach 16 * 255, those of five of them along a row 256 * 255: all of it fits 16 bits.
+// Half of the latter from 128 v is the difference in 128ths of a grey level, in 16 bits with its sign.
 
-/// out[x] for x in begin .. end - 1, all of whose surroundings may be read.
+void sumDown(const std::uint8_t* in, std::ptrdiff_t stride, int count, std::uint16_t* down) {
+  for (int n = 0; n < count; ++n, ++in)
+    down[n] = static_cast<std::uint16_t>(in[-2 * stride] + in[2 * stride] + 4 * (in[-stride] + in[stride]) + 6 * in[0]);
+}
+
+void sharpen(const std::uint16_t* down, const std::uint8_t* in, int strength, int count, std::uint8_t* out) {
+  for (int n = 0; n < count; ++n, ++down) {
+    const int mean256 = down[0] + down[4] + 4 * (down[1] + down[3]) + 6 * down[2];
+    const int difference128 = 128 * in[n] - (mean256 >> 1);
+    const int scaled128 = (difference128 * strength + (1 << 14)) >> 15;
+    out[n] = static_cast<std::uint8_t>(std::clamp(in[n] + ((scaled128 + 32) >> 6), 0, 255));
+  }
+}
+
+#if HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
+
+void sumDownVectors(const std::uint8_t* in, std::ptrdiff_t stride, int count, std::uint16_t* down) { sumDown(in, stride, count, down); }
+void sharpenVectors(const std::uint16_t* down, const std::uint8_t* in, int strength, int count, std::uint8_t* out) {
+  sharpen(down, in, strength, count, out);
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+V weigh(V a, V b, V c, V d, V e) {
+  // 4 (b + d) + 6 c = 4 (b + c + d) + 2 c
+  return hn::Add(hn::Add(hn::Add(a, e), hn::Add(c, c)), hn::ShiftLeft<2>(hn::Add(hn::Add(b, d), c)));
+}
+
+void sumDownVectors(const std::uint8_t* in, std::ptrdiff_t stride, int count, std::uint16_t* down) {
+  const hn::ScalableTag<std::uint16_t> d;
+  const hn::Rebind<std::uint8_t, decltype(d)> pixels;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto at = [&](int row, int n) HWY_ATTR { return hn::PromoteTo(d, hn::LoadU(pixels, in + row * stride + n)); };
+  int n = 0;
+  for (; n + lanes <= count; n += lanes) hn::StoreU(weigh(at(-2, n), at(-1, n), at(0, n), at(1, n), at(2, n)), d, down + n);
+  sumDown(in + n, stride, count - n, down + n);
+}
+
+void sharpenVectors(const std::uint16_t* down, const std::uint8_t* in, int strength, int count, std::uint8_t* out) {
+  const hn::ScalableTag<std::uint16_t> d;
+  const hn::RebindToSigned<decltype(d)> sign;
+  const hn::Rebind<std::uint8_t, decltype(d)> pixels;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto share = hn::Set(sign, static_cast<std::int16_t>(strength));
+  const auto at = [&](int n) HWY_ATTR { return hn::LoadU(d, down + n); };
+  int n = 0;
+  for (; n + lanes <= count; n += lanes) {
+    const auto mean256 = weigh(at(n), at(n + 1), at(n + 2), at(n + 3), at(n + 4));
+    const auto v = hn::PromoteTo(sign, hn::LoadU(pixels, in + n));
+    const auto difference128 = hn::Sub(hn::ShiftLeft<7>(v), hn::BitCast(sign, hn::ShiftRight<1>(mean256)));
+    const auto scaled128 = hn::MulFixedPoint15(difference128, share);
+    const auto shown = hn::Add(v, hn::ShiftRight<6>(hn::Add(scaled128, hn::Set(sign, 32))));
+    hn::StoreU(hn::DemoteTo(pixels, shown), pixels, out + n);
+  }
+  sharpen(down + n, in + n, strength, count - n, out + n);
+}
+
+#endif
+
+/// `count` pixels from `in` on, all of whose surroundings may be read.
 /// @param strength 15 fraction bits
-void enhanceRun(const FiveRows& rows, int strength, int begin, int end, std::uint8_t* out) {
-  constexpr int kPiece = 256;
-  std::array<std::uint16_t, kPiece + 2 * kReach> down{};
-  for (int from = begin; from < end; from += kPiece) {
-    const int count = std::min(kPiece, end - from);
-    for (int n = 0; n < count + 2 * kReach; ++n) {
-      const int x = from - kReach + n;
-      down[static_cast<std::size_t>(n)] =
-          static_cast<std::uint16_t>(rows[0][x] + rows[4][x] + 4 * (rows[1][x] + rows[3][x]) + 6 * rows[2][x]);
-    }
-    for (int n = 0; n < count; ++n) {
-      const std::uint16_t* d = down.data() + n;
-      const int mean256 = d[0] + d[4] + 4 * (d[1] + d[3]) + 6 * d[2];
-      const int v = rows[2][from + n];
-      const int difference128 = 128 * v - (mean256 >> 1);
-      const int scaled128 = (difference128 * strength + (1 << 14)) >> 15;
-      out[from + n] = static_cast<std::uint8_t>(std::clamp(v + ((scaled128 + 32) >> 6), 0, 255));
-    }
+void enhanceRun(const std::uint8_t* in, std::ptrdiff_t stride, int strength, int count, std::uint8_t* out) {
+  std::array<std::uint16_t, kPiece + 2 * kReach> down;
+  for (int x = 0; x < count; x += kPiece) {
+    const int piece = std::min(kPiece, count - x);
+    sumDownVectors(in + x - kReach, stride, piece + 2 * kReach, down.data());
+    sharpenVectors(down.data(), in + x, strength, piece, out + x);
   }
 }
 
 }  // namespace
+}  // namespace ew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ew {
+
+using HWY_NAMESPACE::kReach;
+HWY_EXPORT(enhanceRun);
 
 void enhanceEdges(double strength, std::span<const std::vector<RowSpan>> spans, ImageView<const std::uint8_t> in, int firstRow, int rows,
                   ImageView<std::uint8_t> out) {
@@ -51,7 +117,6 @@ void enhanceEdges(double strength, std::span<const std::vector<RowSpan>> spans, 
     for (const RowSpan& span : spans[static_cast<std::size_t>(y)]) {
       std::memcpy(target + span.begin, source + span.begin, static_cast<std::size_t>(span.end - span.begin));
       if (!hasRows || fixedStrength == 0) continue;
-      const FiveRows around = {in.row(y - 2), in.row(y - 1), source, in.row(y + 1), in.row(y + 2)};
       // Walk through the runs that all five rows have in common.
       int x = span.begin;
       while (x < span.end) {
@@ -68,7 +133,8 @@ void enhanceEdges(double strength, std::span<const std::vector<RowSpan>> spans, 
           end = std::min(end, found->end);
         }
         if (begin < end) {
-          if (end - begin > 2 * kReach) enhanceRun(around, fixedStrength, begin + kReach, end - kReach, target);
+          if (const int count = end - begin - 2 * kReach; count > 0)
+            HWY_DYNAMIC_DISPATCH(enhanceRun)(source + begin + kReach, in.stride, fixedStrength, count, target + begin + kReach);
           x = end;
         } else {
           x = std::max(begin, x + 1);
@@ -79,3 +145,4 @@ void enhanceEdges(double strength, std::span<const std::vector<RowSpan>> spans, 
 }
 
 }  // namespace ew
+#endif

@@ -114,24 +114,4 @@ void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, con
       gain, dgc, rowPosition, [&curve](double level) { return curve.at(level); }, table);
 }
 
-void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::uint8_t> table) {
-  EW_EXPECTS(table.size() >= 256 * static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* lookUp = table.data() + 256 * static_cast<std::size_t>(y);
-    std::uint8_t* row = image.row(y);
-    for (int x = 0; x < image.width; ++x) row[x] = lookUp[row[x]];
-  }
-}
-
-void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::vector<RowSpan>> spans, std::span<const std::uint8_t> table) {
-  EW_EXPECTS(table.size() >= 256 * static_cast<std::size_t>(image.height));
-  EW_EXPECTS(spans.size() == static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* lookUp = table.data() + 256 * static_cast<std::size_t>(y);
-    std::uint8_t* row = image.row(y);
-    for (const RowSpan& span : spans[static_cast<std::size_t>(y)])
-      for (int x = span.begin; x < span.end; ++x) row[x] = lookUp[row[x]];
-  }
-}
-
 }  // namespace ew
