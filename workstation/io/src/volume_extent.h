@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image_header.h"
+
+namespace ew::detail {
+
+/// The grid of the first three axes, and how many such volumes the file holds.
+struct VolumeExtent {
+  Grid grid;
+  std::uint64_t voxels = 0;
+  std::uint64_t promised = 0;  ///< samples of all volumes in the file
+};
+
+/// What a header says about its volume, checked before any sample is looked at; what was decided is appended to `notes`.
+/// @error unsupported (a recorded sweep), emptyVolume, tooLarge, badField (spacing or directions)
+[[nodiscard]] Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<std::string>& notes);
+
+}  // namespace ew::detail
