@@ -33,6 +33,32 @@ TEST(SliceCommand, CopiesAPlaneOfVoxelsExactlyInBothQualities) {
     }
 }
 
+TEST(SliceCommand, ShowsTheSamePixelsFromAMappedFileAsFromMemory) {
+  const TemporaryFolder folder;
+  const auto volume = rampVolume({41, 30, 20});
+  ASSERT_TRUE(writeVolume(volume, folder / "v.mhd", noProgress(), {.compress = false}));
+  ASSERT_TRUE(writeVolume(volume, folder / "packed.mha"));
+  const std::string pose = "0.8 0.36 0.48 20 0 0.8 -0.6 3 -0.6 0.48 0.64 14 0 0 0 1";
+  for (const std::string quality : {"weave", "linear"}) {
+    std::vector<std::vector<std::uint8_t>> pictures;
+    for (const bool map : {false, true}) {
+      std::vector<std::string> words = {"slice",  folder / "v.mhd", "--pose",    pose,
+                                        "--size", "50x40",          "--quality", quality,
+                                        "-o",     folder / "o.mha", "--report",  folder / "r.json"};
+      if (map) words.emplace_back("--map");
+      const auto outcome = run(words);
+      ASSERT_EQ(outcome.status, 0) << outcome.err;
+      EXPECT_EQ(readJson(folder / "r.json")["options"]["mapped"], map);
+      pictures.push_back(readImage(folder / "o.mha")->pixels);
+    }
+    EXPECT_EQ(pictures[0], pictures[1]) << quality;
+    EXPECT_GT(*std::max_element(pictures[0].begin(), pictures[0].end()), 0);
+  }
+  const auto refused = run({"slice", folder / "packed.mha", "--pose", pose, "--map", "-o", folder / "p.png"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("compressed"), std::string::npos) << refused.err;
+}
+
 TEST(SliceCommand, IsZeroOutsideTheVolumeAndSaysWhenThePlaneMissesIt) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeVolume(rampVolume({12, 10, 8}), folder / "v.mha"));

@@ -23,6 +23,7 @@ struct ScanArguments {
   glm::ivec2 size_px{640, 480};
   int repeat = 0;
   bool plan = false;
+  bool map = false;
 };
 
 /// A probe by the name of its file, by its id, or by the name it is shown with; empty: the first the case allows.
@@ -133,7 +134,12 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
       if (auto announced = run.output(numbered(arguments.output, n, poses.size()), ".png .mha"); !announced)
         return passOn(announced.error());
 
-  auto volume = opened ? readCaseVolume(run, *opened) : readInputVolume(run, arguments.source);
+  auto volume = [&]() -> Result<InputVolume> {
+    if (!opened) return openInputVolume(run, arguments.source, arguments.map);
+    auto read = readCaseVolume(run, *opened);
+    if (!read) return passOn(read.error());
+    return InputVolume{std::move(*read), std::nullopt};
+  }();
   if (!volume) return passOn(volume.error());
 
   run.report.options = {{"probe", probe->id},
@@ -142,11 +148,12 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
                         {"knobs", toJson(knobs)},
                         {"scene", {{"gain_and_dgc", source.scene.gainAndDgc}}},
                         {"size", {arguments.size_px.x, arguments.size_px.y}},
-                        {"repeat", arguments.repeat}};
+                        {"repeat", arguments.repeat},
+                        {"mapped", volume->mapped.has_value()}};
   FrameMaker maker;
   {
     const StepClock clock(run.report, "configure");
-    maker.configure(*probe, knobs, source.scene, volume->grid, arguments.size_px.x, arguments.size_px.y);
+    maker.configure(*probe, knobs, source.scene, volume->grid(), arguments.size_px.x, arguments.size_px.y);
   }
   run.report.options["pixel_mm"] = maker.geometry().pixel_mm;
   run.report.options["depth_mm"] = maker.geometry().depth_mm;
@@ -157,6 +164,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   for (int round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < poses.size(); ++n) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+      if (auto whole = volume->unchanged(); !whole) return passOn(whole.error());
       ImageView<const std::uint8_t> frame;
       {
         const StepClock clock(run.report, "frame");
@@ -230,6 +238,8 @@ void addScan(CLI::App& root, Selection& selection) {
                  "The picture: .png, which carries 'simulation, not for diagnosis', or .mha, the bare frame")
       ->type_name("OUT");
   app.add_flag("--plan", arguments->plan, "Print what a frame runs, with estimated and measured microseconds");
+  app.add_flag("--map", arguments->map,
+               "Leave an uncompressed volume in its file and read it by the page, as files from 1 GiB on always are");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }
 

@@ -19,6 +19,7 @@ struct SliceArguments {
   std::optional<double> pixel_mm;
   std::string quality = "linear";
   int repeat = 0;  // 0: once, with pictures
+  bool map = false;
 };
 
 /// "x -10 to 50, y 0 to 40, z 5 to 90 mm": where a pose has to be to see something.
@@ -58,15 +59,20 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
       if (auto announced = run.output(numbered(arguments.output, n, poses->size()), ".png .mha"); !announced)
         return passOn(announced.error());
 
-  const auto volume = readInputVolume(run, arguments.volume);
+  const auto volume = openInputVolume(run, arguments.volume, arguments.map);
   if (!volume) return passOn(volume.error());
-  const auto& spacing_mm = volume->grid.spacing_mm;
+  const auto& spacing_mm = volume->grid().spacing_mm;
   const double pixel_mm = arguments.pixel_mm.value_or(std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z}));
   const Quality quality = arguments.quality == "weave" ? Quality::weave : arguments.quality == "cubic" ? Quality::cubic : Quality::linear;
-  const auto worldToVoxel = volume->grid.worldToVoxel();
+  const auto worldToVoxel = volume->grid().worldToVoxel();
   const auto imageToProbe = sliceGeometry(arguments.size_px.x, pixel_mm);
-  run.report.options = {{"pose", arguments.pose}, {"poses", poses->size()},       {"size", {arguments.size_px.x, arguments.size_px.y}},
-                        {"pixel_mm", pixel_mm},   {"quality", arguments.quality}, {"repeat", arguments.repeat}};
+  run.report.options = {{"pose", arguments.pose},
+                        {"poses", poses->size()},
+                        {"size", {arguments.size_px.x, arguments.size_px.y}},
+                        {"pixel_mm", pixel_mm},
+                        {"quality", arguments.quality},
+                        {"repeat", arguments.repeat},
+                        {"mapped", volume->mapped.has_value()}};
 
   GreyImage picture(arguments.size_px.x, arguments.size_px.y);
   SliceScratch scratch;
@@ -76,17 +82,18 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   for (int round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < poses->size(); ++n) {
       if (run.progress.cancelRequested()) return passOn(stopped());
+      if (auto whole = volume->unchanged(); !whole) return passOn(whole.error());
       const auto imageToVoxel = worldToVoxel * (*poses)[n].probeToWorld * imageToProbe;
       {
         const StepClock clock(run.report, "slice");
         slice(quality, volume->view(), imageToVoxel, viewOf(picture), scratch);
       }
       if (round == 0) {
-        const double inside = shareInside(volume->grid, imageToVoxel, arguments.size_px);
+        const double inside = shareInside(volume->grid(), imageToVoxel, arguments.size_px);
         leastInside = std::min(leastInside, inside);
         sumInside += inside;
         if (inside == 0.0)
-          run.remark("The plane of pose " + std::to_string(n + 1) + " does not meet the volume, which spans " + extentOf(volume->grid) +
+          run.remark("The plane of pose " + std::to_string(n + 1) + " does not meet the volume, which spans " + extentOf(volume->grid()) +
                      "; its picture is black.");
       }
       if (writes) {
@@ -130,6 +137,8 @@ void addSlice(CLI::App& root, Selection& selection) {
                  "weave: nearest voxel, fastest; linear: trilinear; cubic: cubic convolution, smoothest (linear)")
       ->check(CLI::IsMember({"weave", "linear", "cubic"}))
       ->type_name("QUALITY");
+  app.add_flag("--map", arguments->map,
+               "Leave an uncompressed volume in its file and read it by the page, as files from 1 GiB on always are");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }
 

@@ -17,6 +17,22 @@ Result<Volume> readInputVolume(Run& run, const fs::path& file) {
   return std::move(loaded->volume);
 }
 
+Result<InputVolume> openInputVolume(Run& run, const fs::path& file, bool map) {
+  if (!map && mappableBytes(file) < kMapFrom_bytes) {
+    auto read = readInputVolume(run, file);
+    if (!read) return passOn(read.error());
+    return InputVolume{std::move(*read), std::nullopt};
+  }
+  run.input(file);
+  auto mapped = [&] {
+    const StepClock clock(run.report, "map");
+    return mapVolume(file);
+  }();
+  if (!mapped) return passOn(mapped.error());
+  for (const auto& note : mapped->notes()) run.remark(note);
+  return InputVolume{{}, std::move(*mapped)};
+}
+
 bool meansCase(const std::string& argument) {
   std::error_code ignored;
   const fs::path path(argument);

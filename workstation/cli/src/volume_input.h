@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "ew/core/volume.h"
+#include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
 
 namespace ew::cli {
@@ -13,6 +14,23 @@ inline constexpr double kShareOfReading = 0.8;
 
 /// Reads a volume as a command's input: named in the report, timed, its reader's notes told as remarks.
 [[nodiscard]] Result<Volume> readInputVolume(Run& run, const std::filesystem::path& file);
+
+/// From this size on an uncompressed volume stays in its file and is read by the page.
+inline constexpr std::uint64_t kMapFrom_bytes = 1ull << 30;
+
+/// A volume to look at, in memory or in its file.
+struct InputVolume {
+  Volume volume;                       ///< empty when it is mapped
+  std::optional<MappedVolume> mapped;  ///< when it stays in its file
+  [[nodiscard]] VolumeView<const std::uint8_t> view() const { return mapped ? mapped->view() : volume.view(); }
+  [[nodiscard]] const Grid& grid() const { return mapped ? mapped->grid() : volume.grid; }
+  /// @error notReadable when a mapped file was changed since
+  [[nodiscard]] Result<void> unchanged() const { return mapped ? mapped->unchanged() : Result<void>(); }
+};
+
+/// As readInputVolume; an uncompressed file is mapped when it is large, or when `map` asks for it.
+/// @error as readVolume, as mapVolume when `map`
+[[nodiscard]] Result<InputVolume> openInputVolume(Run& run, const std::filesystem::path& file, bool map);
 
 /// A case by folder, by case.json, or by the id of a shipped case.
 /// @error as loadCase; notFound names the shipped ids
