@@ -22,10 +22,59 @@ constexpr std::uintmax_t kLargestFile_bytes = 1 << 20;
 constexpr int kFormatVersion = 1;
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
-constexpr std::array<std::string_view, 12> kFields = {"format",       "name",         "kind",
-                                                      "width_mm",     "radius_mm",    "opening_deg",
-                                                      "lines",        "carrier_hz",   "elevational_thickness_mm",
-                                                      "min_depth_mm", "max_depth_mm", "default_depth_mm"};
+constexpr double kSpeedOfSound_mmPerS = 1.54e6;
+constexpr std::size_t kMostCarriers = 8;
+
+constexpr std::array<std::pair<std::string_view, ProbeKind>, 5> kKinds = {{{"linear", ProbeKind::linear},
+                                                                           {"convex", ProbeKind::convex},
+                                                                           {"phased", ProbeKind::phased},
+                                                                           {"endocavity", ProbeKind::endocavity},
+                                                                           {"swept_sector", ProbeKind::sweptSector}}};
+
+constexpr std::array<std::string_view, 14> kFieldsOfAll = {"format",
+                                                           "name",
+                                                           "kind",
+                                                           "lines",
+                                                           "carrier_hz",
+                                                           "carriers_hz",
+                                                           "aperture_mm",
+                                                           "min_depth_mm",
+                                                           "max_depth_mm",
+                                                           "default_depth_mm",
+                                                           "elevational_thickness_mm",
+                                                           "elevational_focus_mm",
+                                                           "elevational_aperture_mm",
+                                                           "near_field_mm"};
+
+bool hasField(ProbeKind kind, std::string_view field) {
+  if (std::find(kFieldsOfAll.begin(), kFieldsOfAll.end(), field) != kFieldsOfAll.end()) return true;
+  if (field == "width_mm") return kind == ProbeKind::linear || kind == ProbeKind::phased;
+  if (field == "radius_mm") return kind != ProbeKind::linear && kind != ProbeKind::phased;
+  if (field == "opening_deg") return kind != ProbeKind::linear;
+  return kind == ProbeKind::linear && (field == "max_steering_deg" || field == "trapezoid_deg");
+}
+
+/// How much of the face sends at once, for files that do not say: all of a phased array, an element that fits into a dome, the usual
+/// part of the longer arrays.
+double usualAperture_mm(const Probe& probe) {
+  switch (probe.kind) {
+    case ProbeKind::phased:
+      return probe.width_mm;
+    case ProbeKind::sweptSector:
+      return std::min(probe.radius_mm, probe.width_mm);
+    case ProbeKind::linear:
+    case ProbeKind::convex:
+    case ProbeKind::endocavity:
+      break;
+  }
+  return 0.4 * probe.width_mm;
+}
+
+/// The height of elements that focus to the slice thickness: thickness = wavelength * focus / aperture.
+double usualElevationalAperture_mm(const Probe& probe) {
+  const double wavelength_mm = kSpeedOfSound_mmPerS / probe.carrier_hz;
+  return std::clamp(wavelength_mm * probe.elevationalFocus_mm / probe.elevationalThickness_mm, probe.elevationalThickness_mm, 50.0);
+}
 
 /// Reads fields one after another and keeps the first complaint.
 class FieldReader {
@@ -39,6 +88,28 @@ class FieldReader {
     const double value = found->get<double>();
     if (!(value >= lowest && value <= highest)) return complain(field, shown(*found), rangeText(lowest, highest)), lowest;
     return value;
+  }
+  double number(const char* field, double lowest, double highest, double usual) {
+    return object_.contains(field) ? number(field, lowest, highest) : usual;
+  }
+  /// Several numbers, each larger than the one before, among them `wanted`; none when the field is absent.
+  std::vector<double> risingNumbers(const char* field, double lowest, double highest, double wanted) {
+    std::vector<double> values;
+    const auto found = object_.find(field);
+    if (found == object_.end()) return values;
+    const std::string expected = "a list of 1 to " + std::to_string(kMostCarriers) + " rising numbers from " + textOf(lowest) + " to " +
+                                 textOf(highest) + ", " + textOf(wanted) + " among them";
+    bool fits = found->is_array() && !found->empty() && found->size() <= kMostCarriers;
+    for (std::size_t n = 0; fits && n < found->size(); ++n) {
+      const json& item = (*found)[n];
+      fits = item.is_number();
+      if (!fits) break;
+      const double value = item.get<double>();
+      fits = value >= lowest && value <= highest && (values.empty() || value > values.back());
+      values.push_back(value);
+    }
+    if (!fits || std::find(values.begin(), values.end(), wanted) == values.end()) complain(field, shown(*found), expected);
+    return values;
   }
   int wholeNumber(const char* field, int lowest, int highest) {
     const double value = number(field, lowest, highest);
@@ -113,29 +184,32 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   probe.id = file.stem().string();
   probe.name = fields.text("name");
   const std::string kind = fields.text("kind");
-  if (kind == "linear") {
-    probe.kind = ProbeKind::linear;
-    probe.width_mm = fields.number("width_mm", 5.0, 300.0);
-  } else if (kind == "convex") {
-    probe.kind = ProbeKind::convex;
-    probe.radius_mm = fields.number("radius_mm", 3.0, 300.0);
-    probe.halfAngle_rad = 0.5 * kDegree_rad * fields.number("opening_deg", 5.0, 170.0);
-    probe.width_mm = 2.0 * probe.radius_mm * probe.halfAngle_rad;
-  } else {
-    fields.complain("kind", "\"" + kind + "\"", "\"linear\" or \"convex\"");
+  const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&kind](const auto& named) { return named.first == kind; });
+  if (known == kKinds.end()) {
+    fields.complain("kind", "\"" + kind + "\"", "\"linear\", \"convex\", \"phased\", \"endocavity\" or \"swept_sector\"");
+    return passOn(*fields.complaint());
   }
+  probe.kind = known->second;
+  if (hasField(probe.kind, "width_mm")) probe.width_mm = fields.number("width_mm", 5.0, 300.0);
+  if (hasField(probe.kind, "radius_mm")) probe.radius_mm = fields.number("radius_mm", 3.0, 300.0);
+  if (hasField(probe.kind, "opening_deg")) probe.halfAngle_rad = 0.5 * kDegree_rad * fields.number("opening_deg", 5.0, 170.0);
+  if (probe.radius_mm > 0.0) probe.width_mm = 2.0 * probe.radius_mm * probe.halfAngle_rad;
+  if (hasField(probe.kind, "max_steering_deg")) probe.maxSteering_rad = kDegree_rad * fields.number("max_steering_deg", 0.0, 45.0, 0.0);
+  if (hasField(probe.kind, "trapezoid_deg")) probe.trapezoidHalfAngle_rad = kDegree_rad * fields.number("trapezoid_deg", 0.0, 30.0, 0.0);
   probe.lines = fields.wholeNumber("lines", 2, 4096);
   probe.carrier_hz = fields.number("carrier_hz", 1e5, 1e8);
+  probe.carriers_hz = fields.risingNumbers("carriers_hz", 1e5, 1e8, probe.carrier_hz);
+  probe.aperture_mm = fields.number("aperture_mm", 0.1, probe.width_mm, usualAperture_mm(probe));
   probe.elevationalThickness_mm = fields.number("elevational_thickness_mm", 0.05, 50.0);
   probe.minDepth_mm = fields.number("min_depth_mm", 1.0, 1000.0);
   probe.maxDepth_mm = fields.number("max_depth_mm", probe.minDepth_mm, 1000.0);
   probe.defaultDepth_mm = fields.number("default_depth_mm", probe.minDepth_mm, probe.maxDepth_mm);
-  for (const auto& item : object->items()) {
-    const bool foreign = (kind == "linear" && (item.key() == "radius_mm" || item.key() == "opening_deg")) ||
-                         (kind == "convex" && item.key() == "width_mm") ||
-                         std::find(kFields.begin(), kFields.end(), item.key()) == kFields.end();
-    if (foreign) fields.complain(item.key(), "a value", "left out, because a " + kind + " probe has no such field");
-  }
+  probe.elevationalFocus_mm = fields.number("elevational_focus_mm", 1.0, 1000.0, 0.5 * probe.defaultDepth_mm);
+  probe.elevationalAperture_mm = fields.number("elevational_aperture_mm", 0.5, 100.0, usualElevationalAperture_mm(probe));
+  probe.nearField_mm = fields.number("near_field_mm", 0.0, 20.0, probe.nearField_mm);
+  for (const auto& item : object->items())
+    if (!hasField(probe.kind, item.key()))
+      fields.complain(item.key(), "a value", "left out, because a probe of the kind \"" + kind + "\" has no such field");
   if (fields.complaint()) return passOn(*fields.complaint());
   return probe;
 }
