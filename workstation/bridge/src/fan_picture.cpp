@@ -50,8 +50,8 @@ void FanPicture::addTo(vtkRenderer& renderer) {
   renderer.AddActor(edge_);
 }
 
-void FanPicture::setOutline(const Probe& probe, double depth_mm) {
-  outline_mm_ = fanOutline_mm(probe, {}, depth_mm);
+void FanPicture::setOutline(const Probe& probe, double depth_mm, const Knobs& knobs) {
+  outline_mm_ = fanOutline_mm(probe, knobs, depth_mm);
   if (outline_mm_.size() > 1 && outline_mm_.front() == outline_mm_.back()) outline_mm_.pop_back();
   const auto count = static_cast<vtkIdType>(outline_mm_.size());
   vtkNew<vtkPoints> points;

@@ -122,6 +122,8 @@ struct Scene3D::Parts {
   FanPicture fan;
   Probe probe;
   double depth_mm = 0.0;
+  double steering_rad = 0.0;
+  bool trapezoid = false;
   bool hasProbe = false;
   bool hasPose = false;
   bool probeWanted = true;
@@ -324,16 +326,19 @@ void Scene3D::clearVolumeBox() {
   parts_->box->VisibilityOff();
 }
 
-void Scene3D::setProbe(const Probe& probe, double depth_mm) {
+void Scene3D::setProbe(const Probe& probe, double depth_mm, const Knobs& knobs) {
   EW_EXPECTS(depth_mm > 0.0);
   Parts& p = *parts_;
   const bool sameProbe = p.hasProbe && probe == p.probe;
-  if (sameProbe && depth_mm == p.depth_mm) return;  // a caller may say so with every frame
+  const bool sameFan = depth_mm == p.depth_mm && knobs.steering_rad == p.steering_rad && knobs.trapezoid == p.trapezoid;
+  if (sameProbe && sameFan) return;  // a caller may say so with every frame
   p.probe = probe;
   p.depth_mm = depth_mm;
+  p.steering_rad = knobs.steering_rad;
+  p.trapezoid = knobs.trapezoid;
   p.hasProbe = true;
   if (!sameProbe) p.rebuildHousing();
-  p.fan.setOutline(probe, depth_mm);
+  p.fan.setOutline(probe, depth_mm, knobs);
   p.updateVisibility();
 }
 
@@ -415,8 +420,7 @@ bool Scene3D::isProbeAt(glm::dvec2 at_px) const {
   const Parts& p = *parts_;
   if (!p.housing->GetVisibility()) return false;
   const Ray ray = rayAt(at_px);
-  const double halfFace_mm =
-      p.probe.kind == ProbeKind::convex ? p.probe.radius_mm * std::sin(p.probe.halfAngle_rad) : 0.5 * p.probe.width_mm;
+  const double halfFace_mm = faceHalfWidth_mm(p.probe);
   return distance_mm(ray, p.inWorld({0.0, -10.0, 0.0}), p.inWorld({0.0, -112.0, 0.0})) < 17.0 ||
          distance_mm(ray, p.inWorld({-halfFace_mm, -16.0, 0.0}), p.inWorld({halfFace_mm, -16.0, 0.0})) < 16.0;
 }

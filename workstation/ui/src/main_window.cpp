@@ -188,7 +188,7 @@ void MainWindow::connectParts() {
 void MainWindow::showPicture() {
   Parts& p = *parts_;
   if (!p.session.subject() || p.session.picture().width == 0) return;
-  p.view3d->setProbe(p.session.pictureProbe(), p.session.geometry().depth_mm);
+  p.view3d->setProbe(p.session.pictureProbe(), p.session.geometry().depth_mm, p.session.pictureKnobs());
   p.view3d->setPose(p.session.picturePose());
   p.view3d->setFanImage(p.session.picture(), p.session.geometry());
   p.view3d->setProbeVisible(true);

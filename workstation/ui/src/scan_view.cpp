@@ -133,12 +133,11 @@ void ScanView::paintDepthScale(QPainter& painter) {
 void ScanView::paintMarker(QPainter& painter) {
   const DisplayGeometry& geometry = session_.geometry();
   const Probe& probe = session_.pictureProbe();
-  const double edge_mm = probe.kind == ProbeKind::convex ? probe.radius_mm * std::sin(probe.halfAngle_rad) : probe.width_mm / 2.0;
   // The marker stands at the side the probe's +x points to in the picture.
   const double side = geometry.markerLeft ? -1.0 : 1.0;
   const QRect box = pictureRect();
-  const double x = box.left() + (geometry.face_px.x + side * edge_mm / geometry.pixel_mm) / devicePixelRatioF();
-  const double y = yOfDepth(probe.kind == ProbeKind::convex ? -probe.radius_mm * (1.0 - std::cos(probe.halfAngle_rad)) : 0.0) - 12.0;
+  const double x = box.left() + (geometry.face_px.x + side * faceHalfWidth_mm(probe) / geometry.pixel_mm) / devicePixelRatioF();
+  const double y = yOfDepth(-faceSagitta_mm(probe)) - 12.0;
   const QPointF centre(std::clamp(x, box.left() + 6.0, box.right() - 6.0), std::max(y, box.top() - 12.0));
   painter.setPen(Qt::NoPen);
   painter.setBrush(scanTheme().accent);

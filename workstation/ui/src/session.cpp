@@ -11,28 +11,12 @@ constexpr std::size_t kRememberedFrames = 25;
 constexpr double kGel_mm = 3.0;
 constexpr int kContactSamples = 17;
 
-/// Points of the transducer's face in the probe frame, evenly from edge to edge.
-std::vector<glm::dvec3> facePoints_mm(const Probe& probe) {
-  std::vector<glm::dvec3> points;
-  for (int i = 0; i < kContactSamples; ++i) {
-    const double across = 2.0 * i / (kContactSamples - 1) - 1.0;
-    if (probe.kind == ProbeKind::convex) {
-      const double angle_rad = across * probe.halfAngle_rad;
-      points.emplace_back(probe.radius_mm * std::sin(angle_rad), probe.radius_mm * (std::cos(angle_rad) - 1.0), 0.0);
-    } else {
-      points.emplace_back(across * probe.width_mm / 2.0, 0.0, 0.0);
-    }
-  }
-  return points;
-}
-
 }  // namespace
 
 double usualPress_mm(const Probe& probe) {
   constexpr double kLeast_mm = 1.0;
   constexpr double kShare = 0.8;
-  const double sagitta_mm = probe.kind == ProbeKind::convex ? probe.radius_mm * (1.0 - std::cos(probe.halfAngle_rad)) : 0.0;
-  return std::min(kLeast_mm + kShare * sagitta_mm, kMaxPress_mm);
+  return std::min(kLeast_mm + kShare * faceSagitta_mm(probe), kMaxPress_mm);
 }
 
 Session::Session(QObject* parent) : QObject(parent) {
@@ -146,7 +130,7 @@ std::optional<double> Session::contact() const {
   if (!skin_) return std::nullopt;
   const Pose held = pose();
   int touching = 0;
-  for (const glm::dvec3& p_probe : facePoints_mm(probe_)) {
+  for (const glm::dvec3& p_probe : facePoints_mm(probe_, kContactSamples)) {
     const glm::dvec3 p_world = glm::dvec3(held.probeToWorld.matrix * glm::dvec4(p_probe, 1.0));
     const Skin::Contact nearest = skin_->nearest(p_world);
     if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGel_mm) ++touching;

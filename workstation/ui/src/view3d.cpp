@@ -221,8 +221,8 @@ void View3D::clearVolumeBox() {
   render();
 }
 
-void View3D::setProbe(const Probe& probe, double depth_mm) {
-  parts_->scene->setProbe(probe, depth_mm);
+void View3D::setProbe(const Probe& probe, double depth_mm, const Knobs& knobs) {
+  parts_->scene->setProbe(probe, depth_mm, knobs);
   render();
 }
 

@@ -38,7 +38,7 @@ class View3D : public QWidget {
   void setVolumeBox(const Grid& grid);
   void clearVolumeBox();
 
-  void setProbe(const Probe& probe, double depth_mm);
+  void setProbe(const Probe& probe, double depth_mm, const Knobs& knobs = {});
   void setPose(const Pose& pose);  ///< a pose that is not ok hides probe and fan
   void setProbeVisible(bool visible);
   /// Pixels and where they lie; copied, so the view may change afterwards.

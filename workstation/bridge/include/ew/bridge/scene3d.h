@@ -59,8 +59,8 @@ class Scene3D {
   void setVolumeBox(const Grid& grid);
   void clearVolumeBox();
 
-  /// Housing and fan of a probe, the fan down to `depth_mm`; nothing is shown before the first pose.
-  void setProbe(const Probe& probe, double depth_mm);
+  /// Housing and fan of a probe, the fan down to `depth_mm` and leaning as the knobs steer it; nothing is shown before the first pose.
+  void setProbe(const Probe& probe, double depth_mm, const Knobs& knobs = {});
   void setPose(const Pose& pose);  ///< one that is not ok hides probe and fan
   void setProbeVisible(bool visible);
   /// The live picture, drawn inside the fan's outline where it belongs; copied.
