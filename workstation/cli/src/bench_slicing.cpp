@@ -1,28 +1,18 @@
 #include "bench_slicing.h"
 
 #include <benchmark/benchmark.h>
-#include <time.h>
-#include <vtkImageData.h>
-#include <vtkImageReslice.h>
-#include <vtkMatrix4x4.h>
 #include <vtkMultiThreader.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <functional>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string>
 
 #include "bench_page.h"
-#include "ew/core/large_pages.h"
+#include "bench_parts.h"
 #include "ew/imaging/slicing.h"
 #include "ew/io/safe_file.h"
 
@@ -32,57 +22,9 @@ namespace {
 using nlohmann::json;
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
-/// A sum of products of cosines: known everywhere, no wavelength below 7 voxels, grey levels from 8 to 248.
-class Field {
- public:
-  explicit Field(int side) {
-    std::mt19937 random(20240607);
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    for (Term& term : terms_)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        term.perVoxel[axis] = 2.0 * std::numbers::pi / (7.0 + 33.0 * unit(random));
-        term.phase[axis] = 2.0 * std::numbers::pi * unit(random);
-        term.table[axis].resize(static_cast<std::size_t>(side));
-        for (std::size_t n = 0; n < term.table[axis].size(); ++n)
-          term.table[axis][n] = static_cast<float>(std::cos(term.perVoxel[axis] * static_cast<double>(n) + term.phase[axis]));
-      }
-  }
-
-  [[nodiscard]] double at(const glm::dvec3& p_voxel) const {
-    double sum = kMean;
-    for (const Term& term : terms_) {
-      double product = kAmplitude;
-      for (int axis = 0; axis < 3; ++axis)
-        product *= std::cos(term.perVoxel[static_cast<std::size_t>(axis)] * p_voxel[axis] + term.phase[static_cast<std::size_t>(axis)]);
-      sum += product;
-    }
-    return sum;
-  }
-
-  void fillRow(std::size_t j, std::size_t k, std::uint8_t* row) const {
-    std::array<float, kTerms> factor{};
-    for (std::size_t t = 0; t < kTerms; ++t) factor[t] = static_cast<float>(kAmplitude) * terms_[t].table[1][j] * terms_[t].table[2][k];
-    for (std::size_t i = 0; i < terms_[0].table[0].size(); ++i) {
-      float sum = static_cast<float>(kMean) + 0.5F;
-      for (std::size_t t = 0; t < kTerms; ++t) sum += factor[t] * terms_[t].table[0][i];
-      row[i] = static_cast<std::uint8_t>(sum);
-    }
-  }
-
- private:
-  static constexpr std::size_t kTerms = 6;
-  static constexpr double kMean = 128.0;
-  static constexpr double kAmplitude = 20.0;
-  struct Term {
-    std::array<double, 3> perVoxel{}, phase{};
-    std::array<std::vector<float>, 3> table;
-  };
-  std::array<Term, kTerms> terms_;
-};
-
 struct Scene {
   Volume volume;
-  Field field;
+  BenchField field;
   std::map<std::string, std::vector<ImageToVoxel>> poses;  // by kind
 };
 
@@ -115,22 +57,14 @@ std::map<std::string, std::vector<ImageToVoxel>> posesFor(const BenchOptions& op
 }
 
 Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volumeSide, Progress& progress) {
-  auto scene = std::make_unique<Scene>(Scene{{}, Field(volumeSide), posesFor(options, volumeSide)});
-  Grid& grid = scene->volume.grid;
-  grid.dims = glm::ivec3(volumeSide);
-  scene->volume.echo = zerosInLargePages(grid.voxelCount());  // as volumes from files; the peer reads the same memory
-  for (int k = 0; k < volumeSide; ++k) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
-    for (int j = 0; j < volumeSide; ++j)
-      scene->field.fillRow(static_cast<std::size_t>(j), static_cast<std::size_t>(k), scene->volume.echo.data() + grid.indexOf(0, j, k));
-  }
+  auto scene = std::make_unique<Scene>(Scene{{}, BenchField(volumeSide), posesFor(options, volumeSide)});
+  auto volume = scene->field.volume(progress);
+  if (!volume) return passOn(volume.error());
+  scene->volume = std::move(*volume);
   return scene;
 }
 
-/// One way of making a slice; the returned pixels stay valid until the next call.
-using Slicer = std::function<const std::uint8_t*(const ImageToVoxel&)>;
-
-Slicer ownSlicer(Quality quality, const Scene& scene, int side) {
+BenchSlicer ownSlicer(Quality quality, const Scene& scene, int side) {
   struct State {
     SliceScratch scratch;
     GreyImage image;
@@ -145,47 +79,13 @@ Slicer ownSlicer(Quality quality, const Scene& scene, int side) {
   };
 }
 
-Slicer peerSlicer(Quality quality, const Scene& scene, int side) {
-  struct State {
-    vtkNew<vtkImageData> volume;
-    vtkNew<vtkImageReslice> reslice;
-    vtkNew<vtkMatrix4x4> axes;
-  };
-  auto state = std::make_shared<State>();
-  vtkNew<vtkUnsignedCharArray> voxels;
-  // VTK takes a mutable pointer; the reslice filter only reads.
-  voxels->SetArray(const_cast<unsigned char*>(scene.volume.echo.data()), static_cast<vtkIdType>(scene.volume.echo.size()), 1);
-  const glm::ivec3 dims = scene.volume.grid.dims;
-  state->volume->SetDimensions(dims.x, dims.y, dims.z);
-  state->volume->GetPointData()->SetScalars(voxels);
-  vtkImageReslice* reslice = state->reslice;
-  reslice->SetInputData(state->volume);
-  reslice->SetOutputDimensionality(2);
-  reslice->SetOutputExtent(0, side - 1, 0, side - 1, 0, 0);
-  reslice->SetOutputOrigin(0.0, 0.0, 0.0);
-  reslice->SetOutputSpacing(1.0, 1.0, 1.0);
-  reslice->SetOptimization(1);
-  reslice->SetBorder(1);
-  reslice->SetBackgroundLevel(0.0);
-  quality == Quality::weave ? reslice->SetInterpolationModeToNearestNeighbor() : reslice->SetInterpolationModeToLinear();
-  reslice->SetEnableSMP(false);
-  reslice->SetNumberOfThreads(1);
-  reslice->SetResliceAxes(state->axes);
-  return [state](const ImageToVoxel& plane) {
-    for (int row = 0; row < 4; ++row)
-      for (int column = 0; column < 4; ++column) state->axes->SetElement(row, column, plane.matrix[column][row]);
-    state->reslice->Update();
-    return static_cast<const std::uint8_t*>(state->reslice->GetOutput()->GetScalarPointer());
-  };
-}
-
 struct Case {
   std::string name;  ///< "slice_400x400_of_256cubed/weave/random"
   std::string method;
   Quality quality = Quality::weave;
   bool peer = false;
   std::string poseKind;
-  Slicer slicer;
+  BenchSlicer slicer;
   std::vector<double> slices_us;       ///< every slice
   std::vector<double> repetitions_us;  ///< mean of each repetition
   double psnr_db = 0.0;
@@ -214,21 +114,6 @@ void measureError(Case& tested, const Scene& scene, int side) {
   tested.psnr_db = mean > 0.0 ? 10.0 * std::log10(255.0 * 255.0 / mean) : 0.0;
 }
 
-double cpuTime_s(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Whether everything `work` did was done by the calling thread.
-bool runsOnThisThreadAlone(const std::function<void()>& work) {
-  work();  // pools start on first use
-  const double process = cpuTime_s(CLOCK_PROCESS_CPUTIME_ID), thread = cpuTime_s(CLOCK_THREAD_CPUTIME_ID);
-  work();
-  const double spentByAll = cpuTime_s(CLOCK_PROCESS_CPUTIME_ID) - process, spentHere = cpuTime_s(CLOCK_THREAD_CPUTIME_ID) - thread;
-  return spentByAll < 1.1 * spentHere + 1e-4;
-}
-
 /// Collects the mean of each repetition.
 class Collector final : public benchmark::BenchmarkReporter {
  public:
@@ -246,13 +131,6 @@ class Collector final : public benchmark::BenchmarkReporter {
   std::map<std::string, Case*> cases_;
 };
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 void timeCases(std::vector<Case>& cases, const Scene& scene, const BenchOptions& options, Progress& progress) {
   std::map<std::string, Case*> byName;
   const double total = static_cast<double>(cases.size()) * options.repetitions;
@@ -269,9 +147,9 @@ void timeCases(std::vector<Case>& cases, const Scene& scene, const BenchOptions&
           break;
         }
         // Processor time of the one thread that works: what other programs take from it meanwhile does not count.
-        const double start_s = cpuTime_s(CLOCK_THREAD_CPUTIME_ID);
+        const double start_s = threadTime_s();
         benchmark::DoNotOptimize(tested.slicer(poses[next++ % poses.size()]));
-        const double spent_s = cpuTime_s(CLOCK_THREAD_CPUTIME_ID) - start_s;
+        const double spent_s = threadTime_s() - start_s;
         state.SetIterationTime(spent_s);
         tested.slices_us.push_back(1e6 * spent_s);
       }
@@ -303,13 +181,6 @@ json stepOf(const Case& tested) {
           {"max_us", sorted.back()}};
 }
 
-std::string machineName() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0 && line.find(':') != std::string::npos) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
 Result<void> checkOptions(const BenchOptions& options) {
   const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
   if (options.volumeSides.empty()) return refuse("The slicing benchmark needs at least one volume side; give --side 256.");
@@ -336,7 +207,8 @@ std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int 
         tested.quality = quality;
         tested.peer = peer;
         tested.poseKind = kind;
-        tested.slicer = peer ? peerSlicer(quality, scene, options.sliceSide) : ownSlicer(quality, scene, options.sliceSide);
+        tested.slicer =
+            peer ? peerSlicer(quality, scene.volume, options.sliceSide, options.sliceSide) : ownSlicer(quality, scene, options.sliceSide);
         cases.push_back(std::move(tested));
       }
   return cases;
