@@ -7,6 +7,8 @@
 #include <random>
 
 #include "ew/imaging/effects/gain.h"
+#include "ew/imaging/frame.h"
+#include "imaging/support.h"
 
 namespace ew {
 namespace {
@@ -186,6 +188,49 @@ TEST(ToneTable, AppliedInBandsOfRowsGivesTheSamePicture) {
                    std::span(table).subspan(256 * static_cast<std::size_t>(first)));
   }
   EXPECT_EQ(banded, whole.image);
+}
+
+TEST(ToneTable, BehindAPictureIsEquationFiveAndTheToneAtEveryPixelOfTheFanAndBlackStaysAroundIt) {
+  const Volume volume = testing::volumeOf(
+      {120, 160, 100}, [](int i, int j, int k) { return i + j + (k % 7); }, glm::dvec3(1.4));
+  Probe probe;
+  probe.kind = ProbeKind::convex;
+  probe.radius_mm = 50.0;
+  probe.halfAngle_rad = 0.5;
+  probe.minDepth_mm = 40.0;
+  probe.maxDepth_mm = 200.0;
+  probe.defaultDepth_mm = 120.0;
+  FrameMaker maker;
+  maker.configure(probe, {}, {}, volume.grid, 240, 260);
+  Pose pose;
+  pose.probeToWorld.matrix = glm::translate(glm::dmat4(1.0), {80.0, 20.0, 70.0});
+  const auto echo = maker.make(volume.view(), pose);
+
+  const Sliders dgc = {0.4, 0.6, 1.2, 2.0, 1.0, 0.3, 0.8, 1.5};
+  for (const GreyMap map : kMaps) {
+    const Tone tone{.dynamicRange_db = map == GreyMap::soft ? 80.0 : 45.0, .map = map};
+    std::vector<double> depth;
+    for (int y = 0; y < echo.height; ++y)
+      depth.push_back(
+          std::clamp((maker.geometry().imageToProbe() * Point<frame::Image>{{0, y, 0}}).at.y / maker.geometry().depth_mm, 0.0, 1.0));
+    GreyImage shown(echo.width, echo.height);
+    std::copy(echo.data, echo.data + shown.pixels.size(), shown.pixels.begin());
+    applyGainTable(viewOf(shown), maker.spans(), tableOf(1.4, dgc, tone, depth));
+    int different = 0;
+    for (int y = 0; y < echo.height; ++y) {
+      std::vector<bool> inFan(static_cast<std::size_t>(echo.width), false);
+      for (const RowSpan& span : maker.spans()[static_cast<std::size_t>(y)])
+        std::fill(inFan.begin() + span.begin, inFan.begin() + span.end, true);
+      const double factor = dgcAt(dgc, depth[static_cast<std::size_t>(y)]);
+      for (int x = 0; x < echo.width; ++x) {
+        const double amplified = std::min(1.4 * std::min(factor * echo.at(x, y), 255.0), 255.0);
+        const double expected = inFan[static_cast<std::size_t>(x)] ? shownLevel(tone, amplified) : 0.0;
+        ASSERT_NEAR(viewOf(shown).at(x, y), expected, 0.5 + 1e-9) << x << ", " << y;
+        different += viewOf(shown).at(x, y) != echo.at(x, y);
+      }
+    }
+    EXPECT_GT(different, 5000);
+  }
 }
 
 }  // namespace
