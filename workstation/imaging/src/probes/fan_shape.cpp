@@ -48,13 +48,13 @@ FanShape::Place FanShape::placeOf(const glm::dvec2& p_mm) const {
       // Behind the apex every point is far in front of the face's depth 0: the sign of y already says that it is outside.
       const double fromApex_mm = std::max(p_mm.y + apexToFace_mm, 1e-9);
       const double onFace_mm = p_mm.x * apexToFace_mm / fromApex_mm;
-      return {onFace_mm / halfWidth_mm, p_mm.y * std::hypot(onFace_mm, apexToFace_mm) / apexToFace_mm};
+      return {onFace_mm / halfWidth_mm, p_mm.y * std::sqrt(onFace_mm * onFace_mm + apexToFace_mm * apexToFace_mm) / apexToFace_mm};
     }
     case Kind::sector:
       break;
   }
   const double y_mm = p_mm.y + apexToFace_mm;
-  return {std::atan2(p_mm.x, y_mm) / halfAngle_rad, std::hypot(p_mm.x, y_mm) - apexToFace_mm};
+  return {std::atan2(p_mm.x, y_mm) / halfAngle_rad, std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - apexToFace_mm};
 }
 
 FanShape::Box FanShape::box(double depth_mm) const {
