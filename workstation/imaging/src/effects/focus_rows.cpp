@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "ew/imaging/effects/focus.h"
 
@@ -61,22 +62,59 @@ void blurRow(const float* in, const float* weights, int radius, int width, float
   for (int n = 0; n < width; ++n) out[n] = piece[n];
 }
 
-/// Piecewise linear stretch of m >= 2 values to n >= 2, of which whole vectors can be written.
+// Both ways, result x of n lies rest / (n - 1) of the way between values `left` and left + 1, with x (m - 1) = left (n - 1) + rest in whole
+// numbers. The weights are rounded to 12 bits and blended without fused operations (see CMakeLists.txt): so mirrored rows give mirrored
+// results to the last bit.
+constexpr float kRounder = 3072.0F;  ///< floats near it lie 2^-12 apart
+
+/// Piecewise linear undersampling of n values to m, 2 <= m < n.
+void undersampleTo(const float* in, int n, float* out, int m) {
+  const float perInterval = 1.0F / static_cast<float>(m - 1);
+  const int wholeStep = (n - 1) / (m - 1), restStep = (n - 1) % (m - 1);
+  int left = 0, rest = 0;
+  for (int k = 0; k < m - 1; ++k) {
+    const float weight = (static_cast<float>(rest) * perInterval + kRounder) - kRounder;
+    out[k] = in[left] * (1.0F - weight) + in[left + 1] * weight;
+    left += wholeStep;
+    rest += restStep;
+    if (rest >= m - 1) {
+      rest -= m - 1;
+      ++left;
+    }
+  }
+  out[m - 1] = in[n - 1];
+}
+
+/// Piecewise linear stretch of m >= 2 values to n > m. Whole vectors are read from any of the m places and written to any of the n.
+/// Neighbouring results lie less than one value apart, so that a vector of them needs a vector of values from the first one's on: they are
+/// put in place within a register, which is faster than gathering them from memory.
 void stretchTo(const float* in, int m, float* out, int n) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto step = hn::Set(d, static_cast<float>(static_cast<double>(m - 1) / (n - 1)));
-  const auto lastInterval = hn::Set(di, m - 2);
+  // Half a rest more than the result's place keeps the rounding of the product away from whole numbers.
+  const auto perInterval = hn::Set(d, 1.0F / static_cast<float>(n - 1));
+  const auto intervals = hn::Set(d, static_cast<float>(n - 1)), values = hn::Set(d, static_cast<float>(m - 1));
+  const auto one = hn::Set(d, 1.0F), half = hn::Set(d, 0.5F), rounder = hn::Set(d, kRounder);
+  const auto laneNumbers = hn::Iota(d, 0.0F);
   for (int x = 0; x < n; x += lanes) {
-    const auto position = hn::Mul(hn::ConvertTo(d, hn::Iota(di, x)), step);
-    const auto left = hn::Min(hn::ConvertTo(di, position), lastInterval);
-    const auto weight = hn::Sub(position, hn::ConvertTo(d, left));
-    const auto atLeft = hn::GatherIndex(d, in, left);
-    const auto atRight = hn::GatherIndex(d, in + 1, left);
-    hn::StoreU(hn::MulAdd(weight, hn::Sub(atRight, atLeft), atLeft), d, out + x);
+    const auto place = hn::Mul(hn::Add(laneNumbers, hn::Set(d, static_cast<float>(x))), values);
+    const auto left = hn::Min(hn::ConvertTo(di, hn::Mul(hn::Add(place, half), perInterval)), hn::Set(di, m - 2));
+    const int first = std::min(static_cast<int>(static_cast<std::int64_t>(x) * (m - 1) / (n - 1)), m - 2);
+    const auto from = hn::Max(hn::Zero(di), hn::Min(hn::Sub(left, hn::Set(di, first)), hn::Set(di, lanes - 1)));
+    const auto indices = hn::IndicesFromVec(d, from);
+    const auto atLeft = hn::TableLookupLanes(hn::LoadU(d, in + first), indices);
+    const auto atRight = hn::TableLookupLanes(hn::LoadU(d, in + first + 1), indices);
+    const auto rest = hn::Sub(place, hn::Mul(hn::ConvertTo(d, left), intervals));
+    const auto weight = hn::Sub(hn::Add(hn::Mul(rest, perInterval), rounder), rounder);
+    hn::StoreU(hn::Add(hn::Mul(atLeft, hn::Sub(one, weight)), hn::Mul(atRight, weight)), d, out + x);
   }
   out[n - 1] = in[m - 1];
+}
+
+void reduceAndStretch(const float* in, int n, int m, float* few, float* out) {
+  undersampleTo(in, n, few, m);
+  stretchTo(few, m, out, n);
 }
 
 }  // namespace
@@ -88,7 +126,7 @@ namespace ew {
 namespace {
 
 HWY_EXPORT(blurRow);
-HWY_EXPORT(stretchTo);
+HWY_EXPORT(reduceAndStretch);
 
 /// Floats in the widest vector of any target; HWY_MAX_BYTES is that of the target compiled last.
 constexpr std::size_t kWidestVector = 64;
@@ -122,7 +160,7 @@ void stretchRows(std::span<const int> samplesOfRow, int firstRow, ImageView<floa
   if (scratch.size() < 2 * (width + kWidestVector)) scratch.resize(2 * (width + kWidestVector));
   float* few = scratch.data();
   float* stretched = few + width + kWidestVector;
-  const auto stretchFloats = HWY_DYNAMIC_DISPATCH(stretchTo);
+  const auto stretchFloats = HWY_DYNAMIC_DISPATCH(reduceAndStretch);
   for (int y = 0; y < echoes.height; ++y) {
     const int samples = samplesOfRow[static_cast<std::size_t>(firstRow + y)];
     if (samples >= echoes.width) continue;
@@ -131,8 +169,7 @@ void stretchRows(std::span<const int> samplesOfRow, int firstRow, ImageView<floa
       std::fill(row + 1, row + width, row[0]);
       continue;
     }
-    stretchFloats(row, echoes.width, few, samples);
-    stretchFloats(few, samples, stretched, echoes.width);
+    stretchFloats(row, echoes.width, samples, few, stretched);
     std::copy(stretched, stretched + width, row);
   }
 }

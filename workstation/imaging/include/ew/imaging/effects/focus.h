@@ -72,8 +72,9 @@ void blurLaterally(const LateralKernels& kernels, int firstRow, ImageView<float>
 void rowResolutions(const BeamModel& model, const BeamGrid& grid, std::vector<int>& samplesOfRow);
 
 /// The paper's focus: each row is undersampled to samplesOfRow[firstRow + y] values and stretched back (Fig. 5), in place. The first line
-/// and the last one stay; one sample repeats the first line; as many samples as lines, or more, leave the row as it is. Constants stay to
-/// the last bit. A level that is not finite spoils up to three intervals between samples around it, in its own row alone.
+/// and the last one stay; one sample repeats the first line; as many samples as lines, or more, leave the row as it is. Constants stay,
+/// exactly when they are whole levels; interpolated levels are within 0.1; a mirrored row gives the mirrored result to the last bit. A
+/// level that is not finite spoils up to three intervals between samples around it, in its own row alone.
 /// Source: Aiger & Cohen-Or 1998, "Real-Time Image Generation". Ours differs as stretch() does, and in floats.
 /// @param scratch holds a row; does not allocate when it is large enough already
 void stretchRows(std::span<const int> samplesOfRow, int firstRow, ImageView<float> echoes, std::vector<float>& scratch);
