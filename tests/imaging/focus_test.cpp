@@ -1,6 +1,7 @@
 #include "ew/imaging/effects/focus.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
@@ -348,6 +349,35 @@ TEST(RowStretch, TakesFewestSamplesWhereTheBeamIsWidestAndAllAtTheFocus) {
   EXPECT_EQ(samplesOfRow[122], 192);
   EXPECT_LT(samplesOfRow[299], 60);
   EXPECT_GE(*std::min_element(samplesOfRow.begin(), samplesOfRow.end()), 2);
+}
+
+TEST(Focus, EveryVectorTargetGivesTheSameBits) {
+  std::mt19937 random(7);
+  BeamImage image(181, 60);
+  for (float& level : image.pixels) level = std::uniform_real_distribution<float>(0.0F, 255.0F)(random);
+  LateralKernels kernels;
+  std::vector<int> samplesOfRow;
+  for (int radius = 1; radius <= 60; ++radius) {
+    const LateralKernels one = kernelOf(radius, 3);
+    kernels.rows.push_back({radius, kernels.weights.size()});
+    kernels.weights.insert(kernels.weights.end(), one.weights.begin(), one.weights.end());
+    samplesOfRow.push_back(3 * radius + 2);
+  }
+  const auto made = [&] {
+    BeamImage blurred = image, stretched = image;
+    std::vector<float> scratch;
+    blurLaterally(kernels, 0, viewOf(blurred), scratch);
+    stretchRows(samplesOfRow, 0, viewOf(stretched), scratch);
+    return std::pair(blurred, stretched);
+  };
+  const auto expected = made();
+  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+    hwy::SetSupportedTargetsForTest(targets & -targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_EQ(made(), expected) << hwy::TargetName(targets & -targets);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace

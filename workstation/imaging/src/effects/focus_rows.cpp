@@ -32,11 +32,11 @@ HWY_INLINE void blurPiece(const float* in, const float* weights, int radius, flo
     const auto weight = hn::Set(d, weights[k]);
     const float* left = in - k;
     const float* right = in + k;
-    sum0 = hn::MulAdd(weight, hn::Add(hn::LoadU(d, left), hn::LoadU(d, right)), sum0);
+    sum0 = hn::Add(hn::Mul(weight, hn::Add(hn::LoadU(d, left), hn::LoadU(d, right))), sum0);
     if constexpr (count == 4) {
-      sum1 = hn::MulAdd(weight, hn::Add(hn::LoadU(d, left + lanes), hn::LoadU(d, right + lanes)), sum1);
-      sum2 = hn::MulAdd(weight, hn::Add(hn::LoadU(d, left + 2 * lanes), hn::LoadU(d, right + 2 * lanes)), sum2);
-      sum3 = hn::MulAdd(weight, hn::Add(hn::LoadU(d, left + 3 * lanes), hn::LoadU(d, right + 3 * lanes)), sum3);
+      sum1 = hn::Add(hn::Mul(weight, hn::Add(hn::LoadU(d, left + lanes), hn::LoadU(d, right + lanes))), sum1);
+      sum2 = hn::Add(hn::Mul(weight, hn::Add(hn::LoadU(d, left + 2 * lanes), hn::LoadU(d, right + 2 * lanes))), sum2);
+      sum3 = hn::Add(hn::Mul(weight, hn::Add(hn::LoadU(d, left + 3 * lanes), hn::LoadU(d, right + 3 * lanes))), sum3);
     }
   }
   hn::StoreU(sum0, d, out);

@@ -58,9 +58,9 @@ struct LateralKernels {
 [[nodiscard]] LateralKernels makeLateralKernels(const BeamModel& model, const BeamGrid& grid);
 
 /// Blurs rows [firstRow, firstRow + echoes.height) of the beam grid, in place; at the fan's edges the outermost line goes on. Levels are
-/// blurred as they are shown, not as amplitudes. Constants stay, exactly when they are whole levels; so do sums away from the edges, and a
-/// mirrored row gives the mirrored result to the last bit. Vector targets differ by less than 1e-4 of a level, on whole levels not at all.
-/// A level that is not finite spoils the kernel's radius around it, in its own row alone.
+/// blurred as they are shown, not as amplitudes. Constants stay, exactly when they are whole levels; so do sums away from the edges. A
+/// mirrored row gives the mirrored result and every vector target the same one, to the last bit. A level that is not finite spoils the
+/// kernel's radius around it, in its own row alone.
 /// @param scratch holds a row; does not allocate when it is large enough already
 void blurLaterally(const LateralKernels& kernels, int firstRow, ImageView<float> echoes, std::vector<float>& scratch);
 
@@ -73,8 +73,9 @@ void rowResolutions(const BeamModel& model, const BeamGrid& grid, std::vector<in
 
 /// The paper's focus: each row is undersampled to samplesOfRow[firstRow + y] values and stretched back (Fig. 5), in place. The first line
 /// and the last one stay; one sample repeats the first line; as many samples as lines, or more, leave the row as it is. Constants stay,
-/// exactly when they are whole levels; interpolated levels are within 0.1; a mirrored row gives the mirrored result to the last bit. A
-/// level that is not finite spoils up to three intervals between samples around it, in its own row alone.
+/// exactly when they are whole levels; interpolated levels are within 0.1; a mirrored row gives the mirrored result and every
+/// vector target the same one, to the last bit. A level that is not finite spoils up to three intervals between samples around it, in its
+/// own row alone.
 /// Source: Aiger & Cohen-Or 1998, "Real-Time Image Generation". Ours differs as stretch() does, and in floats.
 /// @param scratch holds a row; does not allocate when it is large enough already
 void stretchRows(std::span<const int> samplesOfRow, int firstRow, ImageView<float> echoes, std::vector<float>& scratch);
