@@ -80,12 +80,19 @@ void fillGainTable(double gain, const Sliders& dgc, std::span<const double> rowP
   const double usableGain = usableFactor(gain);
   table.resize(256 * rowPosition.size());
   std::uint8_t* row = table.data();
+  double factorBefore = -1.0;
   for (const double position : rowPosition) {
     const double factor = curveAt(sliders, slope, position);
-    for (int v = 0; v < 256; ++v) {
-      const double compensated = std::min(factor * static_cast<double>(v), 255.0);
-      row[v] = static_cast<std::uint8_t>(static_cast<int>(show(std::min(usableGain * compensated, 255.0)) + 0.5));
+    if (factor == factorBefore) {
+      // Sliders in a line, and all rows above the face and below the bottom.
+      std::copy(row - 256, row, row);
+    } else {
+      for (int v = 0; v < 256; ++v) {
+        const double compensated = std::min(factor * static_cast<double>(v), 255.0);
+        row[v] = static_cast<std::uint8_t>(static_cast<int>(show(std::min(usableGain * compensated, 255.0)) + 0.5));
+      }
     }
+    factorBefore = factor;
     row += 256;
   }
 }
