@@ -41,6 +41,11 @@ TEST(LatencyHistogram, GivesQuantilesGoodToABucket) {
   EXPECT_EQ(times.quantile_us(std::numeric_limits<double>::quiet_NaN()), 16.0);
   EXPECT_EQ(times.quantile_us(7.0), times.quantile_us(1.0));
   times.clear();
+  for (const double us : {16.0, 32.0, 64.0}) times.add(us);
+  EXPECT_EQ(times.quantile_us(0.33), 16.0);
+  EXPECT_EQ(times.quantile_us(0.34), 32.0) << "one of three is less than this share";
+  EXPECT_EQ(times.quantile_us(0.67), 64.0);
+  times.clear();
   EXPECT_EQ(times.count(), 0U);
   EXPECT_EQ(times.max_us(), 0.0);
 }

@@ -79,6 +79,9 @@ TEST(Persistence, StartsAfreshAfterAChangeOfSizeOrWhenForgotten) {
   shownAfter(noise(20, 10, 1), 0.9, memory);
   EXPECT_EQ(shownAfter(noise(10, 20, 2), 0.9, memory), noise(10, 20, 2)) << "as many pixels, but another shape";
   EXPECT_NE(shownAfter(noise(10, 20, 3), 0.9, memory), noise(10, 20, 3));
+  EXPECT_EQ(shownAfter(noise(10, 21, 4), 0.9, memory), noise(10, 21, 4)) << "the height alone";
+  EXPECT_EQ(shownAfter(noise(9, 21, 5), 0.9, memory), noise(9, 21, 5)) << "the width alone";
+  shownAfter(noise(10, 20, 3), 0.9, memory);
   memory.empty = true;
   EXPECT_EQ(shownAfter(noise(10, 20, 4), 0.9, memory), noise(10, 20, 4));
   EXPECT_NE(shownAfter(noise(10, 20, 5), 0.9, memory), noise(10, 20, 5));
