@@ -48,4 +48,8 @@ struct Knobs {
   bool operator==(const Knobs&) const = default;
 };
 
+/// The nearest setting that every step can work with: each number brought into its range (those of settings_json.h), one that is not a
+/// number to the default, an even count of planes to the next odd one.
+[[nodiscard]] Knobs limited(const Knobs& knobs);
+
 }  // namespace ew

@@ -79,4 +79,8 @@ struct Scene {
 /// Every effect at its usual strength: what the workstation offers for a volume without a case.
 [[nodiscard]] Scene sceneWithEverything();
 
+/// The nearest scene that every step can work with: each number brought into its range (those of settings_json.h), one that is not a
+/// number to the default.
+[[nodiscard]] Scene limited(const Scene& scene);
+
 }  // namespace ew

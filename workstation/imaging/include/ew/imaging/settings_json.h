@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "ew/core/result.h"
 #include "ew/imaging/knobs.h"
@@ -9,16 +10,25 @@
 namespace ew {
 
 /// Knobs and scenes as JSON: one form for knob files, scene files, cases and recordings. Keys are snake_case with their unit, angles in
-/// degrees (`steering_deg`), `focus_mm` a number or a list of up to four, an effect `true`, `false` or an object of its parameters.
-/// A missing key keeps the default.
-/// @param where how error sentences call the document ("knobs.json", "scene")
-/// @error badField (key, value found, value expected; also unknown keys, with those that are known), badHeader (not an object)
-[[nodiscard]] Result<Knobs> knobsFromJson(const nlohmann::json& document, const std::string& where);
-[[nodiscard]] Result<Scene> sceneFromJson(const nlohmann::json& document, const std::string& where);
+/// degrees (`steering_deg`), `focus_mm` a number or a list of up to four, an effect `true`, `false` or an object of its parameters, a
+/// tissue an object with its `label`. A missing key keeps the default.
+/// @param where how error sentences call the document ("knobs.json", "the scene of case.json")
+/// @param unknown when given, keys that are not known are put there, in objects as they were found in (a tissue's with its label), and
+///                are no errors
+/// @error badField (key, value found, value expected; also unknown keys, with those that are known, and a label named twice), badHeader
+///        (not an object)
+[[nodiscard]] Result<Knobs> knobsFromJson(const nlohmann::json& document, const std::string& where, nlohmann::json* unknown = nullptr);
+[[nodiscard]] Result<Scene> sceneFromJson(const nlohmann::json& document, const std::string& where, nlohmann::json* unknown = nullptr);
 
-/// The whole setting: knobsFromJson(toJson(k)) == k.
+/// The whole setting: knobsFromJson(toJson(k)) == k for knobs within their limits; an angle that no number of degrees gives comes back
+/// within one rounding.
 [[nodiscard]] nlohmann::json toJson(const Knobs& knobs);
-/// What differs from the default, and every effect that is there.
-[[nodiscard]] nlohmann::json toJson(const Scene& scene);
+/// Gain and DGC, what else differs from the default, and every effect and tissue that is there.
+/// @param unknown what sceneFromJson did not know: put back where it was, if its effect or tissue is still there
+[[nodiscard]] nlohmann::json toJson(const Scene& scene, const nlohmann::json* unknown = nullptr);
+
+/// Everything that a knobs file or a scene file may hold, one line a key with what it may be: what help texts show.
+[[nodiscard]] std::string knobsManual();
+[[nodiscard]] std::string sceneManual();
 
 }  // namespace ew
