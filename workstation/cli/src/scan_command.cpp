@@ -6,6 +6,7 @@
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/settings_json.h"
 #include "ew/io/image_file.h"
 #include "knobs_file.h"
 #include "volume_input.h"
@@ -146,7 +147,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
                         {"pose", arguments.pose},
                         {"poses", poses.size()},
                         {"knobs", toJson(knobs)},
-                        {"scene", {{"gain_and_dgc", source.scene.gainAndDgc}}},
+                        {"scene", toJson(source.scene)},
                         {"size", {arguments.size_px.x, arguments.size_px.y}},
                         {"repeat", arguments.repeat},
                         {"mapped", volume->mapped.has_value()}};
@@ -216,11 +217,12 @@ void addScan(CLI::App& root, Selection& selection) {
                           "scan liver.mha --probe linear-7.5 --pose poses.txt --repeat 100 --report times.json"},
                          [arguments](Run& run) { return scan(*arguments, run); });
   app.footer(app.get_footer() +
-             "\n\nKNOBS.json may hold, what is missing stays neutral:\n"
-             "  { \"gain\": 1.2, \"dgc\": [1, 1, 1, 1, 1.2, 1.4, 1.6, 1.8], \"depth_mm\": 160, \"focus_mm\": 80,\n"
-             "    \"zoom\": 1, \"quality\": \"linear\", \"marker_left\": true }\n"
-             "SCENE.json may hold:\n"
-             "  { \"gain_and_dgc\": true }");
+             "\n\nKNOBS.json is one object; what is missing stays neutral:\n"
+             "  { \"gain\": 1.2, \"dgc\": [1, 1, 1, 1, 1.2, 1.4, 1.6, 1.8], \"depth_mm\": 160, \"focus_mm\": [60, 100] }\n" +
+             knobsManual() +
+             "SCENE.json is one object; an effect that is missing does not run:\n"
+             "  { \"focus\": true, \"attenuation\": { \"expected_db_per_cm_mhz\": 0.5 } }\n" +
+             sceneManual());
   app.add_option("SOURCE", arguments->source,
                  "A volume (.mha, .mhd, .nrrd, .nii, .nii.gz), a case folder, a case.json, or a shipped case's id")
       ->required()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
 
 namespace ew {
@@ -16,7 +17,7 @@ constexpr std::array<std::string_view, 13> kTopFields = {"format",    "id",     
                                                          "diagnosis", "volume", "mannequin", "probes", "scene",   "start_pose"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 5> kVolumeFields = {"file", "labels", "recipe", "recipe_spacing_mm", "file_to_world"};
-constexpr std::array<std::string_view, 1> kSceneFields = {"gain_and_dgc"};
+constexpr const char* kSceneName = "the scene of case.json";
 
 template <class Names>
 json without(json object, const Names& names) {
@@ -34,7 +35,10 @@ json unknownFields(const json& manifest) {
   };
   keep("patient", kPatientFields);
   keep("volume", kVolumeFields);
-  keep("scene", kSceneFields);
+  if (manifest.contains("scene")) {
+    json rest;
+    if (sceneFromJson(manifest["scene"], kSceneName, &rest) && !rest.empty()) unknown["scene"] = std::move(rest);
+  }
   return unknown;
 }
 
@@ -101,6 +105,15 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
     problems.push_back({ErrorCode::badField,
                         "'volume.recipe_spacing_mm' in case.json is not a number; it must be from 0.1 to 10 mm.",
                         {{"field", "volume.recipe_spacing_mm"}}});
+  if (manifest.contains("scene")) {
+    json unknown;
+    if (auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown); !scene) {
+      Error problem = std::move(scene.error());
+      for (auto& [key, value] : problem.context)
+        if (key == "field") value.insert(0, "scene.");
+      problems.push_back(std::move(problem));
+    }
+  }
   checkFile(folder, volume, "file", "volume.file", problems);
   checkFile(folder, volume, "labels", "volume.labels", problems);
   if (volume.contains("labels") && volume.contains("recipe"))
@@ -135,7 +148,12 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   if (volume.contains("file_to_world")) made.volume.fileToWorld = matrixOf(volume["file_to_world"]);
   made.mannequin = manifest.value("mannequin", "");
   if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
-  if (manifest.contains("scene")) made.scene.gainAndDgc = manifest["scene"].value("gain_and_dgc", true);
+  if (manifest.contains("scene")) {
+    json unknown;
+    auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown);
+    if (!scene) return passOn(std::move(scene.error()));
+    made.scene = std::move(*scene);
+  }
   if (manifest.contains("start_pose")) {
     made.startPose.emplace();
     made.startPose->probeToWorld.matrix = matrixOf(manifest["start_pose"]);
@@ -171,14 +189,14 @@ ordered_json orderedManifestOf(const Case& edited) {
   manifest["volume"] = volume;
   text("mannequin", edited.mannequin);
   if (!edited.probes.empty()) manifest["probes"] = edited.probes;
-  manifest["scene"] = {{"gain_and_dgc", edited.scene.gainAndDgc}};
+  manifest["scene"] = ordered_json(toJson(edited.scene, edited.otherFields.contains("scene") ? &edited.otherFields["scene"] : nullptr));
   if (edited.startPose) manifest["start_pose"] = rowsOf(edited.startPose->probeToWorld.matrix);
 
   const auto addMissing = [](ordered_json& into, const json& from) {
     for (const auto& [key, value] : from.items())
       if (!into.contains(key)) into[key] = ordered_json(value);
   };
-  for (const char* nested : {"patient", "volume", "scene"})
+  for (const char* nested : {"patient", "volume"})
     if (manifest.contains(nested) && edited.otherFields.contains(nested)) addMissing(manifest[nested], edited.otherFields[nested]);
   addMissing(manifest, edited.otherFields);
   return manifest;
