@@ -142,34 +142,6 @@ TEST(FanOutline, IsClosedAndLiesOnTheFansEdge) {
   }
 }
 
-TEST(Plan, LeavesOutWhatIsNeutral) {
-  const Grid grid{{100, 100, 100}, glm::dvec3(0.2)};
-  const auto planOf = [&](const Knobs& knobs, const Scene& scene = {}, double voxel_mm = 0.2) {
-    Grid g = grid;
-    g.spacing_mm = glm::dvec3(voxel_mm);
-    return makePlan(convexProbe(), knobs, scene, fitDisplay(convexProbe(), knobs, 400, 400), g);
-  };
-  const auto kinds = [](const Plan& plan) {
-    std::ostringstream text;
-    text << plan;
-    return text.str();
-  };
-  Knobs knobs;
-  EXPECT_EQ(kinds(planOf(knobs)), "linear");
-  knobs.quality = Quality::weave;
-  EXPECT_EQ(kinds(planOf(knobs)), "weave");
-  EXPECT_EQ(kinds(planOf(knobs, {}, 1.0)), "weave + zoom stretch");
-  knobs.dgc[3] = 1.5;
-  EXPECT_EQ(kinds(planOf(knobs)), "weave + gain and DGC");
-  EXPECT_EQ(kinds(planOf(knobs, {.gainAndDgc = false})), "weave");
-  knobs = {};
-  knobs.gain = 2.0;
-  EXPECT_EQ(kinds(planOf(knobs)), "linear + gain and DGC");
-  EXPECT_EQ(planOf(knobs), planOf(knobs));
-  EXPECT_FALSE(planOf(knobs) == planOf({}));
-  EXPECT_GT(planOf(knobs).steps.front().estimated_us, 0.0);
-}
-
 TEST(FrameMaker, ShowsTheVolumeInsideTheFanAndBlackOutside) {
   const Volume volume = bodyVolume();
   FrameMaker maker;

@@ -44,7 +44,7 @@ struct Step {
   bool operator==(const Step& other) const { return kind == other.kind; }
 };
 
-/// What a frame runs, in order. Neutral steps are not in it. Printable, comparable.
+/// What a frame runs, in order. Neutral steps are not in it. Printable ("beams: linear + focus + scan conversion"), comparable.
 struct Plan {
   std::vector<Step> steps;
   bool onBeams = false;  ///< sampled on the beam grid and scan-converted; otherwise the display grid is sampled directly
@@ -53,11 +53,13 @@ struct Plan {
 std::ostream& operator<<(std::ostream& out, const Plan& plan);
 
 /// The steps that this setting calls for. Left out are: every effect the scene does not have, a table that changes nothing, knobs at their
-/// neutral setting; beams, when no step needs them (a linear array that steers or fans out does not: the display grid is clipped to its
-/// fan).
+/// neutral setting, noise that cannot be seen, contact while everything touches; and beams, when no step needs them (a linear array that
+/// steers or fans out does not: the display grid is clipped to its fan; M-mode does not: its beam is sampled alone). Gain, DGC, dynamic
+/// range and grey map are one table.
 /// @param hasLabels whether frames come with a label volume
+/// @param hasGaps   whether parts of the face are off the skin, beyond what gel fills
 [[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                            bool hasLabels = false);
+                            bool hasLabels = false, bool hasGaps = false);
 
 /// Time of one step of one frame.
 struct StepTime {
@@ -100,6 +102,7 @@ class FrameMaker {
   /// Forgets earlier frames: persistence and M-mode start afresh.
   void forget();
 
+  /// What the last frame ran; before the first one, what a frame runs that touches everywhere.
   [[nodiscard]] const Plan& plan() const;
   [[nodiscard]] const DisplayGeometry& geometry() const;
   /// What the last frame's steps took, in the order of the plan; empty when the frame was black for want of a pose.

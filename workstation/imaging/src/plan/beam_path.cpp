@@ -1,0 +1,174 @@
+#include "beam_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/imaging/effects/contact.h"
+#include "ew/imaging/effects/noise.h"
+#include "planning.h"
+
+namespace ew::detail {
+namespace {
+
+/// Length of the face along itself, mm.
+double faceLength_mm(const Probe& probe) {
+  const bool isCurved = isSector(probe.kind) && probe.radius_mm > 0.0;
+  return isCurved ? 2.0 * probe.radius_mm * probe.halfAngle_rad : probe.width_mm;
+}
+
+void transpose(ImageView<const std::uint8_t> linesAsRows, ImageView<std::uint8_t> out) {
+  for (int s = 0; s < out.height; ++s) {
+    std::uint8_t* row = out.row(s);
+    for (int line = 0; line < out.width; ++line) row[line] = linesAsRows.data[line * linesAsRows.stride + s];
+  }
+}
+
+}  // namespace
+
+void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry) {
+  const auto has = [&](StepKind kind) {
+    return std::any_of(plan.steps.begin(), plan.steps.end(), [kind](const Step& step) { return step.kind == kind; });
+  };
+  if (!plan.onBeams && !has(StepKind::mMode)) return;
+  probe_ = probe;
+  knobs_ = withCarrierOf(probe, knobs);
+  scene_ = scene;
+  greyPerDb_ = 255.0 / scene.recordedDynamicRange_db;
+  const double spacing_mm = beamSpacing_mm(geometry);
+  if (gridFrom_.changesTo(probe, knobs.steering_rad, knobs.trapezoid, geometry.depth_mm, spacing_mm))
+    grid_ = makeBeamGrid(probe, knobs, geometry.depth_mm, spacing_mm);
+  const int lineCount = static_cast<int>(grid_.lines.size());
+  if (!plan.onBeams) return;
+  if (linesAsRows_.width != grid_.samples || linesAsRows_.height != lineCount) linesAsRows_ = GreyImage(grid_.samples, lineCount);
+  if (echoes_.width != lineCount || echoes_.height != grid_.samples) echoes_ = BeamImage(lineCount, grid_.samples);
+  contact_.resize(grid_.lines.size());
+
+  if (conversionFrom_.changesTo(grid_, geometry)) conversion_ = makeScanConversion(probe, knobs, grid_, geometry);
+  if (!has(StepKind::elevationPlanes)) {
+    planes_.clear();
+    planesFrom_ = {};
+  } else if (planesFrom_.changesTo(grid_, *scene.sliceThickness, knobs_.carrier_hz, knobs.elevationPlanes)) {
+    planes_ = makeElevationPlanes(probe, knobs_.carrier_hz, *scene.sliceThickness, grid_, knobs.elevationPlanes);
+  }
+  if (has(StepKind::focusKernel) || has(StepKind::focusStretch)) {
+    const BeamModel model = beamModelOf(probe, knobs_, *scene.focus, geometry.depth_mm);
+    if (has(StepKind::focusKernel)) {
+      if (kernelsFrom_.changesTo(grid_, model)) kernels_ = makeLateralKernels(model, grid_);
+    } else if (samplesOfRowFrom_.changesTo(grid_, model)) {
+      rowResolutions(model, grid_, samplesOfRow_);
+    }
+  }
+  if (has(StepKind::noise) && noiseFrom_.changesTo(grid_, *scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db))
+    noise_ = noiseLevels(*scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db, grid_);
+  usesLabels_ = has(StepKind::labels);
+  if (has(StepKind::attenuation)) losses_ = makeTissueLosses(scene, knobs_.carrier_hz, grid_.sampleSpacing_mm);
+  if (usesLabels_ && (labels_.width != lineCount || labels_.height != grid_.samples)) labels_ = GreyImage(lineCount, grid_.samples);
+}
+
+ImageView<float> BeamPath::lines(int first, int count) { return {echoes_.pixels.data() + first, count, echoes_.height, echoes_.width}; }
+ImageView<float> BeamPath::depths(int first, int count) {
+  return {echoes_.pixels.data() + static_cast<std::ptrdiff_t>(first) * echoes_.width, echoes_.width, count, echoes_.width};
+}
+
+void BeamPath::sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch, float weight,
+                            bool first) {
+  const std::size_t rowsOfLine = rows_.size() / grid_.lines.size();
+  bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
+    const auto from = static_cast<std::size_t>(firstLine) * rowsOfLine;
+    sampleRows(quality, source, std::span(rows_).subspan(from, static_cast<std::size_t>(count) * rowsOfLine), viewOf(linesAsRows_),
+               scratch[static_cast<std::size_t>(slot)].slicing);
+    const ImageView<const std::uint8_t> sampled{viewOf(linesAsRows_).row(firstLine), linesAsRows_.width, count, linesAsRows_.width};
+    accumulatePlane(sampled, weight, first, lines(firstLine, count));
+  });
+}
+
+void BeamPath::sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch) {
+  rowsOf(grid_, probeToVoxel_, {0.0, 0.0}, rows_);
+  sampleRowsOf(echo, knobs_.quality, bands, scratch, planes_.empty() ? 1.0F : planes_.front().weight, true);
+}
+
+void BeamPath::addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch) {
+  for (std::size_t n = 1; n < planes_.size(); ++n) {
+    rowsOf(grid_, planes_[n], probeToVoxel_, rows_);
+    sampleRowsOf(echo, knobs_.quality, bands, scratch, planes_[n].weight, false);
+  }
+}
+
+void BeamPath::sampleLabels(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
+                            std::span<ThreadScratch> scratch) {
+  rowsOf(grid_, probeToLabel, {0.0, 0.0}, rows_);
+  bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
+    // Labels are names, so the nearest one is taken, never a mean.
+    sampleRows(Quality::weave, labels, std::span(rows_).subspan(static_cast<std::size_t>(firstLine), static_cast<std::size_t>(count)),
+               viewOf(linesAsRows_), scratch[static_cast<std::size_t>(slot)].slicing);
+    transpose({viewOf(linesAsRows_).row(firstLine), linesAsRows_.width, count, linesAsRows_.width},
+              {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width});
+  });
+}
+
+bool BeamPath::findContact(std::span<const float> gaps_mm) {
+  contactOfLines(*scene_.contact, gaps_mm, faceLength_mm(probe_), probe_.aperture_mm, contact_);
+  return std::any_of(contact_.begin(), contact_.end(), [](float touch) { return touch < 1.0F; });
+}
+
+void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
+  bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
+    ew::loseContact(*scene_.contact,
+                    std::span<const float>(contact_).subspan(static_cast<std::size_t>(firstLine), static_cast<std::size_t>(count)),
+                    greyPerDb_, grid_.sampleSpacing_mm, lines(firstLine, count), scratch[static_cast<std::size_t>(slot)].row);
+  });
+}
+
+void BeamPath::attenuate(Bands& bands, std::span<ThreadScratch> scratch) {
+  bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
+    ImageView<const std::uint8_t> labels;
+    if (usesLabels_) labels = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};
+    ew::attenuate(*scene_.attenuation, losses_, labels, greyPerDb_, knobs_.carrier_hz, grid_.sampleSpacing_mm, lines(firstLine, count),
+                  scratch[static_cast<std::size_t>(slot)].row);
+  });
+}
+
+void BeamPath::reverberate() {
+  const int firstSample = static_cast<int>(std::ceil(probe_.nearField_mm / grid_.sampleSpacing_mm));
+  ew::reverberate(*scene_.reverberation, greyPerDb_, firstSample, viewOf(echoes_), reverberation_);
+}
+
+void BeamPath::focusByRows(Bands& bands, std::span<ThreadScratch> scratch) {
+  bands.run(echoes_.height, [&](int firstRow, int count, int slot) {
+    stretchRows(samplesOfRow_, firstRow, depths(firstRow, count), scratch[static_cast<std::size_t>(slot)].row);
+  });
+}
+
+void BeamPath::focusByKernels(Bands& bands, std::span<ThreadScratch> scratch) {
+  bands.run(echoes_.height, [&](int firstRow, int count, int slot) {
+    blurLaterally(kernels_, firstRow, depths(firstRow, count), scratch[static_cast<std::size_t>(slot)].row);
+  });
+}
+
+void BeamPath::addNoise(std::uint64_t frameNumber, Bands& bands) {
+  bands.run(echoes_.height,
+            [&](int firstRow, int count, int) { ew::addNoise(noise_, greyPerDb_, frameNumber, firstRow, depths(firstRow, count)); });
+}
+
+void BeamPath::convert(Bands& bands, ImageView<std::uint8_t> picture) const {
+  bands.run(picture.height, [&](int firstRow, int count, int) { scanConvert(conversion_, viewOf(echoes_), firstRow, count, picture); });
+}
+
+void BeamPath::takeLine(int line, std::span<std::uint8_t> beam) const {
+  const float* level = echoes_.pixels.data() + line;
+  for (std::uint8_t& value : beam) {
+    value = static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, *level)) + 0.5F);
+    level += echoes_.width;
+  }
+}
+
+void BeamPath::sampleLine(int line, const SliceSource& echo, ThreadScratch& scratch, std::span<std::uint8_t> beam) {
+  lineGrid_.lines.assign(1, grid_.lines[static_cast<std::size_t>(line)]);
+  lineGrid_.samples = grid_.samples;
+  lineGrid_.sampleSpacing_mm = grid_.sampleSpacing_mm;
+  rowsOf(lineGrid_, probeToVoxel_, {0.0, 0.0}, lineRow_);
+  sampleRows(knobs_.quality, echo, lineRow_, {beam.data(), static_cast<int>(beam.size()), 1, static_cast<std::ptrdiff_t>(beam.size())},
+             scratch.slicing);
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ew/imaging/bands.h"
+#include "ew/imaging/beam_grid.h"
+#include "ew/imaging/effects/attenuation.h"
+#include "ew/imaging/effects/focus.h"
+#include "ew/imaging/effects/reverberation.h"
+#include "ew/imaging/effects/slice_thickness.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/scan_conversion.h"
+#include "made_from.h"
+
+namespace ew::detail {
+
+/// What a thread needs for itself.
+struct ThreadScratch {
+  SliceScratch slicing;
+  std::vector<float> row;
+};
+
+/// The steps of a frame that work along or across scan lines: their tables, the levels between them, and how they are shared between
+/// threads. What goes along depth is shared by lines, what goes across by depths. Each step leaves what the next one takes.
+class BeamPath {
+ public:
+  /// Makes the tables that the steps of `plan` need, and again only when what they depend on changed.
+  void configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry);
+
+  /// From here on the frame is seen from this place.
+  void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
+  void sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
+  void addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
+  void sampleLabels(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
+                    std::span<ThreadScratch> scratch);
+  /// How well each line touches. @return whether any does not
+  bool findContact(std::span<const float> gaps_mm);
+  void loseContact(Bands& bands, std::span<ThreadScratch> scratch);
+  void attenuate(Bands& bands, std::span<ThreadScratch> scratch);
+  void reverberate();
+  void focusByRows(Bands& bands, std::span<ThreadScratch> scratch);
+  void focusByKernels(Bands& bands, std::span<ThreadScratch> scratch);
+  void addNoise(std::uint64_t frameNumber, Bands& bands);
+  void convert(Bands& bands, ImageView<std::uint8_t> picture) const;
+
+  /// One line of the levels as they are now, rounded; `beam` holds one value a sample.
+  void takeLine(int line, std::span<std::uint8_t> beam) const;
+  /// The same line straight from the volume, when no step needs beams.
+  void sampleLine(int line, const SliceSource& echo, ThreadScratch& scratch, std::span<std::uint8_t> beam);
+
+  [[nodiscard]] const BeamGrid& grid() const { return grid_; }
+
+ private:
+  void sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch, float weight, bool first);
+  [[nodiscard]] ImageView<float> lines(int first, int count);
+  [[nodiscard]] ImageView<float> depths(int first, int count);
+
+  Probe probe_;
+  Knobs knobs_;
+  Scene scene_;
+  double greyPerDb_ = 0.0;
+
+  BeamGrid grid_;
+  MadeFrom<Probe, double, bool, double, double> gridFrom_;
+  ScanConversionTable conversion_;
+  MadeFrom<BeamGrid, DisplayGeometry> conversionFrom_;
+  std::vector<ElevationPlane> planes_;
+  MadeFrom<BeamGrid, SliceThicknessEffect, double, int> planesFrom_;
+  LateralKernels kernels_;
+  MadeFrom<BeamGrid, BeamModel> kernelsFrom_;
+  std::vector<int> samplesOfRow_;
+  MadeFrom<BeamGrid, BeamModel> samplesOfRowFrom_;
+  std::vector<float> noise_;
+  MadeFrom<BeamGrid, NoiseEffect, double, double> noiseFrom_;
+  TissueLosses losses_;
+  bool usesLabels_ = false;
+
+  Transform<frame::Voxel, frame::Probe> probeToVoxel_;
+  std::vector<SampleRow> rows_;
+  std::vector<SampleRow> lineRow_;
+  BeamGrid lineGrid_;  ///< one line alone
+  GreyImage linesAsRows_;
+  Image<std::uint8_t> labels_;  ///< (lines x samples)
+  BeamImage echoes_;            ///< (lines x samples)
+  std::vector<float> contact_;
+  ReverberationScratch reverberation_;
+};
+
+}  // namespace ew::detail

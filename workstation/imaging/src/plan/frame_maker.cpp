@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "beam_path.h"
+#include "ew/core/contract.h"
+#include "ew/imaging/effects/edge_enhancement.h"
+#include "ew/imaging/effects/gain.h"
+#include "ew/imaging/effects/persistence.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/m_mode.h"
+#include "planning.h"
+
+namespace ew {
+namespace {
+
+/// What the caller asked for, to see whether anything changed.
+struct Asked {
+  Probe probe;
+  Knobs knobs;
+  Scene scene;
+  Grid grid;
+  int width = 0;
+  int height = 0;
+  bool hasLabels = false;
+  bool operator==(const Asked&) const = default;
+};
+
+void blacken(GreyImage& image) { std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{0}); }
+
+}  // namespace
+
+struct FrameMaker::Parts {
+  explicit Parts(int threads) : bands_(threads), scratch_(static_cast<std::size_t>(bands_.threads())) {}
+
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels);
+  ImageView<const std::uint8_t> make(const FrameInput& input);
+
+  Plan plan_;  ///< of the last frame
+  DisplayGeometry geometry_;
+  Spans spans_;
+  std::vector<StepTime> times_;
+  PoseStatus status_ = PoseStatus::missing;
+  MModeStrip strip_;
+  PersistenceMemory persistence_;
+
+ private:
+  void makeGreyTables(bool hasStrip);
+  void run(StepKind kind, const FrameInput& input);
+  void sampleDisplay(const SliceSource& echo, const Pose& pose);
+  void sharpen();
+  void drawStrip(const FrameInput& input);
+
+  std::optional<Asked> asked_;
+  Knobs knobs_;  ///< within limits, as the scene is
+  Scene scene_;
+  Plan touching_;  ///< while the whole face touches the skin
+  Plan lifted_;    ///< while a part of it does not
+  Bands bands_;
+  std::vector<detail::ThreadScratch> scratch_;  ///< one for each thread
+  detail::BeamPath beams_;
+  detail::MadeFrom<Probe, double, bool, DisplayGeometry> picturesFrom_;
+  detail::MadeFrom<Probe, double, bool, double, double> stripFrom_;
+  GreyImage sampled_;             ///< black outside the fan, for good: steps write inside alone
+  GreyImage sharpened_;           ///< likewise
+  GreyImage* picture_ = nullptr;  ///< the one shown
+  double zoomSampling_us_ = 0.0;
+  detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone> tableFrom_;
+  detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone, std::size_t> beamTableFrom_;
+  std::vector<double> rowPosition_;  ///< depth of each row, 0 at the face, 1 at the bottom
+  std::vector<std::uint8_t> table_;  ///< 256 grey levels of each row
+  std::vector<double> samplePosition_;
+  std::vector<std::uint8_t> beamTable_;  ///< 256 grey levels of each sample of the M-mode beam
+  std::vector<std::uint8_t> beam_;
+};
+
+FrameMaker::FrameMaker(int threads) : parts_(std::make_unique<Parts>(threads)) {}
+FrameMaker::~FrameMaker() = default;
+FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
+FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
+void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
+                           bool hasLabels) {
+  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels);
+}
+ImageView<const std::uint8_t> FrameMaker::make(const FrameInput& input) { return parts_->make(input); }
+ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+  FrameInput input;
+  input.echo = volume;
+  input.pose = pose;
+  return make(input);
+}
+ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip_.picture(); }
+int FrameMaker::stripCursor() const { return parts_->strip_.cursor(); }
+void FrameMaker::forget() {
+  parts_->persistence_.empty = true;
+  parts_->strip_.clear();
+}
+const Plan& FrameMaker::plan() const { return parts_->plan_; }
+const DisplayGeometry& FrameMaker::geometry() const { return parts_->geometry_; }
+const std::vector<StepTime>& FrameMaker::lastTimes() const { return parts_->times_; }
+PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
+const Spans& FrameMaker::spans() const { return parts_->spans_; }
+
+void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
+                                  bool hasLabels) {
+  EW_EXPECTS(width >= 1 && height >= 1);
+  const auto isAsked = [&](const Asked& last) {
+    return last.width == width && last.height == height && last.hasLabels == hasLabels && last.knobs == knobs && last.probe == probe &&
+           last.scene == scene && last.grid == grid;
+  };
+  if (asked_ && isAsked(*asked_)) return;
+  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels};
+  knobs_ = limited(knobs);
+  scene_ = limited(scene);
+
+  geometry_ = fitDisplay(probe, knobs_, width, height);
+  if (picturesFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_)) {
+    spans_ = fanSpans(probe, knobs_, geometry_);
+    sampled_ = GreyImage(width, height);
+    sharpened_ = GreyImage(width, height);
+    persistence_.empty = true;
+    rowPosition_.resize(static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y)
+      rowPosition_[static_cast<std::size_t>(y)] = std::clamp(geometry_.probePoint_mm(0, y).y / geometry_.depth_mm, 0.0, 1.0);
+    tableFrom_ = {};
+  }
+  picture_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
+
+  const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, spans_);
+  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
+  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
+  plan_ = touching_;
+  times_.reserve(lifted_.steps.size());
+  beams_.configure(lifted_, probe, knobs_, scene_, geometry_);
+
+  const bool hasStrip = knobs_.mode != DisplayMode::bMode;
+  if (!hasStrip) {
+    strip_.configure(0, 0, knobs_.mSweep_s);
+  } else {
+    strip_.configure(width, height, knobs_.mSweep_s);
+    if (stripFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_.depth_mm, knobs_.mLine)) strip_.clear();
+    beam_.resize(static_cast<std::size_t>(beams_.grid().samples));
+  }
+  makeGreyTables(hasStrip);
+}
+
+void FrameMaker::Parts::makeGreyTables(bool hasStrip) {
+  const auto isTable = [](const Step& step) { return step.kind == StepKind::table; };
+  if (std::none_of(plan_.steps.begin(), plan_.steps.end(), isTable)) {
+    beamTable_.clear();
+    beamTableFrom_ = {};
+    return;
+  }
+  const Knobs neutral;
+  const double gain = scene_.gainAndDgc ? knobs_.gain : neutral.gain;
+  const auto& dgc = scene_.gainAndDgc ? knobs_.dgc : neutral.dgc;
+  const Tone tone = detail::toneOf(knobs_, scene_);
+  if (tableFrom_.changesTo(gain, dgc, tone)) buildGainTable(gain, dgc, tone, rowPosition_, table_);
+  if (!hasStrip || !beamTableFrom_.changesTo(gain, dgc, tone, beam_.size())) return;
+  samplePosition_.resize(beam_.size());
+  for (std::size_t s = 0; s < beam_.size(); ++s) samplePosition_[s] = static_cast<double>(s) / static_cast<double>(beam_.size() - 1);
+  buildGainTable(gain, dgc, tone, samplePosition_, beamTable_);
+}
+
+ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
+  EW_EXPECTS(asked_.has_value());
+  times_.clear();
+  status_ = input.pose.status;
+  if (status_ == PoseStatus::ok && !checkRigid(input.pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
+  if (status_ != PoseStatus::ok) {
+    blacken(*picture_);
+    return viewOf(std::as_const(*picture_));
+  }
+  beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
+  const bool isLifted = scene_.contact && input.gaps_mm.size() >= 2 && beams_.findContact(input.gaps_mm);
+  const Plan& plan = isLifted ? lifted_ : touching_;
+  if (plan_ != plan) plan_ = plan;  // both were there from configure on, so their steps fit without new memory
+  using Clock = std::chrono::steady_clock;
+  for (const Step& step : plan.steps) {
+    const auto start = Clock::now();
+    run(step.kind, input);
+    times_.push_back({step.kind, std::chrono::duration<double, std::micro>(Clock::now() - start).count()});
+    if (step.kind == StepKind::zoomStretch) {
+      // The stretch is interleaved with the sampling, which told its share.
+      StepTime& sampling = times_[times_.size() - 2];
+      times_.back().measured_us = std::max(0.0, sampling.measured_us - zoomSampling_us_);
+      sampling.measured_us = zoomSampling_us_;
+    }
+  }
+  return viewOf(std::as_const(*picture_));
+}
+
+void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
+  switch (kind) {
+    case StepKind::sampleWeave:
+    case StepKind::sampleLinear:
+    case StepKind::sampleCubic:
+      return plan_.onBeams ? beams_.sample(input.echo, bands_, scratch_) : sampleDisplay(input.echo, input.pose);
+    case StepKind::zoomStretch:
+      return;
+    case StepKind::elevationPlanes:
+      return beams_.addElevationPlanes(input.echo, bands_, scratch_);
+    case StepKind::labels:
+      return beams_.sampleLabels(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
+    case StepKind::contact:
+      return beams_.loseContact(bands_, scratch_);
+    case StepKind::attenuation:
+      return beams_.attenuate(bands_, scratch_);
+    case StepKind::reverberation:
+      return beams_.reverberate();
+    case StepKind::focusStretch:
+      return beams_.focusByRows(bands_, scratch_);
+    case StepKind::focusKernel:
+      return beams_.focusByKernels(bands_, scratch_);
+    case StepKind::noise:
+      return beams_.addNoise(input.number, bands_);
+    case StepKind::mMode:
+      return drawStrip(input);
+    case StepKind::scanConversion:
+      return beams_.convert(bands_, viewOf(sampled_));
+    case StepKind::edges:
+      return sharpen();
+    case StepKind::persistence:
+      beginPersistence(picture_->width, picture_->height, persistence_);
+      return bands_.run(picture_->height, [this](int firstRow, int count, int) {
+        persist(knobs_.persistence, spans_, firstRow, count, viewOf(*picture_), persistence_);
+      });
+    case StepKind::table:
+      return bands_.run(picture_->height, [this](int firstRow, int count, int) {
+        const auto first = static_cast<std::size_t>(firstRow), rows = static_cast<std::size_t>(count);
+        applyGainTable({viewOf(*picture_).row(firstRow), picture_->width, count, picture_->width}, std::span(spans_).subspan(first, rows),
+                       std::span(table_).subspan(256 * first, 256 * rows));
+      });
+  }
+}
+
+void FrameMaker::Parts::sampleDisplay(const SliceSource& echo, const Pose& pose) {
+  const Transform<frame::Voxel, frame::Image> imageToVoxel = echo.grid.worldToVoxel() * pose.probeToWorld * geometry_.imageToProbe();
+  SliceScratch& scratch = scratch_.front().slicing;
+  scratch.zoomSampling_us = 0.0;
+  slice(knobs_.quality, echo, imageToVoxel, spans_, viewOf(sampled_), scratch);
+  zoomSampling_us_ = scratch.zoomSampling_us;
+}
+
+void FrameMaker::Parts::sharpen() {
+  bands_.run(sampled_.height, [this](int firstRow, int count, int) {
+    enhanceEdges(knobs_.edgeEnhancement, spans_, viewOf(std::as_const(sampled_)), firstRow, count, viewOf(sharpened_));
+  });
+}
+
+void FrameMaker::Parts::drawStrip(const FrameInput& input) {
+  const int lastLine = static_cast<int>(beams_.grid().lines.size()) - 1;
+  const int line = static_cast<int>(std::lround(0.5 * (knobs_.mLine + 1.0) * lastLine));
+  if (plan_.onBeams)
+    beams_.takeLine(line, beam_);
+  else
+    beams_.sampleLine(line, input.echo, scratch_.front(), beam_);
+  for (std::size_t s = 0; s < beam_.size() && !beamTable_.empty(); ++s) beam_[s] = beamTable_[256 * s + beam_[s]];
+  strip_.add(input.time_s, beam_);
+}
+
+}  // namespace ew

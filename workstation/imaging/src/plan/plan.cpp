@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "ew/imaging/frame.h"
+#include "planning.h"
+
+namespace ew {
+namespace {
+
+/// What one step costs: so much for each pixel inside the fan, so much for each sample of the beam grid.
+struct Cost {
+  StepKind kind;
+  double pixel_ns = 0.0;
+  double sample_ns = 0.0;
+};
+
+// Medians of release builds on one thread, from lastTimes() of 1024 x 768 pixels, convex probe, shipped case (2026-11-20, AMD EPYC of
+// 2023). They say what a step is worth next to the others, not what it takes on another machine.
+constexpr Cost kCosts[] = {
+    {StepKind::sampleWeave, 1.1, 1.5}, {StepKind::sampleLinear, 3.4, 4.0},  {StepKind::sampleCubic, 12.0, 14.0},
+    {StepKind::zoomStretch, 1.1, 0.0}, {StepKind::labels, 0.0, 1.8},        {StepKind::contact, 0.0, 0.5},
+    {StepKind::attenuation, 0.0, 1.0}, {StepKind::reverberation, 0.0, 0.8}, {StepKind::focusStretch, 0.0, 1.0},
+    {StepKind::focusKernel, 0.0, 1.0}, {StepKind::noise, 0.0, 1.0},         {StepKind::scanConversion, 1.5, 0.0},
+    {StepKind::edges, 1.0, 0.0},       {StepKind::persistence, 0.3, 0.0},   {StepKind::table, 0.4, 0.0},
+};
+
+Cost costOf(StepKind kind) {
+  for (const Cost& cost : kCosts)
+    if (cost.kind == kind) return cost;
+  return {kind};
+}
+
+StepKind samplingOf(Quality quality) {
+  switch (quality) {
+    case Quality::weave:
+      return StepKind::sampleWeave;
+    case Quality::linear:
+      return StepKind::sampleLinear;
+    case Quality::cubic:
+      return StepKind::sampleCubic;
+  }
+  return StepKind::sampleLinear;
+}
+
+bool hasTable(const Knobs& knobs, const Scene& scene) {
+  const bool gains = knobs.gain != 1.0 || std::any_of(knobs.dgc.begin(), knobs.dgc.end(), [](double factor) { return factor != 1.0; });
+  return (scene.gainAndDgc && gains) || !detail::toneOf(knobs, scene).isNeutral();
+}
+
+/// Noise so far below black that no sample shows it, however it falls, is none.
+bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz, double depth_mm) {
+  constexpr double kUnseen_db = 30.0;
+  const double atDepth_db = noise.atFace_db + 2.0 * noise.growth_dbPerCmMhz * (carrier_hz / 1e6) * (depth_mm / 10.0);
+  return std::max(noise.atFace_db, atDepth_db) > -scene.recordedDynamicRange_db - kUnseen_db;
+}
+
+}  // namespace
+
+const char* nameOf(StepKind kind) {
+  switch (kind) {
+    case StepKind::sampleWeave:
+      return "weave";
+    case StepKind::sampleLinear:
+      return "linear";
+    case StepKind::sampleCubic:
+      return "cubic";
+    case StepKind::zoomStretch:
+      return "zoom stretch";
+    case StepKind::elevationPlanes:
+      return "slice thickness";
+    case StepKind::labels:
+      return "tissues";
+    case StepKind::contact:
+      return "contact";
+    case StepKind::attenuation:
+      return "shadow";
+    case StepKind::reverberation:
+      return "reverberation";
+    case StepKind::focusStretch:
+      return "focus (stretch)";
+    case StepKind::focusKernel:
+      return "focus";
+    case StepKind::noise:
+      return "noise";
+    case StepKind::scanConversion:
+      return "scan conversion";
+    case StepKind::edges:
+      return "edges";
+    case StepKind::persistence:
+      return "persistence";
+    case StepKind::table:
+      return "grey table";
+    case StepKind::mMode:
+      return "M-mode";
+  }
+  return "unknown";
+}
+
+std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+  out << (plan.onBeams ? "beams: " : "display: ");
+  const char* separator = "";
+  for (const Step& step : plan.steps) {
+    out << separator << nameOf(step.kind);
+    separator = " + ";
+  }
+  return out;
+}
+
+Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
+              bool hasGaps) {
+  const Knobs usable = limited(knobs);
+  return detail::planOf(probe, usable, limited(scene), geometry, grid,
+                        detail::frameSizeOf(probe, geometry, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
+}
+
+namespace detail {
+
+double beamSpacing_mm(const DisplayGeometry& geometry) {
+  constexpr double kFewest = 200.0, kMost = 1200.0;
+  return geometry.depth_mm / std::clamp(std::ceil(geometry.depth_mm / geometry.pixel_mm), kFewest, kMost);
+}
+
+FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Spans& spans) {
+  FrameSize size;
+  for (const auto& row : spans)
+    for (const RowSpan& span : row) size.pixels += span.end - span.begin;
+  size.lines = probe.lines;
+  size.samples = static_cast<int>(std::lround(geometry.depth_mm / beamSpacing_mm(geometry))) + 1;
+  return size;
+}
+
+Knobs withCarrierOf(const Probe& probe, const Knobs& knobs) {
+  Knobs result = knobs;
+  if (!(knobs.carrier_hz > 0.0) || probe.carriers_hz.empty())
+    result.carrier_hz = probe.carrier_hz;
+  else
+    result.carrier_hz = *std::min_element(probe.carriers_hz.begin(), probe.carriers_hz.end(), [&](double a, double b) {
+      return std::abs(a - knobs.carrier_hz) < std::abs(b - knobs.carrier_hz);
+    });
+  return result;
+}
+
+Tone toneOf(const Knobs& knobs, const Scene& scene) {
+  const double recorded_db = scene.recordedDynamicRange_db;
+  return {recorded_db, knobs.dynamicRange_db > 0.0 ? knobs.dynamicRange_db : recorded_db, knobs.greyMap};
+}
+
+Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
+            const FrameSize& size, bool hasLabels, bool hasGaps) {
+  const double samples = static_cast<double>(size.lines) * size.samples;
+  const bool losesContact = scene.contact && hasGaps;
+  const bool focuses = scene.focus && scene.focus->strength > 0.0;
+  const bool hasNoise = scene.noise && isNoiseSeen(*scene.noise, scene, withCarrierOf(probe, knobs).carrier_hz, geometry.depth_mm);
+  Plan plan;
+  plan.onBeams = losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise;
+  const auto add = [&](StepKind kind, double times = 1.0) {
+    const Cost cost = costOf(kind);
+    plan.steps.push_back({kind, 1e-3 * times * (cost.pixel_ns * size.pixels + cost.sample_ns * samples)});
+  };
+  // A sampling step is on one grid or on the other.
+  const auto addSampling = [&](StepKind kind, double planes = 1.0) {
+    const Cost cost = costOf(samplingOf(knobs.quality));
+    plan.steps.push_back({kind, 1e-3 * planes * (plan.onBeams ? cost.sample_ns * samples : cost.pixel_ns * size.pixels)});
+  };
+
+  addSampling(samplingOf(knobs.quality));
+  if (plan.onBeams) {
+    if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);
+    const bool tissuesDecide = scene.attenuation && hasLabels && !scene.tissues.empty();
+    if (tissuesDecide) add(StepKind::labels);
+    if (losesContact) add(StepKind::contact);
+    if (scene.attenuation) add(StepKind::attenuation);
+    if (scene.reverberation) add(StepKind::reverberation);
+    if (focuses) add(knobs.focusMethod == FocusMethod::rowStretch ? StepKind::focusStretch : StepKind::focusKernel);
+    if (hasNoise) add(StepKind::noise);
+  } else {
+    const double largestVoxel_mm = std::max({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+    if (knobs.quality == Quality::weave && geometry.pixel_mm < largestVoxel_mm) {
+      const double samplesPerPixel = geometry.pixel_mm / largestVoxel_mm;
+      plan.steps.back().estimated_us *= samplesPerPixel * samplesPerPixel;
+      add(StepKind::zoomStretch);
+    }
+  }
+  if (knobs.mode != DisplayMode::bMode) {
+    const double beam_ns = size.samples * ((plan.onBeams ? 0.0 : costOf(samplingOf(knobs.quality)).sample_ns) + 2.0);
+    plan.steps.push_back({StepKind::mMode, 1e-3 * beam_ns});
+  }
+  if (plan.onBeams) add(StepKind::scanConversion);
+  if (knobs.edgeEnhancement > 0.0) add(StepKind::edges);
+  if (knobs.persistence > 0.0) add(StepKind::persistence);
+  if (hasTable(knobs, scene)) add(StepKind::table);
+  return plan;
+}
+
+}  // namespace detail
+}  // namespace ew

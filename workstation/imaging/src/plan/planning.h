@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ew/imaging/effects/gain.h"
+#include "ew/imaging/frame.h"
+
+namespace ew::detail {
+
+/// How much of everything a frame has to do: what estimates count.
+struct FrameSize {
+  double pixels = 0.0;  ///< inside the fan
+  int lines = 0;        ///< of the beam grid
+  int samples = 0;
+};
+
+/// Sample distance along beams, mm: about a pixel of the picture, but 200 to 1200 samples to the depth.
+[[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry);
+
+/// Everything there is to sample for a picture.
+[[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Spans& spans);
+
+/// The knobs with a carrier the probe has: the nearest one to what was asked, its own when nothing was.
+[[nodiscard]] Knobs withCarrierOf(const Probe& probe, const Knobs& knobs);
+
+/// The dynamic range and grey map that follow gain and DGC.
+[[nodiscard]] Tone toneOf(const Knobs& knobs, const Scene& scene);
+
+/// makePlan for what was brought within limits and counted already.
+/// @param hasGaps whether parts of the face are off the skin
+[[nodiscard]] Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
+                          const FrameSize& size, bool hasLabels, bool hasGaps);
+
+}  // namespace ew::detail
