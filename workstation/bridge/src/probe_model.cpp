@@ -32,22 +32,66 @@ struct Section {
 };
 
 struct Shape {
-  double halfWidth_mm;
-  double halfThick_mm;
-  double radius_mm;  ///< of the face's arc; 0 when flat
-  double neck_mm;    ///< where the handle begins
-  double end_mm;     ///< where the handle ends
-  double handleHalfWidth_mm;
-  double handleHalfThick_mm;
+  double halfWidth_mm = 0.0;  ///< of the head, or of the rod
+  double halfThick_mm = 0.0;
+  double radius_mm = 0.0;      ///< of the face's arc; 0 when flat
+  bool dome = false;           ///< the head is round: half of a ball of that radius, not a cushion
+  double headRoundness = 3.4;  ///< see Section::roundness
+  double lens_mm = 5.0;        ///< the dark rubber reaches this far up the side
+  double taperBegin_mm = 0.0;  ///< between these two the head becomes the handle
+  double taperEnd_mm = 0.0;
+  double neck_mm = 0.0;  ///< where the handle begins
+  double end_mm = 0.0;   ///< where the handle ends
+  double handleHalfWidth_mm = 0.0;
+  double handleHalfThick_mm = 0.0;
 };
 
 Shape shapeOf(const Probe& probe) {
-  if (probe.kind == ProbeKind::convex) {
-    const double halfWidth_mm = probe.radius_mm * std::sin(probe.halfAngle_rad) + 2.5;
-    return {halfWidth_mm, 9.5, probe.radius_mm, 50.0, 118.0, std::min(15.5, halfWidth_mm), 12.0};
+  Shape shape;
+  shape.radius_mm = probe.radius_mm;
+  switch (probe.kind) {
+    case ProbeKind::linear:
+    case ProbeKind::phased:
+      shape.halfWidth_mm = faceHalfWidth_mm(probe) + 3.0;
+      shape.halfThick_mm = probe.kind == ProbeKind::linear ? 7.0 : 9.0;
+      shape.neck_mm = 38.0;
+      shape.end_mm = 104.0;
+      shape.handleHalfWidth_mm = std::min(14.0, shape.halfWidth_mm);
+      shape.handleHalfThick_mm = 10.5;
+      break;
+    case ProbeKind::convex:
+      shape.halfWidth_mm = faceHalfWidth_mm(probe) + 2.5;
+      shape.halfThick_mm = 9.5;
+      shape.neck_mm = 50.0;
+      shape.end_mm = 118.0;
+      shape.handleHalfWidth_mm = std::min(15.5, shape.halfWidth_mm);
+      shape.handleHalfThick_mm = 12.0;
+      break;
+    case ProbeKind::endocavity:
+      shape.halfWidth_mm = shape.halfThick_mm = probe.radius_mm + 0.6;
+      shape.neck_mm = 128.0;
+      shape.end_mm = 214.0;
+      shape.handleHalfWidth_mm = 15.5;
+      shape.handleHalfThick_mm = 14.0;
+      break;
+    case ProbeKind::sweptSector:
+      shape.halfWidth_mm = shape.halfThick_mm = probe.radius_mm + 5.0;
+      shape.neck_mm = 46.0;
+      shape.end_mm = 132.0;
+      shape.handleHalfWidth_mm = 16.5;
+      shape.handleHalfThick_mm = 15.5;
+      break;
   }
-  const double halfWidth_mm = 0.5 * probe.width_mm + 3.0;
-  return {halfWidth_mm, 7.0, 0.0, 38.0, 104.0, std::min(14.0, halfWidth_mm), 10.5};
+  shape.taperBegin_mm = 0.30 * shape.neck_mm;
+  shape.taperEnd_mm = 1.25 * shape.neck_mm;
+  if (probe.kind == ProbeKind::endocavity || probe.kind == ProbeKind::sweptSector) {
+    shape.dome = true;
+    shape.headRoundness = 2.0;
+    shape.lens_mm = 0.85 * probe.radius_mm;
+    shape.taperBegin_mm = shape.neck_mm - 16.0;
+    shape.taperEnd_mm = shape.neck_mm + 2.0;
+  }
+  return shape;
 }
 
 double eased(double t) {
@@ -55,22 +99,28 @@ double eased(double t) {
   return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
 }
 
-constexpr double kLens_mm = 5.0;  ///< the dark rubber reaches this far up the side
-
 std::vector<Section> sectionsOf(const Shape& s) {
   std::vector<Section> sections;
-  // The lens: a cushion that is foremost in its middle.
-  for (const double part : {0.02, 0.3, 0.55, 0.75, 0.88, 0.96, 1.0})
-    sections.push_back(
-        {2.6 * (1.0 - std::sqrt(1.0 - 0.985 * part * part)), part * (s.halfWidth_mm - 0.6), part * (s.halfThick_mm - 0.6), 3.4, 1.0});
-  sections.push_back({kLens_mm, s.halfWidth_mm - 0.4, s.halfThick_mm - 0.4, 3.4, 1.0});
-  sections.push_back({kLens_mm + 0.2, s.halfWidth_mm, s.halfThick_mm, 3.4, 1.0});
-  for (double up = kLens_mm + 2.0; up < s.end_mm - 7.0; up += 2.0) {
-    const double toNeck = eased((up - 0.30 * s.neck_mm) / (0.95 * s.neck_mm));
+  if (s.dome) {
+    const double edge_rad = std::acos(1.0 - s.lens_mm / s.radius_mm);
+    for (const double part : {0.03, 0.2, 0.4, 0.55, 0.7, 0.8, 0.9, 1.0})
+      sections.push_back({s.radius_mm * (1.0 - std::cos(part * edge_rad)), s.radius_mm * std::sin(part * edge_rad),
+                          s.radius_mm * std::sin(part * edge_rad), 2.0, 0.0});
+  } else {
+    // The lens: a cushion that is foremost in its middle.
+    for (const double part : {0.02, 0.3, 0.55, 0.75, 0.88, 0.96, 1.0})
+      sections.push_back(
+          {2.6 * (1.0 - std::sqrt(1.0 - 0.985 * part * part)), part * (s.halfWidth_mm - 0.6), part * (s.halfThick_mm - 0.6), 3.4, 1.0});
+    sections.push_back({s.lens_mm, s.halfWidth_mm - 0.4, s.halfThick_mm - 0.4, 3.4, 1.0});
+  }
+  const double arc = s.dome ? 0.0 : 1.0;
+  sections.push_back({s.lens_mm + 0.2, s.halfWidth_mm, s.halfThick_mm, s.headRoundness, arc});
+  for (double up = s.lens_mm + 2.0; up < s.end_mm - 7.0; up += 2.0) {
+    const double toNeck = eased((up - s.taperBegin_mm) / (s.taperEnd_mm - s.taperBegin_mm));
     const double waist = 1.6 * std::sin(glm::pi<double>() * std::clamp((up - s.neck_mm) / (s.end_mm - s.neck_mm), 0.0, 1.0));
     sections.push_back({up, glm::mix(s.halfWidth_mm, s.handleHalfWidth_mm, toNeck) - waist,
-                        glm::mix(s.halfThick_mm, s.handleHalfThick_mm, toNeck) - 0.6 * waist, glm::mix(3.4, 2.5, toNeck),
-                        1.0 - eased((up - kLens_mm) / (0.7 * s.neck_mm))});
+                        glm::mix(s.halfThick_mm, s.handleHalfThick_mm, toNeck) - 0.6 * waist, glm::mix(s.headRoundness, 2.5, toNeck),
+                        arc * (1.0 - eased((up - s.lens_mm) / (0.7 * s.neck_mm)))});
   }
   for (const double part : {0.25, 0.5, 0.7, 0.85, 0.95, 1.0}) {
     const double shrink = std::sqrt(1.0 - 0.72 * part * part);
@@ -164,8 +214,8 @@ vtkSmartPointer<vtkPolyData> housing(const Shape& shape, const ProbeColours& col
     const Section& section = sections[static_cast<std::size_t>(id / kAround)];
     const double fromMarker =
         std::abs(std::remainder(glm::two_pi<double>() * static_cast<double>(id % kAround) / kAround, glm::two_pi<double>()));
-    const bool stripe = fromMarker < 0.40 && section.up_mm > kLens_mm + 4.0 && section.up_mm < shape.neck_mm + 16.0;
-    Builder::setColour(*painted, id, section.up_mm <= kLens_mm ? colours.lens : stripe ? colours.marker : colours.housing);
+    const bool stripe = fromMarker < 0.40 && section.up_mm > shape.lens_mm + 4.0 && section.up_mm < shape.neck_mm + 16.0;
+    Builder::setColour(*painted, id, section.up_mm <= shape.lens_mm ? colours.lens : stripe ? colours.marker : colours.housing);
   }
   mesh->GetPointData()->SetScalars(painted);
   return mesh;
