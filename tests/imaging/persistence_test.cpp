@@ -7,6 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "ew/imaging/frame.h"
+#include "imaging/support.h"
+
 namespace ew {
 namespace {
 
@@ -122,6 +125,29 @@ TEST(Persistence, OfAShareThatIsNoneShowsEachPictureAsItIs) {
   shownAfter(noise(67, 5, 1), 7.0, memory);
   shownAfter(noise(67, 5, 1), 0.95, largest);
   EXPECT_EQ(shownAfter(noise(67, 5, 2), 7.0, memory), shownAfter(noise(67, 5, 2), 0.95, largest));
+}
+
+TEST(Persistence, OfAFrameForgetsWhatCameBeforeItWasTurnedOffOrThePoseWasLost) {
+  const auto volumeOf = [](double grey) {
+    return testing::volumeOf(
+        {40, 40, 40}, [grey](int, int, int) { return grey; }, glm::dvec3(4.0));
+  };
+  const Volume dark = volumeOf(20.0), bright = volumeOf(200.0);
+  Pose pose, lost;
+  pose.probeToWorld.matrix = glm::translate(glm::dmat4(1.0), glm::dvec3(80.0));
+  lost.status = PoseStatus::missing;
+  FrameMaker maker;
+  const auto shown = [&](const Volume& volume, double persistence, const Pose& at) {
+    maker.configure(Probe{}, {.persistence = persistence}, {}, volume.grid, 60, 60);
+    return static_cast<int>(maker.make(volume.view(), at).at(30, 30));
+  };
+  EXPECT_EQ(shown(bright, 0.5, pose), 200);
+  EXPECT_EQ(shown(dark, 0.5, pose), 110) << "what came before stays";
+  EXPECT_EQ(shown(dark, 0.0, pose), 20);
+  EXPECT_EQ(shown(bright, 0.0, pose), 200);
+  EXPECT_EQ(shown(bright, 0.5, pose), 200) << "and nothing from before it was turned off";
+  EXPECT_EQ(shown(bright, 0.5, lost), 0);
+  EXPECT_EQ(shown(dark, 0.5, pose), 20) << "nor from before the pose was lost";
 }
 
 }  // namespace

@@ -114,6 +114,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels};
   knobs_ = limited(knobs);
   scene_ = limited(scene);
+  if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height);
   if (picturesFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_)) {
@@ -171,6 +172,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   if (status_ == PoseStatus::ok && !checkRigid(input.pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
   if (status_ != PoseStatus::ok) {
     blacken(*picture_);
+    persistence_.empty = true;
     return viewOf(std::as_const(*picture_));
   }
   beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
