@@ -65,7 +65,8 @@ double elevationalWidth_mm(const Probe& probe, double carrier_hz, const SliceThi
   const double z_mm = depth_mm > 0.0 ? depth_mm : 0.0;
   const double wavelengths = carrier_hz > 0.0 ? probe.carrier_hz / carrier_hz : 1.0;
   const double fromLens = z_mm / probe.elevationalFocus_mm;
-  return effect.scale * std::hypot(probe.elevationalAperture_mm * (1.0 - fromLens), probe.elevationalThickness_mm * wavelengths * fromLens);
+  const double scale = effect.scale > 0.0 ? effect.scale : 0.0;
+  return scale * std::hypot(probe.elevationalAperture_mm * (1.0 - fromLens), probe.elevationalThickness_mm * wavelengths * fromLens);
 }
 
 ElevationRule elevationRule(int planes) {

@@ -14,8 +14,8 @@ namespace ew {
 /// A at the face, T at the focus with the probe's own frequency. It is the beam of a Gaussian aperture in Fresnel's approximation with
 /// both widths taken from the probe's data instead of from each other.
 /// Source: Cobbold, Foundations of Biomedical Ultrasound (2007), Gaussian beams. Ours departs: A and T count for both ways together.
-/// @param carrier_hz 0 or less: the probe's own
-/// @param depth_mm   below 0 or not a number: counts as 0
+/// @param carrier_hz 0, less or not a number: the probe's own
+/// @param depth_mm   below 0 or not a number: counts as 0; so does effect.scale
 [[nodiscard]] double elevationalWidth_mm(const Probe& probe, double carrier_hz, const SliceThicknessEffect& effect, double depth_mm);
 
 /// A plane of samples beside the image plane. Its offset runs in straight pieces along depth, so that a scan line in it is a few rows for
