@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ew/core/pose.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+#include "ew/imaging/scene.h"
+#include "ew/imaging/slice_source.h"
+
+namespace ew {
+
+/// What one setting costs on this machine, and how far its pictures are from the exact ones.
+struct CostPoint {
+  Knobs knobs;              ///< the setting: as asked for, but for what is varied
+  double frame_ms = 0.0;    ///< median of whole frames, every effect of the scene included
+  double rms_grey = 0.0;    ///< root mean square of the differences, grey levels
+  double worst_grey = 0.0;  ///< the largest difference
+  double psnr_db = 0.0;     ///< 20 log10(255 / rms_grey); kExact_db when nothing differs
+};
+
+struct CostOfAccuracy {
+  static constexpr double kExact_db = 99.0;
+  /// Quality::weave, linear, cubic; against slicedExactly at the same points.
+  std::vector<CostPoint> qualities;
+  /// Planes of the slice thickness, 3..9; whole frames against the frames with 9 planes. Empty when the scene has no slice thickness.
+  std::vector<CostPoint> planes;
+  int poses = 0;
+  std::size_t comparedPixels = 0;  ///< per quality; those whose whole neighbourhood lies within the volume
+};
+
+struct CostOptions {
+  int poses = 5;    ///< around the one given: turned and tipped by up to 12 degrees, the same ones every time
+  int repeats = 3;  ///< frames timed for each pose; one more before them warms up
+  int threads = 1;
+  bool operator==(const CostOptions&) const = default;
+};
+
+/// Measures on the machine it runs on. Times are wall-clock time of FrameMaker, errors are of the slice alone: gain, effects and display
+/// act behind it and would hide or magnify them.
+/// @param knobs, scene what is in use; noise, persistence and M-mode are left out, because with them frames of one pose differ
+/// @param width, height of the picture, >= 1
+/// @error cancelled (within 0.1 s, or the time of one frame), notRigid or badField for a pose that gives no picture, emptyVolume when the
+///        probe does not see enough of the volume to compare
+[[nodiscard]] Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& knobs,
+                                                           const Scene& scene, const Pose& pose, int width, int height,
+                                                           const CostOptions& options, Progress& progress);
+
+/// The reference: a band-limited interpolation of the voxels with double precision, Lanczos-windowed sinc with five lobes either side
+/// and weights that add up to 1, so that constants are kept exactly.
+/// @return the level at a point in voxels, not rounded; -1 when the ten voxels around it along an axis do not all lie within the volume
+[[nodiscard]] double sampledExactly(const SliceSource& echo, const glm::dvec3& p_voxel);
+
+/// The fastest point whose PSNR is at least `psnr_db`; null when none is.
+[[nodiscard]] const CostPoint* fastestWithin(const std::vector<CostPoint>& points, double psnr_db);
+
+}  // namespace ew

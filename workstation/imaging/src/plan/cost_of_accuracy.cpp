@@ -1,0 +1,254 @@
+#include "ew/imaging/cost_of_accuracy.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "ew/core/contract.h"
+#include "ew/imaging/frame.h"
+
+namespace ew {
+namespace {
+
+constexpr int kLobes = 5;
+constexpr int kTaps = 2 * kLobes;
+constexpr std::size_t kFewest = 256;  // compared pixels that make a figure worth showing
+constexpr int kMostPerPose = 20'000;  // points compared for each pose: 1000 multiplications each
+
+double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(glm::pi<double>() * x) / (glm::pi<double>() * x); }
+
+/// Weights of the taps around `fraction` in [0, 1): tap t lies at t - kLobes + 1.
+std::array<double, kTaps> lanczosWeights(double fraction) {
+  std::array<double, kTaps> weights{};
+  double sum = 0.0;
+  for (int t = 0; t < kTaps; ++t) {
+    const double x = t - kLobes + 1 - fraction;
+    weights[static_cast<std::size_t>(t)] = std::abs(x) < kLobes ? sinc(x) * sinc(x / kLobes) : 0.0;
+    sum += weights[static_cast<std::size_t>(t)];
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// Sums of squared differences on the way to a point's figures.
+struct Difference {
+  double squares = 0.0;
+  double worst = 0.0;
+  std::size_t count = 0;
+  void add(double by) {
+    squares += by * by;
+    worst = std::max(worst, std::abs(by));
+    ++count;
+  }
+  void putInto(CostPoint& point) const {
+    point.rms_grey = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+    point.worst_grey = worst;
+    point.psnr_db =
+        point.rms_grey > 0.0 ? std::min(20.0 * std::log10(255.0 / point.rms_grey), CostOfAccuracy::kExact_db) : CostOfAccuracy::kExact_db;
+  }
+};
+
+/// Poses around the given one, spread evenly over turns and tips; the first is the given one.
+std::vector<Pose> posesAround(const Pose& pose, int count) {
+  std::vector<Pose> poses{pose};
+  constexpr double kFarthest_rad = 0.21;
+  for (int n = 1; n < count; ++n) {
+    // Fractions of the golden ratio and of its square fill the square of angles evenly for any count.
+    const double turn = std::fmod(n * 0.6180339887498949, 1.0) * 2.0 - 1.0;
+    const double tip = std::fmod(n * 0.7548776662466927, 1.0) * 2.0 - 1.0;
+    Pose next = pose;
+    next.probeToWorld.matrix = glm::rotate(next.probeToWorld.matrix, turn * kFarthest_rad, glm::dvec3(0.0, 1.0, 0.0));
+    next.probeToWorld.matrix = glm::rotate(next.probeToWorld.matrix, tip * kFarthest_rad, glm::dvec3(1.0, 0.0, 0.0));
+    poses.push_back(next);
+  }
+  return poses;
+}
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What is measured with: one setting at a time, so that they do not share a warm cache of tables.
+struct Bench {
+  const SliceSource& echo;
+  const Probe& probe;
+  const Scene& scene;
+  const std::vector<Pose>& poses;
+  int width, height;
+  const CostOptions& options;
+
+  /// Median time of a frame, ms; `seen` gets the picture of each pose. @return negative when cancelled or no picture was made
+  template <class Seen>
+  double time_ms(const Knobs& knobs, Progress& progress, const Seen& seen) const {
+    FrameMaker maker(options.threads);
+    maker.configure(probe, knobs, scene, echo.grid, width, height);
+    std::vector<double> times_ms;
+    for (const Pose& pose : poses) {
+      FrameInput input;
+      input.echo = echo;
+      input.pose = pose;
+      for (int n = 0; n <= options.repeats; ++n) {
+        if (progress.cancelRequested()) return -1.0;
+        const auto begin = std::chrono::steady_clock::now();
+        const ImageView<const std::uint8_t> picture = maker.make(input);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        if (maker.lastStatus() != PoseStatus::ok) return -1.0;
+        if (n > 0) times_ms.push_back(took.count());
+        if (n == 0) seen(pose, picture, maker);
+      }
+    }
+    return median(times_ms);
+  }
+};
+
+/// Where slices are compared, and what the reference says there.
+struct Exact {
+  struct Point {
+    int x, y;
+    double level;
+  };
+  std::vector<std::vector<Point>> ofPose;
+};
+
+}  // namespace
+
+double sampledExactly(const SliceSource& echo, const glm::dvec3& p_voxel) {
+  EW_EXPECTS(echo.layout == VoxelLayout::linear);
+  const glm::ivec3 base(glm::floor(p_voxel));
+  const glm::ivec3& dims = echo.grid.dims;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (base[axis] - kLobes + 1 < 0 || base[axis] + kLobes >= dims[axis]) return -1.0;
+  }
+  const glm::dvec3 fraction = p_voxel - glm::dvec3(base);
+  const auto alongI = lanczosWeights(fraction.x);
+  const auto alongJ = lanczosWeights(fraction.y);
+  const auto alongK = lanczosWeights(fraction.z);
+  double level = 0.0;
+  for (int k = 0; k < kTaps; ++k) {
+    double plane = 0.0;
+    for (int j = 0; j < kTaps; ++j) {
+      const std::uint8_t* row = echo.voxels + echo.grid.indexOf(base.x - kLobes + 1, base.y - kLobes + 1 + j, base.z - kLobes + 1 + k);
+      double line = 0.0;
+      for (int i = 0; i < kTaps; ++i) line += alongI[static_cast<std::size_t>(i)] * row[i];
+      plane += alongJ[static_cast<std::size_t>(j)] * line;
+    }
+    level += alongK[static_cast<std::size_t>(k)] * plane;
+  }
+  return std::clamp(level, 0.0, 255.0);
+}
+
+const CostPoint* fastestWithin(const std::vector<CostPoint>& points, double psnr_db) {
+  const CostPoint* best = nullptr;
+  for (const CostPoint& point : points) {
+    if (point.psnr_db >= psnr_db && (best == nullptr || point.frame_ms < best->frame_ms)) best = &point;
+  }
+  return best;
+}
+
+Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& asked, const Scene& scene,
+                                             const Pose& pose, int width, int height, const CostOptions& options, Progress& progress) {
+  EW_EXPECTS(width >= 1 && height >= 1 && options.poses >= 1 && options.repeats >= 1);
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The measurement was cancelled."); };
+  if (pose.status != PoseStatus::ok) return failure(ErrorCode::badField, "The probe has no place; hold it on the body and measure again.");
+  if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) return passOn(rigid.error());
+  if (echo.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to measure with; open one first.");
+
+  Knobs neutral = asked;
+  neutral.persistence = 0.0;
+  neutral.mode = DisplayMode::bMode;
+  Scene quiet = scene;
+  quiet.noise.reset();
+  CostOfAccuracy result;
+  result.poses = options.poses;
+  const std::vector<Pose> poses = posesAround(pose, options.poses);
+  const Bench bench{echo, probe, quiet, poses, width, height, options};
+
+  // The reference first, on at most kMostPerPose points of each picture: a grid of them, so that all depths count alike.
+  progress.report("Computing the exact slices", 0.0);
+  const DisplayGeometry geometry = fitDisplay(probe, neutral, width, height);
+  const Spans fan = fanSpans(probe, neutral, geometry);
+  const int every = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostPerPose))));
+  Exact exact;
+  for (const Pose& one : poses) {
+    auto& points = exact.ofPose.emplace_back();
+    const glm::dmat4 imageToVoxel = (echo.grid.worldToVoxel() * one.probeToWorld * geometry.imageToProbe()).matrix;
+    for (int y = 0; y < height; y += every) {
+      if (progress.cancelRequested()) return cancelled();
+      for (const RowSpan& run : fan[static_cast<std::size_t>(y)]) {
+        for (int x = (run.begin + every - 1) / every * every; x < run.end; x += every) {
+          const double level = sampledExactly(echo, glm::dvec3(imageToVoxel * glm::dvec4(x, y, 0.0, 1.0)));
+          if (level >= 0.0) points.push_back({x, y, level});
+        }
+      }
+    }
+    result.comparedPixels += points.size();
+    progress.report("Computing the exact slices", 0.5 * static_cast<double>(exact.ofPose.size()) / static_cast<double>(poses.size()));
+  }
+  if (result.comparedPixels < kFewest) {
+    return failure(ErrorCode::emptyVolume,
+                   "The probe sees too little of the volume to compare; slide it over the volume and measure again.");
+  }
+
+  GreyImage slicePicture(width, height);
+  SliceScratch scratch;
+  for (const Quality quality : {Quality::weave, Quality::linear, Quality::cubic}) {
+    CostPoint point;
+    point.knobs = asked;
+    point.knobs.quality = quality;
+    Knobs knobs = neutral;
+    knobs.quality = quality;
+    progress.report("Timing the qualities", 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
+    point.frame_ms = bench.time_ms(knobs, progress, [](const Pose&, const ImageView<const std::uint8_t>&, const FrameMaker&) {});
+    if (point.frame_ms < 0.0) return cancelled();
+    Difference difference;
+    for (std::size_t n = 0; n < poses.size(); ++n) {
+      if (progress.cancelRequested()) return cancelled();
+      slice(quality, echo, echo.grid.worldToVoxel() * poses[n].probeToWorld * geometry.imageToProbe(), fan, viewOf(slicePicture), scratch);
+      for (const Exact::Point& p : exact.ofPose[n]) difference.add(viewOf(slicePicture).at(p.x, p.y) - p.level);
+    }
+    difference.putInto(point);
+    result.qualities.push_back(std::move(point));
+  }
+  if (!scene.sliceThickness) {
+    progress.report("Timing the qualities", 1.0);
+    return result;
+  }
+
+  std::vector<GreyImage> finest;
+  for (int planes = 9; planes >= 3; planes -= 2) {
+    CostPoint point;
+    point.knobs = asked;
+    point.knobs.elevationPlanes = planes;
+    Knobs knobs = neutral;
+    knobs.elevationPlanes = planes;
+    progress.report("Timing the slice thickness", 0.8 + 0.05 * static_cast<double>(result.planes.size()));
+    Difference difference;
+    std::size_t n = 0;
+    point.frame_ms =
+        bench.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
+          if (planes == 9) {
+            GreyImage& kept = finest.emplace_back(picture.width, picture.height);
+            for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(kept).row(y));
+          }
+          for (int y = 0; y < picture.height; ++y) {
+            for (const RowSpan& run : maker.spans()[static_cast<std::size_t>(y)]) {
+              for (int x = run.begin; x < run.end; ++x) difference.add(static_cast<double>(picture.at(x, y)) - viewOf(finest[n]).at(x, y));
+            }
+          }
+          ++n;
+        });
+    if (point.frame_ms < 0.0) return cancelled();
+    difference.putInto(point);
+    result.planes.insert(result.planes.begin(), std::move(point));
+  }
+  progress.report("Timing the slice thickness", 1.0);
+  return result;
+}
+
+}  // namespace ew
