@@ -1,6 +1,5 @@
 #include "session.h"
 
-#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +9,13 @@ namespace {
 constexpr std::size_t kRememberedFrames = 25;
 constexpr double kGel_mm = 3.0;
 constexpr int kContactSamples = 17;
+
+constexpr double kFramePeriod_ms = 36.0;  // about 28 frames a second, as a machine shows of a deep abdomen
+
+/// Frames until persistence shows less than half a grey level of what was there before.
+int framesToSettle(double persistence) {
+  return persistence > 0.0 ? 1 + static_cast<int>(std::ceil(std::log(0.5 / 255.0) / std::log(std::min(persistence, 0.95)))) : 0;
+}
 
 }  // namespace
 
@@ -22,6 +28,16 @@ double usualPress_mm(const Probe& probe) {
 Session::Session(QObject* parent) : QObject(parent) {
   // A hold needs a surface to stand on, also before there is a skin: the middle of the trunk's front.
   hold_.contact = {{0.0, -105.0, 0.0}, {0.0, -1.0, 0.0}};
+  clock_.start();
+  nextFrame_.setSingleShot(true);
+  nextFrame_.setTimerType(Qt::PreciseTimer);
+  connect(&nextFrame_, &QTimer::timeout, this, [this] {
+    if (!isWatched_ || !changesByItself()) return;
+    isOwnFrame_ = !due_;
+    due_ = true;
+    makePictureNow();
+    isOwnFrame_ = false;
+  });
 }
 
 void Session::setProbes(std::vector<Probe> all) {
@@ -53,6 +69,11 @@ void Session::takeProbe(const Probe& probe) {
   // Another probe sees to another depth: its own default, rather than a depth it may not reach.
   knobs_.depth_mm = 0.0;
   knobs_.focus_mm = 0.0;
+  knobs_.moreFoci_mm = {};
+  knobs_.carrier_hz = 0.0;
+  knobs_.steering_rad = 0.0;
+  knobs_.trapezoid = false;
+  face_mm_ = facePoints_mm(probe_, kContactSamples);
   hold_.press_mm = usualPress_mm(probe_);
 }
 
@@ -70,6 +91,11 @@ void Session::show(Subject subject) {
   setFrozen(false);
   subject_ = std::move(subject);
   recent_.clear();
+  maker_.forget();
+  adaptive_.reset();
+  latency_.clear();
+  sceneBeforeReset_.reset();
+  takeScene(subject_->scene);
   if (!subject_->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject_->probes.front(); });
     if (first != all_.end()) takeProbe(*first);
@@ -101,8 +127,60 @@ void Session::setTitle(const QString& title) {
   Q_EMIT subjectChanged();
 }
 
+void Session::takeScene(const Scene& scene) {
+  scene_ = scene;
+  recent_.clear();
+  due();
+  Q_EMIT sceneChanged();
+}
+
+void Session::setScene(const Scene& scene) {
+  if (scene == scene_) return;
+  sceneBeforeReset_.reset();
+  takeScene(scene);
+}
+
+void Session::resetScene() {
+  if (!subject_ || hasCaseScene()) return;
+  sceneBeforeReset_ = scene_;
+  takeScene(subject_->scene);
+}
+
+void Session::undoSceneReset() {
+  if (!sceneBeforeReset_) return;
+  const Scene before = *sceneBeforeReset_;
+  sceneBeforeReset_.reset();
+  takeScene(before);
+}
+
+void Session::setCaseScene(const Scene& scene) {
+  if (!subject_ || subject_->scene == scene) return;
+  subject_->scene = scene;
+  sceneBeforeReset_.reset();
+  takeScene(scene);
+}
+
+void Session::setAdaptive(bool adaptive) {
+  if (adaptive == isAdaptive_) return;
+  isAdaptive_ = adaptive;
+  adaptive_.reset();
+  due();
+  Q_EMIT adaptiveChanged(adaptive);
+}
+
+void Session::setWatched(bool watched) {
+  isWatched_ = watched;
+  if (watched) due();
+}
+
+bool Session::changesByItself() const {
+  if (!subject_ || frozen_ || picture_.width == 0) return false;
+  return scene_.noise || knobs_.mode != DisplayMode::bMode || unsettledFrames_ > 0 || isLowered();
+}
+
 void Session::setSkin(std::shared_ptr<const Skin> skin) {
   skin_ = std::move(skin);
+  if (scene_.contact) due();
   Q_EMIT holdChanged();
 }
 
@@ -121,21 +199,31 @@ double Session::depth_mm() const {
 double Session::focus_mm() const { return knobs_.focus_mm > 0.0 ? std::min(knobs_.focus_mm, depth_mm()) : depth_mm() / 2.0; }
 
 void Session::setHold(const Hold& hold) {
+  if (!movedAt_s_ && !frozen_ && !(hold == hold_)) movedAt_s_ = now_s();
   hold_ = hold;
   due();
   Q_EMIT holdChanged();
 }
 
+void Session::measureGaps(const Pose& pose) {
+  gaps_mm_.resize(face_mm_.size());
+  for (std::size_t i = 0; i < face_mm_.size(); ++i) {
+    const glm::dvec3 p_world = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(face_mm_[i], 1.0));
+    const Skin::Contact nearest = skin_->nearest(p_world);
+    gaps_mm_[i] = static_cast<float>(glm::dot(p_world - nearest.point_mm, nearest.outward));
+  }
+}
+
 std::optional<double> Session::contact() const {
-  if (!skin_) return std::nullopt;
+  if (!skin_ || face_mm_.empty()) return std::nullopt;
   const Pose held = pose();
-  int touching = 0;
-  for (const glm::dvec3& p_probe : facePoints_mm(probe_, kContactSamples)) {
+  std::size_t touching = 0;
+  for (const glm::dvec3& p_probe : face_mm_) {
     const glm::dvec3 p_world = glm::dvec3(held.probeToWorld.matrix * glm::dvec4(p_probe, 1.0));
     const Skin::Contact nearest = skin_->nearest(p_world);
     if (glm::dot(p_world - nearest.point_mm, nearest.outward) <= kGel_mm) ++touching;
   }
-  return static_cast<double>(touching) / kContactSamples;
+  return static_cast<double>(touching) / static_cast<double>(face_mm_.size());
 }
 
 bool Session::seesVolume() const {
@@ -160,10 +248,16 @@ bool Session::seesVolume() const {
 void Session::setFrozen(bool frozen) {
   if (frozen == frozen_) return;
   if (frozen) {
-    makePictureNow();  // what is frozen is what the console and the hand say at this moment
+    // What is frozen is what the console and the hand say at this moment, as well as they can say it.
+    if (adaptive_.isLowered()) due_ = true;
+    adaptive_.reset();
+    isFreezing_ = true;
+    makePictureNow();
+    isFreezing_ = false;
     frozenHold_ = hold_;
     frozenKnobs_ = knobs_;
     frozenProbe_ = probe_;
+    frozenScene_ = scene_;
   }
   frozen_ = frozen;
   if (!frozen) due();
@@ -192,12 +286,45 @@ void Session::makePictureNow() {
   if (!subject_ || width_ <= 0 || height_ <= 0) return;
   // A frozen picture is still drawn anew for a window of another size, from the frozen pose and knobs.
   if (frozen_ && picture_.width == width_ && picture_.height == height_) return;
-  maker_.configure(pictureProbe(), pictureKnobs(), subject_->scene, subject_->placedGrid, width_, height_);
-  const VolumeView<const std::uint8_t> voxels{subject_->volume->echo.data(), subject_->placedGrid};
-  picture_ = maker_.make(voxels, picturePose());
+  nextFrame_.stop();
+  const Pose pose = picturePose();
+  const double begin_s = now_s();
+  if (!frozen_) {
+    time_s_ = begin_s;
+    ++number_;
+    const bool mayLower = isAdaptive_ && !isFreezing_;
+    usedKnobs_ = mayLower ? adaptive_.step(knobs_, pose, time_s_, lastFrame_ms_) : knobs_;
+    // Anything but a frame that came by itself may have changed what persistence has to forget.
+    unsettledFrames_ = isOwnFrame_ ? std::max(0, unsettledFrames_ - 1) : framesToSettle(knobs_.persistence);
+  } else {
+    usedKnobs_ = frozenKnobs_;
+  }
+  maker_.configure(pictureProbe(), usedKnobs_, pictureScene(), subject_->placedGrid, width_, height_);
+  const bool wantsGaps = pictureScene().contact && skin_ && pose.status == PoseStatus::ok;
+  if (wantsGaps && !frozen_) measureGaps(pose);
+  FrameInput input;
+  input.echo = VolumeView<const std::uint8_t>{subject_->volume->echo.data(), subject_->placedGrid};
+  input.pose = pose;
+  if (wantsGaps) input.gaps_mm = gaps_mm_;
+  input.time_s = time_s_;
+  input.number = number_;
+  picture_ = maker_.make(input);
+  ++framesMade_;
+  const double end_s = now_s();
+  lastFrame_ms_ = 1000.0 * (end_s - begin_s);
+  if (movedAt_s_ && !frozen_) latency_.add(1e6 * (end_s - *movedAt_s_));
+  movedAt_s_.reset();
   recent_.push_back(maker_.lastTimes());
   if (recent_.size() > kRememberedFrames) recent_.erase(recent_.begin());
   Q_EMIT pictureChanged();
+  keepComing();
+}
+
+void Session::keepComing() {
+  if (!isWatched_ || !changesByItself()) return;
+  // What the picture's viewers spend counts as well: at least as long as frame and drawing took, the window is free for the hand.
+  const double spent_ms = 1000.0 * (now_s() - time_s_);
+  nextFrame_.start(static_cast<int>(std::lround(std::max(kFramePeriod_ms - spent_ms, std::min(spent_ms, 200.0)))));
 }
 
 std::vector<StepTime> Session::stepTimes() const {
