@@ -1,16 +1,21 @@
 #include "console_panel.h"
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "figures.h"
 #include "icons.h"
@@ -20,53 +25,99 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kDgcHighest_percent = 200;
-constexpr int kGainHighest_percent = 300;
 constexpr int kZoomSteps = 10;  // of the slider per factor 1
 
-QSlider* slider(const QString& objectName, int lowest, int highest, int step, int page) {
-  auto* made = new QSlider(Qt::Horizontal);
-  made->setObjectName(objectName);
-  made->setRange(lowest, highest);
-  made->setSingleStep(step);
-  made->setPageStep(page);
-  made->setFixedHeight(24);
-  made->setMinimumWidth(96);
-  return made;
+int rounded(double value) { return static_cast<int>(std::lround(value)); }
+
+QLabel* quietLabel(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setProperty("quiet", true);
+  return label;
+}
+
+/// Every effect at its usual strength.
+Scene usualStrengths() {
+  Scene scene;
+  scene.focus.emplace();
+  scene.sliceThickness.emplace();
+  scene.attenuation.emplace();
+  scene.reverberation.emplace();
+  scene.noise.emplace();
+  scene.contact.emplace();
+  return scene;
+}
+
+/// Where a further focus helps most: in the middle of the widest part of the depth without one.
+double placeForFocus_mm(std::vector<double> foci_mm, double depth_mm) {
+  foci_mm.push_back(0.0);
+  foci_mm.push_back(depth_mm);
+  std::sort(foci_mm.begin(), foci_mm.end());
+  double best_mm = depth_mm / 2.0;
+  double widest_mm = 0.0;
+  for (std::size_t i = 1; i < foci_mm.size(); ++i) {
+    if (foci_mm[i] - foci_mm[i - 1] <= widest_mm) continue;
+    widest_mm = foci_mm[i] - foci_mm[i - 1];
+    best_mm = foci_mm[i - 1] + widest_mm / 2.0;
+  }
+  return std::round(best_mm);
 }
 
 }  // namespace
 
-ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), remembered_(usualStrengths()) {
   setObjectName(QStringLiteral("console"));
   setAttribute(Qt::WA_StyledBackground);
+  session_.setAdaptive(QSettings().value(QStringLiteral("adaptiveQuality"), true).toBool());
   auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(16, 12, 16, 16);
+  rows->setContentsMargins(0, 12, 0, 16);
   rows->setSpacing(0);
-  addDgc();
-  rows->addSpacing(8);
-  gain_ = addRow(tr("Gain"), QStringLiteral("gain"), QStringLiteral("300 %"), tr("Overall gain (Ctrl+Up, Ctrl+Down)"));
-  gain_.slider->setRange(0, kGainHighest_percent);
-  gain_.slider->setPageStep(25);
-  depth_ = addRow(tr("Depth"), QStringLiteral("depth"), QStringLiteral("300 mm"), tr("Depth of the picture (Page Up, Page Down)"));
-  focus_ = addRow(tr("Focus"), QStringLiteral("focus"), QStringLiteral("300 mm"), tr("Depth of the focus mark"));
-  zoom_ = addRow(tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify about the middle of the picture (Z, Shift+Z)"));
-  zoom_.slider->setRange(kZoomSteps, 8 * kZoomSteps);
-  zoom_.slider->setPageStep(kZoomSteps / 2);
-  rows->addSpacing(8);
-  addChoices();
-  rows->addStretch(1);
+  auto* top = new QVBoxLayout;
+  top->setContentsMargins(16, 0, 16, 4);
+  top->setSpacing(0);
+  addSlider(top,
+            {tr("Gain"), QStringLiteral("gain"), QStringLiteral("300 %"), tr("Overall gain (Ctrl+Up, Ctrl+Down)"), 0, 300, 5,
+             [this] { return rounded(session_.knobs().gain * 100.0); }, [this](int v) { change([v](Knobs& k) { k.gain = v / 100.0; }); },
+             [this] { return tr("%1 %").arg(rounded(session_.knobs().gain * 100.0)); }, [this] { return session_.scene().gainAndDgc; }});
+  SliderParts depth{tr("Depth"),
+                    QStringLiteral("depth"),
+                    QStringLiteral("300 mm"),
+                    tr("Depth of the picture (Page Up, Page Down)"),
+                    1,
+                    300,
+                    10,
+                    [this] { return rounded(session_.depth_mm()); },
+                    [this](int v) { change([v](Knobs& k) { k.depth_mm = v; }); },
+                    [this] { return tr("%1 mm").arg(rounded(session_.depth_mm())); }};
+  depth.range = [this] {
+    return std::pair{static_cast<int>(std::ceil(session_.probe().minDepth_mm)), static_cast<int>(session_.probe().maxDepth_mm)};
+  };
+  addSlider(top, std::move(depth));
+  rows->addLayout(top);
+  pages_ = new QTabWidget;
+  pages_->setObjectName(QStringLiteral("consolePages"));
+  pages_->setDocumentMode(true);
+  pages_->setFocusPolicy(Qt::TabFocus);
+  pages_->addTab(makePage([this](QVBoxLayout* page) { addImagePage(page); }), tr("Image"));
+  pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
+  pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
+  const QString keys[] = {tr("What the picture shows and how (F10)"), tr("What the scene does to the sound (F10)"),
+                          tr("The transducer and its beams (F10)")};
+  for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, keys[i]);
+  rows->addWidget(pages_, 1);
+  auto* bottom = new QVBoxLayout;
+  bottom->setContentsMargins(16, 8, 16, 0);
+  bottom->setSpacing(0);
+  addAlways(bottom);
+  rows->addLayout(bottom);
+  refreshIcons();
 
-  connect(gain_.slider, &QSlider::valueChanged, this, [this](int v) { change([v](Knobs& k) { k.gain = v / 100.0; }); });
-  connect(depth_.slider, &QSlider::valueChanged, this, [this](int v) { change([v](Knobs& k) { k.depth_mm = v; }); });
-  connect(focus_.slider, &QSlider::valueChanged, this, [this](int v) { change([v](Knobs& k) { k.focus_mm = v; }); });
-  connect(zoom_.slider, &QSlider::valueChanged, this,
-          [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); });
-  connect(&session_, &Session::knobsChanged, this, &ConsolePanel::showKnobs);
-  connect(&session_, &Session::probeChanged, this, &ConsolePanel::showProbes);
+  connect(&session_, &Session::knobsChanged, this, &ConsolePanel::showAll);
+  connect(&session_, &Session::sceneChanged, this, &ConsolePanel::showAll);
+  connect(&session_, &Session::probeChanged, this, &ConsolePanel::showAll);
+  connect(&session_, &Session::adaptiveChanged, this, &ConsolePanel::showAll);
+  connect(&session_, &Session::subjectChanged, this, &ConsolePanel::showAll);
   connect(&session_, &Session::frozenChanged, freeze_, &QPushButton::setChecked);
-  showProbes();
-  showKnobs();
+  showAll();
 }
 
 template <class Change>
@@ -77,165 +128,617 @@ void ConsolePanel::change(Change&& apply) {
   session_.setKnobs(knobs);
 }
 
-ConsolePanel::Row ConsolePanel::addRow(const QString& name, const QString& objectName, const QString& widest, const QString& tip) {
+template <class Change>
+void ConsolePanel::changeScene(Change&& apply) {
+  if (showing_) return;
+  Scene scene = session_.scene();
+  apply(scene);
+  session_.setScene(scene);
+}
+
+QWidget* ConsolePanel::makePage(const std::function<void(QVBoxLayout*)>& fill) {
+  auto* body = new QWidget;
+  body->setObjectName(QStringLiteral("consolePage"));
+  auto* rows = new QVBoxLayout(body);
+  rows->setContentsMargins(16, 12, 16, 8);
+  rows->setSpacing(0);
+  fill(rows);
+  rows->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(body);
+  return scroll;
+}
+
+QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
   auto* line = new QHBoxLayout;
-  auto* label = new QLabel(name);
-  label->setProperty("quiet", true);
-  Row row;
-  row.value = new FigureLabel(widest);
-  row.value->setObjectName(objectName + QStringLiteral("Value"));
-  row.slider = slider(objectName, 0, 100, 1, 10);
-  row.slider->setToolTip(tip);
-  row.slider->setAccessibleName(name);
-  label->setBuddy(row.slider);
-  line->addWidget(label);
-  line->addStretch(1);
-  line->addWidget(row.value);
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  rows->addLayout(line);
-  rows->addWidget(row.slider);
-  return row;
-}
-
-void ConsolePanel::addDgc() {
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  auto* head = new QHBoxLayout;
-  auto* name = new QLabel(tr("DGC"));
-  name->setProperty("quiet", true);
-  name->setToolTip(tr("Depth gain compensation: one slider for each eighth of the depth, near on top"));
-  reset_ = new QPushButton(tr("Reset"));
-  reset_->setObjectName(QStringLiteral("dgcReset"));
-  reset_->setProperty("flat", true);
-  reset_->setToolTip(tr("All eight sliders back to the middle (Ctrl+0)"));
-  head->addWidget(name);
-  head->addStretch(1);
-  head->addWidget(reset_);
-  rows->addLayout(head);
-  rows->addSpacing(4);
-  for (int i = 0; i < kDgcSliders; ++i) {
-    QSlider* one = slider(QStringLiteral("dgc%1").arg(i + 1), 0, kDgcHighest_percent, 2, 20);
-    one->setAccessibleName(tr("DGC %1").arg(i + 1));
-    dgc_[static_cast<std::size_t>(i)] = one;
-    rows->addWidget(one);
-    connect(one, &QSlider::valueChanged, this,
-            [this, i](int v) { change([v, i](Knobs& k) { k.dgc[static_cast<std::size_t>(i)] = v / 100.0; }); });
+  line->setSpacing(8);
+  auto* slider = new QSlider(Qt::Horizontal);
+  slider->setObjectName(parts.objectName);
+  slider->setRange(parts.lowest, parts.highest);
+  slider->setPageStep(parts.page);
+  slider->setFixedHeight(22);
+  slider->setMinimumWidth(96);
+  slider->setToolTip(parts.tip);
+  slider->setAccessibleName(parts.name);
+  auto* value = new FigureLabel(parts.widest);
+  value->setObjectName(parts.objectName + QStringLiteral("Value"));
+  if (!parts.name.isEmpty()) {
+    QLabel* label = quietLabel(parts.name);
+    label->setBuddy(slider);
+    label->setToolTip(parts.tip);
+    line->addWidget(label);
+    line->addStretch(1);
+    line->addWidget(value);
+    column->addLayout(line);
+    column->addWidget(slider);
+  } else {
+    line->addWidget(slider, 1);
+    line->addWidget(value);
+    column->addLayout(line);
   }
-  connect(reset_, &QPushButton::clicked, this, &ConsolePanel::resetDgc);
+  rows->addWidget(box);
+  connect(slider, &QSlider::valueChanged, this, [this, set = parts.set](int v) {
+    if (!showing_) set(v);
+  });
+  shows_.emplace_back([box, slider, value, parts = std::move(parts)] {
+    if (parts.range) {
+      const auto [lowest, highest] = parts.range();
+      slider->setRange(lowest, highest);
+    }
+    slider->setValue(parts.get());
+    slider->setAccessibleDescription(parts.text());
+    value->setText(parts.text());
+    const bool isOn = parts.isOn();
+    slider->setEnabled(isOn);
+    value->setEnabled(isOn);
+    box->setVisible(parts.isThere());
+  });
+  return slider;
 }
 
-void ConsolePanel::addChoices() {
-  auto* rows = static_cast<QVBoxLayout*>(layout());
-  auto* qualityName = new QLabel(tr("Quality"));
-  qualityName->setProperty("quiet", true);
-  rows->addWidget(qualityName);
-  rows->addSpacing(4);
-  weave_ = new QPushButton(tr("Weave"));
-  linear_ = new QPushButton(tr("Linear"));
-  weave_->setObjectName(QStringLiteral("qualityWeave"));
-  linear_->setObjectName(QStringLiteral("qualityLinear"));
-  weave_->setToolTip(tr("Nearest voxels, fastest (1)"));
-  linear_->setToolTip(tr("Interpolated between eight voxels (2)"));
-  weave_->setProperty("segment", QStringLiteral("first"));
-  linear_->setProperty("segment", QStringLiteral("last"));
-  auto* exclusive = new QButtonGroup(this);
-  auto* quality = new QHBoxLayout;
-  quality->setSpacing(0);
-  for (QPushButton* button : {weave_, linear_}) {
+void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 4, 0, 6);
+  column->setSpacing(4);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(0);
+  if (parts.isInline) {
+    line->addWidget(quietLabel(parts.name));
+    line->addSpacing(16);
+  } else if (!parts.name.isEmpty()) {
+    column->addWidget(quietLabel(parts.name));
+  }
+  auto* group = new QButtonGroup(box);
+  group->setObjectName(parts.objectName);
+  std::vector<QPushButton*> buttons;
+  for (std::size_t i = 0; i < parts.choices.size(); ++i) {
+    const Choice& choice = parts.choices[i];
+    auto* button = new QPushButton(choice.text);
+    button->setObjectName(choice.objectName);
+    button->setToolTip(choice.tip);
+    button->setAccessibleName(parts.name.isEmpty() ? choice.text : parts.name + QStringLiteral(": ") + choice.text);
     button->setCheckable(true);
-    exclusive->addButton(button);
-    quality->addWidget(button, 1);
+    button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
+    button->setProperty("segment", i == 0                          ? QStringLiteral("first")
+                                   : i + 1 == parts.choices.size() ? QStringLiteral("last")
+                                                                   : QStringLiteral("true"));
+    group->addButton(button, static_cast<int>(i));
+    line->addWidget(button, 1);
+    buttons.push_back(button);
   }
-  rows->addLayout(quality);
-  rows->addSpacing(12);
+  column->addLayout(line);
+  rows->addWidget(box);
+  connect(group, &QButtonGroup::idClicked, this, [this, set = parts.set](int index) {
+    if (!showing_) set(index);
+  });
+  shows_.emplace_back([box, buttons, parts = std::move(parts)] {
+    const int now = parts.get();
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+      buttons[i]->setChecked(static_cast<int>(i) == now);
+      buttons[i]->setEnabled(parts.isOn());
+    }
+    box->setVisible(parts.isThere());
+  });
+}
 
-  probe_ = new QComboBox;
-  probe_->setObjectName(QStringLiteral("probe"));
-  probe_->setToolTip(tr("Transducer"));
-  probe_->setAccessibleName(tr("Transducer"));
-  probe_->setMinimumContentsLength(8);
-  probe_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  rows->addWidget(probe_);
-  rows->addSpacing(12);
+QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const QString& objectName, const QString& tip) {
+  auto* made = new QCheckBox(name);
+  made->setObjectName(objectName);
+  made->setToolTip(tip);
+  made->setAccessibleName(name);
+  made->setFocusPolicy(Qt::TabFocus);
+  made->setMinimumHeight(24);
+  rows->addWidget(made);
+  return made;
+}
 
+void ConsolePanel::setFoci(int count) {
+  change([this, count](Knobs& k) {
+    std::vector<double> foci_mm{session_.focus_mm()};
+    for (const double more_mm : k.moreFoci_mm) {
+      if (more_mm > 0.0) foci_mm.push_back(more_mm);
+    }
+    while (static_cast<int>(foci_mm.size()) < count) foci_mm.push_back(placeForFocus_mm(foci_mm, session_.depth_mm()));
+    if (count > 1) k.focus_mm = foci_mm.front();
+    k.moreFoci_mm = {};
+    for (int i = 1; i < count; ++i) k.moreFoci_mm[static_cast<std::size_t>(i - 1)] = foci_mm[static_cast<std::size_t>(i)];
+  });
+}
+
+void ConsolePanel::addImagePage(QVBoxLayout* rows) {
+  const auto hasFocus = [this] { return session_.scene().focus.has_value(); };
+  SliderParts focus{tr("Focus"),
+                    QStringLiteral("focus"),
+                    QStringLiteral("300 mm"),
+                    tr("Depth of the first focus (comma, full stop); drag the marks beside the picture for the others"),
+                    5,
+                    300,
+                    5,
+                    [this] { return rounded(session_.focus_mm()); },
+                    [this](int v) { change([v](Knobs& k) { k.focus_mm = v; }); },
+                    [this] { return tr("%1 mm").arg(rounded(session_.focus_mm())); },
+                    hasFocus};
+  focus.range = [this] { return std::pair{5, rounded(session_.depth_mm())}; };
+  addSlider(rows, std::move(focus));
+  ChoiceParts foci{tr("Foci"),
+                   QStringLiteral("foci"),
+                   {},
+                   [this] {
+                     const auto& more = session_.knobs().moreFoci_mm;
+                     return static_cast<int>(std::count_if(more.begin(), more.end(), [](double mm) { return mm > 0.0; }));
+                   },
+                   [this](int index) { setFoci(index + 1); },
+                   hasFocus};
+  for (int i = 1; i <= kMostFoci; ++i) {
+    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("%n focus depths (N for the next)", nullptr, i)});
+  }
+  foci.isInline = true;
+  addSegments(rows, std::move(foci));
+  addSegments(rows,
+              {tr("Focus by"),
+               QStringLiteral("focusMethod"),
+               {{tr("Kernel"), QStringLiteral("focusKernel"), tr("Every depth is blurred by the width its beam has there (Shift+N)")},
+                {tr("Stretch"), QStringLiteral("focusStretch"), tr("Rows out of focus are undersampled and stretched back (Shift+N)")}},
+               [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
+               [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
+               hasFocus});
+  const auto shownRange_db = [this] {
+    const double asked_db = session_.knobs().dynamicRange_db;
+    return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
+  };
+  addSlider(rows, {tr("Dynamic range"), QStringLiteral("dynamicRange"), QStringLiteral("120 dB"),
+                   tr("Levels this far below full white become black (R, Shift+R)"), 20, 120, 5, shownRange_db,
+                   [this](int v) {
+                     change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
+                   },
+                   [shownRange_db] { return tr("%1 dB").arg(shownRange_db()); }});
+  addSegments(rows, {tr("Grey map"),
+                     QStringLiteral("greyMap"),
+                     {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
+                      {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
+                      {tr("Hard"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
+                      {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")}},
+                     [this] { return static_cast<int>(session_.knobs().greyMap); },
+                     [this](int i) { change([i](Knobs& k) { k.greyMap = static_cast<GreyMap>(i); }); }});
+  addSlider(rows, {tr("Edges"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Edge enhancement (B, Shift+B)"), 0, 100, 10,
+                   [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
+                   [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
+                   [this] {
+                     const int percent = rounded(session_.knobs().edgeEnhancement * 100.0);
+                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+                   }});
+  addSlider(rows, {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"),
+                   tr("How much of the last picture stays (P, Shift+P)"), 0, 95, 10,
+                   [this] { return rounded(session_.knobs().persistence * 100.0); },
+                   [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
+                   [this] {
+                     const int percent = rounded(session_.knobs().persistence * 100.0);
+                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+                   }});
+  addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify about the middle of the picture (Z, Shift+Z)"),
+                   kZoomSteps, 8 * kZoomSteps, kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
+                   [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
+                   [this] { return tr("%1 x").arg(session_.knobs().zoom, 0, 'f', 1); }});
+  addSegments(rows, {tr("Quality"),
+                     QStringLiteral("quality"),
+                     {{tr("Weave"), QStringLiteral("qualityWeave"), tr("Nearest voxels, fastest (1)")},
+                      {tr("Linear"), QStringLiteral("qualityLinear"), tr("Interpolated between eight voxels (2)")},
+                      {tr("Cubic"), QStringLiteral("qualityCubic"), tr("Interpolated between 64 voxels, sharpest (3)")}},
+                     [this] { return static_cast<int>(session_.knobs().quality); },
+                     [this](int i) { chooseQuality(static_cast<Quality>(i)); }});
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  QCheckBox* adaptive = addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),
+                                  tr("Quality may fall while the probe moves fast, and refines at rest (F9)"));
+  auto* cost = new QPushButton(tr("Cost…"));
+  cost->setObjectName(QStringLiteral("cost"));
+  cost->setAccessibleName(tr("Cost of accuracy"));
+  cost->setToolTip(tr("Measure what accuracy costs on this machine (Ctrl+K)"));
+  cost->setProperty("flat", true);
+  cost->setFocusPolicy(Qt::TabFocus);
+  line->addStretch(1);
+  line->addWidget(cost);
+  rows->addLayout(line);
+  connect(cost, &QPushButton::clicked, this, &ConsolePanel::costAsked);
+  connect(adaptive, &QCheckBox::toggled, this, [this](bool on) {
+    if (showing_) return;
+    session_.setAdaptive(on);
+    QSettings().setValue(QStringLiteral("adaptiveQuality"), on);
+  });
+  shows_.emplace_back([this, adaptive] { adaptive->setChecked(session_.isAdaptive()); });
+}
+
+template <class Effect>
+void ConsolePanel::addEffect(QBoxLayout* rows, std::optional<Effect> Scene::*effect, double Effect::*strength, double perStep,
+                             std::function<QString(double)> text, SliderParts parts, const QString& switchTip) {
+  QCheckBox* box = addSwitch(rows, parts.name, parts.objectName + QStringLiteral("Effect"), switchTip);
+  connect(box, &QCheckBox::toggled, this, [this, effect](bool on) {
+    changeScene([this, effect, on](Scene& scene) { scene.*effect = on ? remembered_.*effect : std::nullopt; });
+  });
+  shows_.emplace_back([this, box, effect] {
+    if (session_.scene().*effect) remembered_.*effect = session_.scene().*effect;
+    box->setChecked((session_.scene().*effect).has_value());
+  });
+  const auto present = [this, effect, strength] { return (remembered_.*effect).value().*strength; };
+  parts.get = [present, perStep] { return rounded(present() / perStep); };
+  parts.set = [this, effect, strength, perStep](int v) {
+    changeScene([&](Scene& scene) {
+      if (scene.*effect) (*(scene.*effect)).*strength = v * perStep;
+    });
+  };
+  parts.text = [present, text = std::move(text)] { return text(present()); };
+  parts.isOn = [this, effect] { return (session_.scene().*effect).has_value(); };
+  const QString name = parts.name;
+  parts.name.clear();
+  addSlider(rows, std::move(parts))->setAccessibleName(name);
+}
+
+void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
+  QCheckBox* gain = addSwitch(rows, tr("Gain and DGC"), QStringLiteral("gainEffect"), tr("Whether gain and DGC act at all"));
+  connect(gain, &QCheckBox::toggled, this, [this](bool on) { changeScene([on](Scene& scene) { scene.gainAndDgc = on; }); });
+  shows_.emplace_back([this, gain] { gain->setChecked(session_.scene().gainAndDgc); });
+  rows->addSpacing(4);
+
+  const auto percent = [](double share) { return tr("%1 %").arg(rounded(share * 100.0)); };
+  addEffect<FocusEffect>(rows, &Scene::focus, &FocusEffect::strength, 0.01, percent,
+                         {tr("Beam width and focus"),
+                          QStringLiteral("focusStrength"),
+                          QStringLiteral("20.0 dB/mm"),
+                          tr("How much wider than recorded the beam is away from its focus"),
+                          0,
+                          300,
+                          25,
+                          {},
+                          {},
+                          {}},
+                         tr("The beam is narrow at the focus and wide elsewhere (F2)"));
+  addEffect<SliceThicknessEffect>(
+      rows, &Scene::sliceThickness, &SliceThicknessEffect::scale, 0.1, [](double scale) { return tr("%1 x").arg(scale, 0, 'f', 1); },
+      {tr("Slice thickness"),
+       QStringLiteral("sliceThickness"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Thickness of the slice, as a multiple of the probe's own"),
+       1,
+       40,
+       5,
+       {},
+       {},
+       {}},
+      tr("The picture is an average over the thickness of the beam (F3)"));
+  ChoiceParts planes{tr("Planes"),
+                     QStringLiteral("planes"),
+                     {},
+                     [this] { return (session_.knobs().elevationPlanes - 3) / 2; },
+                     [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
+                     [this] { return session_.scene().sliceThickness.has_value(); }};
+  for (int n = 3; n <= 9; n += 2) {
+    planes.choices.push_back({QString::number(n), QStringLiteral("planes%1").arg(n),
+                              tr("The thickness is averaged over %1 planes (Shift+F3 for the next)").arg(n)});
+  }
+  planes.isInline = true;
+  addSegments(rows, std::move(planes));
+  addEffect<AttenuationEffect>(
+      rows, &Scene::attenuation, &AttenuationEffect::interface_dbPerMm, 0.5,
+      [](double loss) { return tr("%1 dB/mm").arg(loss, 0, 'f', 1); },
+      {tr("Shadow and enhancement"),
+       QStringLiteral("attenuation"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("What each millimetre of strong echoes takes from the sound behind it"),
+       0,
+       40,
+       2,
+       {},
+       {},
+       {}},
+      tr("Dark behind stone, bone and gas, bright behind fluid (F4)"));
+  addEffect<ReverberationEffect>(
+      rows, &Scene::reverberation, &ReverberationEffect::loss_dbPerBounce, 1.0, [](double loss) { return tr("−%1 dB").arg(rounded(loss)); },
+      {tr("Reverberation"),
+       QStringLiteral("reverberation"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("What the sound loses on each way there and back"),
+       3,
+       40,
+       3,
+       {},
+       {},
+       {}},
+      tr("Echoes repeated between the face and strong interfaces (F5)"));
+  QCheckBox* mirror =
+      addSwitch(rows, tr("Mirror images"), QStringLiteral("mirror"), tr("Mirror images beyond smooth strong interfaces (F6)"));
+  connect(mirror, &QCheckBox::toggled, this, [this](bool on) {
+    changeScene([on](Scene& scene) {
+      if (scene.reverberation) scene.reverberation->mirror = on;
+    });
+  });
+  shows_.emplace_back([this, mirror] {
+    mirror->setChecked(session_.scene().reverberation && session_.scene().reverberation->mirror);
+    mirror->setEnabled(session_.scene().reverberation.has_value());
+  });
+  addEffect<NoiseEffect>(
+      rows, &Scene::noise, &NoiseEffect::atFace_db, 1.0, [](double level) { return tr("−%1 dB").arg(rounded(-level)); },
+      {tr("Electronic noise"),
+       QStringLiteral("noise"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Noise at the face, below full white; it grows with depth"),
+       -100,
+       -30,
+       5,
+       {},
+       {},
+       {}},
+      tr("Noise of the amplifier, which depth compensation lifts (F7)"));
+  addEffect<ContactEffect>(
+      rows, &Scene::contact, &ContactEffect::gel_mm, 0.5, [](double gel) { return tr("%1 mm").arg(gel, 0, 'f', 1); },
+      {tr("Skin contact"),
+       QStringLiteral("contactGel"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Gaps up to here are filled by gel"),
+       0,
+       20,
+       2,
+       {},
+       {},
+       {}},
+      tr("Where the face is off the skin the picture goes dark and rings down (F8)"));
+
+  auto* reset = new QPushButton;
+  reset->setObjectName(QStringLiteral("sceneReset"));
+  reset->setProperty("compact", true);
+  reset->setFocusPolicy(Qt::TabFocus);
+  rows->addSpacing(8);
+  rows->addWidget(reset);
+  connect(reset, &QPushButton::clicked, this, [this] {
+    if (session_.canUndoSceneReset()) {
+      session_.undoSceneReset();
+    } else {
+      session_.resetScene();
+    }
+  });
+  shows_.emplace_back([this, reset] {
+    const bool undo = session_.canUndoSceneReset();
+    reset->setText(undo ? tr("Undo: effects of the case") : tr("Effects of the case"));
+    reset->setToolTip(undo ? tr("Back to the effects as they were switched before") : tr("Back to the effects that the case calls for"));
+    reset->setEnabled(undo || (session_.subject() && !session_.hasCaseScene()));
+  });
+  connect(&session_, &Session::subjectChanged, this, [this] { remembered_ = usualStrengths(); });
+}
+
+void ConsolePanel::addProbePage(QVBoxLayout* rows) {
+  auto* probe = new QComboBox;
+  probe->setObjectName(QStringLiteral("probe"));
+  probe->setAccessibleName(tr("Transducer"));
+  probe->setMinimumContentsLength(8);
+  probe->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  rows->addWidget(quietLabel(tr("Transducer")));
+  rows->addSpacing(4);
+  rows->addWidget(probe);
+  rows->addSpacing(8);
+  connect(probe, qOverload<int>(&QComboBox::activated), this,
+          [this, probe](int index) { session_.chooseProbe(probe->itemData(index).toString().toStdString()); });
+  shows_.emplace_back([this, probe] {
+    const QSignalBlocker quiet(probe);
+    bool isSame = probe->count() == static_cast<int>(session_.probes().size());
+    for (int i = 0; isSame && i < probe->count(); ++i) {
+      isSame = probe->itemData(i).toString() == words(session_.probes()[static_cast<std::size_t>(i)].id);
+    }
+    if (!isSame) {
+      probe->clear();
+      for (const Probe& one : session_.probes()) {
+        probe->addItem(words(one.name), words(one.id));
+        probe->setItemData(probe->count() - 1, words(one.name), Qt::ToolTipRole);
+      }
+    }
+    probe->setCurrentIndex(probe->findData(words(session_.probe().id)));
+    probe->setToolTip(tr("Transducer: %1 (T for the next)").arg(probe->currentText()));
+  });
+
+  auto* carrierName = quietLabel(tr("Frequency"));
+  rows->addWidget(carrierName);
+  rows->addSpacing(4);
+  auto* carriers = new QComboBox;
+  carriers->setObjectName(QStringLiteral("frequency"));
+  carriers->setAccessibleName(tr("Frequency"));
+  carriers->setToolTip(tr("Higher is sharper, lower reaches deeper (H for the next)"));
+  rows->addWidget(carriers);
+  rows->addSpacing(8);
+  connect(carriers, qOverload<int>(&QComboBox::activated), this, [this, carriers](int index) {
+    const double carrier_hz = carriers->itemData(index).toDouble();
+    change([this, carrier_hz](Knobs& k) { k.carrier_hz = carrier_hz == session_.probe().carrier_hz ? 0.0 : carrier_hz; });
+  });
+  shows_.emplace_back([this, carriers] {
+    const QSignalBlocker quiet(carriers);
+    const Probe& p = session_.probe();
+    std::vector<double> offered_hz = p.carriers_hz;
+    if (offered_hz.empty()) offered_hz = {p.carrier_hz};
+    bool isSame = carriers->count() == static_cast<int>(offered_hz.size());
+    for (int i = 0; isSame && i < carriers->count(); ++i) {
+      isSame = carriers->itemData(i).toDouble() == offered_hz[static_cast<std::size_t>(i)];
+    }
+    if (!isSame) {
+      carriers->clear();
+      for (const double hz : offered_hz) carriers->addItem(tr("%1 MHz").arg(hz / 1e6, 0, 'f', 1), hz);
+    }
+    const double now_hz = session_.knobs().carrier_hz > 0.0 ? session_.knobs().carrier_hz : p.carrier_hz;
+    for (int i = 0; i < carriers->count(); ++i) {
+      if (carriers->itemData(i).toDouble() == now_hz) carriers->setCurrentIndex(i);
+    }
+    carriers->setEnabled(carriers->count() > 1);
+  });
+
+  SliderParts steering{tr("Steering"),
+                       QStringLiteral("steering"),
+                       QStringLiteral("−30°"),
+                       tr("Tilts the beams of a linear array (J, L)"),
+                       -30,
+                       30,
+                       5,
+                       [this] { return rounded(glm::degrees(session_.knobs().steering_rad)); },
+                       [this](int v) { change([v](Knobs& k) { k.steering_rad = glm::radians(static_cast<double>(v)); }); },
+                       [this] { return tr("%1°").arg(rounded(glm::degrees(session_.knobs().steering_rad))); },
+                       [this] { return !session_.knobs().trapezoid; },
+                       [this] { return session_.probe().maxSteering_rad > 0.0; }};
+  steering.range = [this] {
+    const int most = static_cast<int>(std::floor(glm::degrees(session_.probe().maxSteering_rad) + 1e-9));
+    return std::pair{-most, most};
+  };
+  addSlider(rows, std::move(steering));
+  QCheckBox* trapezoid = addSwitch(rows, tr("Trapezoid"), QStringLiteral("trapezoid"), tr("The lines of a linear array fan out (V)"));
+  connect(trapezoid, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.trapezoid = on; }); });
+  shows_.emplace_back([this, trapezoid] {
+    trapezoid->setChecked(session_.knobs().trapezoid);
+    trapezoid->setVisible(session_.probe().trapezoidHalfAngle_rad > 0.0);
+  });
+  // What the probe is, for whoever wonders why it shows what it shows.
+  rows->addSpacing(8);
+  const auto fact = [this, rows](const QString& name, const QString& widest, std::function<QString()> text) {
+    auto* line = new QHBoxLayout;
+    auto* value = new FigureLabel(widest);
+    line->addWidget(quietLabel(name));
+    line->addStretch(1);
+    line->addWidget(value);
+    rows->addLayout(line);
+    rows->addSpacing(4);
+    shows_.emplace_back([value, text = std::move(text)] { value->setText(text()); });
+  };
+  fact(tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.probe().lines); });
+  fact(tr("Face"), QStringLiteral("88 mm"), [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.probe()))); });
+  fact(tr("Depths"), QStringLiteral("88–888 mm"),
+       [this] { return tr("%1–%2 mm").arg(rounded(session_.probe().minDepth_mm)).arg(rounded(session_.probe().maxDepth_mm)); });
+  fact(tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
+       [this] { return tr("%1 mm").arg(session_.probe().elevationalThickness_mm, 0, 'f', 1); });
+}
+
+void ConsolePanel::addAlways(QVBoxLayout* rows) {
+  const auto movesInTime = [this] { return session_.knobs().mode != DisplayMode::bMode; };
+  addSegments(rows, {{},
+                     QStringLiteral("mode"),
+                     {{QStringLiteral("B"), QStringLiteral("modeB"), tr("The image (M for the next mode)")},
+                      {QStringLiteral("B + M"), QStringLiteral("modeBoth"), tr("Image and one beam over time (M for the next mode)")},
+                      {QStringLiteral("M"), QStringLiteral("modeM"), tr("One beam over time (M for the next mode)")}},
+                     [this] {
+                       const DisplayMode mode = session_.knobs().mode;
+                       return mode == DisplayMode::bMode ? 0 : mode == DisplayMode::both ? 1 : 2;
+                     },
+                     [this](int i) {
+                       change([i](Knobs& k) { k.mode = i == 0 ? DisplayMode::bMode : i == 1 ? DisplayMode::both : DisplayMode::mMode; });
+                     }});
+  SliderParts line{tr("M line"),
+                   QStringLiteral("mLine"),
+                   QStringLiteral("−100 %"),
+                   tr("Which beam is shown over time, from one end of the face to the other (Ctrl+Left, Ctrl+Right)"),
+                   -100,
+                   100,
+                   5,
+                   [this] { return rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1); },
+                   [this](int v) { change([v](Knobs& k) { k.mLine = (k.markerLeft ? -v : v) / 100.0; }); },
+                   [this] { return tr("%1 %").arg(rounded(session_.knobs().mLine * 100.0) * (session_.knobs().markerLeft ? -1 : 1)); },
+                   [] { return true; },
+                   movesInTime};
+  addSlider(rows, std::move(line));
+  addSlider(rows, {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"), tr("Time across the strip (Y, Shift+Y)"), 1, 16, 1,
+                   [this] { return rounded(session_.knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
+                   [this] { return tr("%1 s").arg(rounded(session_.knobs().mSweep_s)); }, [] { return true; }, movesInTime});
   flip_ = new QPushButton(tr("Flip"));
   flip_->setObjectName(QStringLiteral("flip"));
-  flip_->setCheckable(true);
+  turn_ = new QPushButton(tr("Turn"));
+  turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
-  freeze_->setCheckable(true);
   freeze_->setToolTip(tr("Keep the picture (Space or F)"));
-  for (QPushButton* button : {flip_, freeze_}) button->setProperty("compact", true);  // two long words side by side in some languages
-  auto* last = new QHBoxLayout;
-  last->setSpacing(8);
-  last->addWidget(flip_, 1);
-  last->addWidget(freeze_, 1);
-  rows->addLayout(last);
-  // A click must not take the arrow keys away from the probe.
-  for (QPushButton* button : {reset_, weave_, linear_, flip_, freeze_}) button->setFocusPolicy(Qt::TabFocus);
-  refreshIcons();
-
-  connect(weave_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::weave); });
-  connect(linear_, &QPushButton::clicked, this, [this] { chooseQuality(Quality::linear); });
+  for (QPushButton* button : {flip_, turn_, freeze_}) {
+    button->setCheckable(true);
+    button->setProperty("compact", true);  // two long words side by side in some languages
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(button->text());
+  }
+  auto* orientation = new QHBoxLayout;
+  orientation->setSpacing(8);
+  orientation->addWidget(flip_, 1);
+  orientation->addWidget(turn_, 1);
+  rows->addSpacing(4);
+  rows->addLayout(orientation);
+  rows->addSpacing(8);
+  rows->addWidget(freeze_);
   connect(flip_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.markerLeft = !on; }); });
+  connect(turn_, &QPushButton::toggled, this, [this](bool on) { change([on](Knobs& k) { k.upsideDown = on; }); });
   connect(freeze_, &QPushButton::toggled, &session_, &Session::setFrozen);
-  connect(probe_, qOverload<int>(&QComboBox::activated), this,
-          [this](int index) { session_.chooseProbe(probe_->itemData(index).toString().toStdString()); });
+  shows_.emplace_back([this] {
+    const Knobs& knobs = session_.knobs();
+    flip_->setChecked(!knobs.markerLeft);
+    flip_->setToolTip(knobs.markerLeft ? tr("The marker is at the left, as usual; put it at the right (X)")
+                                       : tr("The marker is at the right; put it at the left, as usual (X)"));
+    turn_->setChecked(knobs.upsideDown);
+    turn_->setToolTip(knobs.upsideDown ? tr("The probe is at the bottom; put it at the top, as usual (U)")
+                                       : tr("The probe is at the top, as usual; put it at the bottom (U)"));
+  });
 }
 
 void ConsolePanel::refreshIcons() {
   flip_->setIcon(icon(QStringLiteral("flip")));
+  turn_->setIcon(icon(QStringLiteral("turn")));
   freeze_->setIcon(icon(QStringLiteral("freeze")));
 }
 
-void ConsolePanel::showProbes() {
-  const QSignalBlocker quiet(probe_);
-  probe_->clear();
-  for (const Probe& probe : session_.probes()) {
-    probe_->addItem(words(probe.name), words(probe.id));
-    probe_->setItemData(probe_->count() - 1, words(probe.name), Qt::ToolTipRole);
-    if (probe == session_.probe()) probe_->setCurrentIndex(probe_->count() - 1);
-  }
-  probe_->setToolTip(tr("Transducer: %1").arg(probe_->currentText()));
-}
-
-void ConsolePanel::showKnobs() {
+void ConsolePanel::showAll() {
+  if (showing_) return;
   showing_ = true;
-  const Knobs& knobs = session_.knobs();
-  const Probe& probe = session_.probe();
-  const int depth_mm = static_cast<int>(std::lround(session_.depth_mm()));
-  for (std::size_t i = 0; i < dgc_.size(); ++i) {
-    const int percent = static_cast<int>(std::lround(knobs.dgc[i] * 100.0));
-    dgc_[i]->setValue(percent);
-    const int n = static_cast<int>(i);
-    dgc_[i]->setToolTip(tr("%1 to %2 mm: %3 %").arg(depth_mm * n / kDgcSliders).arg(depth_mm * (n + 1) / kDgcSliders).arg(percent));
-  }
-  gain_.slider->setValue(static_cast<int>(std::lround(knobs.gain * 100.0)));
-  gain_.value->setText(tr("%1 %").arg(gain_.slider->value()));
-  depth_.slider->setRange(static_cast<int>(std::ceil(probe.minDepth_mm)), static_cast<int>(probe.maxDepth_mm));
-  depth_.slider->setPageStep(10);
-  depth_.slider->setValue(depth_mm);
-  depth_.value->setText(tr("%1 mm").arg(depth_mm));
-  focus_.slider->setRange(5, depth_mm);
-  focus_.slider->setPageStep(10);
-  focus_.slider->setValue(static_cast<int>(std::lround(session_.focus_mm())));
-  focus_.value->setText(tr("%1 mm").arg(focus_.slider->value()));
-  zoom_.slider->setValue(static_cast<int>(std::lround(knobs.zoom * kZoomSteps)));
-  zoom_.value->setText(tr("%1 x").arg(knobs.zoom, 0, 'f', 1));
-  weave_->setChecked(knobs.quality == Quality::weave);
-  linear_->setChecked(knobs.quality == Quality::linear);
-  flip_->setChecked(!knobs.markerLeft);
-  flip_->setToolTip(knobs.markerLeft ? tr("The marker is at the left, as usual; put it at the right (X)")
-                                     : tr("The marker is at the right; put it at the left, as usual (X)"));
+  for (const auto& show : shows_) show();
   showing_ = false;
 }
 
-void ConsolePanel::stepDepth(int steps) { depth_.slider->setValue(depth_.slider->value() + 10 * steps); }
-void ConsolePanel::stepGain(int steps) { gain_.slider->setValue(gain_.slider->value() + 5 * steps); }
-void ConsolePanel::stepZoom(int steps) { zoom_.slider->setValue(zoom_.slider->value() + steps * kZoomSteps / 2); }
+void ConsolePanel::step(const QString& control, int steps) {
+  if (auto* slider = findChild<QSlider*>(control)) {
+    // A slider is hidden with the box around it, which says that the probe does not have it.
+    if (slider->isEnabled() && !slider->parentWidget()->isHidden()) slider->setValue(slider->value() + steps * slider->pageStep());
+  } else if (auto* group = findChild<QButtonGroup*>(control)) {
+    const int count = static_cast<int>(group->buttons().size());
+    QAbstractButton* next = group->button((group->checkedId() + steps + count) % count);
+    if (next->isEnabled()) next->click();
+  } else if (auto* choice = findChild<QComboBox*>(control)) {
+    if (choice->count() < 2) return;
+    choice->setCurrentIndex((choice->currentIndex() + steps + choice->count()) % choice->count());
+    Q_EMIT choice->activated(choice->currentIndex());
+  } else if (auto* button = findChild<QAbstractButton*>(control)) {
+    if (button->isEnabled() && !button->isHidden()) button->click();
+  }
+}
+
+void ConsolePanel::showPage(int page) { pages_->setCurrentIndex(page); }
+void ConsolePanel::showNextPage() { pages_->setCurrentIndex((pages_->currentIndex() + 1) % pages_->count()); }
+
 void ConsolePanel::chooseQuality(Quality quality) {
   change([quality](Knobs& k) { k.quality = quality; });
 }
-void ConsolePanel::flip() { flip_->toggle(); }
 void ConsolePanel::resetDgc() {
   change([](Knobs& k) { k.dgc = Knobs{}.dgc; });
 }

@@ -1,57 +1,97 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <functional>
+#include <vector>
 
 #include "session.h"
 
-class QComboBox;
+class QBoxLayout;
+class QCheckBox;
+class QLabel;
 class QPushButton;
 class QSlider;
+class QTabWidget;
+class QVBoxLayout;
 
 namespace ew::ui {
 
 class FigureLabel;
 
-/// The machine's front panel: eight DGC sliders, gain, depth, focus, zoom, quality, probe, freeze. It shows and sets the session's knobs.
+/// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie three
+/// pages: the image, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders stand beside the
+/// image (dgc_column.h). What is off looks off; what a probe does not have is not there.
 class ConsolePanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ConsolePanel(Session& session, QWidget* parent = nullptr);
 
-  /// A step of the keyboard: depth by 10 mm, gain by 5 %, zoom by 0.5; held within the range.
-  void stepDepth(int steps);
-  void stepGain(int steps);
-  void stepZoom(int steps);
+  /// What a key does to the control of that name: moves a slider by its page steps, presses a button or a switch, takes the next of a
+  /// choice. A control that is off or not there does nothing.
+  void step(const QString& control, int steps);
   void resetDgc();
   void chooseQuality(Quality quality);
-  void flip();
+  void showPage(int page);
+  void showNextPage();
   void refreshIcons();
 
+ Q_SIGNALS:
+  void costAsked();  ///< the Cost of accuracy panel is wanted
+
  private:
-  struct Row {
-    QSlider* slider = nullptr;
-    FigureLabel* value = nullptr;
+  struct SliderParts {
+    QString name, objectName, widest, tip;
+    int lowest = 0;
+    int highest = 100;
+    int page = 10;
+    std::function<int()> get;
+    std::function<void(int)> set;
+    std::function<QString()> text;
+    std::function<bool()> isOn = [] { return true; };     ///< off: grey
+    std::function<bool()> isThere = [] { return true; };  ///< not there: hidden
+    std::function<std::pair<int, int>()> range = {};
   };
-  Row addRow(const QString& name, const QString& objectName, const QString& widest, const QString& tip);
-  void addDgc();
-  void addChoices();
-  void showKnobs();
-  void showProbes();
+  struct Choice {
+    QString text, objectName, tip;
+  };
+  struct ChoiceParts {
+    QString name, objectName;
+    std::vector<Choice> choices;
+    std::function<int()> get;
+    std::function<void(int)> set;
+    std::function<bool()> isOn = [] { return true; };
+    std::function<bool()> isThere = [] { return true; };
+    bool isInline = false;  ///< the name stands left of the buttons
+  };
+  QSlider* addSlider(QBoxLayout* rows, SliderParts parts);
+  void addSegments(QBoxLayout* rows, ChoiceParts parts);
+  QCheckBox* addSwitch(QBoxLayout* rows, const QString& name, const QString& objectName, const QString& tip);
+  QWidget* makePage(const std::function<void(QVBoxLayout*)>& fill);
+  void addImagePage(QVBoxLayout* rows);
+  void addEffectsPage(QVBoxLayout* rows);
+  void addProbePage(QVBoxLayout* rows);
+  void addAlways(QVBoxLayout* rows);
+  /// A switch for an effect of the scene with one slider for its strength.
+  /// @param perStep what a step of the slider is worth in the parameter's unit
+  template <class Effect>
+  void addEffect(QBoxLayout* rows, std::optional<Effect> Scene::*effect, double Effect::*strength, double perStep,
+                 std::function<QString(double)> text, SliderParts parts, const QString& switchTip);
+  void setFoci(int count);
+  void showAll();
   template <class Change>
   void change(Change&& apply);
+  template <class Change>
+  void changeScene(Change&& apply);
 
   Session& session_;
   bool showing_ = false;
-  std::array<QSlider*, kDgcSliders> dgc_{};
-  Row gain_, depth_, focus_, zoom_;
-  QPushButton* reset_ = nullptr;
-  QPushButton* weave_ = nullptr;
-  QPushButton* linear_ = nullptr;
+  std::vector<std::function<void()>> shows_;  ///< each brings one control to what the session says
+  Scene remembered_;                          ///< an effect that is switched on again has the strength it had
+  QTabWidget* pages_ = nullptr;
   QPushButton* flip_ = nullptr;
+  QPushButton* turn_ = nullptr;
   QPushButton* freeze_ = nullptr;
-  QComboBox* probe_ = nullptr;
 };
 
 }  // namespace ew::ui

@@ -23,7 +23,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kRecentFiles = 6;
-constexpr int kConsoleWidth_px = 240;
+constexpr int kConsoleWidth_px = 248;
 constexpr int kPanelWidth_px = 400;
 
 }  // namespace
@@ -66,6 +66,7 @@ MainWindow::~MainWindow() {
   parts_->document.history().disconnect();
   parts_->document.disconnect();
   parts_->session.disconnect();
+  delete parts_->cost;
   delete parts_->panels;
   parts_->panels = nullptr;
   parts_->plugins.reset();
@@ -101,8 +102,8 @@ void MainWindow::makeViews() {
   p.columns->addWidget(p.view3d);
   p.columns->addWidget(p.scanView);
   p.columns->setStretchFactor(0, 0);
-  p.columns->setStretchFactor(1, 6);
-  p.columns->setStretchFactor(2, 5);
+  p.columns->setStretchFactor(1, 1);
+  p.columns->setStretchFactor(2, 1);
 
   p.workspacePage = new QWidget;
   auto* work = new QHBoxLayout(p.workspacePage);
@@ -144,6 +145,7 @@ void MainWindow::connectParts() {
     parts_->hand.setEnabled(!frozen);
     parts_->freezeAction->setChecked(frozen);
   });
+  connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
   connect(&p.document.history(), &QUndoStack::indexChanged, this, [this] {
     const QUndoStack& history = parts_->document.history();

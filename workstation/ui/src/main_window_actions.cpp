@@ -115,19 +115,72 @@ void MainWindow::makeActions() {
                        [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
   p.freezeAction->setCheckable(true);
   scan->addSeparator();
-  QAction* deeper = add(scan, tr("Deeper"), {QKeySequence(Qt::Key_PageDown)}, [this] { parts_->console->stepDepth(1); });
-  QAction* shallower = add(scan, tr("Shallower"), {QKeySequence(Qt::Key_PageUp)}, [this] { parts_->console->stepDepth(-1); });
-  QAction* louder = add(scan, tr("More gain"), {keys("Ctrl+Up")}, [this] { parts_->console->stepGain(1); });
-  QAction* quieter = add(scan, tr("Less gain"), {keys("Ctrl+Down")}, [this] { parts_->console->stepGain(-1); });
-  QAction* closer = add(scan, tr("Zoom in"), {QKeySequence(Qt::Key_Z)}, [this] { parts_->console->stepZoom(1); });
-  QAction* farther = add(scan, tr("Zoom out"), {keys("Shift+Z")}, [this] { parts_->console->stepZoom(-1); });
+  // Here and not on the console's controls: the console may be hidden beside an author's panels.
+  const auto onConsole = [&](QMenu* menu, const QString& text, const char* key, const char* control, int steps) {
+    return add(menu, text, key != nullptr ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
+               [this, control = QString::fromLatin1(control), steps] { parts_->console->step(control, steps); });
+  };
+  QAction* deeper = onConsole(scan, tr("Deeper"), "PgDown", "depth", 1);
+  QAction* shallower = onConsole(scan, tr("Shallower"), "PgUp", "depth", -1);
+  QAction* louder = onConsole(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
+  QAction* quieter = onConsole(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
+  QAction* closer = onConsole(scan, tr("Zoom in"), "Z", "zoom", 1);
+  QAction* farther = onConsole(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
   QAction* reset = add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
-
   scan->addSeparator();
-  // Here and not on the console's buttons: the console may be hidden beside an author's panels.
-  add(scan, tr("Weave: nearest voxels, fastest"), {QKeySequence(Qt::Key_1)}, [this] { parts_->console->chooseQuality(Quality::weave); });
-  add(scan, tr("Linear: interpolated"), {QKeySequence(Qt::Key_2)}, [this] { parts_->console->chooseQuality(Quality::linear); });
-  add(scan, tr("Swap left and right"), {QKeySequence(Qt::Key_X)}, [this] { parts_->console->flip(); });
+
+  QMenu* image = scan->addMenu(tr("&Image"));
+  onConsole(image, tr("Focus shallower"), ",", "focus", -1);
+  onConsole(image, tr("Focus deeper"), ".", "focus", 1);
+  onConsole(image, tr("Number of foci"), "N", "foci", 1);
+  onConsole(image, tr("Focus by kernel or stretch"), "Shift+N", "focusMethod", 1);
+  image->addSeparator();
+  onConsole(image, tr("Wider dynamic range"), "R", "dynamicRange", 1);
+  onConsole(image, tr("Narrower dynamic range"), "Shift+R", "dynamicRange", -1);
+  onConsole(image, tr("Next grey map"), "G", "greyMap", 1);
+  onConsole(image, tr("Stronger edges"), "B", "edges", 1);
+  onConsole(image, tr("Weaker edges"), "Shift+B", "edges", -1);
+  onConsole(image, tr("More persistence"), "P", "persistence", 1);
+  onConsole(image, tr("Less persistence"), "Shift+P", "persistence", -1);
+  image->addSeparator();
+  onConsole(image, tr("Swap left and right"), "X", "flip", 1);
+  onConsole(image, tr("Swap top and bottom"), "U", "upsideDown", 1);
+
+  QMenu* effects = scan->addMenu(tr("&Effects"));
+  onConsole(effects, tr("Beam width and focus"), "F2", "focusStrengthEffect", 1);
+  onConsole(effects, tr("Slice thickness"), "F3", "sliceThicknessEffect", 1);
+  onConsole(effects, tr("Planes of the slice thickness"), "Shift+F3", "planes", 1);
+  onConsole(effects, tr("Shadow and enhancement"), "F4", "attenuationEffect", 1);
+  onConsole(effects, tr("Reverberation"), "F5", "reverberationEffect", 1);
+  onConsole(effects, tr("Mirror images"), "F6", "mirror", 1);
+  onConsole(effects, tr("Electronic noise"), "F7", "noiseEffect", 1);
+  onConsole(effects, tr("Skin contact"), "F8", "contactGelEffect", 1);
+
+  QMenu* transducer = scan->addMenu(tr("&Probe"));
+  onConsole(transducer, tr("Next transducer"), "T", "probe", 1);
+  onConsole(transducer, tr("Next frequency"), "H", "frequency", 1);
+  onConsole(transducer, tr("Steer to one side"), "J", "steering", -1);
+  onConsole(transducer, tr("Steer to the other side"), "L", "steering", 1);
+  onConsole(transducer, tr("Trapezoid"), "V", "trapezoid", 1);
+
+  QMenu* time = scan->addMenu(tr("&M-mode"));
+  onConsole(time, tr("B, B + M, M"), "M", "mode", 1);
+  onConsole(time, tr("M line to the left"), "Ctrl+Left", "mLine", -1);
+  onConsole(time, tr("M line to the right"), "Ctrl+Right", "mLine", 1);
+  onConsole(time, tr("Slower sweep"), "Y", "sweep", 1);
+  onConsole(time, tr("Faster sweep"), "Shift+Y", "sweep", -1);
+
+  QMenu* quality = scan->addMenu(tr("&Quality"));
+  const auto choose = [&](const QString& text, Qt::Key key, Quality chosenQuality) {
+    add(quality, text, {QKeySequence(key)}, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
+  };
+  choose(tr("Weave: nearest voxels, fastest"), Qt::Key_1, Quality::weave);
+  choose(tr("Linear: interpolated"), Qt::Key_2, Quality::linear);
+  choose(tr("Cubic: sharpest"), Qt::Key_3, Quality::cubic);
+  onConsole(quality, tr("Adaptive: falls while the probe moves fast"), "F9", "adaptive", 1);
+  add(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
+  scan->addSeparator();
+  add(scan, tr("&Cost of accuracy…"), {keys("Ctrl+K")}, [this] { showCost(); });
 
   QMenu* help = bar.addMenu(tr("&Help"));
   QAction* shortcuts = add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] {
@@ -171,8 +224,28 @@ void MainWindow::makeActions() {
               {keysOf(*louder) + QStringLiteral(", ") + keysOf(*quieter), tr("gain")},
               {keysOf(*closer) + QStringLiteral(", ") + keysOf(*farther), tr("zoom")},
               {keysOf(*reset), tr("reset DGC")},
-              {QStringLiteral("1, 2"), tr("weave, linear")},
-              {QStringLiteral("X"), tr("swap left and right")}}},
+              {QStringLiteral("1, 2, 3"), tr("weave, linear, cubic")},
+              {QStringLiteral("F9"), tr("adaptive quality")},
+              {QStringLiteral("F10"), tr("next page of the console")},
+              {QStringLiteral("Ctrl+K"), tr("cost of accuracy")}}},
+            {tr("Image"),
+             {{QStringLiteral(", ."), tr("focus depth")},
+              {QStringLiteral("N, Shift+N"), tr("number of foci, kernel or stretch")},
+              {QStringLiteral("R, Shift+R"), tr("dynamic range")},
+              {QStringLiteral("G"), tr("grey map")},
+              {QStringLiteral("B, Shift+B"), tr("edges")},
+              {QStringLiteral("P, Shift+P"), tr("persistence")},
+              {QStringLiteral("X, U"), tr("swap left and right, top and bottom")},
+              {QStringLiteral("M"), tr("B, B + M, M")},
+              {QStringLiteral("Ctrl+Left, Ctrl+Right"), tr("M line")},
+              {QStringLiteral("Y, Shift+Y"), tr("sweep of the M-mode")}}},
+            {tr("Effects and probe"),
+             {{QStringLiteral("F2, F3"), tr("beam width, slice thickness")},
+              {QStringLiteral("F4"), tr("shadow and enhancement")},
+              {QStringLiteral("F5, F6"), tr("reverberation, mirror images")},
+              {QStringLiteral("F7, F8"), tr("noise, skin contact")},
+              {QStringLiteral("T, H"), tr("next transducer, next frequency")},
+              {QStringLiteral("J, L, V"), tr("steer a linear array, trapezoid")}}},
             {tr("Window"),
              {{QStringLiteral("Ctrl+O"), tr("open a case, a volume or a sweep")},
               {QStringLiteral("Ctrl+S, Ctrl+Shift+S"), tr("save the case, save it elsewhere")},
@@ -180,6 +253,19 @@ void MainWindow::makeActions() {
               {QStringLiteral("Ctrl+1, Ctrl+2"), tr("Explore, Author")},
               {keysOf(*full), tr("full screen")},
               {keysOf(*shortcuts), tr("this page")}}}};
+}
+
+void MainWindow::showCost() {
+  CostPanel* panel = parts_->cost.data();
+  if (panel == nullptr) {
+    panel = new CostPanel(parts_->session, parts_->jobs, this);
+    panel->setAttribute(Qt::WA_DeleteOnClose);
+    parts_->cost = panel;
+  }
+  panel->show();
+  panel->raise();
+  panel->activateWindow();
+  if (!panel->measured()) panel->measure();
 }
 
 void MainWindow::chooseFile() {
@@ -310,6 +396,7 @@ void MainWindow::refreshTheme() {
   parts_->lightAction->setChecked(!dark);
   parts_->view3d->setDarkTheme(dark);
   parts_->console->refreshIcons();
+  parts_->scanView->refreshIcons();
   parts_->messages->refreshIcons();
 }
 

@@ -10,6 +10,7 @@
 
 #include "case_document.h"
 #include "console_panel.h"
+#include "cost_panel.h"
 #include "ew/door/door.h"
 #include "ew/ui/main_window.h"
 #include "hand_input.h"
@@ -53,6 +54,7 @@ struct MainWindow::Parts {
   WorkstationHost* host = nullptr;
   std::optional<door::PluginList> plugins;
   QPointer<ShortcutsOverlay> shortcuts;
+  QPointer<CostPanel> cost;
 
   QAction* startPageAction = nullptr;
   QAction* saveAction = nullptr;

@@ -266,6 +266,7 @@ void Opener::followDocument() {
   }
   if (!showsCase_ || !caseVolume_) return;
   session_.setTitle(words(opened->title));
+  session_.setCaseScene(opened->scene);
   session_.setPlacedGrid(placed(caseVolume_->grid, opened->volume.fileToWorld * glm::inverse(casePlacement_)));
 }
 

@@ -16,26 +16,26 @@ ShortcutsOverlay::ShortcutsOverlay(const std::vector<Group>& groups, QWidget* pa
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_DeleteOnClose);
   auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(32, 24, 32, 24);
-  columns->setSpacing(48);
-  // Two columns of about the same length.
+  columns->setContentsMargins(24, 16, 24, 16);
+  columns->setSpacing(24);
+  // Three columns of about the same length.
   std::size_t all = 0;
   for (const Group& group : groups) all += group.lines.size() + 2;
   QVBoxLayout* column = nullptr;
   std::size_t filled = 0;
   for (const Group& group : groups) {
-    if (column == nullptr || (filled >= all / 2 && columns->count() < 2)) {
+    if (column == nullptr || (filled >= all * static_cast<std::size_t>(columns->count()) / 3 && columns->count() < 3)) {
       if (column != nullptr) column->addStretch(1);
       column = new QVBoxLayout;
-      column->setSpacing(8);
+      column->setSpacing(6);
       columns->addLayout(column);
     }
     auto* title = new QLabel(group.title);
     title->setProperty("heading", true);
     column->addWidget(title);
     auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(4);
+    grid->setHorizontalSpacing(12);
+    grid->setVerticalSpacing(2);
     for (int row = 0; row < static_cast<int>(group.lines.size()); ++row) {
       const Line& line = group.lines[static_cast<std::size_t>(row)];
       auto* keys = new QLabel(line.keys);

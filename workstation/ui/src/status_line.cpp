@@ -3,7 +3,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVariant>
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "figures.h"
 #include "theme.h"
@@ -21,7 +24,7 @@ QString nameOfStep(StepKind kind) {
     case StepKind::table:
       return StatusLine::tr("table");
     case StepKind::sampleCubic:
-      return StatusLine::tr("cubic");
+      return StatusLine::tr("sample cubic");
     case StepKind::elevationPlanes:
       return StatusLine::tr("slice thickness");
     case StepKind::labels:
@@ -50,6 +53,18 @@ QString nameOfStep(StepKind kind) {
   return {};
 }
 
+QString nameOfQuality(Quality quality) {
+  switch (quality) {
+    case Quality::weave:
+      return StatusLine::tr("weave");
+    case Quality::linear:
+      return StatusLine::tr("linear");
+    case Quality::cubic:
+      return StatusLine::tr("cubic");
+  }
+  return {};
+}
+
 StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("statusLine"));
   setAttribute(Qt::WA_StyledBackground);
@@ -62,24 +77,28 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   plan_ = new FigureLabel;
   contact_ = new FigureLabel(tr("contact %1 %").arg(888));
   edit_ = new QLabel;
+  lowered_ = new QLabel;
   position_->setObjectName(QStringLiteral("position"));
   depth_->setObjectName(QStringLiteral("statusDepth"));
   plan_->setObjectName(QStringLiteral("plan"));
   contact_->setObjectName(QStringLiteral("contact"));
   edit_->setObjectName(QStringLiteral("lastEdit"));
+  lowered_->setObjectName(QStringLiteral("lowered"));
+  lowered_->setForegroundRole(QPalette::Link);  // the accent
+  lowered_->setToolTip(tr("The probe moves fast and frames take long: quality falls until it rests (Adaptive, F9)"));
   position_->setToolTip(tr("Middle of the transducer's face: left, back, up from the mannequin's origin"));
-  plan_->setToolTip(tr("What the picture runs and how long each step takes (median of the last frames)"));
   contact_->setToolTip(tr("How much of the transducer's face touches the skin"));
   for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(depth_), static_cast<QLabel*>(plan_),
-                        static_cast<QLabel*>(contact_), edit_}) {
+                        static_cast<QLabel*>(contact_), edit_, lowered_}) {
     label->setProperty("small", true);
-    label->setProperty("quiet", true);
+    if (label != lowered_) label->setProperty("quiet", true);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   }
   contact_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(position_);
   row->addWidget(depth_);
-  row->addWidget(plan_, 1);
+  row->addWidget(plan_);
+  row->addWidget(lowered_, 1);
   row->addWidget(edit_);
   row->addWidget(contact_);
 
@@ -111,22 +130,85 @@ void StatusLine::showPose() {
 void StatusLine::showPlan() {
   if (!session_.subject()) {
     plan_->setText({});
+    plan_->setToolTip({});
+    lowered_->setText({});
     contact_->setText({});
     return;
   }
+  const std::vector<StepTime> times = session_.stepTimes();
   QStringList parts;
   double total_ms = 0.0;
-  for (const StepTime& step : session_.stepTimes()) {
+  for (const StepTime& step : times) {
     total_ms += step.measured_us / 1000.0;
     parts << QStringLiteral("%1 %2").arg(nameOfStep(step.kind)).arg(step.measured_us / 1000.0, 0, 'f', 2);
   }
-  if (parts.size() == 1) {
+  // Two steps can be read at a glance; more of them are for the tooltip.
+  constexpr int kReadable = 2;
+  if (parts.isEmpty()) {
+    plan_->setText({});
+  } else if (parts.size() == 1) {
     plan_->setText(tr("plan: %1 ms").arg(parts.front()));
+  } else if (parts.size() <= kReadable) {
+    plan_->setText(tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(total_ms, 0, 'f', 2));
   } else {
-    plan_->setText(parts.isEmpty() ? QString() : tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(total_ms, 0, 'f', 2));
+    plan_->setText(tr("plan: %n steps, %1 ms", nullptr, static_cast<int>(parts.size())).arg(total_ms, 0, 'f', 2));
   }
+  plan_->setToolTip(planTip());
+  lowered_->setText(session_.isLowered() ? tr("adaptive: %1").arg(nameOfQuality(session_.usedKnobs().quality)) : QString());
   const auto contact = session_.contact();
   contact_->setText(contact ? tr("contact %1 %").arg(static_cast<int>(std::lround(*contact * 100.0))) : QString());
+}
+
+QString StatusLine::planTip() const {
+  const auto figure = [](double us) { return QStringLiteral("<td align='right'>%1</td>").arg(us / 1000.0, 0, 'f', 2); };
+  QString rows;
+  const std::vector<StepTime> times = session_.stepTimes();
+  double estimated_us = 0.0;
+  double measured_us = 0.0;
+  for (const Step& step : session_.plan().steps) {
+    const auto time = std::find_if(times.begin(), times.end(), [&](const StepTime& t) { return t.kind == step.kind; });
+    const double took_us = time != times.end() ? time->measured_us : 0.0;
+    estimated_us += step.estimated_us;
+    measured_us += took_us;
+    rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td>%2%3</tr>").arg(nameOfStep(step.kind), figure(step.estimated_us), figure(took_us));
+  }
+  rows += QStringLiteral("<tr><td>%1</td>%2%3</tr>").arg(tr("frame"), figure(estimated_us), figure(measured_us));
+  QString tip = QStringLiteral(
+                    "<p style='white-space:pre'>%1</p><table cellspacing='2'><tr><td></td><td align='right'>%2&nbsp;</td>"
+                    "<td align='right'>%3</td></tr>%4</table>")
+                    .arg(tr("What the picture runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
+  const LatencyHistogram& latency = session_.latency();
+  if (latency.count() == 0) return tip;
+  tip += QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
+             .arg(tr("From the hand to the picture, %n pictures", nullptr, static_cast<int>(latency.count())),
+                  tr("median %1 ms, 95 % %2 ms, 99 % %3 ms, worst %4 ms")
+                      .arg(latency.quantile_us(0.5) / 1000.0, 0, 'f', 1)
+                      .arg(latency.quantile_us(0.95) / 1000.0, 0, 'f', 1)
+                      .arg(latency.quantile_us(0.99) / 1000.0, 0, 'f', 1)
+                      .arg(latency.max_us() / 1000.0, 0, 'f', 1));
+  // Buckets are a quarter of a doubling; two together are still finer than anyone reads.
+  constexpr int kTogether = 2;
+  std::uint64_t most = 1;
+  std::vector<std::pair<double, std::uint64_t>> bars;
+  for (int bucket = 0; bucket + kTogether <= LatencyHistogram::kBuckets; bucket += kTogether) {
+    std::uint64_t count = 0;
+    for (int i = 0; i < kTogether; ++i) count += latency.inBucket(bucket + i);
+    bars.emplace_back(LatencyHistogram::edge_us(bucket + kTogether - 1), count);
+    most = std::max(most, count);
+  }
+  const auto isEmpty = [](const auto& bar) { return bar.second == 0; };
+  bars.erase(std::find_if_not(bars.rbegin(), bars.rend(), isEmpty).base(), bars.end());
+  bars.erase(bars.begin(), std::find_if_not(bars.begin(), bars.end(), isEmpty));
+  constexpr double kWidest = 24.0;
+  for (const auto& [edge_us, count] : bars) {
+    const int length =
+        count == 0 ? 0 : std::max(1, static_cast<int>(std::lround(kWidest * static_cast<double>(count) / static_cast<double>(most))));
+    tip += QStringLiteral("<tr><td align='right'>≤ %1&nbsp;ms&nbsp;</td><td style='color:%2'>%3</td><td>&nbsp;%4</td></tr>")
+               .arg(edge_us / 1000.0, 0, 'f', edge_us < 10000.0 ? 1 : 0)
+               .arg(currentTheme().accent.name(), QString(length, QChar(0x2588)))
+               .arg(count);
+  }
+  return tip + QStringLiteral("</table>");
 }
 
 }  // namespace ew::ui

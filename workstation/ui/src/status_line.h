@@ -11,7 +11,8 @@ namespace ew::ui {
 
 class FigureLabel;
 
-/// Where the probe is, how deep it looks, what the frame runs and what each step costs, and how well the probe touches.
+/// Where the probe is, how deep it looks, what the frame runs and what it costs, and how well the probe touches. The plan's tooltip shows
+/// each step, estimated and measured, and how long pictures took from the hand to the screen's memory.
 class StatusLine final : public QWidget {
   Q_OBJECT
 
@@ -23,6 +24,7 @@ class StatusLine final : public QWidget {
  private:
   void showPose();
   void showPlan();
+  [[nodiscard]] QString planTip() const;
 
   Session& session_;
   QTimer soon_;
@@ -30,10 +32,12 @@ class StatusLine final : public QWidget {
   FigureLabel* depth_ = nullptr;
   FigureLabel* plan_ = nullptr;
   FigureLabel* contact_ = nullptr;
+  QLabel* lowered_ = nullptr;
   QLabel* edit_ = nullptr;
 };
 
 /// "sample linear", "table": a step in the words of the window.
 [[nodiscard]] QString nameOfStep(StepKind kind);
+[[nodiscard]] QString nameOfQuality(Quality quality);
 
 }  // namespace ew::ui

@@ -111,6 +111,7 @@ QPushButton[workspace="true"] { background: transparent; border-color: transpare
 QPushButton[workspace="true"]:hover { color: @text; }
 QPushButton[workspace="true"]:checked { background: @raised; border-color: @raised; color: @text; }
 QPushButton[workspace="true"]:focus { border-color: @accent; }
+QPushButton:checked:disabled { color: @quiet; background: @line; border-color: @line; }
 QPushButton[segment="true"] { padding: 6px 4px; border-radius: 0; }
 QPushButton[segment="first"] { padding: 6px 4px; border-top-right-radius: 0; border-bottom-right-radius: 0; }
 QPushButton[segment="last"] { padding: 6px 4px; border-top-left-radius: 0; border-bottom-left-radius: 0; }
@@ -128,6 +129,14 @@ QSlider::handle:horizontal:focus { border-color: @accent; background: @accent; }
 QSlider::sub-page:horizontal:disabled { background: @line; }
 QSlider::handle:horizontal:disabled { background: @quiet; }
 
+QSlider[onScan="true"]::groove:horizontal, QSlider[onScan="true"]::sub-page:horizontal, QSlider[onScan="true"]::add-page:horizontal { background: @scanLine; }
+QSlider[onScan="true"]::handle:horizontal { background: @scanText; border-color: #000000; }
+QSlider[onScan="true"]::handle:horizontal:hover, QSlider[onScan="true"]::handle:horizontal:focus { background: @scanAccent; border-color: @scanAccent; }
+QSlider[onScan="true"]::handle:horizontal:disabled { background: @scanLine; }
+QPushButton[onScan="true"] { color: @scanQuiet; padding: 0; text-align: center; }
+QPushButton[onScan="true"]:hover { background: #202326; color: @scanText; }
+QPushButton[onScan="true"]:disabled { color: @scanLine; background: transparent; border-color: transparent; }
+
 QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QSpinBox, QDoubleSpinBox {
   background: @ground; border: 1px solid @line; border-radius: 4px; padding: 4px 8px; selection-background-color: @accent; selection-color: @onAccent; }
 QComboBox, QLineEdit, QSpinBox, QDoubleSpinBox { min-height: 20px; }
@@ -144,6 +153,10 @@ QTabBar { qproperty-drawBase: 0; background: transparent; }
 QTabBar::tab { background: transparent; color: @quiet; padding: 10px 16px; border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+#console QPushButton[segment="first"], #console QPushButton[segment="true"], #console QPushButton[segment="last"] { padding: 4px; }
+#consolePages::tab-bar { left: 4px; }
+#consolePages QTabBar::tab { padding: 8px 12px; }
+#consolePage { background: transparent; }
 QScrollArea { border: 0; background: transparent; }
 QScrollBar:vertical { width: 8px; background: transparent; margin: 0; }
 QScrollBar::handle:vertical { background: @line; border-radius: 4px; min-height: 24px; }
@@ -164,6 +177,9 @@ QCheckBox::indicator, QRadioButton::indicator { width: 14px; height: 14px; borde
 QCheckBox::indicator { border-radius: 3px; }
 QRadioButton::indicator { border-radius: 8px; }
 QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @accent; border-color: @accent; }
+QCheckBox:disabled { color: @quiet; }
+QCheckBox:focus { color: @accent; }
+QCheckBox::indicator:disabled { border-color: @line; background: @panel; }
 QCheckBox::indicator:checked { image: url(:/ew/icons/check-on.svg); }
 
 #messageBar { background: @panel; border: 1px solid @line; border-radius: 4px; }
@@ -178,6 +194,11 @@ QCheckBox::indicator:checked { image: url(:/ew/icons/check-on.svg); }
 )");
   const auto put = [&sheet](const char* name, const QString& value) { sheet.replace(QLatin1Char('@') + QLatin1String(name), value); };
   // Longer names first: "@onAccent" before anything that starts like it, "@handleEdge" before "@handle".
+  const Theme scan = scanTheme();
+  put("scanLine", scan.line.name());
+  put("scanText", scan.text.name());
+  put("scanQuiet", scan.quiet.name());
+  put("scanAccent", scan.accent.name());
   put("handleEdge", t.dark ? t.panel.name() : t.quiet.name());
   put("handle", t.dark ? QStringLiteral("#e9ebed") : QStringLiteral("#ffffff"));
   put("onAccent", t.onAccent.name());

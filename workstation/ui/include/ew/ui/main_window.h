@@ -66,6 +66,7 @@ class MainWindow final : public QMainWindow {
   void saveCase(bool elsewhere);
   void saveVolume();
   void savePicture();
+  void showCost();
   void showTitle();
   void showRecent();
   void showPicture();

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "session.h"
+
+class QPushButton;
+class QSlider;
+
+namespace ew::ui {
+
+/// The eight DGC sliders, each at the middle of its eighth of the depth, with the curve through their handles. A slider whose depth the
+/// zoomed picture does not show is not shown either.
+class DgcColumn final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DgcColumn(Session& session, QWidget* parent = nullptr);
+  /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the picture stands upside down
+  void place(double top, double bottom);
+  void refreshIcons();
+
+  static constexpr int kWidth_px = 88;
+  static constexpr int kHead_px = 24;  ///< above the picture's top: the name and the reset button
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showKnobs();
+  [[nodiscard]] double xOf(double factor) const;
+
+  Session& session_;
+  bool showing_ = false;
+  double top_ = 0.0, bottom_ = 0.0;
+  std::array<QSlider*, kDgcSliders> sliders_{};
+  QPushButton* reset_ = nullptr;
+};
+
+}  // namespace ew::ui
