@@ -35,18 +35,6 @@ QLabel* quietLabel(const QString& text) {
   return label;
 }
 
-/// Every effect at its usual strength.
-Scene usualStrengths() {
-  Scene scene;
-  scene.focus.emplace();
-  scene.sliceThickness.emplace();
-  scene.attenuation.emplace();
-  scene.reverberation.emplace();
-  scene.noise.emplace();
-  scene.contact.emplace();
-  return scene;
-}
-
 /// Where a further focus helps most: in the middle of the widest part of the depth without one.
 double placeForFocus_mm(std::vector<double> foci_mm, double depth_mm) {
   foci_mm.push_back(0.0);
@@ -64,7 +52,7 @@ double placeForFocus_mm(std::vector<double> foci_mm, double depth_mm) {
 
 }  // namespace
 
-ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), remembered_(usualStrengths()) {
+ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), remembered_(sceneWithEverything()) {
   setObjectName(QStringLiteral("console"));
   setAttribute(Qt::WA_StyledBackground);
   session_.setAdaptive(QSettings().value(QStringLiteral("adaptiveQuality"), true).toBool());
@@ -530,7 +518,7 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
     reset->setToolTip(undo ? tr("Back to the effects as they were switched before") : tr("Back to the effects that the case calls for"));
     reset->setEnabled(undo || (session_.subject() && !session_.hasCaseScene()));
   });
-  connect(&session_, &Session::subjectChanged, this, [this] { remembered_ = usualStrengths(); });
+  connect(&session_, &Session::subjectChanged, this, [this] { remembered_ = sceneWithEverything(); });
 }
 
 void ConsolePanel::addProbePage(QVBoxLayout* rows) {
