@@ -87,7 +87,7 @@ TEST(Reverberation, DoesNotMirrorAtARoughInterface) {
 
 TEST(Reverberation, WithoutAStrongInterfaceWritesNothing) {
   ReverberationEffect effect;
-  BeamImage echoes(33, 200, 224.0F);
+  BeamImage echoes(33, 200, 199.0F);
   for (int x = 0; x < 33; ++x) at(echoes, x, 3) = 255.0F;  // the near field
   const BeamImage before = echoes;
   ReverberationScratch scratch;
@@ -95,27 +95,69 @@ TEST(Reverberation, WithoutAStrongInterfaceWritesNothing) {
   EXPECT_EQ(echoes, before);
 }
 
-TEST(Reverberation, TouchesOnlyTheLinesThatHaveAnInterface) {
-  EXPECT_TRUE(rc::check("lines are independent but for smoothness", [] {
+TEST(Reverberation, NeedsAnInterfaceThatNineLinesSideBySideSee) {
+  ReverberationScratch scratch;
+  for (const int seen : {1, 8, 9, 20}) {
+    BeamImage echoes(64, 200, 80.0F);
+    for (int x = 30; x < 30 + seen; ++x) at(echoes, x, 50 + x) = 230.0F;
+    const BeamImage before = echoes;
+    EXPECT_EQ(reverberate({}, kGreyPerDb, 5, viewOf(echoes), scratch), seen < 9 ? 0 : seen);
+    EXPECT_EQ(echoes == before, seen < 9);
+  }
+}
+
+TEST(Reverberation, FollowsAnInterfaceIntoItsWeakerParts) {
+  BeamImage echoes(64, 200, 80.0F);
+  for (int x = 10; x < 50; ++x) at(echoes, x, 90 + x / 2) = x % 10 == 0 ? 201.0F : 155.0F;
+  ReverberationScratch scratch;
+  EXPECT_EQ(reverberate({}, kGreyPerDb, 5, viewOf(echoes), scratch), 40);
+  for (std::size_t n = 0; n < 64; ++n)
+    EXPECT_EQ(scratch.interfaces[n], n >= 10 && n < 50 ? 90 + static_cast<int>(n) / 2 : -1) << "line " << n;
+}
+
+TEST(Reverberation, OfATiltedInterfaceMissesTheFace) {
+  ReverberationEffect effect;
+  effect.mirror = false;
+  for (const int tilt : {0, 1, 2}) {
+    BeamImage echoes(40, 300, 80.0F);
+    for (int x = 0; x < 40; ++x) at(echoes, x, 50 + tilt * x) = 230.0F;
+    EXPECT_EQ(reverberated(effect, echoes) == echoes, tilt > 1) << tilt;
+  }
+}
+
+TEST(Reverberation, LeavesOutASmallBodyThatBulgesTowardsTheProbe) {
+  ReverberationEffect effect;
+  for (const int bulge : {-1, 0, 1}) {
+    BeamImage echoes(64, 200, 80.0F);
+    for (int x = 20; x < 40; ++x) at(echoes, x, 100 + bulge * (x - 30) * (x - 30) / 5) = 230.0F;
+    ReverberationScratch scratch;
+    EXPECT_EQ(reverberate(effect, kGreyPerDb, 5, viewOf(echoes), scratch), bulge > 0 ? 0 : 20) << bulge;
+  }
+}
+
+TEST(Reverberation, NeverDarkensAndLeavesOtherLinesAndWhatLiesBeforeUntouched) {
+  EXPECT_TRUE(rc::check("lines", [] {
     ReverberationEffect effect;
     effect.bounces = *rc::gen::inRange(1, 7);
-    const int lines = *rc::gen::inRange(1, 50);
+    const int lines = *rc::gen::inRange(1, 90);
     BeamImage echoes(lines, 150, 80.0F);
-    std::vector<int> depth(static_cast<std::size_t>(lines), 0);
-    for (int x = 0; x < lines; ++x) {
-      if (!*rc::gen::arbitrary<bool>()) continue;
-      depth[static_cast<std::size_t>(x)] = *rc::gen::inRange(5, 150);
-      at(echoes, x, depth[static_cast<std::size_t>(x)]) = 230.0F;
+    for (int begin = 0; begin < lines;) {
+      const int end = std::min(begin + *rc::gen::inRange(1, 30), lines);
+      const bool bright = *rc::gen::arbitrary<bool>();
+      const int depth = *rc::gen::inRange(5, 140);
+      for (int x = begin; x < end && bright; ++x) at(echoes, x, depth) = 230.0F;
+      begin = end;
     }
     ReverberationScratch scratch;
     BeamImage shown = echoes;
     const int found = reverberate(effect, kGreyPerDb, 5, viewOf(shown), scratch);
     int expected = 0;
     for (int x = 0; x < lines; ++x) {
-      const int interface = depth[static_cast<std::size_t>(x)];
-      expected += interface > 0 ? 1 : 0;
+      const int interface = scratch.interfaces[static_cast<std::size_t>(x)];
+      expected += interface >= 0 ? 1 : 0;
+      if (interface >= 0) RC_ASSERT(at(echoes, x, interface) == 230.0F);
       for (int y = 0; y < 150; ++y) {
-        if (interface == 0 || y <= interface)
+        if (interface < 0 || y <= interface)
           RC_ASSERT(at(shown, x, y) == at(echoes, x, y));
         else
           RC_ASSERT(at(shown, x, y) >= at(echoes, x, y));

@@ -69,7 +69,8 @@ void row(const AttenuationRows& rows, const std::uint8_t* labels, const std::uin
 
     // Level 0 stands for everything below the recorded range, so that a gain comes in over the lowest levels.
     const auto greyLoss = hn::Mul(loss, hn::Set(d, rows.greyPerDb));
-    const auto visible = ramp(d, echo, 0.0F, 1.0F / AttenuationRows::kFullGainLevel);
+    const auto visible =
+        ramp(d, echo, AttenuationRows::kNoGainLevel, 1.0F / (AttenuationRows::kFullGainLevel - AttenuationRows::kNoGainLevel));
     const auto taken = hn::Max(greyLoss, hn::Zero(d));
     const auto given = hn::Mul(hn::Min(greyLoss, hn::Zero(d)), visible);
     hn::StoreU(hn::Sub(hn::Sub(echo, taken), given), d, echoes + x);
@@ -100,7 +101,7 @@ HWY_EXPORT(rowByBoth);
 HWY_EXPORT(rowByGrey);
 
 constexpr double kSmoothing_mm = 2.0;        // of the grey level that is compared with a fluid's
-constexpr float kInterfaceSoftness = 20.0F;  // grey levels below interfaceLevel over which an interface's loss comes in
+constexpr float kInterfaceSoftness = 40.0F;  // grey levels below interfaceLevel over which an interface's loss comes in
 constexpr double kSpeed_mPerS = 1540.0;
 
 /// Share of what is waiting that a sample releases when `length_mm` is the 1/e length.

@@ -5,7 +5,8 @@ namespace ew {
 /// What the vector code of attenuate() needs for each row: constants of the call and one float a line of what came before.
 struct AttenuationRows {
   static constexpr float kUnknown = -1e30F;       ///< in perSample_db: the grey level decides
-  static constexpr float kFullGainLevel = 24.0F;  ///< grey levels below this gain less
+  static constexpr float kNoGainLevel = 8.0F;     ///< grey levels up to this are black for want of range and gain nothing
+  static constexpr float kFullGainLevel = 40.0F;  ///< grey levels from this on gain all
 
   const float* perSample_db = nullptr;   ///< by label
   const float* onEntering_db = nullptr;  ///< by label
@@ -17,11 +18,11 @@ struct AttenuationRows {
   float largestEnhancement_db = 9.0F;
   float smoothing = 0.0F;
   float release = 0.0F;
-  float interfaceFrom = 195.0F;
-  float interfaceSlope = 0.05F;
+  float interfaceFrom = 175.0F;
+  float interfaceSlope = 0.025F;
   float interfaceStep_db = 0.0F;
-  float fluidLevel = 18.0F;
-  float fluidSlope = 0.1F;
+  float fluidLevel = 8.0F;
+  float fluidSlope = 0.25F;
   float expectedStep_db = 0.0F;
 };
 

@@ -1,5 +1,6 @@
 #include "ew/imaging/effects/noise.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "effects/grey_scale.h"
@@ -17,31 +18,46 @@ namespace ew {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Multiply and shift hash of 32 bits; constants of C. Wellons' search for low bias (public domain), a second key between the rounds.
+/// Multiply and shift hash of 32 bits for counters; constants of C. Wellons' search for low bias (public domain), a second key between
+/// the rounds.
 template <class D>
-HWY_INLINE hn::Vec<D> hashOf(D d, hn::Vec<D> x, std::uint64_t key) {
-  x = hn::Add(x, hn::Set(d, static_cast<std::uint32_t>(key)));
+HWY_INLINE hn::Vec<D> hashOf(D d, hn::Vec<D> counter, std::uint64_t key) {
+  auto x = hn::Add(counter, hn::Set(d, static_cast<std::uint32_t>(key)));
   x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(d, 0x21f0aaadU));
   x = hn::Xor(x, hn::Set(d, static_cast<std::uint32_t>(key >> 32)));
   x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(d, 0x735a2d97U));
   return hn::Xor(x, hn::ShiftRight<15>(x));
 }
 
-/// @param levelOfLog2 level of a sample whose -log2(u) is 1
-void addNoiseToRow(std::uint64_t key, float levelOfLog2, float perDoubling, float* echoes, int width) {
+/// log2(u) of u in (0, 1): as log2Of with a polynomial of one degree less, relative error below 4e-4.
+template <class D>
+HWY_INLINE FloatsOf<D> roughLog2Of(D d, FloatsOf<D> u) {
+  const hn::RebindToSigned<D> di;
+  const auto bits = hn::BitCast(di, u);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3f3504f3)));
+  const auto t = hn::Sub(hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent))), hn::Set(d, 1.0F));
+  auto sum = hn::Set(d, -0.322623591F);
+  sum = hn::Add(hn::Mul(sum, t), hn::Set(d, 0.510183237F));
+  sum = hn::Add(hn::Mul(sum, t), hn::Set(d, -0.724699847F));
+  sum = hn::Add(hn::Mul(sum, t), hn::Set(d, 1.44230705F));
+  return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(sum, t));
+}
+
+/// @param unitLevel level of a sample whose -log2(u) is 1
+void addNoiseToRow(std::uint64_t key, float unitLevel, float perDoubling, float* echoes, int width) {
   forColumns(width, [&](auto d, int x) HWY_ATTR {
     const hn::RebindToSigned<decltype(d)> di;
     const hn::RebindToUnsigned<decltype(d)> du;
-    const auto column = hn::Iota(du, static_cast<std::uint32_t>(x));
-    const auto bits = hashOf(du, hn::Mul(column, hn::Set(du, 0x9e3779b9U)), key);
+    const auto bits = hashOf(du, hn::Iota(du, static_cast<std::uint32_t>(x)), key);
     // 23 bits and a half: never 0, never 1, exact in a float.
     const auto whole = hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<9>(bits)));
     const auto u = hn::Mul(hn::Add(whole, hn::Set(d, 0.5F)), hn::Set(d, 0x1p-23F));
-    const auto power = hn::Neg(log2Of(d, u));
-    const auto scale = hn::Set(d, perDoubling);
-    const auto noise = hn::Add(hn::Set(d, levelOfLog2), hn::Mul(log2Of(d, power), scale));
-    const auto echo = hn::LoadU(d, echoes + x);
-    hn::StoreU(addPowers(d, echo, noise, scale, hn::Set(d, 1.0F / perDoubling)), d, echoes + x);
+    // Powers in units of the noise's own; an echo is at most 100 doublings (300 dB) off.
+    const auto unit = hn::Set(d, unitLevel);
+    const auto above = hn::Mul(hn::Sub(hn::LoadU(d, echoes + x), unit), hn::Set(d, 1.0F / perDoubling));
+    const auto echo = exp2Of(d, hn::Min(hn::Max(above, hn::Set(d, -100.0F)), hn::Set(d, 100.0F)));
+    const auto sum = log2Of(d, hn::Sub(echo, roughLog2Of(d, u)));
+    hn::StoreU(hn::Add(unit, hn::Mul(sum, hn::Set(d, perDoubling))), d, echoes + x);
   });
 }
 
@@ -63,9 +79,9 @@ std::uint64_t spread(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// The largest power is 24 ln 2 = 16.6 (12.2 dB) above the mean; 0.1 levels more on black need a power of 0.0054 (-22.7 dB) at 42.5
-// levels a factor of ten. So from 35 dB below black on no sample changes by as much.
-constexpr double kUnseen_db = 35.0;
+// The largest power is 24 ln 2 = 16.6 (12.2 dB) above the mean, and black becomes half a level of 42.5 a decade brighter at -15.6 dB: from
+// 27.8 dB below black on no sample is rounded to another level.
+constexpr double kUnseen_db = 28.0;
 
 }  // namespace
 
@@ -75,7 +91,8 @@ std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, dou
   for (int s = 0; s < grid.samples; ++s) {
     const double depth_cm = 0.1 * grid.depth_mm(s);
     const double growth_db = 2.0 * effect.growth_dbPerCmMhz * 1e-6 * carrier_hz * depth_cm;
-    levels[static_cast<std::size_t>(s)] = static_cast<float>(255.0 * (1.0 + (effect.atFace_db + growth_db) / recordedDynamicRange_db));
+    const double level_db = std::min(effect.atFace_db + growth_db, effect.largest_db);
+    levels[static_cast<std::size_t>(s)] = static_cast<float>(255.0 * (1.0 + level_db / recordedDynamicRange_db));
   }
   return levels;
 }
@@ -90,8 +107,8 @@ void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t 
     if (!(level > unseen)) continue;
     const auto gridRow = static_cast<std::uint64_t>(firstRow + y);
     const std::uint64_t key = spread(spread(frameNumber + 0x9e3779b97f4a7c15ULL) + gridRow * 0x9e3779b97f4a7c15ULL);
-    const float levelOfLog2 = level + perDoubling * static_cast<float>(std::log2(std::log(2.0)));
-    HWY_DYNAMIC_DISPATCH(addNoiseToRow)(key, levelOfLog2, perDoubling, echoes.row(y), echoes.width);
+    const float unitLevel = level + perDoubling * static_cast<float>(std::log2(std::log(2.0)));
+    HWY_DYNAMIC_DISPATCH(addNoiseToRow)(key, unitLevel, perDoubling, echoes.row(y), echoes.width);
   }
 }
 

@@ -43,13 +43,11 @@ HWY_INLINE void repeatColumns(D d, const ReverberationLines& lines, ImageView<fl
   const auto has = hn::Gt(interfaces, hn::Set(di, -1));
   if (hn::AllFalse(di, has)) return;
   const auto end = hn::LoadU(di, lines.ends + x);
-  const auto smooth = hn::Gt(hn::LoadU(di, lines.smooth + x), hn::Zero(di));
-  const bool mirrors = !hn::AllFalse(di, smooth);
   const auto one = hn::Set(di, 1);
   const auto zero = hn::Zero(di);
   const auto column = hn::Iota(di, x);
   const auto stride = hn::Set(di, static_cast<int>(echoes.stride));
-  const auto tooOften = hn::Set(di, lines.bounces + 1);
+  const auto tooOften = hn::Add(hn::LoadU(di, lines.bounces + x), one);
   const auto never = hn::Set(d, 1e9F);
   const auto perDoubling = hn::Set(d, lines.perDoubling);
   const auto doublings = hn::Set(d, 1.0F / lines.perDoubling);
@@ -75,9 +73,9 @@ HWY_INLINE void repeatColumns(D d, const ReverberationLines& lines, ImageView<fl
       const auto loss = hn::IfThenElse(hn::RebindMask(d, comesBack), hn::Mul(hn::ConvertTo(d, times), hn::Set(d, lines.bounceLoss)), never);
       level = addPowers(d, level, hn::Sub(hn::GatherIndex(d, echoes.data, from), loss), perDoubling, doublings);
     }
-    if (mirrors) {
+    if (lines.mirror) {
       const auto mirrored = hn::Sub(hn::Add(interfaces, interfaces), row);
-      const auto shows = hn::And(smooth, hn::And(hn::Gt(row, end), hn::Gt(mirrored, hn::Set(di, lines.firstSample - 1))));
+      const auto shows = hn::And(has, hn::And(hn::Gt(row, end), hn::Gt(mirrored, hn::Set(di, lines.firstSample - 1))));
       if (!hn::AllFalse(di, shows)) {
         somethingLeft = true;
         const auto from = hn::Add(hn::Mul(hn::IfThenElseZero(shows, mirrored), stride), column);
@@ -105,10 +103,52 @@ namespace {
 HWY_EXPORT(findInRow);
 HWY_EXPORT(repeat);
 
-constexpr int kSmoothSamples = 6;  // neighbouring interfaces of a mirror lie within so many samples
+constexpr int kReach = 6;            // samples between the interfaces of neighbouring lines
+constexpr int kLeastLines = 9;       // fewer lines side by side are speckle
+constexpr int kChord = 4;            // lines to each side over which an interface's curvature is measured
+constexpr double kMostBulge = 1.0;   // samples: a surface that bulges more towards the probe scatters the sound away
+constexpr int kMostTilt = 1;         // samples a line: a steeper surface sends the sound past the face
+constexpr float kWeakShare = 0.75F;  // of the strong level: an interface goes on beside a strong part of it down to here
 
-bool isNear(const std::vector<int>& interfaces, std::size_t n, std::size_t neighbour) {
-  return neighbour < interfaces.size() && interfaces[neighbour] >= 0 && std::abs(interfaces[neighbour] - interfaces[n]) <= kSmoothSamples;
+/// The brightest sample of a line within reach of its neighbour's interface; -1 when it is too dark or there is none.
+int interfaceBeside(ImageView<const float> echoes, int line, int neighbour, int firstSample, float level) {
+  if (neighbour < 0) return -1;
+  int best = -1;
+  for (int y = std::max(neighbour - kReach, firstSample); y <= std::min(neighbour + kReach, echoes.height - 1); ++y)
+    if (echoes.at(line, y) >= level && (best < 0 || echoes.at(line, y) > echoes.at(line, best))) best = y;
+  return best;
+}
+
+/// Takes away what is no interface: too few lines side by side, or a small body that bulges towards the probe.
+void keepInterfaces(std::vector<int>& interfaces) {
+  const auto lines = static_cast<int>(interfaces.size());
+  const auto at = [&](int n) { return interfaces[static_cast<std::size_t>(n)]; };
+  for (int begin = 0; begin < lines;) {
+    int end = begin + 1;
+    if (at(begin) < 0) {
+      begin = end;
+      continue;
+    }
+    while (end < lines && at(end) >= 0 && std::abs(at(end) - at(end - 1)) <= kReach) ++end;
+    int bulge = 0;  // twice the sum of how far the ends of a chord lie behind its middle
+    for (int n = begin + kChord; n + kChord < end; ++n) bulge += at(n - kChord) + at(n + kChord) - 2 * at(n);
+    const int chords = std::max(end - begin - 2 * kChord, 0);
+    if (end - begin < std::min(lines, kLeastLines) || bulge > 2.0 * kMostBulge * chords)
+      std::fill(interfaces.begin() + begin, interfaces.begin() + end, -1);
+    begin = end;
+  }
+}
+
+/// Whether the interface about a line is too steep for its echo to meet the face again.
+bool isTilted(const std::vector<int>& interfaces, int line) {
+  const auto at = [&](int n) { return interfaces[static_cast<std::size_t>(n)]; };
+  const auto goesOn = [&](int n, int next) {
+    return next >= 0 && next < static_cast<int>(interfaces.size()) && at(next) >= 0 && std::abs(at(next) - at(n)) <= kReach;
+  };
+  int left = line, right = line;
+  while (line - left < kChord && goesOn(left, left - 1)) --left;
+  while (right - line < kChord && goesOn(right, right + 1)) ++right;
+  return std::abs(at(right) - at(left)) > kMostTilt * (right - left);
 }
 
 }  // namespace
@@ -120,39 +160,51 @@ int reverberate(const ReverberationEffect& effect, double greyPerDb, int firstSa
   const auto lines = static_cast<std::size_t>(echoes.width);
   scratch.interfaces.assign(lines, -1);
   scratch.ends.resize(lines);
-  scratch.smooth.resize(lines);
+  scratch.bounces.resize(lines);
   const auto strong = static_cast<float>(effect.interfaceLevel);
   const int nearest = std::max(firstSample, 1);
   for (int y = nearest; y < echoes.height; ++y)
     if (!HWY_DYNAMIC_DISPATCH(findInRow)(echoes.row(y), y, strong, scratch.interfaces.data(), echoes.width)) break;
 
-  int count = 0;
+  const auto levelAt = [&](std::size_t n, int y) { return echoes.at(static_cast<int>(n), y); };
+  bool found = false;
   for (std::size_t n = 0; n < lines; ++n) {
     int& interface = scratch.interfaces[n];
     if (interface < 0) continue;
+    found = true;
+    // The echo's brightest sample stands for the interface.
+    for (int y = interface + 1; y < echoes.height && levelAt(n, y) >= strong; ++y)
+      if (levelAt(n, y) > levelAt(n, interface)) interface = y;
+  }
+  if (!found) return 0;
+  const float weak = kWeakShare * strong;
+  for (std::size_t n = 1; n < lines; ++n)
+    if (scratch.interfaces[n] < 0)
+      scratch.interfaces[n] = interfaceBeside(echoes, static_cast<int>(n), scratch.interfaces[n - 1], nearest, weak);
+  for (std::size_t n = lines - 1; n-- > 0;)
+    if (scratch.interfaces[n] < 0)
+      scratch.interfaces[n] = interfaceBeside(echoes, static_cast<int>(n), scratch.interfaces[n + 1], nearest, weak);
+  keepInterfaces(scratch.interfaces);
+
+  int count = 0;
+  for (std::size_t n = 0; n < lines; ++n) {
+    int end = scratch.interfaces[n];
+    if (end < 0) continue;
     ++count;
-    // The echo's brightest sample stands for the interface, its falling flank belongs to it.
-    const auto levelAt = [&](int y) { return echoes.at(static_cast<int>(n), y); };
-    int end = interface;
-    while (end + 1 < echoes.height && levelAt(end + 1) >= strong) {
-      ++end;
-      if (levelAt(end) > levelAt(interface)) interface = end;
-    }
-    while (end + 1 < echoes.height && levelAt(end + 1) < levelAt(end) && levelAt(end + 1) > 0.5F * strong) ++end;
+    // What stays as bright and the falling flank behind it belong to the interface's own echo.
+    while (end + 1 < echoes.height && levelAt(n, end + 1) >= strong) ++end;
+    while (end + 1 < echoes.height && levelAt(n, end + 1) < levelAt(n, end) && levelAt(n, end + 1) > 0.5F * strong) ++end;
     scratch.ends[n] = end;
+    scratch.bounces[n] = isTilted(scratch.interfaces, static_cast<int>(n)) ? 0 : effect.bounces;
   }
   if (count == 0) return 0;
-  for (std::size_t n = 0; n < lines; ++n) {
-    const bool leftIsNear = n == 0 || isNear(scratch.interfaces, n, n - 1);
-    const bool rightIsNear = n + 1 == lines || isNear(scratch.interfaces, n, n + 1);
-    scratch.smooth[n] = effect.mirror && lines > 1 && scratch.interfaces[n] >= 0 && leftIsNear && rightIsNear ? 1 : 0;
-  }
+
   ReverberationLines repeated;
   repeated.interfaces = scratch.interfaces.data();
   repeated.ends = scratch.ends.data();
-  repeated.smooth = scratch.smooth.data();
+  repeated.mirror = effect.mirror;
   repeated.firstSample = nearest;
-  repeated.bounces = effect.bounces;
+  repeated.bounces = scratch.bounces.data();
   repeated.bounceLoss = static_cast<float>(effect.loss_dbPerBounce * greyPerDb);
   repeated.mirrorLoss = static_cast<float>(effect.mirrorLoss_db * greyPerDb);
   repeated.perDoubling = levelsPerDoubling(greyPerDb);

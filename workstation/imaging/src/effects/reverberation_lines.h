@@ -6,9 +6,9 @@ namespace ew {
 struct ReverberationLines {
   const int* interfaces = nullptr;  ///< sample of the interface, -1: none
   const int* ends = nullptr;        ///< last sample of its echo
-  const int* smooth = nullptr;      ///< 1: it mirrors
+  const int* bounces = nullptr;     ///< how often it comes back from the face: 0 where it is tilted
   int firstSample = 1;
-  int bounces = 3;
+  bool mirror = true;
   float bounceLoss = 0.0F;  ///< grey levels
   float mirrorLoss = 0.0F;
   float perDoubling = 0.0F;

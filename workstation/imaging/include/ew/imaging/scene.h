@@ -33,14 +33,14 @@ struct AttenuationEffect {
   double expected_dbPerCmMhz = 0.5;    ///< what the machine's own compensation removes
   double interfaceLevel = 215.0;       ///< grey levels from here on reflect, when no labels say what they are
   double interface_dbPerMm = 6.0;      ///< loss, both ways, in each mm of such grey
-  double fluidLevel = 18.0;            ///< smoothed grey levels up to here take nothing, when no labels say what they are
+  double fluidLevel = 8.0;             ///< smoothed grey levels up to here take nothing, when no labels say what they are
   double largestEnhancement_db = 9.0;  ///< the machine's amplifier ends here
   bool operator==(const AttenuationEffect&) const = default;
 };
 
 /// effects/reverberation.h: repeated echoes between the face and strong interfaces, and mirror images beyond them.
 struct ReverberationEffect {
-  double interfaceLevel = 225.0;   ///< grey levels from here on are strong interfaces
+  double interfaceLevel = 200.0;   ///< grey levels from here on are strong interfaces
   double loss_dbPerBounce = 14.0;  ///< of each way there and back
   int bounces = 3;                 ///< 1..6
   bool mirror = true;              ///< mirror images beyond smooth strong interfaces
@@ -50,8 +50,9 @@ struct ReverberationEffect {
 
 /// effects/noise.h: electronic noise, which the machine's own depth compensation makes grow with depth.
 struct NoiseEffect {
-  double atFace_db = -75.0;        ///< noise level below full white at the face
+  double atFace_db = -108.0;       ///< noise level below full white at the face
   double growth_dbPerCmMhz = 0.5;  ///< of the compensation: both ways, times frequency
+  double largest_db = -44.0;       ///< noise level where the compensation ends
   bool operator==(const NoiseEffect&) const = default;
 };
 
