@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "imaging/every_target.h"
 #include "imaging/probes_at_random.h"
 
 namespace ew {
@@ -154,10 +155,24 @@ TEST(ScanConversion, ClampsLevelsBeyondWhiteAndBelowBlack) {
   const Probe probe = testing::probeOf(ProbeKind::linear);
   const DisplayGeometry geometry = fitDisplay(probe, {}, 60, 60);
   const ScanConversionTable table = makeScanConversion(probe, {}, makeBeamGrid(probe, {}, geometry.depth_mm, 1.0), geometry);
-  for (const auto& [level, shown] : {std::pair{-1e30F, 0}, std::pair{1e30F, 255}, std::pair{255.4F, 255}, std::pair{std::nanf(""), 0}}) {
-    const GreyImage picture = converted(table, BeamImage(table.lines, table.samples, level));
-    EXPECT_EQ(picture.pixels[30 * 60 + 30], shown) << level;
-  }
+  for (const auto& [level, shown] : {std::pair{-1e30F, 0}, std::pair{1e30F, 255}, std::pair{255.4F, 255}, std::pair{std::nanf(""), 0}})
+    testing::onEveryTarget([&](const char* name) {
+      const GreyImage picture = converted(table, BeamImage(table.lines, table.samples, level));
+      EXPECT_EQ(picture.pixels[30 * 60 + 30], shown) << level << ' ' << name;
+    });
+}
+
+TEST(ScanConversion, GivesTheSamePixelsOnEveryVectorUnit) {
+  const Probe probe = testing::probeOf(ProbeKind::endocavity);
+  const DisplayGeometry geometry = fitDisplay(probe, {}, 331, 287);
+  const ScanConversionTable table = makeScanConversion(probe, {}, makeBeamGrid(probe, {}, geometry.depth_mm, 0.3), geometry);
+  const BeamImage beams = beamsOf(table.lines, table.samples, 9);
+  GreyImage first;
+  testing::onEveryTarget([&](const char* name) {
+    const GreyImage picture = converted(table, beams);
+    if (first.pixels.empty()) first = picture;
+    EXPECT_EQ(picture, first) << name;
+  });
 }
 
 TEST(ScanConversion, InBandsOfRowsGivesTheSamePicture) {

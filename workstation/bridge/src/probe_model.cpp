@@ -290,4 +290,6 @@ vtkSmartPointer<vtkPolyData> probeModel(const Probe& probe, const ProbeColours& 
   return builder.finished();
 }
 
+double housingLength_mm(const Probe& probe) { return shapeOf(probe).end_mm; }
+
 }  // namespace ew::bridge

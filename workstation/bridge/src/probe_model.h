@@ -21,4 +21,7 @@ struct ProbeColours {
 /// the +x side. Triangles with unit point normals and an unsigned char colour per point.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> probeModel(const Probe& probe, const ProbeColours& colours);
 
+/// From the face to the end of the handle, without cable.
+[[nodiscard]] double housingLength_mm(const Probe& probe);
+
 }  // namespace ew::bridge

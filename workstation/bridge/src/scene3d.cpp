@@ -421,7 +421,7 @@ bool Scene3D::isProbeAt(glm::dvec2 at_px) const {
   if (!p.housing->GetVisibility()) return false;
   const Ray ray = rayAt(at_px);
   const double halfFace_mm = faceHalfWidth_mm(p.probe);
-  return distance_mm(ray, p.inWorld({0.0, -10.0, 0.0}), p.inWorld({0.0, -112.0, 0.0})) < 17.0 ||
+  return distance_mm(ray, p.inWorld({0.0, -10.0, 0.0}), p.inWorld({0.0, -housingLength_mm(p.probe), 0.0})) < 17.0 ||
          distance_mm(ray, p.inWorld({-halfFace_mm, -16.0, 0.0}), p.inWorld({halfFace_mm, -16.0, 0.0})) < 16.0;
 }
 
