@@ -137,6 +137,32 @@ TEST(ElevationPlanes, AnyNumberOfPlanesIsTakenAsTheNextOddOneWithinThreeAndNine)
   EXPECT_EQ(count(1000), 9U);
 }
 
+TEST(ElevationPlanes, RowsLieOnThePlaneAtEverySampleAndCoverEachLineOnce) {
+  const BeamGrid grid = fanGrid(7, 300, 0.5);
+  const ElevationPlane plane = makeElevationPlanes(probeWithLens(), 0.0, {}, grid, 5).back();
+  ASSERT_GT(plane.pieces.size(), 2U);
+  std::mt19937 random(2);
+  Transform<frame::Voxel, frame::Probe> probeToVoxel;
+  probeToVoxel.matrix = glm::dmat4(testing::randomRotation(random));
+  probeToVoxel.matrix[3] = glm::dvec4(3.0, -4.0, 5.0, 1.0);
+  std::vector<SampleRow> rows;
+  rowsOf(grid, plane, probeToVoxel, rows);
+  ASSERT_EQ(rows.size(), 7 * plane.pieces.size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const ElevationPlane::Piece& piece = plane.pieces[r % plane.pieces.size()];
+    const std::size_t line = r / plane.pieces.size();
+    EXPECT_EQ(rows[r].row, static_cast<int>(line));
+    EXPECT_EQ(rows[r].span, (RowSpan{piece.firstSample, piece.lastSample + 1}));
+    for (int s = piece.firstSample; s <= piece.lastSample; ++s) {
+      const double along = static_cast<double>(s - piece.firstSample) / std::max(1, piece.lastSample - piece.firstSample);
+      const double offset_mm = piece.offsetAtFirst_mm + along * (piece.offsetAtLast_mm - piece.offsetAtFirst_mm);
+      const glm::dvec2 inPlane_mm = grid.lines[line].origin_mm + grid.depth_mm(s) * grid.lines[line].direction;
+      const glm::dvec3 expected_voxel(probeToVoxel.matrix * glm::dvec4(inPlane_mm, offset_mm, 1.0));
+      EXPECT_LT(glm::distance(rows[r].start_voxel + static_cast<double>(s) * rows[r].step_voxel, expected_voxel), 1e-9);
+    }
+  }
+}
+
 /// The mean over the planes of a volume seen from a probe.
 BeamImage averaged(const Volume& volume, const BeamGrid& grid, const std::vector<ElevationPlane>& planes,
                    const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
