@@ -50,7 +50,7 @@ Scene anyScene() {
   if (maybe()) scene.sliceThickness = SliceThicknessEffect{.scale = *rc::gen::element(1.0, 2.0)};
   if (maybe()) scene.attenuation = AttenuationEffect{.expected_dbPerCmMhz = *rc::gen::element(0.5, 0.7), .fluidLevel = anyNumber(0, 255)};
   if (maybe()) scene.reverberation = ReverberationEffect{.bounces = *rc::gen::inRange(1, 7), .mirror = maybe()};
-  if (maybe()) scene.noise = NoiseEffect{.atFace_db = anyNumber(-120, 0)};
+  if (maybe()) scene.noise = NoiseEffect{.atFace_db = anyNumber(-120, 0), .largest_db = anyNumber(-60, 0)};
   if (maybe()) scene.contact = ContactEffect{.gel_mm = anyNumber(0, 20)};
   const int tissues = *rc::gen::inRange(0, 4);
   for (int n = 0; n < tissues; ++n)

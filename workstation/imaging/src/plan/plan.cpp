@@ -52,7 +52,7 @@ bool hasTable(const Knobs& knobs, const Scene& scene) {
 bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz, double depth_mm) {
   constexpr double kUnseen_db = 30.0;
   const double atDepth_db = noise.atFace_db + 2.0 * noise.growth_dbPerCmMhz * (carrier_hz / 1e6) * (depth_mm / 10.0);
-  return std::max(noise.atFace_db, atDepth_db) > -scene.recordedDynamicRange_db - kUnseen_db;
+  return std::min(std::max(noise.atFace_db, atDepth_db), noise.largest_db) > -scene.recordedDynamicRange_db - kUnseen_db;
 }
 
 }  // namespace

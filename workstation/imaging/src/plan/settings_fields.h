@@ -81,6 +81,7 @@ template <class Visitor>
 void visitFields(Visitor& field, const NoiseEffect*) {
   field.number("at_face_db", &NoiseEffect::atFace_db, -150.0, 0.0, "below full white");
   field.number("growth_db_per_cm_mhz", &NoiseEffect::growth_dbPerCmMhz, 0.0, 3.0, "with depth");
+  field.number("largest_db", &NoiseEffect::largest_db, -150.0, 0.0, "where the compensation ends");
 }
 
 template <class Visitor>

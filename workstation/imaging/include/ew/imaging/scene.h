@@ -50,7 +50,7 @@ struct ReverberationEffect {
 
 /// effects/noise.h: electronic noise, which the machine's own depth compensation makes grow with depth.
 struct NoiseEffect {
-  double atFace_db = -108.0;       ///< noise level below full white at the face
+  double atFace_db = -105.0;       ///< noise level below full white at the face
   double growth_dbPerCmMhz = 0.5;  ///< of the compensation: both ways, times frequency
   double largest_db = -44.0;       ///< noise level where the compensation ends
   bool operator==(const NoiseEffect&) const = default;
