@@ -35,10 +35,16 @@ GreyImage sliced(Quality quality, const VolumeView<const std::uint8_t>& volume, 
   SliceScratch scratch;
   GreyImage out(width, height, 99);
   slice(quality, volume, plane, viewOf(out), scratch);
+  // Every case holds for both layouts.
+  const auto bricks = bricksOf(volume, 1, 1, noProgress());
+  EXPECT_TRUE(bricks);
+  GreyImage fromBricks(width, height, 99);
+  slice(quality, bricks->source(volume.grid), plane, viewOf(fromBricks), scratch);
+  EXPECT_EQ(out, fromBricks);
   return out;
 }
 
-constexpr Quality kQualities[] = {Quality::weave, Quality::linear};
+constexpr Quality kQualities[] = {Quality::weave, Quality::linear, Quality::cubic};
 
 TEST(HardGeometry, APlaneThroughVoxelCentresCopiesThemWithEveryQualityAlongEveryPairOfAxes) {
   const Volume volume = testing::noiseVolume({9, 11, 13}, 1);

@@ -61,7 +61,7 @@ bool isDecidable(const Grid& grid, const glm::dvec3& p, bool nearest) {
   return true;
 }
 
-void compare(const Volume& volume, Quality quality, int poses, int allowed) {
+void compare(const Volume& volume, const SliceSource& source, Quality quality, int poses, int allowed) {
   constexpr int kSide = 160;
   Peer peer(volume, quality, kSide);
   SliceScratch scratch;
@@ -70,8 +70,7 @@ void compare(const Volume& volume, Quality quality, int poses, int allowed) {
   std::size_t compared = 0, lit = 0;
   for (int n = 0; n < poses; ++n) {
     const ImageToVoxel plane = testing::randomPlane(random, volume.grid, kSide, kSide, n % 2 ? 1.0 : 0.6);
-    quality == Quality::weave ? sliceWeave(volume.view(), plane, viewOf(own), scratch)
-                              : sliceLinear(volume.view(), plane, viewOf(own), scratch);
+    quality == Quality::weave ? sliceWeave(source, plane, viewOf(own), scratch) : sliceLinear(source, plane, viewOf(own), scratch);
     const std::uint8_t* theirs = peer.slice(plane);
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -86,12 +85,19 @@ void compare(const Volume& volume, Quality quality, int poses, int allowed) {
   EXPECT_GT(lit, compared / 50);
 }
 
+void compareBothLayouts(const Volume& volume, Quality quality, int poses, int allowed) {
+  compare(volume, volume.view(), quality, poses, allowed);
+  const auto bricks = bricksOf(volume.view(), 1, 1, noProgress());
+  ASSERT_TRUE(bricks);
+  compare(volume, bricks->source(volume.grid), quality, poses, allowed);
+}
+
 TEST(ReslicePeer, LinearDiffersByOneGreyLevelAtMostOnTwoHundredRandomPoses) {
-  compare(testing::noiseVolume({90, 110, 70}, 41), Quality::linear, 200, 1);
+  compareBothLayouts(testing::noiseVolume({90, 110, 70}, 41), Quality::linear, 200, 1);
 }
 
 TEST(ReslicePeer, WeaveIsTheirNearestNeighbourOnTwoHundredRandomPoses) {
-  compare(testing::noiseVolume({90, 110, 70}, 42), Quality::weave, 200, 0);
+  compareBothLayouts(testing::noiseVolume({90, 110, 70}, 42), Quality::weave, 200, 0);
 }
 
 #ifdef EW_WITH_IO
@@ -100,8 +106,8 @@ TEST(ReslicePeer, AgreesOnTheLiverVolume) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "The liver volume is not on this machine.";
   const auto volume = readVolume(file, noProgress());
   ASSERT_TRUE(volume) << volume.error();
-  compare(volume->volume, Quality::linear, 200, 1);
-  compare(volume->volume, Quality::weave, 200, 0);
+  compareBothLayouts(volume->volume, Quality::linear, 200, 1);
+  compareBothLayouts(volume->volume, Quality::weave, 200, 0);
 }
 #endif
 

@@ -5,41 +5,47 @@
 #include <cmath>
 
 #include "ew/imaging/effects/stretch.h"
-#include "template_line.h"
+#include "row_sampler.h"
 
 namespace ew {
 namespace {
 
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
-using detail::Clipping;
+using detail::RowSampler;
 using detail::TemplateLine;
 
-using RowsSampler = void (*)(const TemplateLine&, const SliceScratch&, int, const Clipping&, ImageView<std::uint8_t>);
-
-RowsSampler samplerOf(Quality quality) {
-  switch (quality) {
-    case Quality::weave:
-      return detail::weaveRows;
-    case Quality::linear:
-      return detail::linearRows;
-    case Quality::cubic:
-      return detail::cubicRows;
+/// The spans of row y, or the whole row when no spans were given.
+struct Clipping {
+  std::span<const std::vector<RowSpan>> spans;
+  RowSpan wholeRow;
+  [[nodiscard]] std::span<const RowSpan> of(int y) const {
+    if (spans.empty()) return {&wholeRow, 1};
+    return spans[static_cast<std::size_t>(y)];
   }
-  return detail::linearRows;
+};
+
+struct Rows {
+  int begin = 0;
+  int end = 0;
+};
+
+/// Whether the first and the last row of a plane can be sampled: then one that cannot makes the whole picture black.
+bool reachesInRange(const glm::dmat4& imageToVoxel, int height) {
+  return detail::isInRange(glm::dvec3(imageToVoxel[3])) && detail::isInRange(glm::dvec3(imageToVoxel[1]) * static_cast<double>(height));
 }
 
-void blacken(const Clipping& clipping, ImageView<std::uint8_t> out) {
-  for (int y = 0; y < out.height; ++y)
-    for (const RowSpan& span : clipping.of(y)) std::fill(out.row(y) + span.begin, out.row(y) + span.end, std::uint8_t{0});
-}
-
-void sliceRows(RowsSampler sampleRows, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
-               ImageView<std::uint8_t> out, SliceScratch& scratch) {
+/// Base and template of Eq. 1: every row of the plane begins at its own base and repeats the one template.
+void slicePlane(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping, Rows rows,
+                ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
-  const TemplateLine line =
-      detail::layTemplate(source, glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1]), out.width, out.height, scratch);
-  if (line.empty) return blacken(clipping, out);
-  sampleRows(line, scratch, 0, clipping, out);
+  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]), out.width, scratch);
+  line.empty = line.empty || !reachesInRange(m, out.height);
+  RowSampler sampler(quality);
+  for (int y = rows.begin; y < rows.end; ++y) {
+    const glm::dvec3 base_voxel = glm::dvec3(m[3]) + static_cast<double>(y) * glm::dvec3(m[1]);
+    for (const RowSpan& span : clipping.of(y)) sampler.sample(line, base_voxel, span, out.row(y));
+  }
+  sampler.finish();
 }
 
 /// How many voxel-sized samples cover `pixels` pixels, ends included; `pixels` when a pixel is not smaller than a voxel.
@@ -59,13 +65,13 @@ void blendRows(const std::uint8_t* upper, const std::uint8_t* lower, int weight,
 }
 
 /// Fig. 5: rows x columns voxel-sized samples, stretched along each row as it is sampled and downwards as soon as two rows are there.
-void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, int columns, int rows, const Clipping& clipping,
+void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, int columns, int rows, const Clipping& clipping, Rows asked,
                    ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const auto scale = [](int pixels, int samples) { return samples > 1 ? static_cast<double>(pixels - 1) / (samples - 1) : 0.0; };
-  const TemplateLine line = detail::layTemplate(source, glm::dvec3(m[3]), glm::dvec3(m[0]) * scale(out.width, columns),
-                                                glm::dvec3(m[1]) * scale(out.height, rows), columns, rows, scratch);
-  if (line.empty) return blacken(clipping, out);
+  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]) * scale(out.width, columns), columns, scratch);
+  line.empty = line.empty || !reachesInRange(m, out.height);
+  const glm::dvec3 downwards_voxel = glm::dvec3(m[1]) * scale(out.height, rows);
 
   const auto width = static_cast<std::size_t>(out.width);
   const auto sampleCount = static_cast<std::size_t>(columns);
@@ -76,36 +82,39 @@ void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, 
   };
   using Clock = std::chrono::steady_clock;
   Clock::duration sampling{};
-  int sampledRows = 0;
-  const auto need = [&](int row) {
-    for (; sampledRows <= row; ++sampledRows) {
+  RowSampler sampler(Quality::weave);
+  int sampledRows = -1;  // none yet
+  const auto need = [&](int upper, int lower) {
+    for (int row = std::max(upper, sampledRows); row <= lower; ++row) {
       const auto start = Clock::now();
-      detail::weaveRows(line, scratch, sampledRows, {{}, {0, columns}}, {samples.data(), columns, 1, columns});
+      sampler.sample(line, glm::dvec3(m[3]) + static_cast<double>(row) * downwards_voxel, {0, columns}, samples.data());
+      sampler.finish();
       sampling += Clock::now() - start;
-      stretch(samples, stretched(sampledRows));
+      stretch(samples, stretched(row));
+      sampledRows = row + 1;
     }
   };
   const std::uint64_t step = out.height > 1 ? (static_cast<std::uint64_t>(rows - 1) << 32) / static_cast<std::uint64_t>(out.height - 1) : 0;
-  for (int y = 0; y < out.height; ++y) {
+  for (int y = asked.begin; y < asked.end; ++y) {
     const std::uint64_t position =
         y + 1 == out.height && out.height > 1 ? static_cast<std::uint64_t>(rows - 1) << 32 : step * static_cast<std::uint64_t>(y);
     const int upper = static_cast<int>(position >> 32);
     const int lower = std::min(upper + 1, rows - 1);
     const int weight = static_cast<int>((position & 0xffffffffU) >> (32 - kBlendBits));
-    need(lower);
+    need(upper, lower);
     for (const RowSpan& span : clipping.of(y)) blendRows(stretched(upper).data(), stretched(lower).data(), weight, span, out.row(y));
   }
   scratch.zoomSampling_us = std::chrono::duration<double, std::micro>(sampling).count();
 }
 
-void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping,
+void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping, Rows asked,
                   ImageView<std::uint8_t> out, SliceScratch& scratch) {
   if (out.width < 1 || out.height < 1) return;
-  if (quality != Quality::weave) return sliceRows(samplerOf(quality), source, imageToVoxel, clipping, out, scratch);
+  if (quality != Quality::weave) return slicePlane(quality, source, imageToVoxel, clipping, asked, out, scratch);
   const int columns = voxelSizedSamples(out.width, glm::length(glm::dvec3(imageToVoxel.matrix[0])));
   const int rows = voxelSizedSamples(out.height, glm::length(glm::dvec3(imageToVoxel.matrix[1])));
-  if (columns == out.width && rows == out.height) return sliceRows(detail::weaveRows, source, imageToVoxel, clipping, out, scratch);
-  sliceZoomedIn(source, imageToVoxel, columns, rows, clipping, out, scratch);
+  if (columns == out.width && rows == out.height) return slicePlane(quality, source, imageToVoxel, clipping, asked, out, scratch);
+  sliceZoomedIn(source, imageToVoxel, columns, rows, clipping, asked, out, scratch);
 }
 
 Clipping wholeImage(const ImageView<std::uint8_t>& out) { return {{}, {0, out.width}}; }
@@ -113,42 +122,47 @@ Clipping wholeImage(const ImageView<std::uint8_t>& out) { return {{}, {0, out.wi
 }  // namespace
 
 void sliceWeave(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
-  sliceRows(detail::weaveRows, source, imageToVoxel, wholeImage(out), out, scratch);
+  slicePlane(Quality::weave, source, imageToVoxel, wholeImage(out), {0, out.height}, out, scratch);
 }
 
 void sliceLinear(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
-  sliceRows(detail::linearRows, source, imageToVoxel, wholeImage(out), out, scratch);
+  slicePlane(Quality::linear, source, imageToVoxel, wholeImage(out), {0, out.height}, out, scratch);
+}
+
+void sliceCubic(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+  slicePlane(Quality::cubic, source, imageToVoxel, wholeImage(out), {0, out.height}, out, scratch);
 }
 
 void slice(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out,
            SliceScratch& scratch) {
-  sliceClipped(quality, source, imageToVoxel, wholeImage(out), out, scratch);
+  sliceClipped(quality, source, imageToVoxel, wholeImage(out), {0, out.height}, out, scratch);
 }
 
 void slice(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, std::span<const std::vector<RowSpan>> spans,
            ImageView<std::uint8_t> out, SliceScratch& scratch) {
-  EW_EXPECTS(spans.size() == static_cast<std::size_t>(out.height));
-  sliceClipped(quality, source, imageToVoxel, {spans, {}}, out, scratch);
+  sliceBand(quality, source, imageToVoxel, spans, 0, out.height, out, scratch);
 }
 
-void sliceCubic(const SliceSource& source, const ImageToVoxel& imageToVoxel, ImageView<std::uint8_t> out, SliceScratch& scratch) {
-  sliceRows(detail::cubicRows, source, imageToVoxel, wholeImage(out), out, scratch);
+void sliceBand(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, std::span<const std::vector<RowSpan>> spans,
+               int firstRow, int rowCount, ImageView<std::uint8_t> out, SliceScratch& scratch) {
+  EW_EXPECTS(spans.size() == static_cast<std::size_t>(out.height));
+  EW_EXPECTS(firstRow >= 0 && rowCount >= 0 && rowCount <= out.height - firstRow);
+  sliceClipped(quality, source, imageToVoxel, {spans, {}}, {firstRow, firstRow + rowCount}, out, scratch);
 }
 
 void sampleRows(Quality quality, const SliceSource& source, std::span<const SampleRow> rows, ImageView<std::uint8_t> out,
                 SliceScratch& scratch) {
-  const RowsSampler sampler = samplerOf(quality);
+  int width = 0;
+  for (const SampleRow& row : rows) width = std::max(width, row.span.end);
+  RowSampler sampler(quality);
+  TemplateLine line;
   for (const SampleRow& row : rows) {
     EW_EXPECTS(row.row >= 0 && row.row < out.height && row.span.begin >= 0 && row.span.end <= out.width);
-    if (row.span.begin >= row.span.end) continue;
-    const Clipping clipping{{}, row.span};
-    const ImageView<std::uint8_t> outRow{out.row(row.row), out.width, 1, out.stride};
-    const TemplateLine line = detail::layTemplate(source, row.start_voxel, row.step_voxel, glm::dvec3(0.0), row.span.end, 1, scratch);
-    if (line.empty)
-      blacken(clipping, outRow);
-    else
-      sampler(line, scratch, 0, clipping, outRow);
+    // The lines of a linear array share their step, and so their template.
+    if (line.empty || line.step_voxel != row.step_voxel) line = detail::layTemplate(source, row.step_voxel, width, scratch);
+    sampler.sample(line, row.start_voxel, row.span, out.row(row.row));
   }
+  sampler.finish();
 }
 
 Transform<frame::Probe, frame::Image> sliceGeometry(int width, double pixel_mm) {

@@ -12,46 +12,40 @@ inline constexpr int kFractionBits = 31;
 inline constexpr std::int64_t kOneVoxel = std::int64_t{1} << kFractionBits;
 inline constexpr std::int64_t kHalfVoxel = kOneVoxel / 2;
 inline constexpr std::uint32_t kFractionMask = 0x7fffffffU;
+inline constexpr float kPerFraction = 1.0F / static_cast<float>(kOneVoxel);
+
+/// Samples that one template serves. A longer row begins afresh from its own position every kBlock samples, at the same columns whatever
+/// part of the row is asked for, so that a pixel does not depend on the spans around it.
+inline constexpr int kBlock = 512;
+inline constexpr int kLanesAtMost = 64;
 
 /// Voxel coordinates as fixed point numbers along i, j, k.
 using FixedPosition = std::array<std::int64_t, 3>;
 
-/// The template line of a plane, prepared in `scratch` for `width` pixels, and what a row needs to place it.
+/// The template of rows that share a step: T_n = n * step of Eq. 1 for one block, its integer part and its fraction apart, and the voxels
+/// it is laid over. Every entry is the rounded product, so nothing adds up along a row.
 struct TemplateLine {
   const std::uint8_t* voxels = nullptr;
+  std::uint64_t bytes = 0;  ///< that may be read from `voxels` on
   glm::ivec3 dims{0};
-  std::array<std::uint64_t, 3> stride{};  ///< of i, j, k; 0 along an axis of one voxel
-  glm::dvec3 origin_voxel{0.0};           ///< of pixel (0, 0)
-  glm::dvec3 acrossRows_voxel{0.0};       ///< from a row to the next
-  glm::dvec3 alongRow_voxel{0.0};         ///< from a pixel to the next
-  bool needsLongOffsets = false;
-  bool empty = true;  ///< nothing can be sampled: no voxels, or a matrix out of range
+  VoxelLayout layout = VoxelLayout::linear;
+  std::array<std::uint64_t, 3> stride{};  ///< bytes from a voxel to the next, or from a brick to the next
+  glm::dvec3 step_voxel{0.0};
+  std::array<double, 3> samplesPerUnit{};  ///< 1 / step in fixed point units
+  std::array<const std::uint32_t*, 3> whole{}, fraction{};
+  bool empty = true;  ///< nothing can be sampled: no voxels, or a step out of range
 
-  /// Position of pixel 0 of row y.
-  [[nodiscard]] FixedPosition base(int y) const;
-};
-
-TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& origin_voxel, const glm::dvec3& alongRow_voxel,
-                         const glm::dvec3& acrossRows_voxel, int width, int height, SliceScratch& scratch);
-
-/// The pixels of `within` whose position along every axis lies in [lowest, highest]; positions along a row are monotone, so they are
-/// one run.
-RowSpan clipRow(const TemplateLine& line, const SliceScratch& scratch, const FixedPosition& base, RowSpan within,
-                const FixedPosition& lowest, const FixedPosition& highest);
-
-/// The spans of row y, or the whole row when no spans were given.
-struct Clipping {
-  std::span<const std::vector<RowSpan>> spans;
-  RowSpan wholeRow;
-  [[nodiscard]] std::span<const RowSpan> of(int y) const {
-    if (spans.empty()) return {&wholeRow, 1};
-    return spans[static_cast<std::size_t>(y)];
+  /// T_n along an axis.
+  [[nodiscard]] std::int64_t at(std::size_t axis, int n) const {
+    return static_cast<std::int64_t>(static_cast<std::int32_t>(whole[axis][n])) * kOneVoxel + fraction[axis][n];
   }
 };
 
-/// Samples out.height rows from row `firstRow` of the plane on, within the spans of `clipping`; writes 0 where a row is outside the volume.
-void weaveRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
-void linearRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
-void cubicRows(const TemplateLine& line, const SliceScratch& scratch, int firstRow, const Clipping& clipping, ImageView<std::uint8_t> out);
+/// @param width samples of the longest row, for the check of its reach
+TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch);
+
+/// Whether a position is finite and within 2^30 voxels: then three such terms stay below 2^63 in fixed point.
+bool isInRange(const glm::dvec3& p_voxel);
+FixedPosition fixedPosition(const glm::dvec3& p_voxel);
 
 }  // namespace ew::detail

@@ -34,12 +34,9 @@ struct SampleRow {
 
 /// Scratch memory of the slicers; keep one per thread and reuse it, then slicing allocates nothing.
 struct SliceScratch {
-  std::array<std::vector<std::int64_t>, 3> templatePosition;  ///< T_x along i, j, k in voxels with 31 fraction bits
-  std::array<std::vector<std::int32_t>, 3> templateFraction;  ///< the fraction bits of T_x alone
-  std::vector<std::uint32_t> templateOffset;                  ///< dT_x of Eq. 1, from the integer parts, modulo 2^32
-  std::vector<std::uint64_t> longTemplateOffset;              ///< the same, for volumes of more than 2^32 voxels
-  std::vector<std::uint8_t> rows;                             ///< zoom-in: a row of voxels and the two stretched rows it is blended from
-  double zoomSampling_us = 0.0;                               ///< what the last zoom-in spent on sampling alone; for reports
+  std::vector<std::uint32_t> templateLine;  ///< T_x of Eq. 1 along i, j, k: integer parts and 31 bit fractions
+  std::vector<std::uint8_t> rows;           ///< zoom-in: a row of voxels and the two stretched rows it is blended from
+  double zoomSampling_us = 0.0;             ///< what the last zoom-in spent on sampling alone; for reports
 };
 
 /// Samples the plane z = 0 of the image frame by replicating a voxelized template line along a voxelized base line (weaving). A pixel
@@ -74,6 +71,11 @@ void slice(Quality quality, const SliceSource& source, const Transform<frame::Vo
 /// The same within `spans` alone (one entry a row); other pixels of `out` are left as they are.
 void slice(Quality quality, const SliceSource& source, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
            std::span<const std::vector<RowSpan>> spans, ImageView<std::uint8_t> out, SliceScratch& scratch);
+
+/// The rows firstRow .. firstRow + rowCount - 1 alone: what the threads of a Bands do, each with a scratch of its own. Every pixel is the
+/// one that the whole picture has there.
+void sliceBand(Quality quality, const SliceSource& source, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
+               std::span<const std::vector<RowSpan>> spans, int firstRow, int rowCount, ImageView<std::uint8_t> out, SliceScratch& scratch);
 
 /// Samples along rows that need not lie in one plane (the scan lines of a probe), each from its own start with its own step. Nothing is
 /// written outside the rows' spans. A row that is not finite or reaches beyond 2^30 voxels becomes 0.

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <string>
+
+#include "bricks.h"
+#include "ew/core/contract.h"
+#include "ew/core/large_pages.h"
+#include "ew/core/parallel.h"
+#include "ew/imaging/slice_source.h"
+
+namespace ew {
+namespace {
+
+using detail::Bricks;
+
+// A kernel's 32 bit offsets reach from a brick into the next slice of bricks.
+constexpr std::uint64_t kLargestSlice_bytes = std::uint64_t{1} << 30;
+
+glm::ivec3 halved(const glm::ivec3& dims) { return (dims + 1) / 2; }
+
+Error tooLarge(const glm::ivec3& dims) {
+  return {
+      ErrorCode::tooLarge,
+      "The volume cannot be kept in bricks: " + std::to_string(bricksForecast_bytes(dims, 1) >> 20) + " MiB of memory are not to be had.",
+      {}};
+}
+
+tl::unexpected<Error> cancelled() { return failure(ErrorCode::cancelled, "Stopped as asked."); }
+
+/// Passes the wish to cancel on, and no reports: those of coarser levels would start over.
+class QuietProgress final : public Progress {
+ public:
+  explicit QuietProgress(Progress& asked) : asked_(asked) {}
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool cancelRequested() const override { return asked_.cancelRequested(); }
+
+ private:
+  Progress& asked_;
+};
+
+/// Copies one slice of bricks.
+void fillSlice(const VolumeView<const std::uint8_t>& volume, const Bricks& bricks, std::uint64_t brickK, std::uint8_t* out) {
+  const glm::ivec3 last = volume.grid.dims - 1;
+  const auto clamped = [](std::uint64_t at, int most) { return std::clamp(static_cast<int>(at) - Bricks::kBefore, 0, most); };
+  for (std::uint64_t brickJ = 0; brickJ < bricks.count[1]; ++brickJ)
+    for (std::uint64_t k = 0; k < Bricks::kSlices; ++k)
+      for (std::uint64_t j = 0; j < Bricks::kRows; ++j) {
+        const std::uint8_t* row = volume.data + volume.grid.indexOf(0, clamped(brickJ * Bricks::kRows + j, last.y),
+                                                                    clamped(brickK * Bricks::kSlices + k, last.z));
+        std::uint8_t* to = out + brickJ * bricks.stride[1] + (k * Bricks::kRows + j) * Bricks::kStored;
+        for (std::uint64_t brickI = 0; brickI < bricks.count[0]; ++brickI, to += Bricks::kBytes) {
+          const std::int64_t first = static_cast<std::int64_t>(brickI * Bricks::kCells) - Bricks::kBefore;
+          if (first >= 0 && first + Bricks::kStored <= volume.grid.dims.x)
+            std::memcpy(to, row + first, Bricks::kStored);
+          else
+            for (int i = 0; i < Bricks::kStored; ++i) to[i] = row[std::clamp<std::int64_t>(first + i, 0, last.x)];
+        }
+      }
+}
+
+/// Means of 2 x 2 x 2 voxels, rounded; beyond an odd end the last voxels count twice.
+void halveSlice(const VolumeView<const std::uint8_t>& finer, const glm::ivec3& dims, int k, std::uint8_t* out) {
+  const glm::ivec3 last = finer.grid.dims - 1;
+  for (int j = 0; j < dims.y; ++j) {
+    const auto row = [&](int dj, int dk) {
+      return finer.data + finer.grid.indexOf(0, std::min(2 * j + dj, last.y), std::min(2 * k + dk, last.z));
+    };
+    const std::uint8_t *row00 = row(0, 0), *row10 = row(1, 0), *row01 = row(0, 1), *row11 = row(1, 1);
+    for (int i = 0; i < dims.x; ++i) {
+      const int a = 2 * i, b = std::min(2 * i + 1, last.x);
+      const int sum = row00[a] + row00[b] + row10[a] + row10[b] + row01[a] + row01[b] + row11[a] + row11[b];
+      *out++ = static_cast<std::uint8_t>((sum + 4) >> 3);
+    }
+  }
+}
+
+/// The grid of a coarser level: a voxel lies in the middle of those it is the mean of. An axis of one voxel stays as it is.
+Grid gridOfLevel(Grid grid, int level) {
+  for (int n = 0; n < level; ++n) {
+    glm::dvec3 first_voxel(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+      if (grid.dims[axis] > 1) first_voxel[axis] = 0.5;
+    grid.origin_mm = (grid.voxelToWorld() * Point<frame::Voxel>{first_voxel}).at;
+    for (int axis = 0; axis < 3; ++axis)
+      if (grid.dims[axis] > 1) grid.spacing_mm[axis] *= 2.0;
+    grid.dims = halved(grid.dims);
+  }
+  return grid;
+}
+
+}  // namespace
+
+SliceSource BrickedVolume::source(const Grid& placed) const { return sourceFor(placed, 0.0); }
+
+SliceSource BrickedVolume::sourceFor(const Grid& placed, double pixel_mm) const {
+  SliceSource found;
+  if (levels_.empty()) return found;
+  EW_EXPECTS(placed.dims == levels_.front().dims);
+  int level = 0;
+  found.grid = placed;
+  while (level + 1 < levels()) {
+    const Grid coarser = gridOfLevel(found.grid, 1);
+    if (!(std::max({coarser.spacing_mm.x, coarser.spacing_mm.y, coarser.spacing_mm.z}) <= pixel_mm)) break;
+    found.grid = coarser;
+    ++level;
+  }
+  found.voxels = levels_[static_cast<std::size_t>(level)].bricks.data();
+  found.layout = VoxelLayout::bricked;
+  return found;
+}
+
+std::size_t BrickedVolume::bytes() const {
+  std::size_t sum = 0;
+  for (const Level& level : levels_) sum += level.bricks.size();
+  return sum;
+}
+
+Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress) {
+  EW_EXPECTS(levels >= 1 && levels <= 30);
+  BrickedVolume made;
+  if (volume.data == nullptr || volume.grid.voxelCount() == 0) return made;
+  try {
+    VolumeView<const std::uint8_t> present = volume;
+    std::vector<std::uint8_t> means;  // the present level, i fastest, when it is not the volume itself
+    for (int level = 0; level < levels; ++level) {
+      // Levels take an eighth of each other's time, and there is nothing to see after the first.
+      PartOfProgress part(progress, level == 0 ? 0.0 : 0.9, level == 0 && levels > 1 ? 0.9 : 1.0);
+      if (level > 0) {
+        const Grid grid = gridOfLevel(present.grid, 1);
+        std::vector<std::uint8_t> coarser(grid.voxelCount());
+        const auto halve = [&](int k) { halveSlice(present, grid.dims, k, coarser.data() + grid.indexOf(0, 0, k)); };
+        QuietProgress quiet(part);
+        if (!forEachTask(grid.dims.z, threads, quiet, "", halve)) return cancelled();
+        means = std::move(coarser);
+        present = {means.data(), grid};
+      }
+      const Bricks bricks(present.grid.dims);
+      if (bricks.stride[2] > kLargestSlice_bytes) return passOn(tooLarge(volume.grid.dims));
+      BrickedVolume::Level filled{present.grid.dims, zerosInLargePages(bricks.bytes())};
+      const auto fill = [&](int brickK) {
+        const auto at = static_cast<std::uint64_t>(brickK);
+        fillSlice(present, bricks, at, filled.bricks.data() + at * bricks.stride[2]);
+      };
+      if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, "Arranging voxels in bricks", fill)) return cancelled();
+      made.levels_.push_back(std::move(filled));
+    }
+  } catch (const std::bad_alloc&) {
+    return passOn(tooLarge(volume.grid.dims));
+  }
+  return made;
+}
+
+std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels) {
+  std::uint64_t sum = 0;
+  glm::ivec3 size = dims;
+  for (int level = 0; level < levels; ++level, size = halved(size)) sum += Bricks(size).bytes();
+  return sum;
+}
+
+}  // namespace ew

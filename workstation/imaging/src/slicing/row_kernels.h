@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ew/imaging/knobs.h"
+#include "template_line.h"
+
+namespace ew::detail {
+
+/// Samples of a row that are laid, announced and sampled together. 256 hold the memory busy from their announcement to their sampling: 64
+/// take half as long again on volumes beyond the cache. Offsets count from `voxels`, which lies at the piece's lowest corner, so that 32
+/// bits do for volumes of any size.
+struct Piece {
+  static constexpr int kMost = 256;
+  using Values = std::array<std::uint32_t, kMost + kLanesAtMost>;
+
+  int count = 0;
+  std::uint8_t* out = nullptr;
+  const std::uint8_t* voxels = nullptr;
+  std::array<std::uint32_t, 3> startWhole{}, startFraction{};               ///< of the base, from the lowest corner
+  std::array<const std::uint32_t*, 3> templateWhole{}, templateFraction{};  ///< of the piece's first sample
+  std::array<std::uint64_t, 3> stride{};                                    ///< as in TemplateLine
+
+  /// Of the voxel of Eq. 1 (weave, linear) or the first of four along each axis (cubic). In bricks also, linear: of its neighbours along
+  /// j, k, and both; cubic: of the rows at j .. j + 3, to which those of the slices in alongK come.
+  std::array<Values, 4> offset, alongK;
+  std::array<Values, 3> fraction;  ///< of base plus template
+};
+
+struct PieceKind {
+  Quality quality = Quality::linear;
+  VoxelLayout layout = VoxelLayout::linear;
+};
+
+/// Eq. 1 with the carry, a vector of samples at a time; compiled for each instruction set and chosen at run time. Arithmetic is in
+/// integers, and in floats without fused products, so every instruction set gives the same pixels.
+void layPiece(PieceKind kind, Piece& piece);
+/// Asks the memory for what samplePiece will read; a hint without effect on any value.
+void announcePiece(PieceKind kind, const Piece& piece);
+void samplePiece(PieceKind kind, const Piece& piece);
+
+/// T_n = round(n * step) for n = 0 .. count - 1, step = (high * 2^16 + low) / 2^47 voxels.
+void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction);
+
+}  // namespace ew::detail

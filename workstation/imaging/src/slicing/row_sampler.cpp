@@ -1,0 +1,215 @@
+#include "row_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bricks.h"
+
+namespace ew::detail {
+namespace {
+
+/// First n of [begin, end) with reached(n), which is false up to some n and true from there on; `guess` is near it.
+template <class Reached>
+int firstWhere(int begin, int end, double guess, Reached reached) {
+  int n = begin;
+  if (guess > static_cast<double>(begin)) n = guess < static_cast<double>(end) ? static_cast<int>(guess) : end;
+  while (n < end && !reached(n)) ++n;
+  while (n > begin && reached(n - 1)) --n;
+  return n;
+}
+
+/// The samples of `within` whose position along every axis lies in [lowest, highest]. Positions along a block are monotone, so they are
+/// one run; an empty one begins and ends at within.begin.
+RowSpan clip(const TemplateLine& line, const FixedPosition& base, RowSpan within, const FixedPosition& lowest,
+             const FixedPosition& highest) {
+  const RowSpan none{within.begin, within.begin};
+  for (std::size_t axis = 0; axis < 3 && within.begin < within.end; ++axis) {
+    const std::int64_t low = lowest[axis] - base[axis], high = highest[axis] - base[axis];
+    const std::int64_t first = line.at(axis, within.begin), last = line.at(axis, within.end - 1);
+    if (low > high || std::max(first, last) < low || std::min(first, last) > high) return none;
+    if (std::min(first, last) >= low && std::max(first, last) <= high) continue;
+    const double toLow = static_cast<double>(low) * line.samplesPerUnit[axis];
+    const double toHigh = static_cast<double>(high) * line.samplesPerUnit[axis];
+    if (first < last) {
+      within.begin = firstWhere(within.begin, within.end, toLow, [&](int n) { return line.at(axis, n) >= low; });
+      within.end = firstWhere(within.begin, within.end, toHigh, [&](int n) { return line.at(axis, n) > high; });
+    } else {
+      within.begin = firstWhere(within.begin, within.end, toHigh, [&](int n) { return line.at(axis, n) <= high; });
+      within.end = firstWhere(within.begin, within.end, toLow, [&](int n) { return line.at(axis, n) < low; });
+    }
+  }
+  return within.begin < within.end ? within : none;
+}
+
+/// Bytes from the first voxel (or brick) to voxel index n along an axis.
+std::uint64_t offsetAlong(const TemplateLine& line, std::size_t axis, std::int64_t n) {
+  if (line.layout == VoxelLayout::linear) return static_cast<std::uint64_t>(n) * line.stride[axis];
+  return Bricks::offsetAlong(axis, n, line.stride);
+}
+
+float blend(float a, float b, float weight) { return a + weight * (b - a); }
+
+/// Weights of the four neighbours at -1, 0, 1, 2 of a place `t` in [0, 1) between the middle two.
+/// Source: Keys, IEEE Trans. ASSP 29(6), 1981, with a = -1/2 (third order).
+std::array<float, 4> cubicWeights(float t) {
+  return {((-0.5F * t + 1.0F) * t - 0.5F) * t, (1.5F * t - 2.5F) * t * t + 1.0F, ((-1.5F * t + 2.0F) * t + 0.5F) * t,
+          (0.5F * t - 0.5F) * t * t};
+}
+
+/// The same with 14 bits after the point; the second takes what is left, so that they sum to one.
+std::array<std::int32_t, 4> fixedWeights(float t) {
+  const std::array<float, 4> weights = cubicWeights(t);
+  std::array<std::int32_t, 4> fixed{};
+  for (std::size_t n = 0; n < 4; ++n) fixed[n] = static_cast<std::int32_t>(weights[n] * 16384.0F + 16384.5F) - 16384;
+  fixed[1] = 16384 - (fixed[0] + fixed[2] + fixed[3]);
+  return fixed;
+}
+
+std::uint8_t rounded(float grey) { return static_cast<std::uint8_t>(static_cast<std::int32_t>(grey + 0.5F)); }
+
+}  // namespace
+
+void RowSampler::sample(const TemplateLine& line, const glm::dvec3& start_voxel, RowSpan within, std::uint8_t* row) {
+  if (line.empty || !isInRange(start_voxel)) {
+    std::fill(row + within.begin, row + std::max(within.begin, within.end), std::uint8_t{0});
+    return;
+  }
+  for (int block = within.begin / kBlock * kBlock; block < within.end; block += kBlock) {
+    FixedPosition base = fixedPosition(start_voxel + static_cast<double>(block) * line.step_voxel);
+    if (quality_ == Quality::weave)
+      for (std::int64_t& b : base) b += kHalfVoxel;  // the integer part is then the nearest voxel
+    sampleBlock(line, base, {std::max(within.begin - block, 0), std::min(within.end - block, kBlock)}, row + block);
+  }
+}
+
+void RowSampler::sampleBlock(const TemplateLine& line, const FixedPosition& base, RowSpan within, std::uint8_t* block) {
+  // Where something is shown, and where every voxel that a sample needs is there.
+  FixedPosition outerLow{}, outerHigh{}, innerLow{}, innerHigh{};
+  const bool bricked = line.layout == VoxelLayout::bricked;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t voxels = line.dims[static_cast<int>(a)];
+    if (quality_ == Quality::weave) {
+      outerLow[a] = 0;
+      outerHigh[a] = voxels * kOneVoxel - 1;
+      continue;
+    }
+    outerLow[a] = -kHalfVoxel;
+    outerHigh[a] = voxels * kOneVoxel - kHalfVoxel;
+    if (bricked) {  // the halo holds the neighbours
+      innerLow[a] = 0;
+      innerHigh[a] = (voxels - 1) * kOneVoxel;
+    } else if (quality_ == Quality::linear) {
+      innerLow[a] = 0;
+      innerHigh[a] = (voxels - 1) * kOneVoxel - 1;
+    } else {
+      innerLow[a] = kOneVoxel;
+      innerHigh[a] = (voxels - 2) * kOneVoxel - 1;
+    }
+  }
+  const RowSpan run = clip(line, base, within, outerLow, outerHigh);
+  std::fill(block + within.begin, block + run.begin, std::uint8_t{0});
+  if (quality_ == Quality::weave) {
+    push(line, base, run, block);
+  } else {
+    const RowSpan interior = clip(line, base, run, innerLow, innerHigh);
+    borderRun(line, base, {run.begin, interior.begin}, block);
+    push(line, base, interior, block);
+    borderRun(line, base, {interior.end, run.end}, block);
+  }
+  std::fill(block + run.end, block + within.end, std::uint8_t{0});
+}
+
+/// Samples within half a voxel outside the outermost voxel centres, or too near to a face for the vectors: the position is clamped to the
+/// outermost centres, and the neighbours to the volume. The same arithmetic as in row_kernels.cpp, in the same order.
+void RowSampler::borderRun(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) const {
+  const std::size_t firstNeighbour = quality_ == Quality::cubic ? 0 : 1, endNeighbour = quality_ == Quality::cubic ? 4 : 3;
+  for (int n = run.begin; n < run.end; ++n) {
+    std::array<float, 3> weight{};
+    std::array<std::array<std::uint64_t, 4>, 3> offset{};  // of the neighbours at -1, 0, 1, 2
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t last = line.dims[static_cast<int>(a)] - 1;
+      const std::int64_t position = std::clamp(base[a] + line.at(a, n), std::int64_t{0}, last * kOneVoxel);
+      const std::int64_t whole = position >> kFractionBits;
+      weight[a] = static_cast<float>(position & static_cast<std::int64_t>(kFractionMask)) * kPerFraction;
+      for (std::size_t m = firstNeighbour; m < endNeighbour; ++m)
+        offset[a][m] = offsetAlong(line, a, std::clamp(whole - 1 + static_cast<std::int64_t>(m), std::int64_t{0}, last));
+    }
+    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return static_cast<float>(line.voxels[offset[0][i] + offset[1][j] + offset[2][k]]);
+    };
+    if (quality_ == Quality::linear) {
+      const auto alongI = [&](std::size_t j, std::size_t k) { return blend(at(1, j, k), at(2, j, k), weight[0]); };
+      const float near = blend(alongI(1, 1), alongI(2, 1), weight[1]);
+      const float far = blend(alongI(1, 2), alongI(2, 2), weight[1]);
+      block[n] = rounded(blend(near, far, weight[2]));
+    } else {
+      const auto wi = fixedWeights(weight[0]);
+      const auto wj = cubicWeights(weight[1]), wk = cubicWeights(weight[2]);
+      float sum = 0.0F;
+      for (std::size_t k = 0; k < 4; ++k) {
+        float slice = 0.0F;
+        for (std::size_t j = 0; j < 4; ++j) {
+          std::int32_t rowSum = 0;
+          for (std::size_t i = 0; i < 4; ++i) rowSum += wi[i] * line.voxels[offset[0][i] + offset[1][j] + offset[2][k]];
+          slice += wj[j] * static_cast<float>(rowSum);
+        }
+        sum += wk[k] * slice;
+      }
+      block[n] = rounded(std::min(std::max(sum * (1.0F / 16384.0F), 0.0F), 255.0F));
+    }
+  }
+}
+
+void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) {
+  // The lowest voxel a sample reads lies this far below the integer part of its position.
+  const std::int64_t below = quality_ == Quality::cubic ? 1 : 0;
+  for (int n = run.begin; n < run.end;) {
+    int count = std::min(Piece::kMost, run.end - n);
+    FixedPosition lowest{};
+    for (;; count /= 2) {
+      std::uint64_t span = 0, cells = 0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const std::int64_t first = (base[a] + line.at(a, n)) >> kFractionBits,
+                           last = (base[a] + line.at(a, n + count - 1)) >> kFractionBits;
+        lowest[a] = std::min(first, last) - below;
+        if (line.layout == VoxelLayout::bricked) lowest[a] = Bricks::brickBegin(a, lowest[a]);
+        span += offsetAlong(line, a, std::max(first, last)) - offsetAlong(line, a, std::min(first, last));
+        if (a == 0) cells = static_cast<std::uint64_t>(std::max(first, last) - lowest[a]);
+      }
+      // Far apart only in volumes of gigabytes; one sample always fits.
+      if (count == 1 || (span < (std::uint64_t{1} << 30) && cells < (std::uint64_t{1} << 19))) break;
+    }
+    Piece& piece = pieces_[next_];
+    std::uint64_t corner = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      corner += offsetAlong(line, a, lowest[a]);
+      piece.startWhole[a] = static_cast<std::uint32_t>((base[a] >> kFractionBits) - lowest[a]);
+      if (quality_ == Quality::cubic) piece.startWhole[a] -= 1U;
+      piece.startFraction[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(base[a]) & kFractionMask);
+      piece.templateWhole[a] = line.whole[a] + n;
+      piece.templateFraction[a] = line.fraction[a] + n;
+    }
+    piece.count = count;
+    piece.out = block + n;
+    piece.voxels = line.voxels + corner;
+    piece.stride = line.stride;
+    const PieceKind kind{quality_, line.layout};
+    kinds_[next_] = kind;
+    layPiece(kind, piece);
+    announcePiece(kind, piece);
+    sampleOldest();
+    n += count;
+  }
+}
+
+void RowSampler::sampleOldest() {
+  next_ = next_ == kAhead ? 0 : next_ + 1;
+  if (pieces_[next_].count > 0) samplePiece(kinds_[next_], pieces_[next_]);
+  pieces_[next_].count = 0;
+}
+
+void RowSampler::finish() {
+  for (std::size_t n = 0; n <= kAhead; ++n) sampleOldest();
+}
+
+}  // namespace ew::detail
