@@ -53,6 +53,42 @@ TEST(TurnedProbe, SeesTheMirroredPictureToThePixel) {
         }
 }
 
+TEST(TurnedProbe, SeesTheMirroredPictureAlsoThroughItsBeams) {
+  Volume volume = testing::noiseVolume({120, 140, 100}, 17);
+  volume.grid.spacing_mm = {1.3, 1.1, 1.7};
+  volume.grid.origin_mm = {-78.0, -20.0, -85.0};
+  Scene scene;
+  scene.focus = FocusEffect{};
+  scene.sliceThickness = SliceThicknessEffect{};
+  scene.attenuation = AttenuationEffect{};
+  for (const ProbeKind kind : {ProbeKind::linear, ProbeKind::convex, ProbeKind::phased, ProbeKind::endocavity, ProbeKind::sweptSector}) {
+    FrameMaker maker;
+    maker.configure(testing::probeOf(kind), {}, scene, volume.grid, 300, 240);
+    ASSERT_TRUE(maker.plan().onBeams);
+    const auto copied = [&](const Pose& at) {
+      const ImageView<const std::uint8_t> seen = maker.make(volume.view(), at);
+      GreyImage copy(seen.width, seen.height);
+      for (int y = 0; y < seen.height; ++y) std::copy_n(seen.row(y), seen.width, viewOf(copy).row(y));
+      return copy;
+    };
+    Pose pose;
+    pose.probeToWorld.matrix =
+        glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(3.1, -9.7, 1.9)), 0.41, glm::normalize(glm::dvec3(0.3, 1.0, -0.2)));
+    Pose turned = pose;
+    turned.probeToWorld.matrix[0] = -pose.probeToWorld.matrix[0];
+    turned.probeToWorld.matrix[2] = -pose.probeToWorld.matrix[2];
+    const GreyImage straight = copied(pose);
+    GreyImage mirrored = copied(turned);
+    for (int y = 0; y < mirrored.height; ++y) std::reverse(viewOf(mirrored).row(y), viewOf(mirrored).row(y) + mirrored.width);
+    int different = 0, largest = 0;
+    for (std::size_t i = 0; i < straight.pixels.size(); ++i) {
+      different += straight.pixels[i] != mirrored.pixels[i];
+      largest = std::max(largest, std::abs(straight.pixels[i] - mirrored.pixels[i]));
+    }
+    EXPECT_EQ(different, 0) << "kind " << static_cast<int>(kind) << ", largest " << largest;
+  }
+}
+
 TEST(TurnedProbe, SampledAlongItsLinesSeesTheMirroredLines) {
   const Volume volume = testing::noiseVolume({90, 90, 80}, 5);
   for (const ProbeKind kind : {ProbeKind::linear, ProbeKind::convex, ProbeKind::phased, ProbeKind::endocavity, ProbeKind::sweptSector}) {
