@@ -57,7 +57,7 @@ Result<Case> findCase(const std::string& caseOrId) {
                  {{"case", caseOrId}});
 }
 
-Result<Volume> readCaseVolume(Run& run, const Case& opened) {
+Result<CaseEcho> readCaseEcho(Run& run, const Case& opened) {
   run.input(opened.folder / "case.json");
   auto echo = [&] {
     const StepClock clock(run.report, "read");
@@ -66,7 +66,7 @@ Result<Volume> readCaseVolume(Run& run, const Case& opened) {
   }();
   if (!echo) return passOn(echo.error());
   for (const auto& note : echo->notes) run.remark(note);
-  return std::move(echo->volume);
+  return echo;
 }
 
 }  // namespace ew::cli

@@ -39,7 +39,7 @@ struct InputVolume {
 /// True when `argument` can only mean a case: a folder, a .json file, or a word that is no file.
 [[nodiscard]] bool meansCase(const std::string& argument);
 
-/// The case's volume placed in the world, made first when it has to be; timed, notes told as remarks.
-[[nodiscard]] Result<Volume> readCaseVolume(Run& run, const Case& opened);
+/// The case's echo and labels placed in the world, made first when they have to be; timed, notes told as remarks.
+[[nodiscard]] Result<CaseEcho> readCaseEcho(Run& run, const Case& opened);
 
 }  // namespace ew::cli
