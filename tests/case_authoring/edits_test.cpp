@@ -46,6 +46,29 @@ TEST(Edits, AMissingFieldIsEmptyAndCanBeMade) {
   EXPECT_EQ(withText(json{{"id", "x"}}, "patient.name", "C")["patient"]["name"], "C");
 }
 
+TEST(Edits, AnEffectIsSwitchedOnAtItsUsualStrengthAndOffWithoutATrace) {
+  const json on = withEffect(kManifest, "scene.noise", true);
+  EXPECT_EQ(on["scene"]["noise"], true);
+  EXPECT_TRUE(hasEffect(on, "scene.noise"));
+  EXPECT_EQ(withEffect(on, "scene.noise", false), kManifest);
+  EXPECT_FALSE(hasEffect(kManifest, "scene.noise"));
+}
+
+TEST(Edits, AnEffectThatIsOnKeepsItsParameters) {
+  const json tuned = withField(kManifest, "scene.focus", json{{"strength", 2.0}});
+  EXPECT_TRUE(hasEffect(tuned, "scene.focus"));
+  EXPECT_EQ(withEffect(tuned, "scene.focus", true), tuned);
+  EXPECT_FALSE(hasEffect(withEffect(tuned, "scene.focus", false), "scene.focus"));
+  EXPECT_FALSE(hasEffect(withField(kManifest, "scene.focus", false), "scene.focus"));
+}
+
+TEST(Edits, GainAndDgcAreThereUntilTheyAreSwitchedOff) {
+  EXPECT_TRUE(hasEffect(json::object(), "scene.gain_and_dgc"));
+  const json off = withEffect(kManifest, "scene.gain_and_dgc", false);
+  EXPECT_EQ(off["scene"]["gain_and_dgc"], false);
+  EXPECT_TRUE(hasEffect(withEffect(off, "scene.gain_and_dgc", true), "scene.gain_and_dgc"));
+}
+
 TEST(Edits, APlaceThatIsMissingIsTheIdentityAndABrokenOneIsAnError) {
   EXPECT_EQ(placeOf(kManifest).value(), glm::dmat4(1.0));
   for (const json& wrong : {json("here"), json::array({1, 2}), json::array({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, "16"})})

@@ -8,6 +8,8 @@
 namespace ew::case_authoring {
 namespace {
 
+constexpr const char* kGainPath = "scene.gain_and_dgc";
+
 std::pair<std::string, std::string> split(const std::string& path) {
   const auto dot = path.find('.');
   return dot == std::string::npos ? std::pair{path, std::string()} : std::pair{path.substr(0, dot), path.substr(dot + 1)};
@@ -48,6 +50,19 @@ nlohmann::json withText(nlohmann::json manifest, const std::string& path, const 
 std::string textOf(const nlohmann::json& manifest, const std::string& path) {
   const auto value = fieldOf(manifest, path);
   return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+bool hasEffect(const nlohmann::json& manifest, const std::string& path) {
+  const auto value = fieldOf(manifest, path);
+  if (value.is_boolean()) return value.get<bool>();
+  return value.is_object() || (value.is_null() && path == kGainPath);
+}
+
+nlohmann::json withEffect(nlohmann::json manifest, const std::string& path, bool on) {
+  if (hasEffect(manifest, path) == on) return manifest;
+  // Gain and DGC are on when nothing is said, the others are off.
+  if (!on && path != kGainPath) return withField(std::move(manifest), path, std::nullopt);
+  return withField(std::move(manifest), path, on);
 }
 
 Result<glm::dmat4> placeOf(const nlohmann::json& manifest) {

@@ -22,6 +22,11 @@ namespace ew::case_authoring {
 /// The text of a field; empty when it is missing or not a text.
 [[nodiscard]] std::string textOf(const nlohmann::json& manifest, const std::string& path);
 
+/// Whether the scene has an effect ("scene.noise"): true or an object of its parameters. Gain and DGC are there unless switched off.
+[[nodiscard]] bool hasEffect(const nlohmann::json& manifest, const std::string& path);
+/// The manifest with an effect of the scene on, at its usual strength, or off. One that is on already keeps its parameters.
+[[nodiscard]] nlohmann::json withEffect(nlohmann::json manifest, const std::string& path, bool on);
+
 /// Where the volume lies: volume.file_to_world, the identity when the manifest gives none.
 /// @error badField when it is not 16 numbers
 [[nodiscard]] Result<glm::dmat4> placeOf(const nlohmann::json& manifest);

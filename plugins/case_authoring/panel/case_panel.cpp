@@ -1,5 +1,6 @@
 #include "panel/case_panel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -92,6 +93,8 @@ QWidget* CasePanel::makeForm() {
   addText(form, "history", tr("History"), tr("Change the history"));
   addText(form, "indication", tr("Indication"), tr("Change the indication"));
   addText(form, "diagnosis", tr("Diagnosis"), tr("Change the diagnosis"));
+  form->addRow(sdk::headingLabel(tr("Scene")));
+  addScene(form);
   form->addRow(sdk::headingLabel(tr("Volume in the body")));
   addPlace(form);
 
@@ -228,6 +231,38 @@ void CasePanel::addAge(QFormLayout* form) {
                      age->setValue(value.is_number_integer() ? value.get<int>() : kAgeUnknown);
                    },
                    addRow(form, tr("Age"), age, path)};
+}
+
+void CasePanel::addScene(QFormLayout* form) {
+  form->addRow(sdk::quietLabel(tr("What a scan of this case has to show; nothing else is computed.")));
+  const struct {
+    const char* path;
+    QString name, tip;
+  } effects[] = {
+      {"scene.gain_and_dgc", tr("Gain and DGC"), tr("The trainee sets gain and depth compensation")},
+      {"scene.focus", tr("Beam width and focus"), tr("The beam is narrow at the focus and wide elsewhere")},
+      {"scene.slice_thickness", tr("Slice thickness"), tr("The picture is an average over the thickness of the beam")},
+      {"scene.attenuation", tr("Shadow and enhancement"), tr("Dark behind stone, bone and gas, bright behind fluid")},
+      {"scene.reverberation", tr("Reverberation and mirror images"), tr("Repeated and mirrored echoes of strong interfaces")},
+      {"scene.noise", tr("Electronic noise"), tr("Noise of the amplifier, which grows with depth")},
+      {"scene.contact", tr("Skin contact"), tr("Where the face is off the skin the picture goes dark")},
+  };
+  for (const auto& effect : effects) {
+    const std::string path = effect.path;
+    auto* box = new QCheckBox(effect.name);
+    box->setObjectName(nameOf(path));
+    box->setToolTip(effect.tip);
+    connect(box, &QCheckBox::toggled, this, [this, path, name = effect.name](bool on) {
+      change(path, on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name),
+             [&](nlohmann::json manifest) { return withEffect(std::move(manifest), path, on); });
+    });
+    fields_[path] = {[box, path](const nlohmann::json& manifest) {
+                       const QSignalBlocker quiet(box);
+                       box->setChecked(hasEffect(manifest, path));
+                     },
+                     addRow(form, {}, box, path)};
+    box->setAccessibleName(effect.name);
+  }
 }
 
 void CasePanel::addPlace(QFormLayout* form) {

@@ -42,6 +42,7 @@ class CasePanel final : public QWidget {
   void addSex(QFormLayout* form);
   void addAge(QFormLayout* form);
   void addPlace(QFormLayout* form);
+  void addScene(QFormLayout* form);
   QLabel* addRow(QFormLayout* form, const QString& label, QWidget* editor, const std::string& path);
   void change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit);
   void showCase();
