@@ -61,6 +61,8 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 struct Opener::Loaded {
   std::optional<Case> opened;
   std::shared_ptr<const Volume> volume;
+  std::shared_ptr<const Volume> labels;
+  std::vector<TissueAcoustics> tissues;
   std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
   fs::path mannequinFile;
   std::vector<std::string> notes;
@@ -167,6 +169,8 @@ void Opener::openCase(const QString& path) {
         if (!echo) return passOn(echo.error());
         loaded->notes = std::move(echo->notes);
         loaded->volume = std::make_shared<const Volume>(std::move(echo->volume));
+        if (echo->labels) loaded->labels = std::make_shared<const Volume>(std::move(*echo->labels));
+        loaded->tissues = std::move(echo->tissues);
         if (*body != present) {
           PartOfProgress rest(progress, 0.9, 1.0);
           auto mannequin = readMannequin(*body, rest);
@@ -179,6 +183,8 @@ void Opener::openCase(const QString& path) {
       },
       [this, loaded, path] {
         caseVolume_ = loaded->volume;
+        caseLabels_ = loaded->labels;
+        caseTissues_ = loaded->tissues;
         casePlacement_ = loaded->opened->volume.fileToWorld;
         startPose_ = loaded->opened->startPose;
         mannequinFile_ = loaded->mannequinFile;
@@ -190,6 +196,11 @@ void Opener::openCase(const QString& path) {
       });
 }
 
+Grid Opener::nowPlaced(const Grid& grid) const {
+  const auto& opened = document_.current();
+  return opened ? placed(grid, opened->volume.fileToWorld * glm::inverse(casePlacement_)) : grid;
+}
+
 void Opener::showCaseVolume() {
   const auto& opened = document_.current();
   if (!opened || !caseVolume_) return;
@@ -197,8 +208,10 @@ void Opener::showCaseVolume() {
   Subject subject;
   subject.title = words(opened->title);
   subject.volume = caseVolume_;
-  subject.placedGrid = placed(caseVolume_->grid, opened->volume.fileToWorld * glm::inverse(casePlacement_));
-  subject.scene = opened->scene;
+  subject.placedGrid = nowPlaced(caseVolume_->grid);
+  subject.labels = caseLabels_;
+  if (caseLabels_) subject.placedLabels = nowPlaced(caseLabels_->grid);
+  subject.scene = sceneWithTissues(opened->scene, caseTissues_);
   subject.probes = opened->probes;
   startPose_ = opened->startPose;
   startTaken_ = false;
@@ -228,6 +241,8 @@ void Opener::openImage(const QString& path) {
         }
         document_.close();
         caseVolume_.reset();
+        caseLabels_.reset();
+        caseTissues_.clear();
         showVolume(loaded->volume, QFileInfo(path).fileName(), false);
         for (const std::string& note : loaded->notes) messages_.showNote(words(note));
         Q_EMIT opened(path);
@@ -266,8 +281,8 @@ void Opener::followDocument() {
   }
   if (!showsCase_ || !caseVolume_) return;
   session_.setTitle(words(opened->title));
-  session_.setCaseScene(opened->scene);
-  session_.setPlacedGrid(placed(caseVolume_->grid, opened->volume.fileToWorld * glm::inverse(casePlacement_)));
+  session_.setCaseScene(sceneWithTissues(opened->scene, caseTissues_));
+  session_.setPlacedGrid(nowPlaced(caseVolume_->grid), caseLabels_ ? nowPlaced(caseLabels_->grid) : Grid{});
 }
 
 void Opener::takeStart() {

@@ -50,6 +50,8 @@ class Opener final : public QObject {
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken);
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
+  /// Where something that was placed with the case lies now.
+  [[nodiscard]] Grid nowPlaced(const Grid& grid) const;
   void takeStart();
   void showHold(const Hold& hold);
 
@@ -60,8 +62,10 @@ class Opener final : public QObject {
   View3D& view_;
   HandInput& hand_;
   std::shared_ptr<const Volume> caseVolume_;
-  glm::dmat4 casePlacement_{1.0};        ///< the file_to_world that caseVolume_ was placed with when it was loaded
-  std::filesystem::path mannequinFile_;  ///< of the body that is shown or on its way
+  std::shared_ptr<const Volume> caseLabels_;  ///< null when the case has none
+  std::vector<TissueAcoustics> caseTissues_;  ///< of the labels, as the recipe has them
+  glm::dmat4 casePlacement_{1.0};             ///< the file_to_world that caseVolume_ was placed with when it was loaded
+  std::filesystem::path mannequinFile_;       ///< of the body that is shown or on its way
   std::optional<Pose> startPose_;
   bool showsCase_ = false;
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there

@@ -113,10 +113,11 @@ void Session::clear() {
   Q_EMIT pictureChanged();
 }
 
-void Session::setPlacedGrid(const Grid& grid) {
+void Session::setPlacedGrid(const Grid& grid, const Grid& labels) {
   if (!subject_ || subject_->placedGrid == grid) return;
   EW_EXPECTS(grid.dims == subject_->volume->grid.dims);
   subject_->placedGrid = grid;
+  if (subject_->labels) subject_->placedLabels = labels;
   due();
   Q_EMIT subjectChanged();
 }
@@ -299,11 +300,12 @@ void Session::makePictureNow() {
   } else {
     usedKnobs_ = frozenKnobs_;
   }
-  maker_.configure(pictureProbe(), usedKnobs_, pictureScene(), subject_->placedGrid, width_, height_);
+  maker_.configure(pictureProbe(), usedKnobs_, pictureScene(), subject_->placedGrid, width_, height_, subject_->labels != nullptr);
   const bool wantsGaps = pictureScene().contact && skin_ && pose.status == PoseStatus::ok;
   if (wantsGaps && !frozen_) measureGaps(pose);
   FrameInput input;
   input.echo = VolumeView<const std::uint8_t>{subject_->volume->echo.data(), subject_->placedGrid};
+  if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
   input.pose = pose;
   if (wantsGaps) input.gaps_mm = gaps_mm_;
   input.time_s = time_s_;

@@ -21,9 +21,11 @@ namespace ew::ui {
 struct Subject {
   QString title;
   std::shared_ptr<const Volume> volume;
-  Grid placedGrid;                  ///< of the same dims as the volume's own grid
-  Scene scene;                      ///< what the case calls for
-  std::vector<std::string> probes;  ///< ids that may be used, the first is the default; empty: all
+  Grid placedGrid;                                 ///< of the same dims as the volume's own grid
+  Scene scene;                                     ///< what the case calls for
+  std::shared_ptr<const Volume> labels = nullptr;  ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
+  Grid placedLabels = {};                          ///< where the labels lie
+  std::vector<std::string> probes = {};            ///< ids that may be used, the first is the default; empty: all
 };
 
 /// How firmly a hand presses a probe on when nothing else says so: 1 mm, and four fifths of how far the ends of a curved face lie behind
@@ -49,8 +51,8 @@ class Session final : public QObject {
   void show(Subject subject);
   void clear();
   [[nodiscard]] const std::optional<Subject>& subject() const { return subject_; }
-  /// Moves the volume; ignored without one.
-  void setPlacedGrid(const Grid& grid);
+  /// Moves the volume, and its labels with it; ignored without one.
+  void setPlacedGrid(const Grid& grid, const Grid& labels = {});
   void setTitle(const QString& title);
 
   /// What the frames run: the case's scene until the console switches an effect. Only the console's is set here; the case keeps its own.
@@ -108,6 +110,7 @@ class Session final : public QObject {
   /// The M-mode strip; width 0 in B-mode.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
   [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
+  [[nodiscard]] const Spans& spans() const { return maker_.spans(); }
   [[nodiscard]] const Plan& plan() const { return maker_.plan(); }
   /// From a change of the hold to the picture that shows it.
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
