@@ -287,7 +287,7 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                    [this](int index) { setFoci(index + 1); },
                    hasFocus};
   for (int i = 1; i <= kMostFoci; ++i) {
-    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("%n focus depths (N for the next)", nullptr, i)});
+    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("Number of focus depths (N for the next)")});
   }
   foci.isInline = true;
   addSegments(rows, std::move(foci));

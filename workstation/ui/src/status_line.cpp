@@ -97,8 +97,8 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   contact_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(position_);
   row->addWidget(depth_);
-  row->addWidget(plan_);
-  row->addWidget(lowered_, 1);
+  row->addWidget(plan_, 1);
+  row->addWidget(lowered_);
   row->addWidget(edit_);
   row->addWidget(contact_);
 
@@ -179,13 +179,15 @@ QString StatusLine::planTip() const {
                     .arg(tr("What the picture runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
   const LatencyHistogram& latency = session_.latency();
   if (latency.count() == 0) return tip;
-  tip += QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
-             .arg(tr("From the hand to the picture, %n pictures", nullptr, static_cast<int>(latency.count())),
-                  tr("median %1 ms, 95 % %2 ms, 99 % %3 ms, worst %4 ms")
-                      .arg(latency.quantile_us(0.5) / 1000.0, 0, 'f', 1)
-                      .arg(latency.quantile_us(0.95) / 1000.0, 0, 'f', 1)
-                      .arg(latency.quantile_us(0.99) / 1000.0, 0, 'f', 1)
-                      .arg(latency.max_us() / 1000.0, 0, 'f', 1));
+  // A quantile is the upper edge of its bucket, which may lie above the longest time there was.
+  const auto quantile_ms = [&](double share) { return std::min(latency.quantile_us(share), latency.max_us()) / 1000.0; };
+  tip +=
+      QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
+          .arg(tr("From the hand to the picture, ms; pictures: %1").arg(latency.count()), tr("median %1, 95 % %2, 99 % %3, worst %4")
+                                                                                              .arg(quantile_ms(0.5), 0, 'f', 1)
+                                                                                              .arg(quantile_ms(0.95), 0, 'f', 1)
+                                                                                              .arg(quantile_ms(0.99), 0, 'f', 1)
+                                                                                              .arg(latency.max_us() / 1000.0, 0, 'f', 1));
   // Buckets are a quarter of a doubling; two together are still finer than anyone reads.
   constexpr int kTogether = 2;
   std::uint64_t most = 1;

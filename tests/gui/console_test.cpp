@@ -1,0 +1,557 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTranslator>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/gtc/constants.hpp>
+
+#include "cost_chart.h"
+#include "cost_panel.h"
+#include "ew/library/case.h"
+#include "status_line.h"
+#include "window_fixture.h"
+
+/// Outside of any namespace, as the macro demands.
+static void initTranslations() { Q_INIT_RESOURCE(translations); }
+
+namespace ew::ui::testing {
+
+/// Every control of the console changes what it names, the picture follows, and what is drawn around the picture follows the picture.
+class ConsoleTest : public WindowFixture {
+  Q_OBJECT
+
+ private:
+  void slide(const char* name, int value) const {
+    auto* slider = find<QSlider>(name);
+    QVERIFY2(slider != nullptr, name);
+    QVERIFY2(slider->isEnabled() && !slider->parentWidget()->isHidden(), name);
+    QVERIFY2(slider->minimum() <= value && value <= slider->maximum(), name);
+    slider->setValue(value);
+  }
+  void press(const char* name) const {
+    auto* button = find<QAbstractButton>(name);
+    QVERIFY2(button != nullptr, name);
+    QVERIFY2(button->isEnabled() && !button->isHidden(), name);
+    button->click();
+  }
+  void choose(const char* name, int index) const {
+    auto* choice = find<QComboBox>(name);
+    QVERIFY2(choice != nullptr && index < choice->count(), name);
+    choice->setCurrentIndex(index);
+    Q_EMIT choice->activated(index);
+  }
+  void everythingOn() const {
+    for (const char* effect :
+         {"focusStrengthEffect", "sliceThicknessEffect", "attenuationEffect", "reverberationEffect", "noiseEffect", "contactGelEffect"}) {
+      press(effect);
+    }
+  }
+  [[nodiscard]] static bool isThere(const QSlider* slider) { return slider != nullptr && !slider->parentWidget()->isHidden(); }
+  [[nodiscard]] const Knobs& knobs() const { return session().knobs(); }
+  [[nodiscard]] const Scene& scene() const { return session().scene(); }
+  /// A linear array that steers and fans out, beside the case's own probe.
+  void chooseLinearProbe() const {
+    Probe linear;
+    linear.id = "test-linear";
+    linear.name = "Test linear";
+    linear.kind = ProbeKind::linear;
+    linear.carriers_hz = {5e6, 7.5e6, 10e6};
+    linear.carrier_hz = 7.5e6;
+    linear.maxSteering_rad = glm::radians(20.0);
+    linear.trapezoidHalfAngle_rad = glm::radians(10.0);
+    std::vector<Probe> all = session().probes();
+    all.push_back(linear);
+    Subject subject = *session().subject();
+    for (const Probe& probe : all) subject.probes.push_back(probe.id);
+    session().setProbes(all);
+    session().show(subject);
+    session().chooseProbe("test-linear");
+    QCOMPARE(session().probe().id, std::string("test-linear"));
+  }
+  void checkNothingIsClipped() const {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->wordWrap()) continue;
+      QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
+    }
+    for (const QAbstractButton* button : window_->findChildren<QAbstractButton*>()) {
+      if (!button->isVisible() || button->text().isEmpty()) continue;
+      QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));
+    }
+    QCOMPARE(window_->width(), 1280);
+    QCOMPARE(window_->height(), 720);
+  }
+  void checkPages() const {
+    auto* pages = find<QTabWidget>("consolePages");
+    for (const char* mode : {"modeB", "modeBoth"}) {
+      find<QPushButton>(mode)->click();
+      for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        QTest::qWait(60);
+        checkNothingIsClipped();
+      }
+    }
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { initTranslations(); }
+  void init() {
+    QSettings().clear();
+    showWindowWithCase(files_.writeCase(QStringLiteral("case")));
+  }
+  void cleanup() { window_.reset(); }
+
+  void everyKnobOfTheConsoleChangesTheKnobItNames() {
+    everythingOn();
+    const auto changes = [this](const char* what, const std::function<void()>& turn, const std::function<void(Knobs&)>& expected) {
+      Knobs wanted = knobs();
+      expected(wanted);
+      QVERIFY2(!(wanted == knobs()), what);
+      turn();
+      QVERIFY2(wanted == knobs(), what);
+    };
+    changes(
+        "gain", [&] { slide("gain", 140); }, [](Knobs& k) { k.gain = 1.4; });
+    changes(
+        "dgc3", [&] { slide("dgc3", 60); }, [](Knobs& k) { k.dgc[2] = 0.6; });
+    changes(
+        "dgc reset", [&] { press("dgcReset"); }, [](Knobs& k) { k.dgc = Knobs{}.dgc; });
+    changes(
+        "depth", [&] { slide("depth", 120); }, [](Knobs& k) { k.depth_mm = 120.0; });
+    changes(
+        "focus", [&] { slide("focus", 45); }, [](Knobs& k) { k.focus_mm = 45.0; });
+    changes(
+        "method", [&] { press("focusStretch"); }, [](Knobs& k) { k.focusMethod = FocusMethod::rowStretch; });
+    changes(
+        "range", [&] { slide("dynamicRange", 45); }, [](Knobs& k) { k.dynamicRange_db = 45.0; });
+    changes(
+        "range as recorded", [&] { slide("dynamicRange", 60); }, [](Knobs& k) { k.dynamicRange_db = 0.0; });
+    changes(
+        "grey map", [&] { press("greyContrast"); }, [](Knobs& k) { k.greyMap = GreyMap::contrast; });
+    changes(
+        "edges", [&] { slide("edges", 30); }, [](Knobs& k) { k.edgeEnhancement = 0.3; });
+    changes(
+        "persistence", [&] { slide("persistence", 50); }, [](Knobs& k) { k.persistence = 0.5; });
+    changes(
+        "zoom", [&] { slide("zoom", 25); }, [](Knobs& k) { k.zoom = 2.5; });
+    changes(
+        "weave", [&] { press("qualityWeave"); }, [](Knobs& k) { k.quality = Quality::weave; });
+    changes(
+        "cubic", [&] { press("qualityCubic"); }, [](Knobs& k) { k.quality = Quality::cubic; });
+    changes(
+        "planes", [&] { press("planes7"); }, [](Knobs& k) { k.elevationPlanes = 7; });
+    changes(
+        "both", [&] { press("modeBoth"); }, [](Knobs& k) { k.mode = DisplayMode::both; });
+    changes(
+        "M line", [&] { slide("mLine", 40); }, [](Knobs& k) { k.mLine = -0.4; });  // the marker, at +x, is at the left
+    changes(
+        "sweep", [&] { slide("sweep", 8); }, [](Knobs& k) { k.mSweep_s = 8.0; });
+    changes(
+        "M", [&] { press("modeM"); }, [](Knobs& k) { k.mode = DisplayMode::mMode; });
+    changes(
+        "B", [&] { press("modeB"); }, [](Knobs& k) { k.mode = DisplayMode::bMode; });
+    changes(
+        "flip", [&] { press("flip"); }, [](Knobs& k) { k.markerLeft = false; });
+    changes(
+        "turn", [&] { press("upsideDown"); }, [](Knobs& k) { k.upsideDown = true; });
+
+    press("foci3");
+    QCOMPARE(static_cast<int>(std::count_if(knobs().moreFoci_mm.begin(), knobs().moreFoci_mm.end(), [](double mm) { return mm > 0; })), 2);
+    for (const double mm : knobs().moreFoci_mm) QVERIFY(mm >= 0.0 && mm < 120.0);
+    press("foci1");
+    QVERIFY(knobs().moreFoci_mm == Knobs{}.moreFoci_mm);
+
+    QVERIFY(session().isAdaptive());
+    press("adaptive");
+    QVERIFY(!session().isAdaptive());
+    press("freeze");
+    QVERIFY(session().isFrozen());
+  }
+
+  void aLinearArraySteersAndFansOutAndAnotherProbeDoesNotOfferIt() {
+    QVERIFY(!isThere(find<QSlider>("steering")));
+    QVERIFY(find<QCheckBox>("trapezoid")->isHidden());
+    chooseLinearProbe();
+    QVERIFY(isThere(find<QSlider>("steering")));
+    slide("steering", -15);
+    QVERIFY(std::abs(knobs().steering_rad - glm::radians(-15.0)) < 1e-12);
+    QVERIFY(find<QSlider>("steering")->maximum() == 20);
+    choose("frequency", 2);
+    QCOMPARE(knobs().carrier_hz, 10e6);
+    choose("frequency", 1);
+    QCOMPARE(knobs().carrier_hz, 0.0);  // the probe's own
+    session().makePictureNow();
+    const auto steered = session().spans();
+    press("trapezoid");
+    QVERIFY(knobs().trapezoid);
+    QVERIFY2(!find<QSlider>("steering")->isEnabled(), "a trapezoid does not steer");
+    session().makePictureNow();
+    QVERIFY(session().spans() != steered);
+  }
+
+  void everyEffectIsSwitchedAndItsStrengthReachesTheScene() {
+    const Scene none;
+    QVERIFY(scene() == none);
+    for (const char* slider : {"focusStrength", "sliceThickness", "attenuation", "reverberation", "noise", "contactGel"}) {
+      QVERIFY2(!find<QSlider>(slider)->isEnabled(), slider);
+    }
+    QVERIFY2(!find<QSlider>("focus")->isEnabled(), "a focus that does nothing must look off");
+    QVERIFY(!find<QCheckBox>("mirror")->isEnabled());
+    everythingOn();
+    QVERIFY(scene() == sceneWithEverything());
+    slide("focusStrength", 150);
+    slide("sliceThickness", 25);
+    slide("attenuation", 20);
+    slide("reverberation", 8);
+    press("mirror");
+    slide("noise", -70);
+    slide("contactGel", 10);
+    press("gainEffect");
+    QCOMPARE(scene().focus->strength, 1.5);
+    QCOMPARE(scene().sliceThickness->scale, 2.5);
+    QCOMPARE(scene().attenuation->interface_dbPerMm, 10.0);
+    QCOMPARE(scene().reverberation->loss_dbPerBounce, 8.0);
+    QVERIFY(!scene().reverberation->mirror);
+    QCOMPARE(scene().noise->atFace_db, -70.0);
+    QCOMPARE(scene().contact->gel_mm, 5.0);
+    QVERIFY(!scene().gainAndDgc && !find<QSlider>("gain")->isEnabled() && !find<QSlider>("dgc1")->isEnabled());
+    press("noiseEffect");
+    QVERIFY(!scene().noise);
+    press("noiseEffect");
+    QCOMPARE(scene().noise->atFace_db, -70.0);  // as strong as it was
+  }
+
+  void everyEffectChangesThePicture() {
+    session().makePictureNow();
+    for (const char* effect : {"focusStrengthEffect", "sliceThicknessEffect", "noiseEffect"}) {
+      const std::vector<std::uint8_t> before = pixelsOf(session());
+      press(effect);
+      session().makePictureNow();
+      QVERIFY2(pixelsOf(session()) != before, effect);
+      press(effect);
+      session().makePictureNow();
+      QVERIFY2(pixelsOf(session()) == before, effect);
+    }
+    // A probe held off the skin shows it only when the scene has contact.
+    Hold lifted = session().hold();
+    lifted.press_mm = 0.0;
+    session().setHold(turned(lifted, 0.0, 0.6, 0.0));
+    session().makePictureNow();
+    const std::vector<std::uint8_t> touching = pixelsOf(session());
+    press("contactGelEffect");
+    session().makePictureNow();
+    QVERIFY(pixelsOf(session()) != touching);
+  }
+
+  void theScenesResetIsTakenBack() {
+    press("attenuationEffect");
+    slide("attenuation", 30);
+    const Scene switched = scene();
+    auto* reset = find<QPushButton>("sceneReset");
+    const QString name = reset->text();
+    reset->click();
+    QVERIFY(scene() == session().subject()->scene);
+    QVERIFY(reset->text() != name);
+    reset->click();
+    QVERIFY(scene() == switched);
+    QCOMPARE(reset->text(), name);
+  }
+
+  void theKeysReachTheConsole() {
+    QWidget* at = &window_->scanView();
+    const auto key = [at](Qt::Key k, Qt::KeyboardModifiers with = Qt::NoModifier) { QTest::keyClick(at, k, with); };
+    key(Qt::Key_3);
+    QCOMPARE(static_cast<int>(knobs().quality), static_cast<int>(Quality::cubic));
+    key(Qt::Key_F2);
+    QVERIFY(scene().focus.has_value());
+    key(Qt::Key_N);
+    QVERIFY(knobs().moreFoci_mm[0] > 0.0);
+    key(Qt::Key_F7);
+    QVERIFY(scene().noise.has_value());
+    key(Qt::Key_U);
+    QVERIFY(knobs().upsideDown);
+    key(Qt::Key_M);
+    QCOMPARE(static_cast<int>(knobs().mode), static_cast<int>(DisplayMode::both));
+    key(Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY(knobs().mLine != 0.0);
+    key(Qt::Key_G);
+    QCOMPARE(static_cast<int>(knobs().greyMap), static_cast<int>(GreyMap::soft));
+    key(Qt::Key_P);
+    QCOMPARE(knobs().persistence, 0.1);
+    key(Qt::Key_F10);
+    QCOMPARE(find<QTabWidget>("consolePages")->currentIndex(), 1);
+    key(Qt::Key_J);  // a convex probe does not steer
+    QCOMPARE(knobs().steering_rad, 0.0);
+  }
+
+  void everyControlHasAnAccessibleNameAndATooltip() {
+    chooseLinearProbe();
+    QStringList silent;
+    for (const QWidget* control : window_->console().findChildren<QWidget*>()) {
+      if (qobject_cast<const QSlider*>(control) == nullptr && qobject_cast<const QAbstractButton*>(control) == nullptr &&
+          qobject_cast<const QComboBox*>(control) == nullptr)
+        continue;
+      if (control->objectName().isEmpty() || control->objectName().startsWith(QLatin1String("qt_")) ||
+          control->objectName() == QLatin1String("ScrollLeftButton") || control->objectName() == QLatin1String("ScrollRightButton"))
+        continue;
+      if (control->accessibleName().isEmpty() && qobject_cast<const QPushButton*>(control) == nullptr) silent << control->objectName();
+      if (control->toolTip().isEmpty()) silent << control->objectName();
+    }
+    QVERIFY2(silent.isEmpty(), qPrintable(silent.join(QStringLiteral(", "))));
+  }
+
+  void draggingOnTheDepthScaleMovesTheNearestFocus() {
+    press("focusStrengthEffect");
+    press("foci2");
+    session().makePictureNow();
+    auto* scale = find<QWidget>("focusScale");
+    const double first_mm = knobs().focus_mm;
+    const double second_mm = knobs().moreFoci_mm[0];
+    const auto at = [&](double mm) { return QPoint(20, static_cast<int>(std::lround(window_->scanView().yOfDepth(mm))) - scale->y()); };
+    QTest::mousePress(scale, Qt::LeftButton, Qt::NoModifier, at(second_mm));
+    QMouseEvent move(QEvent::MouseMove, at(140.0), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(scale, &move);
+    QTest::mouseRelease(scale, Qt::LeftButton, Qt::NoModifier, at(140.0));
+    QCOMPARE(knobs().focus_mm, first_mm);
+    QVERIFY(std::abs(knobs().moreFoci_mm[0] - 140.0) <= 1.0);
+  }
+
+  void upsideDownMovesScaleSlidersAndMarkerWithThePicture() {
+    session().makePictureNow();
+    QTest::qWait(30);
+    const auto y = [this](const char* name) { return find<QSlider>(name)->mapTo(&window_->scanView(), QPoint(0, 10)).y(); };
+    ScanView& view = window_->scanView();
+    QVERIFY(y("dgc1") < y("dgc8") && view.yOfDepth(0.0) < view.yOfDepth(100.0));
+    const std::vector<std::uint8_t> upright = pixelsOf(session());
+    press("upsideDown");
+    session().makePictureNow();
+    QTest::qWait(30);
+    QVERIFY(y("dgc1") > y("dgc8") && view.yOfDepth(0.0) > view.yOfDepth(100.0));
+    QVERIFY(std::abs(view.depthAt_mm(view.yOfDepth(70.0)) - 70.0) < 1e-9);
+    for (int i = 1; i <= 8; ++i) {
+      const double depth_mm = session().geometry().depth_mm * (i - 0.5) / 8.0;
+      QVERIFY(std::abs(y(qPrintable(QStringLiteral("dgc%1").arg(i))) - view.yOfDepth(depth_mm)) <= 1.5);
+    }
+    const std::vector<std::uint8_t> turnedOver = pixelsOf(session());
+    const auto width = static_cast<std::size_t>(session().geometry().width);
+    const auto height = static_cast<std::size_t>(session().geometry().height);
+    for (std::size_t row = 0; row < height; ++row) {
+      for (std::size_t x = 0; x < width; ++x) {
+        QVERIFY(std::abs(upright[row * width + x] - turnedOver[(height - 1 - row) * width + x]) <= 1);
+      }
+    }
+  }
+
+  void slowFramesLowerTheQualityOfAMovingProbeAndRestBringsItBack() {
+    press("qualityCubic");
+    AdaptiveQuality::Options strict;
+    strict.budget_ms = 0.0;  // every frame counts as slow
+    session().setAdaptiveOptions(strict);
+    session().makePictureNow();
+    bool fell = false;
+    for (int n = 0; n < 30 && !fell; ++n) {
+      Hold moved = session().hold();
+      moved.contact.point_mm.x += n % 2 == 0 ? 6.0 : -6.0;
+      session().setHold(moved);
+      QTest::qWait(15);
+      fell = session().isLowered();
+    }
+    QVERIFY2(fell, "the quality did not fall");
+    QVERIFY(session().usedKnobs().quality != Quality::cubic);
+    QVERIFY(knobs().quality == Quality::cubic);
+    QVERIFY2(waitUntil([this] { return !session().isLowered(); }, 5000), "the quality did not come back at rest");
+    QVERIFY(session().usedKnobs().quality == Quality::cubic);
+    const std::vector<std::uint8_t> refined = pixelsOf(session());
+    session().setAdaptive(false);
+    session().makePictureNow();
+    QCOMPARE(pixelsOf(session()), refined);
+  }
+
+  void aFrozenPictureIsMadeInFullAndStaysAsItIs() {
+    press("qualityCubic");
+    press("noiseEffect");
+    AdaptiveQuality::Options strict;
+    strict.budget_ms = 0.0;
+    session().setAdaptiveOptions(strict);
+    for (int n = 0; n < 12; ++n) {
+      Hold moved = session().hold();
+      moved.contact.point_mm.x += 6.0;
+      session().setHold(moved);
+      QTest::qWait(10);
+    }
+    session().setFrozen(true);
+    QVERIFY(session().usedKnobs() == session().pictureKnobs());
+    const std::vector<std::uint8_t> held = pixelsOf(session());
+    const std::uint64_t frames = session().framesMade();
+    press("attenuationEffect");
+    QTest::qWait(200);
+    QCOMPARE(pixelsOf(session()), held);
+    QVERIFY2(session().framesMade() == frames, "a frozen picture makes no frames");
+    // Another size and back gives the same pixels: the same noise, the same scene.
+    const DisplayGeometry was = session().geometry();
+    session().setPictureSize(was.width / 2, was.height / 2);
+    session().makePictureNow();
+    session().setPictureSize(was.width, was.height);
+    session().makePictureNow();
+    QCOMPARE(pixelsOf(session()), held);
+  }
+
+  void framesComeByThemselvesOnlyWhileSomethingChangesByItself() {
+    QTest::qWait(300);
+    std::uint64_t frames = session().framesMade();
+    QTest::qWait(300);
+    QCOMPARE(session().framesMade(), frames);
+    press("noiseEffect");
+    QTest::qWait(100);
+    frames = session().framesMade();
+    const std::vector<std::uint8_t> before = pixelsOf(session());
+    QVERIFY(waitUntil([&] { return session().framesMade() >= frames + 3; }, 5000));
+    QVERIFY2(pixelsOf(session()) != before, "noise does not move");
+    press("noiseEffect");
+    slide("persistence", 50);
+    session().setHold(turned(session().hold(), 0.2, 0.0, 0.0));
+    session().makePictureNow();
+    QVERIFY(session().changesByItself());
+    QVERIFY(waitUntil([this] { return !session().changesByItself(); }, 5000));
+    frames = session().framesMade();
+    QTest::qWait(200);
+    QCOMPARE(session().framesMade(), frames);
+    press("modeBoth");
+    QTest::qWait(50);
+    window_->showStartPage();
+    QTest::qWait(100);
+    frames = session().framesMade();
+    QTest::qWait(200);
+    QVERIFY2(session().framesMade() == frames, "nobody watches");
+  }
+
+  void theMModeStripFillsAndItsLineFollowsTheKnob() {
+    press("modeBoth");
+    QVERIFY(waitUntil([this] { return session().strip().width > 0; }, 5000));
+    QVERIFY(waitUntil(
+        [this] {
+          const ImageView<const std::uint8_t> strip = session().strip();
+          for (int y = 0; y < strip.height; ++y) {
+            if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t grey) { return grey > 0; })) return true;
+          }
+          return false;
+        },
+        8000));
+    const QRect picture = window_->scanView().pictureRect();
+    const QRect strip = window_->scanView().stripRect();
+    QCOMPARE(strip.size(), picture.size());
+    QVERIFY(strip.top() > picture.bottom());
+    const int cursor = session().stripCursor();
+    QVERIFY(waitUntil([&] { return session().stripCursor() != cursor; }, 5000));
+    QVERIFY(session().latency().count() < 1000);
+    press("modeM");
+    QTest::qWait(100);
+    QCOMPARE(window_->scanView().stripRect(), window_->scanView().pictureRect());
+    press("modeB");
+    session().makePictureNow();
+    QVERIFY(window_->scanView().stripRect().isEmpty());
+    QCOMPARE(session().strip().width, 0);
+  }
+
+  void theStatusLineTellsThePlanAndHowLongPicturesTook() {
+    everythingOn();
+    for (int n = 0; n < 3; ++n) {
+      session().setHold(turned(session().hold(), 0.05, 0.0, 0.0));
+      QTest::qWait(30);
+    }
+    QVERIFY(session().latency().count() >= 3);
+    QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }, 3000));
+    for (const Step& step : session().plan().steps) {
+      QVERIFY2(find<QLabel>("plan")->toolTip().contains(nameOfStep(step.kind)), nameOf(step.kind));
+    }
+  }
+
+  void theCostPanelMeasuresMarksAndApplies() {
+    QTest::keyClick(&window_->scanView(), Qt::Key_K, Qt::ControlModifier);
+    auto* panel = find<CostPanel>("costPanel");
+    QVERIFY(panel != nullptr && panel->isVisible() && panel->isMeasuring());
+    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }, 60000));
+    QVERIFY(panel->measured().has_value());
+    auto* chart = panel->findChild<CostChart*>(QStringLiteral("costChart"));
+    QCOMPARE(chart->points().size(), std::size_t{3});
+    QVERIFY(chart->points()[1].inUse && !chart->points()[0].inUse);
+    auto* wish = panel->findChild<QDoubleSpinBox*>(QStringLiteral("costWish"));
+    wish->setValue(10.0);
+    panel->findChild<QPushButton*>(QStringLiteral("costUse"))->click();
+    const CostPoint* fastest = fastestWithin(panel->measured()->qualities, 10.0);
+    QVERIFY(fastest != nullptr && knobs().quality == fastest->knobs.quality);
+    wish->setValue(90.0);
+    const Knobs before = knobs();
+    panel->findChild<QPushButton*>(QStringLiteral("costUse"))->click();
+    QVERIFY(knobs() == before);
+    QVERIFY(!panel->findChild<QLabel*>(QStringLiteral("costAnswer"))->text().isEmpty());
+  }
+
+  void measuringIsCancelledWithinHalfASecond() {
+    QTest::keyClick(&window_->scanView(), Qt::Key_K, Qt::ControlModifier);
+    auto* panel = find<CostPanel>("costPanel");
+    QVERIFY(panel != nullptr && panel->isMeasuring());
+    QTest::qWait(30);
+    QElapsedTimer clock;
+    clock.start();
+    panel->findChild<QPushButton*>(QStringLiteral("costMeasure"))->click();
+    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }, 5000));
+    QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(!window_->jobs().isRunning());
+    panel->findChild<QPushButton*>(QStringLiteral("costMeasure"))->click();
+    QVERIFY(panel->isMeasuring());
+    panel->close();  // with its work still running
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }, 5000));
+  }
+
+  void theAuthorDeclaresAnEffectAndTheScanShowsItAtOnce() {
+    window_->openPlugins();
+    window_->setWorkspace(Workspace::author);
+    QWidget* panel = window_->findChild<QWidget*>(QStringLiteral("casePanel"));
+#ifdef EW_WITH_CASE_AUTHORING
+    QVERIFY2(panel != nullptr, "the case authoring plugin is part of this build and brought no panel");
+#else
+    if (panel == nullptr) QSKIP("the case authoring plugin is not part of this build");
+#endif
+    auto* noise = panel->findChild<QCheckBox*>(QStringLiteral("scene_noise"));
+    QVERIFY(noise != nullptr && !noise->isChecked());
+    noise->click();
+    QVERIFY(window_->document().current()->scene.noise.has_value());
+    QVERIFY(scene().noise.has_value());
+    window_->document().history().undo();
+    QVERIFY(!noise->isChecked() && !scene().noise && !window_->document().hasUnsavedChanges());
+    window_->document().history().redo();
+    QVERIFY(noise->isChecked());
+    QVERIFY(window_->document().save().has_value());
+    const auto reopened = loadCase(window_->document().current()->folder);
+    QVERIFY(reopened.has_value() && reopened->scene.noise.has_value());
+  }
+
+  void noTextIsClippedOnAnyPage() {
+    everythingOn();
+    checkPages();
+  }
+
+  void noGermanTextIsClippedOnAnyPage() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    QApplication::installTranslator(&german);
+    cleanup();
+    init();
+    everythingOn();
+    chooseLinearProbe();
+    checkPages();
+    QApplication::removeTranslator(&german);
+  }
+};
+
+}  // namespace ew::ui::testing
+
+EW_WINDOW_TEST_MAIN(ew::ui::testing::ConsoleTest)
+#include "console_test.moc"
