@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <random>
 
 namespace ew {
 namespace {
@@ -83,6 +84,28 @@ TEST(Reverberation, DoesNotMirrorAtARoughInterface) {
   BeamImage echoes(16, 300, 100.0F);
   for (int x = 0; x < 16; ++x) at(echoes, x, 100 + 20 * (x % 2)) = 240.0F;
   EXPECT_EQ(reverberated(effect, echoes), echoes);
+}
+
+TEST(Reverberation, OfMirroredLinesIsTheMirroredReverberation) {
+  // Strong parts with weaker ones between them, bright enough to be followed from either side to another depth.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> level(0.0F, 255.0F);
+  int changed = 0;
+  for (int round = 0; round < 40; ++round) {
+    BeamImage echoes(64, 120, 40.0F);
+    for (int x = 0; x < 64; ++x)
+      for (int y = 50; y < 66; ++y) at(echoes, x, y) = level(random);
+    BeamImage mirrored(64, 120);
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 64; ++x) at(mirrored, x, y) = at(echoes, 63 - x, y);
+    const BeamImage before = echoes;
+    echoes = reverberated({}, echoes);
+    mirrored = reverberated({}, mirrored);
+    changed += echoes == before ? 0 : 1;
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 64; ++x) ASSERT_EQ(at(mirrored, x, y), at(echoes, 63 - x, y)) << "round " << round << " at " << x << ", " << y;
+  }
+  EXPECT_GT(changed, 5);
 }
 
 TEST(Reverberation, WithoutAStrongInterfaceWritesNothing) {

@@ -119,6 +119,14 @@ int interfaceBeside(ImageView<const float> echoes, int line, int neighbour, int 
   return best;
 }
 
+/// The brighter of two samples of a line, the nearer when they are alike; -1 stands for none.
+int stronger(ImageView<const float> echoes, int line, int a, int b) {
+  if (a < 0 || b < 0) return std::max(a, b);
+  const float levelA = echoes.at(line, a), levelB = echoes.at(line, b);
+  if (levelA == levelB) return std::min(a, b);
+  return levelA > levelB ? a : b;
+}
+
 /// Takes away what is no interface: too few lines side by side, or a small body that bulges towards the probe.
 void keepInterfaces(std::vector<int>& interfaces) {
   const auto lines = static_cast<int>(interfaces.size());
@@ -177,13 +185,17 @@ int reverberate(const ReverberationEffect& effect, double greyPerDb, int firstSa
       if (levelAt(n, y) > levelAt(n, interface)) interface = y;
   }
   if (!found) return 0;
+  // From both sides on their own, so that a mirrored picture has the mirrored interfaces.
   const float weak = kWeakShare * strong;
+  scratch.fromRight = scratch.interfaces;
   for (std::size_t n = 1; n < lines; ++n)
     if (scratch.interfaces[n] < 0)
       scratch.interfaces[n] = interfaceBeside(echoes, static_cast<int>(n), scratch.interfaces[n - 1], nearest, weak);
   for (std::size_t n = lines - 1; n-- > 0;)
-    if (scratch.interfaces[n] < 0)
-      scratch.interfaces[n] = interfaceBeside(echoes, static_cast<int>(n), scratch.interfaces[n + 1], nearest, weak);
+    if (scratch.fromRight[n] < 0)
+      scratch.fromRight[n] = interfaceBeside(echoes, static_cast<int>(n), scratch.fromRight[n + 1], nearest, weak);
+  for (std::size_t n = 0; n < lines; ++n)
+    scratch.interfaces[n] = stronger(echoes, static_cast<int>(n), scratch.interfaces[n], scratch.fromRight[n]);
   keepInterfaces(scratch.interfaces);
 
   int count = 0;

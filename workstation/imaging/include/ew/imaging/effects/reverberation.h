@@ -10,6 +10,7 @@ namespace ew {
 /// Memory of reverberate between frames.
 struct ReverberationScratch {
   std::vector<int> interfaces;  ///< per line: sample of its strong interface, or -1
+  std::vector<int> fromRight;   ///< the same, as the lines on the right see it
   std::vector<int> ends;        ///< per line: last sample of its echo
   std::vector<int> bounces;     ///< per line: how often it comes back, 0 where it is tilted
 };
