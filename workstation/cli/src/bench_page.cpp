@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
+#include <map>
 
 namespace ew {
 namespace {
-
-using nlohmann::json;
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -27,124 +25,180 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string fixedText(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
+constexpr double kWidth = 720.0, kHeight = 380.0, kLeft = 64.0, kRight = 24.0, kTop = 18.0, kBottom = 46.0;
 
-constexpr double kWidth = 640.0, kHeight = 340.0, kLeft = 64.0, kRight = 172.0, kTop = 18.0, kBottom = 46.0;
+std::string textAt(double x, double y, const std::string& anchor, const std::string& text) {
+  return "<text x='" + fixedText(x, 1) + "' y='" + fixedText(y, 1) + "' text-anchor='" + anchor + "'>" + escaped(text) + "</text>";
+}
 
 /// Maps milliseconds (logarithmic) and decibels to the picture.
 struct Axes {
-  double low_ms = 0.1, high_ms = 10.0, low_db = 0.0, high_db = 60.0;
+  double low_ms = 0.1, high_ms = 10.0, low_db = 0.0, high_db = 60.0, step_db = 5.0;
   [[nodiscard]] double x(double ms) const { return kLeft + (kWidth - kLeft - kRight) * std::log(ms / low_ms) / std::log(high_ms / low_ms); }
   [[nodiscard]] double y(double db) const { return kHeight - kBottom - (kHeight - kTop - kBottom) * (db - low_db) / (high_db - low_db); }
 };
 
-Axes axesFor(const json& results) {
-  double low = 1e300, high = 0.0, lowDb = 1e300, highDb = 0.0;
-  for (const auto& row : results) {
-    low = std::min(low, row["median_us"].get<double>() * 1e-3);
-    high = std::max(high, row["median_us"].get<double>() * 1e-3);
-    lowDb = std::min(lowDb, row["psnr_db"].get<double>());
-    highDb = std::max(highDb, row["psnr_db"].get<double>());
+/// Every 1, 2, 5 of each decade.
+std::vector<double> roundTimes_ms(double low_ms, double high_ms) {
+  std::vector<double> times;
+  for (double decade = std::pow(10.0, std::floor(std::log10(low_ms))); decade <= high_ms * 1.001; decade *= 10.0)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (decade * step >= low_ms * 0.999 && decade * step <= high_ms * 1.001) times.push_back(decade * step);
+  return times;
+}
+
+Axes axesFor(const std::vector<BenchPoint>& points) {
+  double low = 1e300, high = 0.0, lowDb = 1e300, highDb = -1e300;
+  for (const BenchPoint& point : points) {
+    low = std::min(low, std::max(1e-4, point.time_ms));
+    high = std::max(high, std::max(1e-4, point.time_ms));
+    lowDb = std::min(lowDb, point.psnr_db);
+    highDb = std::max(highDb, point.psnr_db);
   }
   Axes axes;
-  if (high <= 0.0) return axes;
-  axes.low_ms = std::pow(10.0, std::floor(std::log10(low)));
-  axes.high_ms = std::max(10.0 * axes.low_ms, std::pow(10.0, std::ceil(std::log10(high))));
-  axes.low_db = 5.0 * std::floor(lowDb / 5.0 - 0.5);
-  axes.high_db = 5.0 * std::ceil(highDb / 5.0 + 0.5);
+  // From a round time below all to one above all, with room for the names.
+  for (const double ms : roundTimes_ms(0.01 * low, low / 1.15)) axes.low_ms = ms;
+  axes.high_ms = 1e6;
+  for (const double ms : roundTimes_ms(1.15 * high, 100.0 * high)) axes.high_ms = std::min(axes.high_ms, ms);
+  axes.step_db = highDb - lowDb > 30.0 ? 10.0 : 5.0;
+  axes.low_db = axes.step_db * std::floor(lowDb / axes.step_db - 0.3);
+  axes.high_db = axes.step_db * std::ceil(highDb / axes.step_db + 0.5);
   return axes;
 }
 
-std::string grid(const Axes& axes) {
+std::string gridOf(const Axes& axes) {
   std::string svg;
   const std::string bottom = fixedText(kHeight - kBottom, 1);
-  for (double decade = axes.low_ms; decade <= axes.high_ms * 1.001; decade *= 10.0) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      const double ms = decade * step;
-      if (ms > axes.high_ms * 1.001) break;
-      const std::string x = fixedText(axes.x(ms), 1);
-      svg += "<line class='grid' x1='" + x + "' x2='" + x + "' y1='" + fixedText(kTop, 1) + "' y2='" + bottom + "'/>";
-      char label[32];
-      std::snprintf(label, sizeof label, "%g", ms);
-      svg += "<text x='" + x + "' y='" + fixedText(kHeight - kBottom + 16.0, 1) + "' text-anchor='middle'>" + label + "</text>";
-    }
+  for (const double ms : roundTimes_ms(axes.low_ms, axes.high_ms)) {
+    const std::string x = fixedText(axes.x(ms), 1);
+    svg += "<line class='grid' x1='" + x + "' x2='" + x + "' y1='" + fixedText(kTop, 1) + "' y2='" + bottom + "'/>";
+    char label[32];
+    std::snprintf(label, sizeof label, "%g", ms);
+    svg += textAt(axes.x(ms), kHeight - kBottom + 16.0, "middle", label);
   }
-  for (double db = axes.low_db; db <= axes.high_db + 0.01; db += 5.0) {
+  for (double db = axes.low_db; db <= axes.high_db + 0.01; db += axes.step_db) {
     const std::string y = fixedText(axes.y(db), 1);
     svg += "<line class='grid' x1='" + fixedText(kLeft, 1) + "' x2='" + fixedText(kWidth - kRight, 1) + "' y1='" + y + "' y2='" + y + "'/>";
-    svg += "<text x='" + fixedText(kLeft - 8.0, 1) + "' y='" + fixedText(axes.y(db) + 4.0, 1) + "' text-anchor='end'>" + fixedText(db, 0) +
-           "</text>";
+    svg += textAt(kLeft - 8.0, axes.y(db) + 4.0, "end", fixedText(db, 0));
   }
-  svg += "<text x='" + fixedText(0.5 * (kLeft + kWidth - kRight), 1) + "' y='" + fixedText(kHeight - 8.0, 1) +
-         "' text-anchor='middle'>median time of a slice, ms (logarithmic)</text>";
-  svg += "<text transform='translate(16," + fixedText(0.5 * (kTop + kHeight - kBottom), 1) +
+  svg += textAt(0.5 * (kLeft + kWidth - kRight), kHeight - 8.0, "middle", "median time, ms (logarithmic)");
+  return svg + "<text transform='translate(16," + fixedText(0.5 * (kTop + kHeight - kBottom), 1) +
          ") rotate(-90)' text-anchor='middle'>accuracy, PSNR in dB</text>";
-  return svg;
 }
 
-/// EchoWeave round and accented, the peer square and grey; random poses filled, smooth ones hollow.
-std::string mark(const json& row, const Axes& axes) {
-  const bool peer = row["peer"].get<bool>();
-  const bool smooth = row["pose_kind"] == "smooth";
-  const double x = axes.x(row["median_us"].get<double>() * 1e-3), y = axes.y(row["psnr_db"].get<double>());
-  const std::string style = std::string("class='") + (peer ? "peer" : "own") + (smooth ? " hollow'" : "'");
-  const std::string title = "<title>" + escaped(row["name"].get<std::string>()) + ": " +
-                            fixedText(row["median_us"].get<double>() * 1e-3, 3) + " ms, " + fixedText(row["psnr_db"].get<double>(), 1) +
-                            " dB</title>";
-  std::string svg;
-  if (peer)
-    svg = "<rect " + style + " x='" + fixedText(x - 5.5, 1) + "' y='" + fixedText(y - 5.5, 1) + "' width='11' height='11'>" + title +
-          "</rect>";
-  else
-    svg = "<circle " + style + " cx='" + fixedText(x, 1) + "' cy='" + fixedText(y, 1) + "' r='6'>" + title + "</circle>";
-  if (!smooth) {
-    // A name near the right edge would run into the legend.
-    const bool atEdge = x > kWidth - kRight - 40.0;
-    svg += "<text x='" + fixedText(atEdge ? x + 6.0 : x, 1) + "' y='" + fixedText(y - 12.0, 1) + "' text-anchor='" +
-           (atEdge ? "end" : "middle") + "'>" + escaped(row["method"].get<std::string>()) + "</text>";
+bool isPeer(BenchMark mark) { return mark == BenchMark::peer || mark == BenchMark::peerHollow; }
+bool isHollow(BenchMark mark) { return mark == BenchMark::ownHollow || mark == BenchMark::peerHollow; }
+
+std::string symbol(BenchMark mark, double x, double y, const std::string& title) {
+  const std::string style = std::string("class='") + (isPeer(mark) ? "peer" : "own") + (isHollow(mark) ? " hollow'" : "'");
+  if (isPeer(mark))
+    return "<rect " + style + " x='" + fixedText(x - 5.5, 1) + "' y='" + fixedText(y - 5.5, 1) + "' width='11' height='11'>" + title +
+           "</rect>";
+  return "<circle " + style + " cx='" + fixedText(x, 1) + "' cy='" + fixedText(y, 1) + "' r='6'>" + title + "</circle>";
+}
+
+/// A name beside its point, where it covers no other name or point: above, below, to the right, to the left.
+class Names {
+ public:
+  void occupy(double x, double y, double halfWidth, double halfHeight) { taken_.push_back({x, y, halfWidth, halfHeight}); }
+  std::string place(double x, double y, const std::string& text) {
+    const double half = 3.4 * static_cast<double>(text.size());
+    struct Try {
+      double x, y;
+    };
+    const Try tries[] = {{x, y - 15}, {x, y + 17}, {x + half + 12, y}, {x - half - 12, y}, {x, y - 29}, {x, y + 31}};
+    Try best = tries[0];
+    for (const Try& each : tries)
+      if (isFree(each.x, each.y, half)) {
+        best = each;
+        break;
+      }
+    best.x = std::clamp(best.x, kLeft + half, kWidth - half - 2.0);
+    occupy(best.x, best.y, half, 7.0);
+    return textAt(best.x, best.y + 4.0, "middle", text);
   }
-  return svg;
-}
 
-std::string chart(const json& results) {
-  const Axes axes = axesFor(results);
-  std::string svg = "<svg viewBox='0 0 640 340' role='img' aria-label='accuracy against time'>" + grid(axes);
-  for (const auto& row : results) svg += mark(row, axes);
-  const double x = kWidth - kRight + 16.0;
-  const auto legend = [&](int line, const std::string& symbol, const std::string& text) {
-    const double y = kTop + 12.0 + 22.0 * line;
-    svg += "<g transform='translate(" + fixedText(x, 1) + "," + fixedText(y, 1) + ")'>" + symbol + "<text x='12' y='4'>" + text +
-           "</text></g>";
+ private:
+  struct Box {
+    double x, y, halfWidth, halfHeight;
   };
-  legend(0, "<circle class='own' r='6'/>", "EchoWeave, random");
-  legend(1, "<circle class='own hollow' r='6'/>", "EchoWeave, smooth");
-  legend(2, "<rect class='peer' x='-5.5' y='-5.5' width='11' height='11'/>", "VTK, random");
-  legend(3, "<rect class='peer hollow' x='-5.5' y='-5.5' width='11' height='11'/>", "VTK, smooth");
+  [[nodiscard]] bool isFree(double x, double y, double half) const {
+    if (x - half < kLeft || x + half > kWidth || y < kTop || y > kHeight - kBottom) return false;
+    return std::none_of(taken_.begin(), taken_.end(), [&](const Box& box) {
+      return std::abs(box.x - x) < box.halfWidth + half && std::abs(box.y - y) < box.halfHeight + 7.0;
+    });
+  }
+  std::vector<Box> taken_;
+};
+
+std::string chart(const std::vector<BenchPoint>& points) {
+  const Axes axes = axesFor(points);
+  std::string svg = "<svg viewBox='0 0 720 380' role='img' aria-label='accuracy against time'>" + gridOf(axes);
+  std::map<std::string, std::string> curves;
+  Names names;
+  for (const BenchPoint& point : points) {
+    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.psnr_db);
+    if (!point.curve.empty()) curves[point.curve] += fixedText(x, 1) + "," + fixedText(y, 1) + " ";
+    names.occupy(x, y, 7.0, 7.0);
+  }
+  for (const auto& [name, line] : curves) svg += "<polyline class='curve' points='" + line + "'/>";
+  for (const BenchPoint& point : points) {
+    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.psnr_db);
+    svg += symbol(
+        point.mark, x, y,
+        "<title>" + escaped(point.name) + ": " + fixedText(point.time_ms, 3) + " ms, " + fixedText(point.psnr_db, 1) + " dB</title>");
+    if (!point.label.empty()) svg += names.place(x, y, point.label);
+  }
   return svg + "</svg>";
 }
 
-/// "6.28 times" for one of our slicers, empty for the peer's.
-std::string speedAgainstPeer(const json& row, const json& ratios) {
-  if (row["peer"].get<bool>()) return {};
-  for (const auto& ratio : ratios)
-    if (ratio["volume_side"] == row["volume_side"] && ratio["pose_kind"] == row["pose_kind"] && ratio["quality"] == row["method"])
-      return fixedText(ratio["times_faster"].get<double>(), 2) + " times";
-  return {};
+std::string barChart(const std::vector<BenchBar>& bars, const std::vector<std::pair<double, std::string>>& limits_ms) {
+  constexpr double kRow = 24.0, kNames = 210.0, kNumbers = 70.0, kAbove = 26.0;
+  double longest = 0.0;
+  for (const BenchBar& bar : bars) longest = std::max(longest, bar.time_ms);
+  for (const auto& [ms, text] : limits_ms) longest = std::max(longest, ms);
+  const double perMs = (kWidth - kNames - kNumbers) / std::max(1e-9, longest);
+  const double height = kAbove + kRow * static_cast<double>(bars.size()) + 8.0;
+  std::string svg = "<svg viewBox='0 0 720 " + fixedText(height, 0) + "' role='img' aria-label='times'>";
+  double y = kAbove;
+  for (const BenchBar& bar : bars) {
+    const double length = std::max(1.0, bar.time_ms * perMs);
+    svg += textAt(kNames - 8.0, y + 16.0, "end", bar.label);
+    svg += "<rect class='" + std::string(isPeer(bar.mark) ? "peer" : "own") + "' x='" + fixedText(kNames, 1) + "' y='" +
+           fixedText(y + 5.0, 1) + "' width='" + fixedText(length, 1) + "' height='" + fixedText(kRow - 10.0, 1) + "'/>";
+    svg += textAt(kNames + length + 6.0, y + 16.0, "start", fixedText(bar.time_ms, 2) + " ms");
+    y += kRow;
+  }
+  for (const auto& [ms, text] : limits_ms) {
+    const std::string x = fixedText(kNames + ms * perMs, 1);
+    svg += "<line class='limit' x1='" + x + "' x2='" + x + "' y1='" + fixedText(kAbove - 6.0, 1) + "' y2='" + fixedText(height, 1) + "'/>";
+    svg += textAt(std::min(kNames + ms * perMs, kWidth - 40.0), kAbove - 12.0, "middle", text);
+  }
+  return svg + "</svg>";
 }
 
-std::string table(const json& results, const json& ratios) {
-  std::string html =
-      "<table><thead><tr><th>Slicer</th><th>Poses</th><th>Median, ms</th><th>Speed against VTK</th><th>PSNR, dB</th><th>Worst, grey "
-      "levels</th></tr></thead><tbody>";
-  for (const auto& row : results)
-    html += "<tr><td>" + escaped(row["method"].get<std::string>()) + "</td><td>" + escaped(row["pose_kind"].get<std::string>()) +
-            "</td><td>" + fixedText(row["median_us"].get<double>() * 1e-3, 3) + "</td><td>" + speedAgainstPeer(row, ratios) + "</td><td>" +
-            fixedText(row["psnr_db"].get<double>(), 1) + "</td><td>" + fixedText(row["worst_grey"].get<double>(), 1) + "</td></tr>";
-  return html + "</tbody></table>";
+std::string legendOf(const BenchSection& section) {
+  std::string html;
+  for (const auto& [mark, text] : section.legend)
+    html += "<span><svg viewBox='0 0 16 16'>" + symbol(mark, 8.0, 8.0, "") + "</svg>" + escaped(text) + "</span>";
+  return html.empty() ? html : "<p class='legend'>" + html + "</p>";
+}
+
+std::string tableOf(const BenchTable& table) {
+  if (table.rows.empty()) return {};
+  const auto cell = [&](const char* tag, std::size_t column, const std::string& text) {
+    const std::string style = static_cast<int>(column) < table.textColumns ? " class='words'" : "";
+    return "<" + std::string(tag) + style + ">" + escaped(text) + "</" + tag + ">";
+  };
+  std::string html = "<div class='wide'><table><thead><tr>";
+  for (std::size_t n = 0; n < table.columns.size(); ++n) html += cell("th", n, table.columns[n]);
+  html += "</tr></thead><tbody>";
+  for (const auto& row : table.rows) {
+    html += "<tr>";
+    for (std::size_t n = 0; n < row.size(); ++n) html += cell("td", n, row[n]);
+    html += "</tr>";
+  }
+  return html + "</tbody></table></div>";
 }
 
 constexpr const char* kStyle = R"(
@@ -153,35 +207,35 @@ constexpr const char* kStyle = R"(
 body { margin: 0 auto; max-width: 900px; padding: 32px 24px; background: var(--back); color: var(--text); font: 15px/1.5 system-ui, sans-serif; }
 h1 { font-size: 24px; font-weight: 600; } h2 { font-size: 18px; font-weight: 600; margin-top: 32px; }
 section { background: var(--panel); border: 1px solid var(--line); border-radius: 8px; padding: 16px; }
-p, figcaption { color: var(--soft); } svg { width: 100%; height: auto; }
+p { color: var(--soft); } section p:first-child { margin-top: 0; } svg { width: 100%; height: auto; display: block; }
 svg text { font: 12px system-ui, sans-serif; fill: var(--text); } .grid { stroke: var(--line); stroke-width: 1; }
 .own { fill: var(--own); stroke: var(--own); stroke-width: 2; } .peer { fill: var(--peer); stroke: var(--peer); stroke-width: 2; } .hollow { fill: var(--panel); }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; } th { color: var(--soft); font-weight: 500; text-align: right; }
-td { text-align: right; } th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; } th, td { border-top: 1px solid var(--line); padding: 4px 8px; }
+.curve { fill: none; stroke: var(--own); stroke-width: 1.5; opacity: 0.5; } .limit { stroke: var(--text); stroke-width: 1; stroke-dasharray: 4 3; }
+.legend span { display: inline-flex; align-items: center; gap: 6px; margin-right: 20px; } .legend svg { width: 16px; height: 16px; }
+.wide { overflow-x: auto; } table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; } th { color: var(--soft); font-weight: 500; }
+th, td { border-top: 1px solid var(--line); padding: 4px 8px; text-align: right; } .words { text-align: left; }
 )";
 
 }  // namespace
 
-std::string slicingPage(const json& report) {
-  const int side = report["slice_side"].get<int>();
+std::string fixedText(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string benchPage(const std::string& title, const std::vector<std::string>& introduction, const std::vector<BenchSection>& sections) {
   std::string html =
-      "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>"
-      "<title>EchoWeave: what accuracy costs in slicing</title><style>" +
-      std::string(kStyle) + "</style></head><body><h1>What accuracy costs in slicing</h1><p>A slice of " + std::to_string(side) + " x " +
-      std::to_string(side) +
-      " pixels, one voxel a pixel, one thread. Times are processor time, medians of interleaved repetitions; accuracy is measured against "
-      "an analytic band-limited field, so its ceiling is the rounding to 256 grey levels. Random poses pass near the middle in any "
-      "direction; smooth ones rock and slide like a hand. VTK's vtkImageReslice reads the same voxels in the same memory, on one thread, "
-      "with its optimisation on. Up and to the left is better.</p><p>Machine: " +
-      escaped(report["machine"].get<std::string>()) + "</p>";
-  std::set<int> sides;
-  for (const auto& row : report["results"]) sides.insert(row["volume_side"].get<int>());
-  for (const int volumeSide : sides) {
-    json results = json::array();
-    for (const auto& row : report["results"])
-      if (row["volume_side"] == volumeSide) results.push_back(row);
-    const std::string cubed = std::to_string(volumeSide) + "&sup3;";
-    html += "<h2>Volume of " + cubed + " voxels</h2><section>" + chart(results) + table(results, report["ratios"]) + "</section>";
+      "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>" +
+      escaped(title) + "</title><style>" + kStyle + "</style></head><body><h1>" + escaped(title) + "</h1>";
+  for (const auto& paragraph : introduction) html += "<p>" + escaped(paragraph) + "</p>";
+  for (const BenchSection& section : sections) {
+    html += "<h2>" + escaped(section.title) + "</h2><section>";
+    if (!section.text.empty()) html += "<p>" + escaped(section.text) + "</p>";
+    html += legendOf(section);
+    if (!section.points.empty()) html += chart(section.points);
+    if (!section.bars.empty()) html += barChart(section.bars, section.limits_ms);
+    html += tableOf(section.table) + "</section>";
   }
   return html + "</body></html>\n";
 }

@@ -1,13 +1,54 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ew {
 
-/// A self-contained page (no network, light and dark) with a curve of accuracy against time for each volume of a slicing report, the
-/// figures as a table, and the machine they were measured on.
-/// @param report what benchSlicing returns
-[[nodiscard]] std::string slicingPage(const nlohmann::json& report);
+/// How a point or bar is drawn: EchoWeave round and accented, a peer square and grey-brown; hollow for a second kind of pose.
+enum class BenchMark { own, ownHollow, peer, peerHollow };
+
+/// One setting of one algorithm: what it costs and how near it comes to the exact answer.
+struct BenchPoint {
+  std::string label;  ///< drawn beside the point; empty: in its tooltip alone
+  std::string name;   ///< whole, for the tooltip
+  double time_ms = 0.0;
+  double psnr_db = 0.0;
+  BenchMark mark = BenchMark::own;
+  std::string curve;  ///< points of the same curve are joined in their order; empty: not joined
+};
+
+/// One bar of a picture of times.
+struct BenchBar {
+  std::string label;
+  double time_ms = 0.0;
+  BenchMark mark = BenchMark::own;
+};
+
+/// Figures in rows; the first `textColumns` columns are words.
+struct BenchTable {
+  int textColumns = 1;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// A heading, a few words, a chart of accuracy against time, a picture of times, a table: each when there is something in it.
+struct BenchSection {
+  std::string title;
+  std::string text;
+  std::vector<std::pair<BenchMark, std::string>> legend;
+  std::vector<BenchPoint> points;
+  std::vector<BenchBar> bars;
+  std::vector<std::pair<double, std::string>> limits_ms;  ///< lines across the bars
+  BenchTable table;
+};
+
+/// A self-contained page (no network, no script, light and dark). Texts are escaped.
+[[nodiscard]] std::string benchPage(const std::string& title, const std::vector<std::string>& introduction,
+                                    const std::vector<BenchSection>& sections);
+
+/// "1.234"
+[[nodiscard]] std::string fixedText(double value, int decimals);
 
 }  // namespace ew

@@ -9,12 +9,11 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <string>
 
-#include "bench_page.h"
 #include "bench_parts.h"
 #include "ew/imaging/slicing.h"
-#include "ew/io/safe_file.h"
 
 namespace ew {
 namespace {
@@ -275,12 +274,45 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
     addToReport(cases, volumeSide, report);
   }
-  if (!options.html.empty()) {
-    std::error_code problem;
-    std::filesystem::create_directories(options.html, problem);
-    if (auto written = writeFileSafely(options.html / "slicing.html", slicingPage(report)); !written) return passOn(written.error());
-  }
   return report;
+}
+
+std::vector<BenchSection> slicingSections(const json& report) {
+  const std::string side = std::to_string(report["slice_side"].get<int>());
+  std::vector<BenchSection> sections;
+  std::set<int> volumeSides;
+  for (const auto& row : report["results"]) volumeSides.insert(row["volume_side"].get<int>());
+  for (const int volumeSide : volumeSides) {
+    BenchSection section;
+    section.title = "A slice of " + side + " x " + side + " pixels from " + std::to_string(volumeSide) + " cubed voxels";
+    section.text =
+        "One voxel a pixel, one thread. Random poses pass near the middle in any direction; smooth ones rock and slide like a hand.";
+    section.legend = {{BenchMark::own, "EchoWeave, random poses"},
+                      {BenchMark::ownHollow, "EchoWeave, smooth"},
+                      {BenchMark::peer, "VTK, random"},
+                      {BenchMark::peerHollow, "VTK, smooth"}};
+    section.table = {2, {"Slicer", "Poses", "Median, ms", "Speed against VTK", "PSNR, dB", "Worst, grey levels"}, {}};
+    for (const auto& row : report["results"]) {
+      if (row["volume_side"] != volumeSide) continue;
+      const bool peer = row["peer"].get<bool>(), smooth = row["pose_kind"] == "smooth";
+      const std::string method = row["method"].get<std::string>(), poses = row["pose_kind"].get<std::string>();
+      const double ms = row["median_us"].get<double>() * 1e-3, psnr = row["psnr_db"].get<double>();
+      section.points.push_back({smooth ? "" : method, row["name"].get<std::string>(), ms, psnr,
+                                peer     ? (smooth ? BenchMark::peerHollow : BenchMark::peer)
+                                : smooth ? BenchMark::ownHollow
+                                         : BenchMark::own,
+                                peer ? "" : poses});
+      std::string speed;
+      for (const auto& ratio : report["ratios"])
+        if (!peer && ratio["volume_side"] == row["volume_side"] && ratio["pose_kind"] == row["pose_kind"] &&
+            ratio["quality"] == row["method"])
+          speed = fixedText(ratio["times_faster"].get<double>(), 2) + " times";
+      section.table.rows.push_back(
+          {method, poses, fixedText(ms, 3), speed, fixedText(psnr, 1), fixedText(row["worst_grey"].get<double>(), 1)});
+    }
+    sections.push_back(std::move(section));
+  }
+  return sections;
 }
 
 }  // namespace ew

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "bench_page.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 
@@ -16,7 +16,6 @@ struct BenchOptions {
   int poses = 40;                             ///< per kind of pose (random, smooth), 2..1000
   int repetitions = 7;                        ///< interleaved; the medians are reported; 1..1000
   bool peers = true;                          ///< also measure vtkImageReslice
-  std::filesystem::path html;                 ///< folder that receives slicing.html; empty: no page
 };
 
 /// Times every slicer on one thread against vtkImageReslice (also on one thread) and measures each against an analytic band-limited
@@ -24,7 +23,10 @@ struct BenchOptions {
 /// of the report: {"machine", "threads", "slice_side", "poses", "results": [{"name", "method", "peer", "volume_side", "pose_kind",
 /// "median_us", "psnr_db", "worst_grey"}], "ratios": [{"volume_side", "pose_kind", "quality", "times_faster"}], "steps": [{"name", "count",
 /// "median_us", "p99_us", "max_us"}]}.
-/// @error badUsage (an option outside its range), notWritable (the page), cancelled
+/// @error badUsage (an option outside its range), cancelled
 [[nodiscard]] Result<nlohmann::json> benchSlicing(const BenchOptions& options, Progress& progress);
+
+/// The report of benchSlicing as sections of a page: one for each volume.
+[[nodiscard]] std::vector<BenchSection> slicingSections(const nlohmann::json& report);
 
 }  // namespace ew

@@ -1,0 +1,568 @@
+#include "bench_frame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "bench_parts.h"
+#include "ew/imaging/beam_grid.h"
+#include "ew/imaging/effects/focus.h"
+#include "ew/imaging/effects/slice_thickness.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/scan_conversion.h"
+#include "ew/library/case.h"
+#include "report.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kSpan_mm = 300.0;               // of the cube: the fan of the probe lies inside it in every pose
+constexpr double kPerSigma = 2.354820045030949;  // full width at half maximum of a normal distribution
+
+/// What a setting's picture can be compared with.
+enum class Exact { none, field, elevationalMean, lateralMean };
+
+/// One thing to time. `frame` makes the picture of a pose; it stays valid until the next call.
+struct Setting {
+  std::string name;  ///< "frame_1024x768_of_256cubed/focus_kernel/1"
+  std::string group;
+  std::string method;
+  bool peer = false;
+  int threads = 1;
+  Exact exact = Exact::none;
+  Knobs knobs;
+  Scene scene;
+  std::function<const std::uint8_t*(const Pose&)> frame;
+  std::shared_ptr<FrameMaker> maker;
+
+  std::vector<double> cpu_us;  ///< mean of each repetition
+  std::vector<double> wall_us;
+  double psnr_db = 0.0;
+  double worst_grey = 0.0;
+  std::map<std::string, std::vector<double>> steps_us;
+};
+
+/// What is scanned, and from where.
+struct World {
+  FrameBenchOptions options;
+  int side = 0;
+  Probe probe;
+  BenchField field;
+  Volume volume;  ///< the field; later with a bright ball in it
+  Volume labels;  ///< 1 in the ball, 2 in a ball of fluid beside it
+  std::vector<Pose> poses;
+  std::vector<float> gaps_mm;  ///< of a face of which a sixth lies in air
+
+  World(const FrameBenchOptions& wanted, int volumeSide, Probe scanned)
+      : options(wanted), side(volumeSide), probe(std::move(scanned)), field(volumeSide) {}
+};
+
+constexpr double kBall_mm = 14.0;
+constexpr glm::dvec3 kFluid_mm{25.0, 10.0, 8.0};
+
+void paintBalls(World& world) {
+  const Grid& grid = world.volume.grid;
+  world.labels = {grid, std::vector<std::uint8_t>(grid.voxelCount(), 0), {}};
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const glm::dvec3 p = grid.origin_mm + grid.spacing_mm * glm::dvec3(i, j, k);
+        const double stone_mm = glm::length(p);
+        if (stone_mm < kBall_mm) world.labels.echo[grid.indexOf(i, j, k)] = 1;
+        if (stone_mm > kBall_mm - 3.0 && stone_mm < kBall_mm) world.volume.echo[grid.indexOf(i, j, k)] = 255;
+        if (glm::distance(p, kFluid_mm) < 10.0) world.labels.echo[grid.indexOf(i, j, k)] = 2;
+      }
+}
+
+Result<std::unique_ptr<World>> makeWorld(const FrameBenchOptions& options, int side, const Probe& probe, Progress& progress) {
+  auto world = std::make_unique<World>(options, side, probe);
+  auto volume = world->field.volume(progress);
+  if (!volume) return passOn(volume.error());
+  world->volume = std::move(*volume);
+  Grid& grid = world->volume.grid;
+  grid.spacing_mm = glm::dvec3(kSpan_mm / side);
+  grid.origin_mm = glm::dvec3(-0.5 * kSpan_mm + 0.5 * kSpan_mm / side);
+  for (int n = 0; n < options.poses; ++n) {
+    const double t = n / 3.0;
+    const glm::dquat turn = glm::angleAxis(0.6 + 0.25 * std::sin(2.1 * t), glm::normalize(glm::dvec3(0.8, 0.3, 0.5 + 0.2 * std::sin(t))));
+    Pose pose;
+    glm::dmat4& matrix = pose.probeToWorld.matrix;
+    matrix = glm::mat4_cast(turn);
+    const glm::dvec3 slide_mm = 6.0 * glm::dvec3(std::sin(1.3 * t), std::sin(0.7 * t), 0.5 * std::cos(1.1 * t));
+    matrix[3] = glm::dvec4(slide_mm - 0.5 * probe.defaultDepth_mm * glm::dvec3(matrix[1]), 1.0);
+    world->poses.push_back(pose);
+  }
+  world->gaps_mm.assign(static_cast<std::size_t>(probe.lines), 0.0F);
+  std::fill_n(world->gaps_mm.begin(), world->gaps_mm.size() / 6, 12.0F);
+  return world;
+}
+
+/// Everything a console and a scene can ask for at once.
+Knobs everyKnob() {
+  Knobs knobs;
+  knobs.gain = 1.2;
+  knobs.dgc = {0.9, 1.0, 1.0, 1.1, 1.1, 1.2, 1.3, 1.4};
+  knobs.focus_mm = 60.0;
+  knobs.moreFoci_mm[0] = 110.0;
+  knobs.dynamicRange_db = 50.0;
+  knobs.greyMap = GreyMap::soft;
+  knobs.edgeEnhancement = 0.4;
+  knobs.persistence = 0.3;
+  knobs.mode = DisplayMode::both;
+  return knobs;
+}
+
+std::vector<TissueAcoustics> benchTissues() {
+  return {{.label = 0, .name = "liver", .attenuation_dbPerCmMhz = 0.5},
+          {.label = 1, .name = "stone", .attenuation_dbPerCmMhz = 10.0, .reflection_db = 24.0},
+          {.label = 2, .name = "fluid", .attenuation_dbPerCmMhz = 0.0}};
+}
+
+/// Frames of a FrameMaker of its own, so that settings can take turns without making tables anew.
+void addFrames(std::vector<Setting>& settings, const World& world, Setting setting, bool withLabels = false, bool withGaps = false) {
+  setting.maker = std::make_shared<FrameMaker>(setting.threads);
+  if (withLabels) setting.scene.tissues = benchTissues();
+  setting.maker->configure(world.probe, setting.knobs, setting.scene, world.volume.grid, world.options.width_px, world.options.height_px,
+                           withLabels);
+  setting.frame = [maker = setting.maker, &world, withLabels, withGaps, number = std::uint64_t{0}](const Pose& pose) mutable {
+    FrameInput input;
+    input.echo = SliceSource(world.volume.view());
+    if (withLabels) input.labels = SliceSource(world.labels.view());
+    input.pose = pose;
+    if (withGaps) input.gaps_mm = world.gaps_mm;
+    input.number = ++number;
+    input.time_s = static_cast<double>(number) / 30.0;
+    return static_cast<const std::uint8_t*>(maker->make(input).row(0));
+  };
+  settings.push_back(std::move(setting));
+}
+
+/// Sampling on the beam grid and scan conversion with nothing between: what a setting pays for its beams before the first effect.
+void addBareBeams(std::vector<Setting>& settings, const World& world, Setting setting) {
+  struct State {
+    BeamGrid grid;
+    ScanConversionTable table;
+    std::vector<SampleRow> rows;
+    SliceScratch scratch;
+    GreyImage lines;
+    BeamImage beams;
+    GreyImage picture;
+  };
+  auto state = std::make_shared<State>();
+  const DisplayGeometry geometry = fitDisplay(world.probe, setting.knobs, world.options.width_px, world.options.height_px);
+  state->grid = makeBeamGrid(world.probe, setting.knobs, geometry.depth_mm, geometry.pixel_mm);
+  state->table = makeScanConversion(world.probe, setting.knobs, state->grid, geometry);
+  const int lines = static_cast<int>(state->grid.lines.size());
+  state->lines = GreyImage(state->grid.samples, lines);
+  state->beams = BeamImage(lines, state->grid.samples);
+  state->picture = GreyImage(world.options.width_px, world.options.height_px);
+  setting.frame = [state, &world, quality = setting.knobs.quality](const Pose& pose) {
+    rowsOf(state->grid, world.volume.grid.worldToVoxel() * pose.probeToWorld, glm::dvec2(0.0), state->rows);
+    sampleRows(quality, SliceSource(world.volume.view()), state->rows, viewOf(state->lines), state->scratch);
+    accumulatePlane(viewOf(std::as_const(state->lines)), 1.0F, true, viewOf(state->beams));
+    scanConvert(state->table, viewOf(std::as_const(state->beams)), 0, state->picture.height, viewOf(state->picture));
+    return static_cast<const std::uint8_t*>(state->picture.pixels.data());
+  };
+  settings.push_back(std::move(setting));
+}
+
+void addPeers(std::vector<Setting>& settings, const World& world) {
+  const DisplayGeometry geometry = fitDisplay(world.probe, Knobs(), world.options.width_px, world.options.height_px);
+  const auto imageToProbe = geometry.imageToProbe();
+  const auto worldToVoxel = world.volume.grid.worldToVoxel();
+  for (const auto& [quality, method] :
+       {std::pair{Quality::weave, "VTK nearest"}, std::pair{Quality::linear, "VTK linear"}, std::pair{Quality::cubic, "VTK cubic"}}) {
+    Setting setting;
+    setting.group = "sampling";
+    setting.method = method;
+    setting.peer = true;
+    setting.exact = Exact::field;
+    const auto slicer = peerSlicer(quality, world.volume, world.options.width_px, world.options.height_px);
+    setting.frame = [=](const Pose& pose) { return slicer(worldToVoxel * pose.probeToWorld * imageToProbe); };
+    settings.push_back(std::move(setting));
+  }
+  // The same number of pixels through the volume's middle, one voxel a pixel: those beside the volume cost VTK little.
+  Setting setting;
+  setting.group = "one voxel a pixel";
+  setting.method = "VTK linear, one voxel a pixel";
+  setting.peer = true;
+  const auto slicer = peerSlicer(Quality::linear, world.volume, world.options.width_px, world.options.height_px);
+  setting.frame = [=, &world](const Pose& pose) {
+    Transform<frame::Voxel, frame::Image> plane;
+    const glm::dmat4& matrix = pose.probeToWorld.matrix;
+    const glm::dvec3 middle_voxel(0.5 * (world.side - 1));
+    plane.matrix[0] = matrix[0];
+    plane.matrix[1] = matrix[1];
+    plane.matrix[2] = matrix[2];
+    plane.matrix[3] = glm::dvec4(
+        middle_voxel - glm::dvec3(matrix[0]) * (0.5 * world.options.width_px) - glm::dvec3(matrix[1]) * (0.5 * world.options.height_px),
+        1.0);
+    return slicer(plane);
+  };
+  settings.push_back(std::move(setting));
+}
+
+std::vector<Setting> settingsOf(const World& world) {
+  std::vector<Setting> settings;
+  const auto neutral = [](std::string group, std::string method) {
+    Setting setting;
+    setting.group = std::move(group);
+    setting.method = std::move(method);
+    return setting;
+  };
+  const std::pair<Quality, const char*> qualities[] = {{Quality::weave, "weave"}, {Quality::linear, "linear"}, {Quality::cubic, "cubic"}};
+  for (const auto& [quality, name] : qualities) {
+    Setting setting = neutral("sampling", name);
+    setting.knobs.quality = quality;
+    setting.exact = Exact::field;
+    addFrames(settings, world, setting);
+  }
+  for (const auto& [quality, name] : qualities) {
+    Setting setting = neutral("sampling", std::string("beams, ") + name);
+    setting.knobs.quality = quality;
+    setting.exact = Exact::field;
+    addBareBeams(settings, world, setting);
+  }
+  for (const int planes : {3, 5, 7, 9}) {
+    Setting setting = neutral("slice thickness", std::to_string(planes) + " planes");
+    setting.scene.sliceThickness.emplace();
+    setting.knobs.elevationPlanes = planes;
+    setting.exact = Exact::elevationalMean;
+    addFrames(settings, world, setting);
+  }
+  for (const auto& [method, name] :
+       {std::pair{FocusMethod::rowStretch, "row stretch"}, std::pair{FocusMethod::lateralKernel, "lateral kernel"}}) {
+    Setting setting = neutral("focus", name);
+    setting.scene.focus.emplace();
+    setting.knobs.focusMethod = method;
+    setting.knobs.focus_mm = 60.0;
+    setting.exact = Exact::lateralMean;
+    addFrames(settings, world, setting);
+  }
+  const auto alone = [&](const char* method, const std::function<void(Setting&)>& set, bool labels = false, bool gaps = false) {
+    Setting setting = neutral("one effect", method);
+    set(setting);
+    addFrames(settings, world, setting, labels, gaps);
+  };
+  alone("gain and DGC", [](Setting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
+  alone("dynamic range, grey map", [](Setting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
+  alone("edge enhancement", [](Setting& s) { s.knobs.edgeEnhancement = 0.4; });
+  alone("persistence", [](Setting& s) { s.knobs.persistence = 0.3; });
+  alone("M-mode beside B-mode", [](Setting& s) { s.knobs.mode = DisplayMode::both; });
+  alone("shadow by grey level", [](Setting& s) { s.scene.attenuation.emplace(); });
+  alone(
+      "shadow by tissue", [](Setting& s) { s.scene.attenuation.emplace(); }, true);
+  alone("reverberation", [](Setting& s) { s.scene.reverberation.emplace(); });
+  alone("noise", [](Setting& s) { s.scene.noise.emplace(); });
+  alone(
+      "contact loss", [](Setting& s) { s.scene.contact.emplace(); }, false, true);
+
+  const auto everything = [&](const std::string& method, const std::function<void(Setting&)>& change, int threads = 1) {
+    Setting setting = neutral("everything", method);
+    setting.knobs = everyKnob();
+    setting.scene = sceneWithEverything();
+    setting.threads = threads;
+    change(setting);
+    addFrames(settings, world, setting, true, true);
+  };
+  everything("everything", [](Setting&) {});
+  everything("everything, weave", [](Setting& s) { s.knobs.quality = Quality::weave; });
+  everything("everything, cubic", [](Setting& s) { s.knobs.quality = Quality::cubic; });
+  everything("everything, 3 planes", [](Setting& s) { s.knobs.elevationPlanes = 3; });
+  everything("everything, 7 planes", [](Setting& s) { s.knobs.elevationPlanes = 7; });
+  everything("everything, row stretch", [](Setting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
+  Setting two = neutral("two threads", "linear");
+  two.threads = 2;
+  addFrames(settings, world, two);
+  everything(
+      "everything", [](Setting& s) { s.group = "two threads"; }, 2);
+  if (world.options.peers) addPeers(settings, world);
+  const std::string size = std::to_string(world.options.width_px) + "x" + std::to_string(world.options.height_px);
+  for (Setting& setting : settings) {
+    std::string name = setting.method;
+    std::erase(name, ',');
+    std::replace(name.begin(), name.end(), ' ', '_');
+    setting.name = "frame_" + size + "_of_" + std::to_string(world.side) + "cubed/" + name + "/" + std::to_string(setting.threads);
+  }
+  return settings;
+}
+
+/// The exact grey level of a pixel under a setting.
+class Answer {
+ public:
+  Answer(const World& world, const Setting& setting)
+      : world_(world),
+        setting_(setting),
+        geometry_(fitDisplay(world.probe, setting.knobs, world.options.width_px, world.options.height_px)),
+        grid_(makeBeamGrid(world.probe, setting.knobs, geometry_.depth_mm, geometry_.pixel_mm)) {
+    if (setting.exact == Exact::lateralMean) beam_ = beamModelOf(world.probe, setting.knobs, *setting.scene.focus, geometry_.depth_mm);
+  }
+
+  /// Empty where the picture's edge or the volume's would count.
+  [[nodiscard]] std::optional<double> at(int x, int y, const Pose& pose) const {
+    const glm::dvec3 p_mm(geometry_.imageToProbe().matrix * glm::dvec4(x, y, 0.0, 1.0));
+    const glm::dvec2 place = lineAndSampleAt(world_.probe, setting_.knobs, grid_, glm::dvec2(p_mm));
+    const double lines = static_cast<double>(grid_.lines.size()), depth_mm = grid_.depth_mm(place.y);
+    if (!(place.x > 0.1 * lines && place.x < 0.9 * lines && depth_mm > 8.0 && depth_mm < geometry_.depth_mm - 4.0)) return std::nullopt;
+    const auto probeToVoxel = world_.volume.grid.worldToVoxel() * pose.probeToWorld;
+    const auto voxel = [&](const glm::dvec3& at_mm) { return glm::dvec3(probeToVoxel.matrix * glm::dvec4(at_mm, 1.0)); };
+    if (setting_.exact == Exact::field) return world_.field.at(voxel(p_mm));
+    if (setting_.exact == Exact::elevationalMean) {
+      const double width_mm = elevationalWidth_mm(world_.probe, 0.0, *setting_.scene.sliceThickness, depth_mm);
+      return world_.field.meanAt(voxel(p_mm), glm::dvec3(probeToVoxel.matrix[2]) * (width_mm / kPerSigma));
+    }
+    // Along the arc of equal depth; the mean under a normal distribution by a sum over +-4 standard deviations.
+    const double sigma_mm = blurWidth_mm(beam_, depth_mm) / kPerSigma;
+    const glm::dvec2 apex_mm(0.0, -world_.probe.radius_mm);
+    const glm::dvec2 fromApex = glm::dvec2(p_mm) - apex_mm;
+    const double radius_mm = glm::length(fromApex), angle = std::atan2(fromApex.x, fromApex.y);
+    constexpr int kHalf = 16;
+    double sum = 0.0, weights = 0.0;
+    for (int n = -kHalf; n <= kHalf; ++n) {
+      const double u = 4.0 * n / kHalf, weight = std::exp(-0.5 * u * u);
+      const double turned = angle + u * sigma_mm / radius_mm;
+      sum += weight * world_.field.at(voxel(glm::dvec3(apex_mm + radius_mm * glm::dvec2(std::sin(turned), std::cos(turned)), 0.0)));
+      weights += weight;
+    }
+    return sum / weights;
+  }
+
+ private:
+  const World& world_;
+  const Setting& setting_;
+  DisplayGeometry geometry_;
+  BeamGrid grid_;
+  BeamModel beam_;
+};
+
+void measureError(Setting& setting, const World& world) {
+  if (setting.exact == Exact::none) return;
+  const Answer answer(world, setting);
+  const int step = setting.exact == Exact::lateralMean ? 5 : 3;
+  double squares = 0.0, count = 0.0;
+  for (std::size_t n = 0; n < world.poses.size(); n += std::max<std::size_t>(1, world.poses.size() / 3)) {
+    const std::uint8_t* pixels = setting.frame(world.poses[n]);
+    for (int y = 0; y < world.options.height_px; y += step)
+      for (int x = 0; x < world.options.width_px; x += step) {
+        const auto exact = answer.at(x, y, world.poses[n]);
+        if (!exact) continue;
+        const double error = pixels[static_cast<std::ptrdiff_t>(y) * world.options.width_px + x] - *exact;
+        squares += error * error;
+        count += 1.0;
+        setting.worst_grey = std::max(setting.worst_grey, std::abs(error));
+      }
+  }
+  if (squares > 0.0) setting.psnr_db = 10.0 * std::log10(255.0 * 255.0 * count / squares);
+}
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Settings take turns, in another order each time, so that a busy moment of the machine falls on no one alone.
+bool timeSettings(std::vector<Setting>& settings, const World& world, Progress& progress) {
+  std::vector<std::size_t> order(settings.size());
+  for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
+  std::mt19937 random(7);
+  for (int repetition = 0; repetition < world.options.repetitions; ++repetition) {
+    std::shuffle(order.begin(), order.end(), random);
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      if (progress.cancelRequested()) return false;
+      progress.report("Timing frames of " + std::to_string(world.side) + " cubed",
+                      (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / world.options.repetitions);
+      Setting& setting = settings[order[n]];
+      setting.frame(world.poses.back());  // its tables come back into the caches
+      const double startWall_s = now_s(), startCpu_s = threadTime_s();
+      for (const Pose& pose : world.poses) {
+        setting.frame(pose);
+        if (setting.maker)
+          for (const StepTime& time : setting.maker->lastTimes()) setting.steps_us[nameOf(time.kind)].push_back(time.measured_us);
+      }
+      const double frames = static_cast<double>(world.poses.size());
+      setting.cpu_us.push_back(1e6 * (threadTime_s() - startCpu_s) / frames);
+      setting.wall_us.push_back(1e6 * (now_s() - startWall_s) / frames);
+    }
+  }
+  return true;
+}
+
+const Setting* settingNamed(const std::vector<Setting>& settings, const std::string& group, const std::string& method) {
+  const auto found =
+      std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.group == group && s.method == method; });
+  return found == settings.end() ? nullptr : &*found;
+}
+
+void addToReport(const std::vector<Setting>& settings, const World& world, json& report) {
+  const Setting* peer = settingNamed(settings, "sampling", "VTK linear");
+  const double peer_us = peer ? medianOf(peer->cpu_us) : 0.0;
+  for (const Setting& setting : settings) {
+    const double time_us = setting.threads == 1 ? medianOf(setting.cpu_us) : medianOf(setting.wall_us);
+    json row = {
+        {"name", setting.name},       {"group", setting.group},    {"method", setting.method}, {"peer", setting.peer},
+        {"threads", setting.threads}, {"volume_side", world.side}, {"median_us", time_us},     {"wall_us", medianOf(setting.wall_us)}};
+    if (setting.maker) {
+      std::ostringstream plan;
+      plan << setting.maker->plan();
+      row["plan"] = plan.str();
+    }
+    if (peer_us > 0.0) row["of_peer"] = time_us / peer_us;
+    if (setting.exact != Exact::none) {
+      row["psnr_db"] = setting.psnr_db;
+      row["worst_grey"] = setting.worst_grey;
+    }
+    report["results"].push_back(std::move(row));
+    if (setting.group == "everything" && setting.method == "everything")
+      for (const auto& [step, times_us] : setting.steps_us) {
+        const cli::StepSummary summary = cli::summarise(times_us);
+        report["steps"].push_back({{"name", setting.name + "/" + step},
+                                   {"count", summary.count},
+                                   {"median_us", summary.median_us},
+                                   {"p99_us", summary.p99_us},
+                                   {"max_us", summary.max_us}});
+      }
+  }
+  const auto must = [&](const std::string& what, const Setting* setting, double limit) {
+    if (!setting || peer_us <= 0.0) return;
+    const double value = medianOf(setting->cpu_us) / peer_us;
+    report["must_show"].push_back({{"name", what + ", " + std::to_string(world.side) + " cubed, of VTK's bare linear slice"},
+                                   {"value", value},
+                                   {"limit", limit},
+                                   {"met", value <= limit}});
+  };
+  must("every effect on", settingNamed(settings, "everything", "everything"), 0.5);
+  must("neutral plan", settingNamed(settings, "sampling", "linear"), 0.2);
+}
+
+Result<void> checkOptions(const FrameBenchOptions& options) {
+  const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
+  if (options.volumeSides.empty()) return refuse("The benchmark of frames needs at least one volume side; give --side 256.");
+  for (const int side : options.volumeSides)
+    if (side < 64 || side > 1024) return refuse("A volume side must lie between 64 and 1024 voxels.");
+  if (options.width_px < 128 || options.width_px > 4096 || options.height_px < 128 || options.height_px > 4096)
+    return refuse("A picture must be between 128 and 4096 pixels wide and high.");
+  if (options.poses < 2 || options.poses > 1000) return refuse("The number of poses must lie between 2 and 1000.");
+  if (options.repetitions < 1 || options.repetitions > 1000) return refuse("The number of repetitions must lie between 1 and 1000.");
+  return {};
+}
+
+}  // namespace
+
+Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
+  if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  const auto probe = readProbe(*resources / "probes" / "convex-3.5.json");
+  if (!probe) return passOn(probe.error());
+  const auto stopped = [] { return failure(ErrorCode::cancelled, "The benchmark was stopped."); };
+
+  json report = {{"machine", machineName()}, {"width", options.width_px},  {"height", options.height_px},
+                 {"probe", probe->name},     {"poses", options.poses},     {"repetitions", options.repetitions},
+                 {"results", json::array()}, {"must_show", json::array()}, {"steps", json::array()}};
+  for (std::size_t n = 0; n < options.volumeSides.size(); ++n) {
+    const int side = options.volumeSides[n];
+    const double share = 1.0 / static_cast<double>(options.volumeSides.size());
+    PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
+    part.report("Filling a volume of " + std::to_string(side) + " cubed", 0.0);
+    auto made = makeWorld(options, side, *probe, part);
+    if (!made) return passOn(made.error());
+    World& world = **made;
+    std::vector<Setting> settings = settingsOf(world);
+    for (Setting& setting : settings) {
+      if (part.cancelRequested()) return stopped();
+      measureError(setting, world);
+      const auto all = [&] {
+        for (const Pose& pose : world.poses) setting.frame(pose);
+      };
+      if (setting.threads == 1 && !runsOnThisThreadAlone(all))
+        return failure(ErrorCode::internal,
+                       "'" + setting.name + "' used more than one thread, so its times cannot be compared; report this.");
+    }
+    // Only now, for the field alone has an exact answer: strong interfaces, so that every effect has something to do.
+    paintBalls(world);
+    if (!timeSettings(settings, world, part)) return stopped();
+    addToReport(settings, world, report);
+  }
+  return report;
+}
+
+namespace {
+
+BenchSection sectionOf(const json& report, const std::string& group, int side, const std::string& title, const std::string& text) {
+  BenchSection section;
+  section.title = title;
+  section.text = text;
+  section.table = {1, {"Setting", "Median, ms", "Of VTK's linear slice", "PSNR, dB", "Worst, grey levels"}, {}};
+  for (const auto& row : report["results"]) {
+    if (row["group"] != group || row["volume_side"] != side) continue;
+    const std::string method = row["method"].get<std::string>();
+    const double ms = row["median_us"].get<double>() * 1e-3;
+    const bool peer = row["peer"].get<bool>(), measured = row.contains("psnr_db");
+    if (measured)
+      section.points.push_back({method, method, ms, row["psnr_db"].get<double>(), peer ? BenchMark::peer : BenchMark::own,
+                                peer                          ? ""
+                                : method.starts_with("beams") ? "beams"
+                                                              : "own"});
+    section.table.rows.push_back({method, fixedText(ms, 3), row.contains("of_peer") ? fixedText(row["of_peer"].get<double>(), 3) : "",
+                                  measured ? fixedText(row["psnr_db"].get<double>(), 1) : "",
+                                  measured ? fixedText(row["worst_grey"].get<double>(), 1) : ""});
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<BenchSection> frameSections(const json& report) {
+  std::vector<BenchSection> sections;
+  std::vector<int> sides;
+  for (const auto& row : report["results"])
+    if (const int side = row["volume_side"].get<int>(); std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
+  const std::string size = std::to_string(report["width"].get<int>()) + " x " + std::to_string(report["height"].get<int>());
+  for (const int side : sides) {
+    const std::string of = ", " + std::to_string(side) + " cubed";
+    double peer_ms = 0.0;
+    BenchSection times;
+    times.title = "Whole frames, " + size + of;
+    times.text =
+        "Probe " + report["probe"].get<std::string>() +
+        ", one thread. Each bar is a whole frame with the effect named and no other; the last ones have everything on. VTK makes a "
+        "bare slice of the same plane and as many pixels, without a fan and without any effect.";
+    times.table = {1, {"Setting", "Threads", "Median, ms", "Of VTK's linear slice"}, {}};
+    for (const auto& row : report["results"]) {
+      if (row["volume_side"] != side) continue;
+      const std::string method = row["method"].get<std::string>();
+      const double ms = row["median_us"].get<double>() * 1e-3;
+      const bool peer = row["peer"].get<bool>();
+      if (method == "VTK linear") peer_ms = ms;
+      if (method != "VTK cubic" && row["threads"] == 1) times.bars.push_back({method, ms, peer ? BenchMark::peer : BenchMark::own});
+      times.table.rows.push_back({method, std::to_string(row["threads"].get<int>()), fixedText(ms, 3),
+                                  row.contains("of_peer") ? fixedText(row["of_peer"].get<double>(), 3) : ""});
+    }
+    if (peer_ms > 0.0) times.limits_ms = {{0.2 * peer_ms, "0.2"}, {0.5 * peer_ms, "0.5"}, {peer_ms, "VTK linear = 1"}};
+    for (const auto& must : report["must_show"])
+      if (must["name"].get<std::string>().find(of) != std::string::npos)
+        times.text += " " + must["name"].get<std::string>() + ": " + fixedText(must["value"].get<double>(), 3) + ", wanted at most " +
+                      fixedText(must["limit"].get<double>(), 1) + (must["met"].get<bool>() ? "." : ": NOT MET.");
+    sections.push_back(std::move(times));
+
+    BenchSection sampling = sectionOf(report, "sampling", side, "Sampling a frame" + of,
+                                      "The neutral frame at each quality, on the display grid and by way of beams and scan conversion, "
+                                      "against the field itself.");
+    sampling.legend = {{BenchMark::own, "EchoWeave, a frame"}, {BenchMark::peer, "VTK, a bare slice"}};
+    sections.push_back(std::move(sampling));
+    sections.push_back(sectionOf(report, "slice thickness", side, "Slice thickness" + of,
+                                 "Planes averaged over the beam's elevational width, against the field's exact mean under it. What the "
+                                 "linear sampling itself leaves is in the figures."));
+    sections.push_back(sectionOf(report, "focus", side, "Focus" + of,
+                                 "The paper's row stretching and the lateral kernel, against the field's exact mean under the beam's "
+                                 "lateral width."));
+  }
+  return sections;
+}
+
+}  // namespace ew
