@@ -13,8 +13,8 @@ inline constexpr std::string_view kNotForDiagnosis = "simulation, not for diagno
 inline constexpr int kCaptionMinWidth_px = 96;
 inline constexpr int kCaptionMinHeight_px = 64;
 
-/// Writes lower-case words (a-z, comma, full stop, hyphen, blank) in small letters along the lower edge, centred, in a quiet grey with a
-/// dark rim so that they can be read on any ground; on two or more lines when the picture is narrow, larger on a large one. Nothing else
+/// Writes lower-case words (a-z, 0-9, comma, full stop, hyphen, blank) in small letters along the lower edge, centred, in a quiet grey with
+/// a dark rim so that they can be read on any ground; on two or more lines when the picture is narrow, larger on a large one. Nothing else
 /// in the picture changes.
 void burnCaption(ImageView<std::uint8_t> picture, std::string_view words);
 

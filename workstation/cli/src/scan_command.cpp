@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "caption.h"
 #include "command.h"
+#include "contact_sheet.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/latency.h"
@@ -24,6 +25,7 @@ struct ScanArguments {
   std::string scene;
   std::vector<std::string> offSkin;
   std::string output;
+  std::string contactSheet;
   glm::ivec2 size_px{640, 480};
   int repeat = 0;
   int threads = 1;
@@ -206,9 +208,43 @@ void printPlan(std::ostream& out, const FrameMaker& maker, const Report& report)
   line("whole frame", estimated_us, measured_us);
 }
 
+Result<void> checkContactSheet(const ScanArguments& arguments, Run& run) {
+  constexpr glm::ivec2 kSmallest_px{160, 120}, kLargest_px{1024, 768};
+  if (!arguments.output.empty() || arguments.repeat > 0 || arguments.plan)
+    return failure(ErrorCode::badUsage, "--contact-sheet makes a picture of its own; give it without -o, --repeat and --plan.");
+  const glm::ivec2& size_px = arguments.size_px;
+  if (glm::any(glm::lessThan(size_px, kSmallest_px)) || glm::any(glm::greaterThan(size_px, kLargest_px)))
+    return failure(ErrorCode::badUsage, "The tiles of a contact sheet are from 160x120 to 1024x768 pixels large; give --size 320x240.");
+  return run.output(arguments.contactSheet, ".png");
+}
+
+Result<int> makeContactSheet(const ScanArguments& arguments, const Subject& subject, const Probe& probe, const std::vector<Pose>& poses,
+                             Run& run) {
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  auto probes = readProbes(*resources / "probes");
+  if (!probes) return passOn(probes.error());
+  SheetSource source{.echo = subject.volume.view(),
+                     .labels = {},
+                     .scene = subject.scene,
+                     .probe = probe,
+                     .probes = std::move(*probes),
+                     .pose = poses.front(),
+                     .interfacePose = poses.back()};
+  if (subject.labels) source.labels = subject.labels->view();
+  run.progress.report("Making the contact sheet", kShareOfReading);
+  const GreyImage sheet = contactSheet(source, arguments.size_px);
+  if (auto written = writeImage(viewOf(sheet), 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
+  run.say("Wrote a contact sheet of " + std::to_string(sheet.width) + " x " + std::to_string(sheet.height) + " pixels.");
+  return kDone;
+}
+
 Result<int> scan(const ScanArguments& arguments, Run& run) {
+  const bool isSheet = !arguments.contactSheet.empty();
+  if (isSheet)
+    if (auto usable = checkContactSheet(arguments, run); !usable) return passOn(usable.error());
   const bool writes = arguments.repeat == 0 && !arguments.output.empty();
-  if (!writes && arguments.repeat == 0 && !arguments.plan)
+  if (!writes && arguments.repeat == 0 && !arguments.plan && !isSheet)
     return failure(ErrorCode::badUsage,
                    "Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.");
   if (writes && std::filesystem::path(arguments.output).extension() != ".mha" &&
@@ -242,6 +278,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
     for (std::size_t n = 0; n < outputs; ++n)
       if (auto announced = run.output(numbered(arguments.output, n, outputs), ".png .mha"); !announced) return passOn(announced.error());
   if (auto read = readSubject(arguments, run, *subject); !read) return passOn(read.error());
+  if (isSheet) return makeContactSheet(arguments, *subject, *probe, *poses, run);
 
   run.report.options = {{"probe", probe->id},
                         {"pose", arguments.pose},
@@ -316,7 +353,8 @@ void addScan(CLI::App& root, Selection& selection) {
   auto& app = addCommand(root, selection, "scan", "Scan a volume or a case with a probe, as the window shows it",
                          {"scan upper-abdomen-gall-stone -o scan.png --plan",
                           "scan liver.mha --probe convex-3.5 --pose poses.txt --knobs knobs.json --size 800x600 -o scan.png",
-                          "scan liver.mha --probe linear-7.5 --pose poses.txt --repeat 100 --report times.json"},
+                          "scan liver.mha --probe linear-7.5 --pose poses.txt --repeat 100 --report times.json",
+                          "scan upper-abdomen-gall-stone --size 320x240 --contact-sheet effects.png"},
                          [arguments](Run& run) { return scan(*arguments, run); });
   app.footer(app.get_footer() +
              "\n\nKNOBS.json is one object; what is missing stays neutral:\n"
@@ -342,6 +380,10 @@ void addScan(CLI::App& root, Selection& selection) {
   app.add_option("-o,--output", arguments->output,
                  "The picture: .png, which carries 'simulation, not for diagnosis', or .mha, the bare frame")
       ->type_name("OUT");
+  app.add_option("--contact-sheet", arguments->contactSheet,
+                 "One picture of many tiles of --size: every effect off and on, then every probe, at the first pose; reverberation at the "
+                 "last")
+      ->type_name("OUT.png");
   app.add_flag("--plan", arguments->plan, "Print what a frame runs, with estimated and measured microseconds");
   app.add_flag("--map", arguments->map,
                "Leave an uncompressed volume in its file and read it by the page, as files from 1 GiB on always are");
