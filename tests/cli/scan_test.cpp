@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "caption.h"
 #include "cli/cli_world.h"
 #include "ew/imaging/frame.h"
 #include "ew/io/image_file.h"
+#include "ew/library/case.h"
 #include "knobs_file.h"
 
 namespace ew::test {
@@ -156,6 +158,79 @@ TEST_F(ScanCommand, RefusesAPictureTooSmallForItsWarning) {
   EXPECT_EQ(run(small).status, 2);
   small.back() = folder / "o.mha";
   EXPECT_EQ(run(small).status, 0);
+}
+
+/// The shipped case with the gall stone, at 2 mm so that it is made quickly, in a cache of its own.
+class ScanOfACase : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto shipped = shippedCasesFolder();
+    ASSERT_TRUE(shipped);
+    std::filesystem::copy(*shipped / "upper-abdomen-gall-stone", folder / "case", std::filesystem::copy_options::recursive);
+    auto manifest = readJson(folder / "case/case.json");
+    manifest["volume"]["recipe_spacing_mm"] = 2.0;
+    writeText(folder / "case/case.json", manifest.dump());
+  }
+  TemporaryFolder folder;
+  const EnvironmentValue cache{"ECHOWEAVE_CACHE", folder / "cache"};
+};
+
+TEST_F(ScanOfACase, CastsTheStonesShadowAwayFromTheProbe) {
+  writeText(folder / "plain.json", "{}");
+  writeText(folder / "shadow.json", R"({"attenuation": true})");
+  std::map<std::string, GreyImage> pictures;
+  for (const std::string scene : {"plain", "shadow"}) {
+    const auto outcome = run({"scan", folder / "case", "--scene", folder / (scene + ".json"), "--size", "400x300", "-o",
+                              folder / (scene + ".mha"), "--report", folder / "r.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    pictures[scene] = *readImage(folder / (scene + ".mha"));
+  }
+  const auto opened = loadCase(folder / "case");
+  ASSERT_TRUE(opened) << opened.error();
+  const auto probe = readProbe(*resourceFolder() / "probes" / (opened->probes.front() + ".json"));
+  ASSERT_TRUE(probe) << probe.error();
+  const auto imageToProbe = fitDisplay(*probe, {}, 400, 300).imageToProbe();
+  const glm::dmat4 worldToImage = glm::inverse(opened->startPose->probeToWorld.matrix * imageToProbe.matrix);
+  const glm::dvec3 stone_px(worldToImage * glm::dvec4(-51.4, -24.4, -55.2, 1.0));
+  const glm::dvec3 apex_px(glm::inverse(imageToProbe.matrix) * glm::dvec4(0.0, -probe->radius_mm, 0.0, 1.0));
+  const glm::dvec2 away = glm::normalize(glm::dvec2(stone_px) - glm::dvec2(apex_px));
+  const auto meanAt = [&](const std::string& scene, double pastStone_px) {
+    const glm::ivec2 p(glm::round(glm::dvec2(stone_px) + pastStone_px * away));
+    double sum = 0.0;
+    for (int y = -2; y <= 2; ++y)
+      for (int x = -2; x <= 2; ++x) sum += viewOf(pictures[scene]).at(p.x + x, p.y + y);
+    return sum / 25.0;
+  };
+  for (const double behind_px : {35.0, 50.0, 65.0}) {
+    EXPECT_GT(meanAt("plain", behind_px), 30.0) << "the volume itself holds no shadow";
+    EXPECT_LT(meanAt("shadow", behind_px), 5.0) << behind_px;
+  }
+}
+
+TEST_F(ScanOfACase, DrawsAContactSheetThatCarriesTheWarning) {
+  const auto outcome = run({"scan", folder / "case", "--size", "160x120", "--contact-sheet", folder / "sheet.png"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  auto sheet = readImage(folder / "sheet.png");
+  ASSERT_TRUE(sheet) << sheet.error();
+  EXPECT_EQ(sheet->width, 960);
+  const GreyImage before = *sheet;
+  cli::burnCaption(viewOf(*sheet), cli::kNotForDiagnosis);
+  EXPECT_EQ(*sheet, before);
+  // Off and on differ in every pair.
+  int differing = 0;
+  for (int pair = 0; pair < 15; ++pair) {
+    const int left = pair % 3 * 320, top = pair / 3 * 138;
+    bool differs = false;
+    for (int y = 0; y < 120 && !differs; ++y) {
+      const auto* row = viewOf(*sheet).row(top + y) + left;
+      differs = !std::equal(row, row + 160, row + 160);
+    }
+    EXPECT_TRUE(differs) << "pair " << pair;
+    differing += differs ? 1 : 0;
+  }
+  EXPECT_EQ(differing, 15);
+  EXPECT_EQ(run({"scan", folder / "case", "--contact-sheet", folder / "s.png", "-o", folder / "o.png"}).status, 2);
+  EXPECT_EQ(run({"scan", folder / "case", "--size", "100x100", "--contact-sheet", folder / "s.png"}).status, 2);
 }
 
 }  // namespace

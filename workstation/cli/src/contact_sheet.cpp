@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <numbers>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
 #include "caption.h"
@@ -23,6 +23,7 @@ struct Tile {
 /// One tile's setting: the console, the scene, and what happens before the picture is taken.
 struct Setting {
   Probe probe;
+  Pose pose;
   Knobs knobs;
   Scene scene;
   bool withLabels = true;
@@ -40,6 +41,13 @@ Pose slid(const Pose& pose, double x_mm) {
   return moved;
 }
 
+/// The pose turned about the probe's own z through the middle of its face.
+Pose rocked(const Pose& pose, double angle_deg) {
+  Pose turned = pose;
+  turned.probeToWorld.matrix = pose.probeToWorld.matrix * glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), glm::dvec3(0, 0, 1));
+  return turned;
+}
+
 GreyImage pictureOf(const SheetSource& source, const Setting& setting, const glm::ivec2& size_px) {
   FrameMaker maker;
   const bool withLabels = setting.withLabels && !source.labels.empty();
@@ -49,7 +57,7 @@ GreyImage pictureOf(const SheetSource& source, const Setting& setting, const glm
     FrameInput input;
     input.echo = source.echo;
     if (withLabels) input.labels = source.labels;
-    input.pose = slid(source.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
+    input.pose = slid(setting.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
     input.gaps_mm = setting.gaps_mm;
     input.number = static_cast<std::uint64_t>(n) + 1;
     input.time_s = n * setting.secondsPerFrame;
@@ -86,7 +94,7 @@ GreyImage arranged(const std::vector<Tile>& tiles, const glm::ivec2& tile_px) {
 
 GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
   std::vector<Tile> tiles;
-  Setting plain{.probe = source.probe, .knobs = {}, .scene = {}};
+  Setting plain{.probe = source.probe, .pose = source.pose, .knobs = {}, .scene = {}};
   plain.scene.recordedDynamicRange_db = source.scene.recordedDynamicRange_db;
   plain.scene.tissues = source.scene.tissues;
   const auto add = [&](std::string name, const Setting& setting) {
@@ -107,8 +115,8 @@ GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
     s.knobs.gain = 1.2;
     s.knobs.dgc = {0.6, 0.8, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5};
   });
-  pair("range 60 db", "range 40 db, soft map", nothing, [](Setting& s) {
-    s.knobs.dynamicRange_db = 40.0;
+  pair("range 60 db", "range 50 db, soft map", nothing, [](Setting& s) {
+    s.knobs.dynamicRange_db = 50.0;
     s.knobs.greyMap = GreyMap::soft;
   });
   pair("no edges", "edge enhancement", nothing, [](Setting& s) { s.knobs.edgeEnhancement = 0.8; });
@@ -126,16 +134,18 @@ GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
   pair("thin slice", "slice thickness", nothing, [](Setting& s) { s.scene.sliceThickness.emplace(); });
   pair("no shadow", "shadow by tissue", nothing, [](Setting& s) { s.scene.attenuation.emplace(); });
   pair(
-      "shadow by grey level", "shadow, turned round",
+      "shadow by grey level", "shadow, probe rocked",
       [](Setting& s) {
         s.scene.attenuation.emplace();
         s.withLabels = false;
       },
       [](Setting& s) {
         s.withLabels = true;
-        s.knobs.markerLeft = false;
+        s.pose = rocked(s.pose, 20.0);
       });
-  pair("no reverberation", "reverberation, mirror", nothing, [](Setting& s) { s.scene.reverberation.emplace(); });
+  pair(
+      "no reverberation", "reverberation, mirror", [&](Setting& s) { s.pose = source.interfacePose; },
+      [](Setting& s) { s.scene.reverberation.emplace(); });
   pair(
       "no noise", "noise", [](Setting& s) { s.scene.attenuation.emplace(); }, [](Setting& s) { s.scene.noise.emplace(); });
   pair(
@@ -159,7 +169,7 @@ GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
         s.secondsPerFrame = s.knobs.mSweep_s / 90.0;
         s.showsStrip = true;
       });
-  pair("nothing on", "the case's own", nothing, [&](Setting& s) { s.scene = source.scene; });
+  pair("nothing on", "as the case asks", nothing, [&](Setting& s) { s.scene = source.scene; });
   pair(
       "everything, weave", "everything, cubic",
       [&](Setting& s) {

@@ -17,6 +17,7 @@ struct SheetSource {
   Probe probe;         ///< of the tiles of effects
   std::vector<Probe> probes;
   Pose pose;
+  Pose interfacePose;  ///< of the tiles of reverberation: where a strong smooth interface lies in view
 };
 
 /// One picture of many: every effect off and on, side by side, then every probe with the scene's effects. Each tile has its name below it,
