@@ -31,6 +31,20 @@ TEST(Stretch, EqualsLinearInterpolationWithinOneRoundingForAnyLengths) {
   }));
 }
 
+TEST(Stretch, OfMirroredValuesIsTheMirroredStretch) {
+  EXPECT_TRUE(rc::check("mirrored", [] {
+    Greys in = *rc::gen::container<Greys>(static_cast<std::size_t>(*rc::gen::inRange(1, 300)), rc::gen::arbitrary<std::uint8_t>());
+    Greys out(static_cast<std::size_t>(*rc::gen::inRange(1, 1000)));
+    stretch(in, out);
+    std::reverse(in.begin(), in.end());
+    Greys mirrored(out.size());
+    stretch(in, mirrored);
+    if (out.size() == 1) return;  // the first value alone
+    std::reverse(mirrored.begin(), mirrored.end());
+    RC_ASSERT(mirrored == out);
+  }));
+}
+
 TEST(Stretch, ToTheSameLengthIsACopy) {
   Greys in(257);
   for (std::size_t x = 0; x < in.size(); ++x) in[x] = static_cast<std::uint8_t>(x * 37);
