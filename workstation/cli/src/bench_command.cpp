@@ -21,6 +21,7 @@ struct BenchArguments {
   int poses = 0;  // 0: as many as the benchmark likes
   int repetitions = 7;
   bool noPeers = false;
+  bool large = false;
 };
 
 /// A column that ends at the same place whatever it holds.
@@ -46,11 +47,15 @@ void printResults(std::ostream& out, const json& measured) {
     if (row.contains("of_peer")) out << right(numberIn(row, "of_peer", 3), 7) << " of VTK  ";
     if (row.contains("psnr_db"))
       out << right(numberIn(row, "psnr_db", 1), 6) << " dB  worst " << right(numberIn(row, "worst_grey", 0), 3) << " grey";
+    if (row.contains("psnr_double_db")) out << "  " << right(numberIn(row, "psnr_double_db", 1), 5) << " dB from double precision";
     out << "\n";
   }
   for (const auto& row : measured.value("ratios", json::array()))
     out << textIn(row, "quality") << ", " << numberIn(row, "volume_side", 0) << " cubed, " << textIn(row, "pose_kind")
         << " poses: " << numberIn(row, "times_faster", 2) << " times as fast as the peer\n";
+  for (const auto& row : measured.value("promises", json::array()))
+    out << textIn(row, "what") << ": " << numberIn(row, "found", 2) << ", wanted at least " << numberIn(row, "bar", 2)
+        << (row["passed"].get<bool>() ? ": met\n" : ": NOT MET\n");
   for (const auto& row : measured.value("must_show", json::array()))
     out << textIn(row, "name") << ": " << numberIn(row, "value", 3) << ", wanted at most " << numberIn(row, "limit", 1)
         << (row["met"].get<bool>() ? ": met\n" : ": NOT MET\n");
@@ -77,6 +82,7 @@ Result<json> slicing(const BenchArguments& arguments, Run& run, Progress& progre
   auto sides = sidesOf(arguments, options.volumeSides, 8);
   if (!sides) return passOn(sides.error());
   options.volumeSides = *sides;
+  if (arguments.large) options.volumeSides.push_back(1024);
   run.report.options["slicing"] = {{"volume_sides", options.volumeSides},
                                    {"slice_side", options.sliceSide},
                                    {"poses", options.poses},
@@ -170,6 +176,8 @@ void addBench(CLI::App& root, Selection& selection) {
         ->type_name("DIR");
     app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")->type_name("COUNT");
     if (what != Bench::frame) addCount(app, "--size", arguments->sliceSide, 16, 4096, "Pixels a side of a slice (400)");
+    if (what != Bench::frame)
+      app.add_flag("--large", arguments->large, "Also slices of a volume of 1024 cubed: 2.4 GiB of memory and some minutes");
     if (what != Bench::slicing) addSize(app, "--frame", arguments->frame_px, "Pixels of a frame (1024x768)");
     addCount(app, "--poses", arguments->poses, 2, 1000, "Poses of each kind (slices 40, frames 12)");
     addCount(app, "--repetitions", arguments->repetitions, 1, 1000, "Interleaved repetitions (7)");

@@ -4,6 +4,7 @@
 #include <vtkMultiThreader.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
@@ -13,6 +14,7 @@
 #include <string>
 
 #include "bench_parts.h"
+#include "ew/imaging/bands.h"
 #include "ew/imaging/slicing.h"
 
 namespace ew {
@@ -23,6 +25,7 @@ using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
 struct Scene {
   Volume volume;
+  BrickedVolume bricks;
   BenchField field;
   std::map<std::string, std::vector<ImageToVoxel>> poses;  // by kind
 };
@@ -56,24 +59,42 @@ std::map<std::string, std::vector<ImageToVoxel>> posesFor(const BenchOptions& op
 }
 
 Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volumeSide, Progress& progress) {
-  auto scene = std::make_unique<Scene>(Scene{{}, BenchField(volumeSide), posesFor(options, volumeSide)});
+  auto scene = std::make_unique<Scene>(Scene{{}, {}, BenchField(volumeSide), posesFor(options, volumeSide)});
   auto volume = scene->field.volume(progress);
   if (!volume) return passOn(volume.error());
   scene->volume = std::move(*volume);
+  auto bricks = bricksOf(scene->volume.view(), 1, 0, noProgress());
+  if (!bricks) return passOn(bricks.error());
+  scene->bricks = std::move(*bricks);
   return scene;
 }
 
-BenchSlicer ownSlicer(Quality quality, const Scene& scene, int side) {
+// The layout that was faster on the whole stands for the slicer, the other is shown beside it.
+constexpr VoxelLayout kMain = VoxelLayout::linear, kOther = VoxelLayout::bricked;
+
+SliceSource sourceOf(const Scene& scene, VoxelLayout layout) {
+  return layout == VoxelLayout::bricked ? scene.bricks.source(scene.volume.grid) : SliceSource(scene.volume.view());
+}
+
+BenchSlicer ownSlicer(Quality quality, const SliceSource& source, int side) {
   struct State {
     SliceScratch scratch;
     GreyImage image;
   };
   auto state = std::make_shared<State>();
   state->image = GreyImage(side, side);
-  const VolumeView<const std::uint8_t> view = scene.volume.view();
-  return [state, view, quality](const ImageToVoxel& plane) {
-    quality == Quality::weave ? sliceWeave(view, plane, viewOf(state->image), state->scratch)
-                              : sliceLinear(view, plane, viewOf(state->image), state->scratch);
+  return [state, source, quality](const ImageToVoxel& plane) {
+    switch (quality) {
+      case Quality::weave:
+        sliceWeave(source, plane, viewOf(state->image), state->scratch);
+        break;
+      case Quality::linear:
+        sliceLinear(source, plane, viewOf(state->image), state->scratch);
+        break;
+      case Quality::cubic:
+        sliceCubic(source, plane, viewOf(state->image), state->scratch);
+        break;
+    }
     return static_cast<const std::uint8_t*>(state->image.pixels.data());
   };
 }
@@ -83,17 +104,45 @@ struct Case {
   std::string method;
   Quality quality = Quality::weave;
   bool peer = false;
+  VoxelLayout layout = VoxelLayout::linear;
   std::string poseKind;
   BenchSlicer slicer;
   std::vector<double> slices_us;       ///< every slice
   std::vector<double> repetitions_us;  ///< mean of each repetition
-  double psnr_db = 0.0;
+  double psnr_db = 0.0;                ///< against the analytic field
+  double psnrDouble_db = 0.0;          ///< against the same interpolation of the same voxels in double precision; 0: equal
   double worst_grey = 0.0;
 };
 
+/// Nearest, trilinear or cubic (Keys, a = -1/2) in double precision, neighbours clamped to the volume.
+double inDoublePrecision(Quality quality, const Volume& volume, const glm::dvec3& p_voxel) {
+  const glm::ivec3 last = volume.grid.dims - 1;
+  const auto voxel = [&](const glm::ivec3& at) {
+    const glm::ivec3 there = glm::clamp(at, glm::ivec3(0), last);
+    return static_cast<double>(volume.echo[volume.grid.indexOf(there.x, there.y, there.z)]);
+  };
+  if (quality == Quality::weave) return voxel(glm::ivec3(glm::floor(p_voxel + 0.5)));
+  const auto weight = [quality](double distance) {
+    const double s = std::abs(distance);
+    if (quality == Quality::linear) return std::max(0.0, 1.0 - s);
+    if (s < 1.0) return (1.5 * s - 2.5) * s * s + 1.0;
+    return s < 2.0 ? ((-0.5 * s + 2.5) * s - 4.0) * s + 2.0 : 0.0;
+  };
+  const glm::ivec3 low(glm::floor(p_voxel));
+  double sum = 0.0;
+  for (int k = -1; k <= 2; ++k)
+    for (int j = -1; j <= 2; ++j) {
+      const double across = weight(p_voxel.y - (low.y + j)) * weight(p_voxel.z - (low.z + k));
+      if (across == 0.0) continue;
+      for (int i = -1; i <= 2; ++i) sum += across * weight(p_voxel.x - (low.x + i)) * voxel(low + glm::ivec3(i, j, k));
+    }
+  return std::clamp(sum, 0.0, 255.0);
+}
+
+double psnrOf(double squares, double count) { return squares > 0.0 ? 10.0 * std::log10(255.0 * 255.0 * count / squares) : 0.0; }
+
 void measureError(Case& tested, const Scene& scene, int side) {
-  double squares = 0.0;
-  double count = 0.0;
+  double squares = 0.0, squaresDouble = 0.0, count = 0.0;
   const glm::dvec3 last = glm::dvec3(scene.volume.grid.dims - 1);
   const auto& poses = scene.poses.at(tested.poseKind);
   const std::size_t step = std::max<std::size_t>(1, poses.size() / 8);  // eight poses hold a million pixels
@@ -105,12 +154,14 @@ void measureError(Case& tested, const Scene& scene, int side) {
         if (glm::any(glm::lessThan(p, glm::dvec3(0.0))) || glm::any(glm::greaterThan(p, last))) continue;
         const double error = pixels[static_cast<std::ptrdiff_t>(y) * side + x] - scene.field.at(p);
         squares += error * error;
+        const double fromDouble = pixels[static_cast<std::ptrdiff_t>(y) * side + x] - inDoublePrecision(tested.quality, scene.volume, p);
+        squaresDouble += fromDouble * fromDouble;
         count += 1.0;
         tested.worst_grey = std::max(tested.worst_grey, std::abs(error));
       }
   }
-  const double mean = count > 0.0 ? squares / count : 0.0;
-  tested.psnr_db = mean > 0.0 ? 10.0 * std::log10(255.0 * 255.0 / mean) : 0.0;
+  tested.psnr_db = psnrOf(squares, count);
+  tested.psnrDouble_db = psnrOf(squaresDouble, count);
 }
 
 /// Collects the mean of each repetition.
@@ -195,22 +246,109 @@ std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int 
   std::vector<Case> cases;
   const std::string size = std::to_string(options.sliceSide);
   const std::string prefix = "slice_" + size + "x" + size + "_of_" + std::to_string(volumeSide) + "cubed/";
+  struct Way {
+    Quality quality;
+    const char* method;
+    const char* id;
+    bool peer;
+    VoxelLayout layout;
+  };
+  constexpr Way kWays[] = {{Quality::weave, "weave", "weave", false, kMain},
+                           {Quality::weave, "weave, bricks", "weave_bricks", false, kOther},
+                           {Quality::weave, "VTK nearest", "vtk_nearest", true, VoxelLayout::linear},
+                           {Quality::linear, "linear", "linear", false, kMain},
+                           {Quality::linear, "linear, bricks", "linear_bricks", false, kOther},
+                           {Quality::linear, "VTK linear", "vtk_linear", true, VoxelLayout::linear},
+                           {Quality::cubic, "cubic", "cubic", false, kMain},
+                           {Quality::cubic, "cubic, bricks", "cubic_bricks", false, kOther},
+                           {Quality::cubic, "VTK cubic", "vtk_cubic", true, VoxelLayout::linear}};
   for (const std::string kind : {"random", "smooth"})
-    for (const Quality quality : {Quality::weave, Quality::linear})
-      for (const bool peer : {false, true}) {
-        if (peer && !options.peers) continue;
-        Case tested;
-        const bool weave = quality == Quality::weave;
-        tested.method = peer ? (weave ? "VTK nearest" : "VTK linear") : (weave ? "weave" : "linear");
-        tested.name = prefix + (peer ? (weave ? "vtk_nearest" : "vtk_linear") : tested.method) + "/" + kind;
-        tested.quality = quality;
-        tested.peer = peer;
-        tested.poseKind = kind;
-        tested.slicer =
-            peer ? peerSlicer(quality, scene.volume, options.sliceSide, options.sliceSide) : ownSlicer(quality, scene, options.sliceSide);
-        cases.push_back(std::move(tested));
-      }
+    for (const Way& way : kWays) {
+      if (way.peer && !options.peers) continue;
+      Case tested;
+      tested.method = way.method;
+      tested.name = prefix + way.id + "/" + kind;
+      tested.quality = way.quality;
+      tested.peer = way.peer;
+      tested.layout = way.layout;
+      tested.poseKind = kind;
+      tested.slicer = way.peer ? peerSlicer(way.quality, scene.volume, options.sliceSide, options.sliceSide)
+                               : ownSlicer(way.quality, sourceOf(scene, way.layout), options.sliceSide);
+      cases.push_back(std::move(tested));
+    }
   return cases;
+}
+
+/// Wall time of a linear slice of 1024 x 768 pixels, all of them within the volume, on one and on two threads that take turns; medians.
+json timeThreads(const Scene& scene, int volumeSide) {
+  constexpr int kWidth = 1024, kHeight = 768, kSlices = 31;
+  GreyImage image(kWidth, kHeight);
+  const Spans spans(kHeight, {{0, kWidth}});
+  const SliceSource source = sourceOf(scene, kMain);
+  ImageToVoxel plane = scene.poses.at("smooth").front();
+  const double step = 0.6 * volumeSide / static_cast<double>(kWidth);
+  const glm::dvec3 x_voxel = step * glm::dvec3(plane.matrix[0]), y_voxel = step * glm::dvec3(plane.matrix[1]);
+  const glm::dvec3 corner = glm::dvec3(0.5 * (volumeSide - 1)) - 0.5 * (kWidth - 1.0) * x_voxel - 0.5 * (kHeight - 1.0) * y_voxel;
+  plane.matrix[0] = glm::dvec4(x_voxel, 0.0);
+  plane.matrix[1] = glm::dvec4(y_voxel, 0.0);
+  plane.matrix[3] = glm::dvec4(corner, 1.0);
+  std::array<std::vector<double>, 2> times_us;
+  std::array<Bands, 2> bands = {Bands(1), Bands(2)};
+  std::array<SliceScratch, 2> scratch;
+  for (int n = 0; n < kSlices; ++n)
+    for (std::size_t which = 0; which < 2; ++which) {
+      const auto start = std::chrono::steady_clock::now();
+      bands[which].run(kHeight, [&](int firstRow, int rowCount, int slot) {
+        sliceBand(Quality::linear, source, plane, spans, firstRow, rowCount, viewOf(image), scratch[static_cast<std::size_t>(slot)]);
+      });
+      times_us[which].push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
+    }
+  const double one_us = medianOf(times_us[0]), two_us = medianOf(times_us[1]);
+  return {
+      {"volume_side", volumeSide}, {"size", {kWidth, kHeight}}, {"one_us", one_us}, {"two_us", two_us}, {"times_faster", one_us / two_us}};
+}
+
+/// What the project promises of its slicers, and what this run found.
+json promises(const json& report) {
+  json kept = json::array();
+  const auto add = [&](const std::string& what, double found, double bar, bool passed) {
+    kept.push_back({{"what", what}, {"found", found}, {"bar", bar}, {"passed", passed}});
+  };
+  const auto rowOf = [&](int side, const std::string& kind, const std::string& method) -> const json* {
+    for (const auto& row : report["results"])
+      if (row["volume_side"] == side && row["pose_kind"] == kind && row["method"] == method) return &row;
+    return nullptr;
+  };
+  for (const auto& ratio : report["ratios"]) {
+    const auto quality = ratio["quality"].get<std::string>();
+    if (quality != "weave" && quality != "linear" && quality != "cubic") continue;
+    const int side = ratio["volume_side"];
+    const auto kind = ratio["pose_kind"].get<std::string>();
+    const double bar = quality == "cubic" ? 10.0 : 6.0, found = ratio["times_faster"];
+    const std::string where = quality + ", " + std::to_string(side) + " cubed, " + kind;
+    add(where + ": times as fast as VTK's", found, bar, found >= bar);
+    const json *mine = rowOf(side, kind, quality), *theirs = rowOf(side, kind, "VTK " + quality);
+    if (mine == nullptr || theirs == nullptr) continue;
+    if (quality == "linear") {
+      const double psnr_db = (*mine)["psnr_double_db"];
+      add(where + ": PSNR against double precision, dB", psnr_db, 58.0, psnr_db >= 58.0);
+    }
+    // Both round to whole grey levels; a hundredth of a decibel is chance.
+    const double more_db = (*mine)["psnr_db"].get<double>() - (*theirs)["psnr_db"].get<double>();
+    add(where + ": PSNR against the field beyond VTK's, dB", more_db, -0.01, more_db >= -0.01);
+  }
+  for (const auto& row : report["threads_measured"]) {
+    const double found = row["times_faster"];
+    add("two threads, 1024 x 768 of " + std::to_string(row["volume_side"].get<int>()) + " cubed: times as fast as one", found, 1.7,
+        found >= 1.7);
+  }
+  for (const char* method : {"weave", "linear", "cubic"}) {
+    const json *small = rowOf(256, "smooth", method), *large = rowOf(1024, "smooth", method);
+    if (small == nullptr || large == nullptr) continue;
+    const double found = (*small)["median_us"].get<double>() / (*large)["median_us"].get<double>();
+    add(std::string(method) + ", smooth: time of 256 cubed over that of 1024 cubed", found, 0.5, found >= 0.5);
+  }
+  return kept;
 }
 
 void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
@@ -218,10 +356,12 @@ void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
     report["results"].push_back({{"name", tested.name},
                                  {"method", tested.method},
                                  {"peer", tested.peer},
+                                 {"layout", tested.layout == VoxelLayout::bricked ? "bricks" : "rows"},
                                  {"volume_side", volumeSide},
                                  {"pose_kind", tested.poseKind},
                                  {"median_us", medianOf(tested.repetitions_us)},
                                  {"psnr_db", tested.psnr_db},
+                                 {"psnr_double_db", tested.psnrDouble_db},
                                  {"worst_grey", tested.worst_grey}});
     report["steps"].push_back(stepOf(tested));
     for (const Case& peer : cases)
@@ -251,6 +391,7 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
                  {"repetitions", options.repetitions},
                  {"results", json::array()},
                  {"ratios", json::array()},
+                 {"threads_measured", json::array()},
                  {"steps", json::array()}};
   for (std::size_t n = 0; n < options.volumeSides.size(); ++n) {
     const int volumeSide = options.volumeSides[n];
@@ -273,7 +414,9 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
     timeCases(cases, scene, options, part);
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
     addToReport(cases, volumeSide, report);
+    report["threads_measured"].push_back(timeThreads(scene, volumeSide));
   }
+  report["promises"] = promises(report);
   return report;
 }
 

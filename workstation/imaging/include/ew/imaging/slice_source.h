@@ -10,7 +10,7 @@
 namespace ew {
 
 /// How voxels lie in memory: i, j, k after one another, or in bricks that each fill one line of the cache
-/// (resources/decisions says when which is used, and the figures behind it).
+/// (resources/decisions/0013 says when which is used, and the figures behind it).
 enum class VoxelLayout { linear, bricked };
 
 /// Voxels as the slicers read them; someone else owns the memory.
