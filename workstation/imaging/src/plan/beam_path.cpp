@@ -25,7 +25,8 @@ void transpose(ImageView<const std::uint8_t> linesAsRows, ImageView<std::uint8_t
 
 }  // namespace
 
-void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry) {
+void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
+                         const Grid& grid) {
   const auto has = [&](StepKind kind) {
     return std::any_of(plan.steps.begin(), plan.steps.end(), [kind](const Step& step) { return step.kind == kind; });
   };
@@ -34,7 +35,7 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   knobs_ = withCarrierOf(probe, knobs);
   scene_ = scene;
   greyPerDb_ = 255.0 / scene.recordedDynamicRange_db;
-  const double spacing_mm = beamSpacing_mm(geometry);
+  const double spacing_mm = beamSpacing_mm(geometry, grid);
   if (gridFrom_.changesTo(probe, knobs.steering_rad, knobs.trapezoid, geometry.depth_mm, spacing_mm))
     grid_ = makeBeamGrid(probe, knobs, geometry.depth_mm, spacing_mm);
   const int lineCount = static_cast<int>(grid_.lines.size());
@@ -70,37 +71,69 @@ ImageView<float> BeamPath::depths(int first, int count) {
   return {echoes_.pixels.data() + static_cast<std::ptrdiff_t>(first) * echoes_.width, echoes_.width, count, echoes_.width};
 }
 
-void BeamPath::sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch, float weight,
-                            bool first) {
-  const std::size_t rowsOfLine = rows_.size() / grid_.lines.size();
+void BeamPath::sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch) {
+  // rows_ holds all lines of a piece of depth, then all of the next piece.
+  const auto lineCount = static_cast<std::size_t>(echoes_.width);
   bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
-    const auto from = static_cast<std::size_t>(firstLine) * rowsOfLine;
-    sampleRows(quality, source, std::span(rows_).subspan(from, static_cast<std::size_t>(count) * rowsOfLine), viewOf(linesAsRows_),
-               scratch[static_cast<std::size_t>(slot)].slicing);
-    const ImageView<const std::uint8_t> sampled{viewOf(linesAsRows_).row(firstLine), linesAsRows_.width, count, linesAsRows_.width};
-    accumulatePlane(sampled, weight, first, lines(firstLine, count));
+    for (std::size_t piece = 0; piece < firstSamples_.size(); ++piece) {
+      const auto from = piece * lineCount + static_cast<std::size_t>(firstLine);
+      const int first = firstSamples_[piece];
+      sampleRows(quality, source, std::span(rows_).subspan(from, static_cast<std::size_t>(count)),
+                 {linesAsRows_.pixels.data() + first, linesAsRows_.width - first, linesAsRows_.height, linesAsRows_.width},
+                 scratch[static_cast<std::size_t>(slot)].slicing);
+    }
   });
 }
 
+void BeamPath::accumulate(float weight, bool isFirst, Bands& bands) {
+  bands.run(echoes_.width, [&](int firstLine, int count, int) {
+    accumulatePlane({viewOf(linesAsRows_).row(firstLine), linesAsRows_.width, count, linesAsRows_.width}, weight, isFirst,
+                    lines(firstLine, count));
+  });
+}
+
+void BeamPath::layMiddlePlane(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
+  rowsOf(grid_, probeToVoxel, {0.0, 0.0}, rows_);
+  firstSamples_.assign(1, 0);
+}
+
+/// The rows of a plane beside the middle one, each from its own first sample on, so that a short piece is laid as a short row.
+void BeamPath::layPlane(const ElevationPlane& plane) {
+  rowsOf(grid_, plane, probeToVoxel_, planeRows_);
+  const std::size_t pieces = plane.pieces.size(), lineCount = grid_.lines.size();
+  rows_.resize(planeRows_.size());
+  firstSamples_.resize(pieces);
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    firstSamples_[piece] = plane.pieces[piece].firstSample;
+    for (std::size_t line = 0; line < lineCount; ++line) {
+      SampleRow row = planeRows_[line * pieces + piece];
+      row.start_voxel += static_cast<double>(row.span.begin) * row.step_voxel;
+      row.span = {0, row.span.end - row.span.begin};
+      rows_[piece * lineCount + line] = row;
+    }
+  }
+}
+
 void BeamPath::sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch) {
-  rowsOf(grid_, probeToVoxel_, {0.0, 0.0}, rows_);
-  sampleRowsOf(echo, knobs_.quality, bands, scratch, planes_.empty() ? 1.0F : planes_.front().weight, true);
+  layMiddlePlane(probeToVoxel_);
+  sampleRowsOf(echo, knobs_.quality, bands, scratch);
+  accumulate(planes_.empty() ? 1.0F : planes_.front().weight, true, bands);
 }
 
 void BeamPath::addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch) {
   for (std::size_t n = 1; n < planes_.size(); ++n) {
-    rowsOf(grid_, planes_[n], probeToVoxel_, rows_);
-    sampleRowsOf(echo, knobs_.quality, bands, scratch, planes_[n].weight, false);
+    layPlane(planes_[n]);
+    sampleRowsOf(echo, knobs_.quality, bands, scratch);
+    accumulate(planes_[n].weight, false, bands);
   }
 }
 
 void BeamPath::sampleLabels(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
                             std::span<ThreadScratch> scratch) {
-  rowsOf(grid_, probeToLabel, {0.0, 0.0}, rows_);
-  bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
-    // Labels are names, so the nearest one is taken, never a mean.
-    sampleRows(Quality::weave, labels, std::span(rows_).subspan(static_cast<std::size_t>(firstLine), static_cast<std::size_t>(count)),
-               viewOf(linesAsRows_), scratch[static_cast<std::size_t>(slot)].slicing);
+  layMiddlePlane(probeToLabel);
+  // Labels are names, so the nearest one is taken, never a mean.
+  sampleRowsOf(labels, Quality::weave, bands, scratch);
+  bands.run(echoes_.width, [&](int firstLine, int count, int) {
     transpose({viewOf(linesAsRows_).row(firstLine), linesAsRows_.width, count, linesAsRows_.width},
               {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width});
   });

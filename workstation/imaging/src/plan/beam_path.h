@@ -20,6 +20,8 @@ namespace ew::detail {
 struct ThreadScratch {
   SliceScratch slicing;
   std::vector<float> row;
+  double slicing_us = 0.0;  ///< of the frame in work, and what of it went into sampling before a stretch
+  double zoomSampling_us = 0.0;
 };
 
 /// The steps of a frame that work along or across scan lines: their tables, the levels between them, and how they are shared between
@@ -27,7 +29,8 @@ struct ThreadScratch {
 class BeamPath {
  public:
   /// Makes the tables that the steps of `plan` need, and again only when what they depend on changed.
-  void configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry);
+  void configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
+                 const Grid& grid);
 
   /// From here on the frame is seen from this place.
   void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
@@ -53,7 +56,10 @@ class BeamPath {
   [[nodiscard]] const BeamGrid& grid() const { return grid_; }
 
  private:
-  void sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch, float weight, bool first);
+  void layMiddlePlane(const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
+  void layPlane(const ElevationPlane& plane);
+  void sampleRowsOf(const SliceSource& source, Quality quality, Bands& bands, std::span<ThreadScratch> scratch);
+  void accumulate(float weight, bool isFirst, Bands& bands);
   [[nodiscard]] ImageView<float> lines(int first, int count);
   [[nodiscard]] ImageView<float> depths(int first, int count);
 
@@ -78,7 +84,9 @@ class BeamPath {
   bool usesLabels_ = false;
 
   Transform<frame::Voxel, frame::Probe> probeToVoxel_;
-  std::vector<SampleRow> rows_;
+  std::vector<SampleRow> rows_;    ///< of the plane in work, piece of depth after piece
+  std::vector<int> firstSamples_;  ///< where each piece begins
+  std::vector<SampleRow> planeRows_;
   std::vector<SampleRow> lineRow_;
   BeamGrid lineGrid_;  ///< one line alone
   GreyImage linesAsRows_;

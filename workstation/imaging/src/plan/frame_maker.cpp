@@ -28,6 +28,9 @@ struct Asked {
   bool operator==(const Asked&) const = default;
 };
 
+using Clock = std::chrono::steady_clock;
+double since_us(Clock::time_point start) { return std::chrono::duration<double, std::micro>(Clock::now() - start).count(); }
+
 void blacken(GreyImage& image) { std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{0}); }
 
 }  // namespace
@@ -63,10 +66,10 @@ struct FrameMaker::Parts {
   detail::BeamPath beams_;
   detail::MadeFrom<Probe, double, bool, DisplayGeometry> picturesFrom_;
   detail::MadeFrom<Probe, double, bool, double, double> stripFrom_;
-  GreyImage sampled_;             ///< black outside the fan, for good: steps write inside alone
-  GreyImage sharpened_;           ///< likewise
-  GreyImage* picture_ = nullptr;  ///< the one shown
-  double zoomSampling_us_ = 0.0;
+  GreyImage sampled_;               ///< black outside the fan, for good: steps write inside alone
+  GreyImage sharpened_;             ///< likewise
+  GreyImage* picture_ = nullptr;    ///< the one shown
+  double zoomSamplingShare_ = 1.0;  ///< of the last slice; the rest was its stretch
   detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone> tableFrom_;
   detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone, std::size_t> beamTableFrom_;
   std::vector<double> rowPosition_;  ///< depth of each row, 0 at the face, 1 at the bottom
@@ -129,12 +132,12 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   }
   picture_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
 
-  const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, spans_);
+  const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, grid, spans_);
   touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
   lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
   plan_ = touching_;
   times_.reserve(lifted_.steps.size());
-  beams_.configure(lifted_, probe, knobs_, scene_, geometry_);
+  beams_.configure(lifted_, probe, knobs_, scene_, geometry_, grid);
 
   const bool hasStrip = knobs_.mode != DisplayMode::bMode;
   if (!hasStrip) {
@@ -179,16 +182,15 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   const bool isLifted = scene_.contact && input.gaps_mm.size() >= 2 && beams_.findContact(input.gaps_mm);
   const Plan& plan = isLifted ? lifted_ : touching_;
   if (plan_ != plan) plan_ = plan;  // both were there from configure on, so their steps fit without new memory
-  using Clock = std::chrono::steady_clock;
   for (const Step& step : plan.steps) {
     const auto start = Clock::now();
     run(step.kind, input);
-    times_.push_back({step.kind, std::chrono::duration<double, std::micro>(Clock::now() - start).count()});
+    times_.push_back({step.kind, since_us(start)});
     if (step.kind == StepKind::zoomStretch) {
       // The stretch is interleaved with the sampling, which told its share.
       StepTime& sampling = times_[times_.size() - 2];
-      times_.back().measured_us = std::max(0.0, sampling.measured_us - zoomSampling_us_);
-      sampling.measured_us = zoomSampling_us_;
+      times_.back().measured_us = sampling.measured_us * (1.0 - zoomSamplingShare_);
+      sampling.measured_us *= zoomSamplingShare_;
     }
   }
   return viewOf(std::as_const(*picture_));
@@ -240,10 +242,21 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
 
 void FrameMaker::Parts::sampleDisplay(const SliceSource& echo, const Pose& pose) {
   const Transform<frame::Voxel, frame::Image> imageToVoxel = echo.grid.worldToVoxel() * pose.probeToWorld * geometry_.imageToProbe();
-  SliceScratch& scratch = scratch_.front().slicing;
-  scratch.zoomSampling_us = 0.0;
-  slice(knobs_.quality, echo, imageToVoxel, spans_, viewOf(sampled_), scratch);
-  zoomSampling_us_ = scratch.zoomSampling_us;
+  for (detail::ThreadScratch& each : scratch_) each.slicing_us = each.zoomSampling_us = 0.0;
+  bands_.run(sampled_.height, [&](int firstRow, int count, int slot) {
+    detail::ThreadScratch& mine = scratch_[static_cast<std::size_t>(slot)];
+    const auto start = Clock::now();
+    mine.slicing.zoomSampling_us = 0.0;
+    sliceBand(knobs_.quality, echo, imageToVoxel, spans_, firstRow, count, viewOf(sampled_), mine.slicing);
+    mine.zoomSampling_us += mine.slicing.zoomSampling_us;
+    mine.slicing_us += since_us(start);
+  });
+  double slicing_us = 0.0, zoomSampling_us = 0.0;
+  for (const detail::ThreadScratch& each : scratch_) {
+    slicing_us += each.slicing_us;
+    zoomSampling_us += each.zoomSampling_us;
+  }
+  zoomSamplingShare_ = slicing_us > 0.0 ? zoomSampling_us / slicing_us : 1.0;
 }
 
 void FrameMaker::Parts::sharpen() {

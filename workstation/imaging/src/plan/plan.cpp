@@ -15,14 +15,15 @@ struct Cost {
   double sample_ns = 0.0;
 };
 
-// Medians of release builds on one thread, from lastTimes() of 1024 x 768 pixels, convex probe, shipped case (2026-11-20, AMD EPYC of
-// 2023). They say what a step is worth next to the others, not what it takes on another machine.
+// What lastTimes() gave in a release build on one thread: convex probe of 192 lines, 160 mm deep, 1024 x 768 pixels, voxels of 0.8 mm
+// (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is worth next
+// to the others, not what it takes on another machine.
 constexpr Cost kCosts[] = {
-    {StepKind::sampleWeave, 1.1, 1.5}, {StepKind::sampleLinear, 3.4, 4.0},  {StepKind::sampleCubic, 12.0, 14.0},
-    {StepKind::zoomStretch, 1.1, 0.0}, {StepKind::labels, 0.0, 1.8},        {StepKind::contact, 0.0, 0.5},
-    {StepKind::attenuation, 0.0, 1.0}, {StepKind::reverberation, 0.0, 0.8}, {StepKind::focusStretch, 0.0, 1.0},
-    {StepKind::focusKernel, 0.0, 1.0}, {StepKind::noise, 0.0, 1.0},         {StepKind::scanConversion, 1.5, 0.0},
-    {StepKind::edges, 1.0, 0.0},       {StepKind::persistence, 0.3, 0.0},   {StepKind::table, 0.4, 0.0},
+    {StepKind::sampleWeave, 1.5, 3.3}, {StepKind::sampleLinear, 3.0, 5.5},  {StepKind::sampleCubic, 9.3, 13.0},
+    {StepKind::zoomStretch, 1.1, 0.0}, {StepKind::labels, 0.0, 3.3},        {StepKind::contact, 0.0, 0.3},
+    {StepKind::attenuation, 0.0, 0.8}, {StepKind::reverberation, 0.0, 0.2}, {StepKind::focusStretch, 0.0, 1.0},
+    {StepKind::focusKernel, 0.0, 0.4}, {StepKind::noise, 0.0, 1.7},         {StepKind::scanConversion, 1.2, 0.0},
+    {StepKind::edges, 0.45, 0.0},      {StepKind::persistence, 0.4, 0.0},   {StepKind::table, 0.06, 0.0},
 };
 
 Cost costOf(StepKind kind) {
@@ -111,22 +112,24 @@ Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const 
               bool hasGaps) {
   const Knobs usable = limited(knobs);
   return detail::planOf(probe, usable, limited(scene), geometry, grid,
-                        detail::frameSizeOf(probe, geometry, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
+                        detail::frameSizeOf(probe, geometry, grid, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
 }
 
 namespace detail {
 
-double beamSpacing_mm(const DisplayGeometry& geometry) {
+double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid) {
   constexpr double kFewest = 200.0, kMost = 1200.0;
-  return geometry.depth_mm / std::clamp(std::ceil(geometry.depth_mm / geometry.pixel_mm), kFewest, kMost);
+  const double finestVoxel_mm = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+  const double wanted_mm = std::max(geometry.pixel_mm, 0.5 * finestVoxel_mm);
+  return geometry.depth_mm / std::clamp(std::ceil(geometry.depth_mm / wanted_mm), kFewest, kMost);
 }
 
-FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Spans& spans) {
+FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Grid& grid, const Spans& spans) {
   FrameSize size;
   for (const auto& row : spans)
     for (const RowSpan& span : row) size.pixels += span.end - span.begin;
   size.lines = probe.lines;
-  size.samples = static_cast<int>(std::lround(geometry.depth_mm / beamSpacing_mm(geometry))) + 1;
+  size.samples = static_cast<int>(std::lround(geometry.depth_mm / beamSpacing_mm(geometry, grid))) + 1;
   return size;
 }
 

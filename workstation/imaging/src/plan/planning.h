@@ -12,11 +12,12 @@ struct FrameSize {
   int samples = 0;
 };
 
-/// Sample distance along beams, mm: about a pixel of the picture, but 200 to 1200 samples to the depth.
-[[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry);
+/// Sample distance along beams, mm: a pixel of the picture or half of the volume's finest voxel, whichever is larger, but 200 to 1200
+/// samples to the depth. Finer than that, a volume has nothing to show.
+[[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
 /// Everything there is to sample for a picture.
-[[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Spans& spans);
+[[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Grid& grid, const Spans& spans);
 
 /// The knobs with a carrier the probe has: the nearest one to what was asked, its own when nothing was.
 [[nodiscard]] Knobs withCarrierOf(const Probe& probe, const Knobs& knobs);
