@@ -1,6 +1,7 @@
 // Whole frames against kept pictures; README.md beside this file says how they were made and when to renew them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -69,6 +70,8 @@ struct Kept {
   Probe probe;
   Knobs knobs;
   double turn_rad = 0.0;
+  Scene scene = {};
+  bool isLifted = false;  ///< the last quarter of the face (its +x end) is off the skin
 };
 
 /// What ctest's list of names shows for a parameter.
@@ -81,10 +84,29 @@ std::vector<Kept> keptFrames() {
   linear.width_mm = 50.0;
   linear.defaultDepth_mm = 80.0;
   Knobs markerRight{.quality = Quality::linear, .markerLeft = false};
-  return {{"convex_linear", convexProbe(), {}, 0.2},          {"convex_weave", convexProbe(), weave, 0.2},
-          {"convex_gain_dgc", convexProbe(), amplified, 0.2}, {"convex_zoom_weave", convexProbe(), zoomedWeave, 0.2},
-          {"convex_zoom_linear", convexProbe(), zoomed, 0.2}, {"linear_turned", linear, {}, 0.9},
-          {"linear_marker_right", linear, markerRight, 0.9}};
+  std::vector<Kept> kept{{"convex_linear", convexProbe(), {}, 0.2},          {"convex_weave", convexProbe(), weave, 0.2},
+                         {"convex_gain_dgc", convexProbe(), amplified, 0.2}, {"convex_zoom_weave", convexProbe(), zoomedWeave, 0.2},
+                         {"convex_zoom_linear", convexProbe(), zoomed, 0.2}, {"linear_turned", linear, {}, 0.9},
+                         {"linear_marker_right", linear, markerRight, 0.9}};
+  const auto keepEffect = [&](const char* name, const Probe& probe, const Knobs& knobs, auto enable, bool isLifted = false) {
+    Scene scene;
+    enable(scene);
+    kept.push_back({name, probe, knobs, 0.2, scene, isLifted});
+  };
+  Knobs rows{.focus_mm = 40.0, .focusMethod = FocusMethod::rowStretch}, kernel{.focus_mm = 40.0};
+  Knobs toned{.dynamicRange_db = 45.0, .greyMap = GreyMap::contrast, .edgeEnhancement = 0.6};
+  keepEffect("effect_focus", convexProbe(), kernel, [](Scene& scene) { scene.focus.emplace(); });
+  keepEffect("effect_focus_rows", convexProbe(), rows, [](Scene& scene) { scene.focus.emplace(); });
+  keepEffect("effect_slice_thickness", convexProbe(), {}, [](Scene& scene) { scene.sliceThickness.emplace(); });
+  keepEffect("effect_shadow", convexProbe(), {}, [](Scene& scene) { scene.attenuation.emplace(); });
+  keepEffect("effect_reverberation", convexProbe(), {}, [](Scene& scene) { scene.reverberation.emplace(); });
+  keepEffect("effect_noise", convexProbe(), {}, [](Scene& scene) { scene.noise.emplace(); });
+  keepEffect(
+      "effect_contact", linear, {}, [](Scene& scene) { scene.contact.emplace(); }, true);
+  keepEffect("effect_tone_and_edges", convexProbe(), toned, [](Scene&) {});
+  keepEffect(
+      "effect_everything", convexProbe(), toned, [](Scene& scene) { scene = sceneWithEverything(); }, true);
+  return kept;
 }
 
 class GoldenFrame : public ::testing::TestWithParam<Kept> {};
@@ -95,8 +117,14 @@ TEST_P(GoldenFrame, IsTheKeptPicture) {
   const fs::path golden = fs::path(EW_SOURCE_DIR) / "tests" / "golden" / "frames" / (std::string(kept.name) + ".png");
   const Volume volume = body();
   FrameMaker maker;
-  maker.configure(kept.probe, kept.knobs, {}, volume.grid, 160, 160);
-  const auto actual = maker.make(volume.view(), poseFor(kept.turn_rad));
+  maker.configure(kept.probe, kept.knobs, kept.scene, volume.grid, 160, 160);
+  std::vector<float> gaps_mm(33, 0.0F);
+  std::fill(gaps_mm.begin() + 25, gaps_mm.end(), 30.0F);
+  FrameInput input;
+  input.echo = volume.view();
+  input.pose = poseFor(kept.turn_rad);
+  if (kept.isLifted) input.gaps_mm = gaps_mm;
+  const auto actual = maker.make(input);
   if (std::getenv("EW_RENEW_GOLDEN") != nullptr) {
     ASSERT_TRUE(writeImage(actual, maker.geometry().pixel_mm, golden));
     GTEST_SKIP() << "Renewed " << golden;
