@@ -973,7 +973,7 @@
     </message>
     <message>
         <source>Sets the console to the fastest setting at or above the dashed line (Enter)</source>
-        <translation>Stellt das Pult auf die schnellste Einstellung an oder über der gestrichelten Linie (Eingabe)</translation>
+        <translation>Stellt die Konsole auf die schnellste Einstellung an oder über der gestrichelten Linie (Eingabe)</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1834,7 +1834,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Next page of the console</source>
-        <translation>Nächste Seite des Pults</translation>
+        <translation>Nächste Seite der Konsole</translation>
     </message>
     <message>
         <source>&amp;Cost of accuracy…</source>
@@ -1850,7 +1850,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>next page of the console</source>
-        <translation>nächste Seite des Pults</translation>
+        <translation>nächste Seite der Konsole</translation>
     </message>
     <message>
         <source>cost of accuracy</source>

@@ -24,7 +24,8 @@ ShortcutsOverlay::ShortcutsOverlay(const std::vector<Group>& groups, QWidget* pa
   QVBoxLayout* column = nullptr;
   std::size_t filled = 0;
   for (const Group& group : groups) {
-    if (column == nullptr || (filled >= all * static_cast<std::size_t>(columns->count()) / 3 && columns->count() < 3)) {
+    if (column == nullptr ||
+        (filled + group.lines.size() / 2 >= all * static_cast<std::size_t>(columns->count()) / 3 && columns->count() < 3)) {
       if (column != nullptr) column->addStretch(1);
       column = new QVBoxLayout;
       column->setSpacing(6);
