@@ -322,6 +322,22 @@ class ConsoleTest : public WindowFixture {
     QVERIFY(std::abs(knobs().moreFoci_mm[0] - 140.0) <= 1.0);
   }
 
+  void theBricksOfAVolumeShowTheVolumesOwnPixels() {
+    QVERIFY2(session().subject()->bricks != nullptr, "an opened case is kept in bricks");
+    for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
+      if (!find<QPushButton>(quality)->isChecked()) press(quality);
+      session().makePictureNow();
+      const std::vector<std::uint8_t> ofBricks = pixelsOf(session());
+      Subject plain = *session().subject();
+      Subject bricked = plain;
+      plain.bricks.reset();
+      session().show(plain);
+      session().makePictureNow();
+      QVERIFY2(pixelsOf(session()) == ofBricks, quality);
+      session().show(bricked);
+    }
+  }
+
   void upsideDownMovesScaleSlidersAndMarkerWithThePicture() {
     session().makePictureNow();
     QTest::qWait(30);

@@ -1,5 +1,7 @@
 #include "opener.h"
 
+#include <unistd.h>
+
 #include <QFileInfo>
 #include <algorithm>
 
@@ -29,6 +31,17 @@ Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& f
   auto loaded = bridge::loadMannequin(file, {}, progress);
   if (!loaded) return passOn(loaded.error());
   return std::make_shared<const bridge::Mannequin>(std::move(*loaded));
+}
+
+/// The voxels in bricks, where at least half of the free memory stays free; null where it does not: slicing then reads the volume as it is.
+/// @error cancelled
+Result<std::shared_ptr<const BrickedVolume>> bricksWhereThereIsRoom(const Volume& volume, Progress& progress) {
+  const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (static_cast<double>(bricksForecast_bytes(volume.grid.dims, 1)) > 0.5 * free_bytes) return nullptr;
+  auto bricks = bricksOf(volume.view(), 1, 0, progress);
+  if (bricks) return std::make_shared<const BrickedVolume>(std::move(*bricks));
+  if (bricks.error().code == ErrorCode::cancelled) return passOn(bricks.error());
+  return nullptr;
 }
 
 glm::dvec3 centreOf(const Grid& grid) {
@@ -61,6 +74,7 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 struct Opener::Loaded {
   std::optional<Case> opened;
   std::shared_ptr<const Volume> volume;
+  std::shared_ptr<const BrickedVolume> bricks;
   std::shared_ptr<const Volume> labels;
   std::vector<TissueAcoustics> tissues;
   std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
@@ -164,13 +178,17 @@ void Opener::openCase(const QString& path) {
         if (!opened) return passOn(opened.error());
         auto body = mannequinFileOf(*opened);
         if (!body) return passOn(body.error());
-        PartOfProgress most(progress, 0.0, 0.9);
+        PartOfProgress most(progress, 0.0, 0.85);
         auto echo = loadCaseVolume(*opened, most);
         if (!echo) return passOn(echo.error());
         loaded->notes = std::move(echo->notes);
         loaded->volume = std::make_shared<const Volume>(std::move(echo->volume));
         if (echo->labels) loaded->labels = std::make_shared<const Volume>(std::move(*echo->labels));
         loaded->tissues = std::move(echo->tissues);
+        PartOfProgress next(progress, 0.85, 0.9);
+        auto bricks = bricksWhereThereIsRoom(*loaded->volume, next);
+        if (!bricks) return passOn(bricks.error());
+        loaded->bricks = std::move(*bricks);
         if (*body != present) {
           PartOfProgress rest(progress, 0.9, 1.0);
           auto mannequin = readMannequin(*body, rest);
@@ -183,6 +201,7 @@ void Opener::openCase(const QString& path) {
       },
       [this, loaded, path] {
         caseVolume_ = loaded->volume;
+        caseBricks_ = loaded->bricks;
         caseLabels_ = loaded->labels;
         caseTissues_ = loaded->tissues;
         casePlacement_ = loaded->opened->volume.fileToWorld;
@@ -209,6 +228,7 @@ void Opener::showCaseVolume() {
   subject.title = words(opened->title);
   subject.volume = caseVolume_;
   subject.placedGrid = nowPlaced(caseVolume_->grid);
+  subject.bricks = caseBricks_;
   subject.labels = caseLabels_;
   if (caseLabels_) subject.placedLabels = nowPlaced(caseLabels_->grid);
   subject.scene = sceneWithTissues(opened->scene, caseTissues_);
@@ -228,10 +248,15 @@ void Opener::openImage(const QString& path) {
         if (!sequence) return passOn(sequence.error());
         loaded->isSweep = *sequence;
         if (loaded->isSweep) return {};
-        auto volume = readVolume(pathOf(path), progress);
+        PartOfProgress most(progress, 0.0, 0.9);
+        auto volume = readVolume(pathOf(path), most);
         if (!volume) return passOn(volume.error());
         loaded->notes = std::move(volume->notes);
         loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
+        PartOfProgress rest(progress, 0.9, 1.0);
+        auto bricks = bricksWhereThereIsRoom(*loaded->volume, rest);
+        if (!bricks) return passOn(bricks.error());
+        loaded->bricks = std::move(*bricks);
         return {};
       },
       [this, loaded, path] {
@@ -241,15 +266,17 @@ void Opener::openImage(const QString& path) {
         }
         document_.close();
         caseVolume_.reset();
+        caseBricks_.reset();
         caseLabels_.reset();
         caseTissues_.clear();
-        showVolume(loaded->volume, QFileInfo(path).fileName(), false);
+        showVolume(loaded->volume, QFileInfo(path).fileName(), false, loaded->bricks);
         for (const std::string& note : loaded->notes) messages_.showNote(words(note));
         Q_EMIT opened(path);
       });
 }
 
-void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace) {
+void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
+                        std::shared_ptr<const BrickedVolume> bricks) {
   if (auto usable = checkGrid(volume->grid); !usable) {
     messages_.showError(usable.error());
     return;
@@ -263,6 +290,7 @@ void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& tit
     if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = volume->grid;
   }
   subject.volume = std::move(volume);
+  subject.bricks = std::move(bricks);
   showsCase_ = false;
   startPose_.reset();
   startTaken_ = false;

@@ -30,7 +30,9 @@ class Opener final : public QObject {
   void open(const QString& path);
   void loadDefaultMannequin();
   /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
-  void showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace);
+  /// @param bricks of the same voxels, or null
+  void showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
+                  std::shared_ptr<const BrickedVolume> bricks = nullptr);
   /// Back to the volume of the open case.
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }
@@ -62,6 +64,7 @@ class Opener final : public QObject {
   View3D& view_;
   HandInput& hand_;
   std::shared_ptr<const Volume> caseVolume_;
+  std::shared_ptr<const BrickedVolume> caseBricks_;
   std::shared_ptr<const Volume> caseLabels_;  ///< null when the case has none
   std::vector<TissueAcoustics> caseTissues_;  ///< of the labels, as the recipe has them
   glm::dmat4 casePlacement_{1.0};             ///< the file_to_world that caseVolume_ was placed with when it was loaded

@@ -304,7 +304,11 @@ void Session::makePictureNow() {
   const bool wantsGaps = pictureScene().contact && skin_ && pose.status == PoseStatus::ok;
   if (wantsGaps && !frozen_) measureGaps(pose);
   FrameInput input;
-  input.echo = VolumeView<const std::uint8_t>{subject_->volume->echo.data(), subject_->placedGrid};
+  if (subject_->bricks) {
+    input.echo = subject_->bricks->source(subject_->placedGrid);
+  } else {
+    input.echo = VolumeView<const std::uint8_t>{subject_->volume->echo.data(), subject_->placedGrid};
+  }
   if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
   input.pose = pose;
   if (wantsGaps) input.gaps_mm = gaps_mm_;

@@ -13,6 +13,7 @@
 #include "ew/imaging/adaptive_quality.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/latency.h"
+#include "ew/imaging/slice_source.h"
 #include "ew/tracking/hand.h"
 
 namespace ew::ui {
@@ -21,8 +22,10 @@ namespace ew::ui {
 struct Subject {
   QString title;
   std::shared_ptr<const Volume> volume;
-  Grid placedGrid;                                 ///< of the same dims as the volume's own grid
-  Scene scene;                                     ///< what the case calls for
+  Grid placedGrid;  ///< of the same dims as the volume's own grid
+  Scene scene;      ///< what the case calls for
+  std::shared_ptr<const BrickedVolume> bricks =
+      nullptr;                                     ///< the same voxels as slicing reads them fastest; null: there was no room for them
   std::shared_ptr<const Volume> labels = nullptr;  ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
   Grid placedLabels = {};                          ///< where the labels lie
   std::vector<std::string> probes = {};            ///< ids that may be used, the first is the default; empty: all
