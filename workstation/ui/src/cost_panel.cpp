@@ -155,10 +155,11 @@ void CostPanel::measure() {
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),
-      [result, volume = subject.volume, grid = subject.placedGrid, probe = session_.probe(), knobs = session_.knobs(),
-       scene = session_.scene(), pose = session_.pose(), width = picture.width,
+      [result, volume = subject.volume, bricks = subject.bricks, grid = subject.placedGrid, probe = session_.probe(),
+       knobs = session_.knobs(), scene = session_.scene(), pose = session_.pose(), width = picture.width,
        height = picture.height](Progress& progress) -> Result<void> {
         CostOptions options;
+        options.bricks = bricks.get();
         options.threads = 0;  // as the window makes its own frames
         const SliceSource echo = VolumeView<const std::uint8_t>{volume->echo.data(), grid};
         auto measured = measureCostOfAccuracy(echo, probe, knobs, scene, pose, width, height, options, progress);

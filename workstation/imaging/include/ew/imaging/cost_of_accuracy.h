@@ -36,6 +36,7 @@ struct CostOptions {
   int poses = 5;    ///< around the one given: turned and tipped by up to 12 degrees, the same ones every time
   int repeats = 3;  ///< frames timed for each pose; one more before them warms up
   int threads = 1;
+  const BrickedVolume* bricks = nullptr;  ///< what the frames read where the volume is kept in bricks as well
   bool operator==(const CostOptions&) const = default;
 };
 
