@@ -128,7 +128,7 @@ void CostChart::paintEvent(QPaintEvent*) {
     if (point.inUse) text += QStringLiteral("  ") + tr("in use");
     const double wide = figuresWidth_px(painter.fontMetrics(), text);
     const double x = at.x() + 14.0 + wide > width() - 4.0 ? at.x() - 14.0 - wide : at.x() + 14.0;
-    QRectF label(x, at.y() - 20.0, wide, 18.0);
+    QRectF label(x, std::max(at.y() - 20.0, box.top() + 2.0), wide, 18.0);
     // Points may lie close together; their labels step aside.
     while (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(label); }))
       label.translate(0.0, 18.0);
