@@ -81,6 +81,8 @@ TEST(CostOfAccuracy, TheReferenceRefusesPointsWhoseNeighboursAreNotAllThere) {
   EXPECT_GE(sampledExactly(sourceOf(field), {4.0, 16.0, 16.0}), 0.0);
   EXPECT_GE(sampledExactly(sourceOf(field), {26.9, 16.0, 16.0}), 0.0);
   EXPECT_EQ(sampledExactly(sourceOf(field), {27.0, 16.0, 16.0}), -1.0);
+  for (const double away : {-2147483648.0, 2147483647.0, -1e300, 1e300, std::nan("")})
+    EXPECT_EQ(sampledExactly(sourceOf(field), {16.0, away, 16.0}), -1.0) << away;
 }
 
 TEST(CostOfAccuracy, LinearIsCloserThanWeaveAndCubicCloserThanLinear) {

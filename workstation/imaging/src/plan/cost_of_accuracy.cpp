@@ -120,11 +120,12 @@ struct Exact {
 
 double sampledExactly(const SliceSource& echo, const glm::dvec3& p_voxel) {
   EW_EXPECTS(echo.layout == VoxelLayout::linear);
-  const glm::ivec3 base(glm::floor(p_voxel));
-  const glm::ivec3& dims = echo.grid.dims;
+  const glm::dvec3 lowest = glm::floor(p_voxel);
+  // Compared before it becomes a whole number, which has no room for a point far away; NaN compares false.
   for (int axis = 0; axis < 3; ++axis) {
-    if (base[axis] - kLobes + 1 < 0 || base[axis] + kLobes >= dims[axis]) return -1.0;
+    if (!(lowest[axis] >= kLobes - 1 && lowest[axis] < echo.grid.dims[axis] - kLobes)) return -1.0;
   }
+  const glm::ivec3 base(lowest);
   const glm::dvec3 fraction = p_voxel - glm::dvec3(base);
   const auto alongI = lanczosWeights(fraction.x);
   const auto alongJ = lanczosWeights(fraction.y);
