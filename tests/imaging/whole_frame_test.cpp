@@ -426,6 +426,23 @@ TEST(WholeFrame, SurvivesGapsTimesAndVolumesThatAreNone) {
   EXPECT_EQ(picture.width, 120);
 }
 
+TEST(WholeFrame, GoesByGreyLevelWhereAFrameComesWithoutItsLabels) {
+  const Body body;
+  Scene scene;
+  scene.attenuation.emplace();
+  scene.tissues = {{.label = 0, .name = "outside", .attenuation_dbPerCmMhz = 5.0},
+                   {.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 5.0}};
+  FrameMaker maker, byGrey;
+  maker.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, true);
+  byGrey.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, false);
+  FrameInput input = body.input(poseAt({0, -55, 0}));
+  const GreyImage byTissue = copyOf(maker.make(input));
+  input.labels = {};
+  const GreyImage expected = copyOf(byGrey.make(input));
+  EXPECT_NE(byTissue.pixels, expected.pixels);
+  EXPECT_EQ(copyOf(maker.make(input)).pixels, expected.pixels);
+}
+
 TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
   // Layers along y alone: every beam of a linear probe shows the same depths.
   Volume layers = testing::volumeOf({60, 160, 40}, [](int, int j, int) { return 20.0 + (j / 8) % 5 * 50.0; }, {2.0, 1.0, 2.0});

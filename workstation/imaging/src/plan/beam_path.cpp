@@ -61,9 +61,10 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   }
   if (has(StepKind::noise) && noiseFrom_.changesTo(grid_, *scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db))
     noise_ = noiseLevels(*scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db, grid_);
-  usesLabels_ = has(StepKind::labels);
+  hasLabels_ = false;
   if (has(StepKind::attenuation)) losses_ = makeTissueLosses(scene, knobs_.carrier_hz, grid_.sampleSpacing_mm);
-  if (usesLabels_ && (labels_.width != lineCount || labels_.height != grid_.samples)) labels_ = GreyImage(lineCount, grid_.samples);
+  if (has(StepKind::labels) && (labels_.width != lineCount || labels_.height != grid_.samples))
+    labels_ = GreyImage(lineCount, grid_.samples);
 }
 
 ImageView<float> BeamPath::lines(int first, int count) { return {echoes_.pixels.data() + first, count, echoes_.height, echoes_.width}; }
@@ -130,6 +131,8 @@ void BeamPath::addElevationPlanes(const SliceSource& echo, Bands& bands, std::sp
 
 void BeamPath::sampleLabels(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
                             std::span<ThreadScratch> scratch) {
+  hasLabels_ = !labels.empty();
+  if (!hasLabels_) return;
   layMiddlePlane(probeToLabel);
   // Labels are names, so the nearest one is taken, never a mean.
   sampleRowsOf(labels, Quality::weave, bands, scratch);
@@ -155,7 +158,7 @@ void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
 void BeamPath::attenuate(Bands& bands, std::span<ThreadScratch> scratch) {
   bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
     ImageView<const std::uint8_t> labels;
-    if (usesLabels_) labels = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};
+    if (hasLabels_) labels = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};
     ew::attenuate(*scene_.attenuation, losses_, labels, greyPerDb_, knobs_.carrier_hz, grid_.sampleSpacing_mm, lines(firstLine, count),
                   scratch[static_cast<std::size_t>(slot)].row);
   });

@@ -36,6 +36,7 @@ class BeamPath {
   void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
   void sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
   void addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
+  /// Without labels the effects go by grey level.
   void sampleLabels(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
                     std::span<ThreadScratch> scratch);
   /// How well each line touches. @return whether any does not
@@ -81,7 +82,7 @@ class BeamPath {
   std::vector<float> noise_;
   MadeFrom<BeamGrid, NoiseEffect, double, double> noiseFrom_;
   TissueLosses losses_;
-  bool usesLabels_ = false;
+  bool hasLabels_ = false;  ///< of the frame in work
 
   Transform<frame::Voxel, frame::Probe> probeToVoxel_;
   std::vector<SampleRow> rows_;    ///< of the plane in work, piece of depth after piece
@@ -90,8 +91,8 @@ class BeamPath {
   std::vector<SampleRow> lineRow_;
   BeamGrid lineGrid_;  ///< one line alone
   GreyImage linesAsRows_;
-  Image<std::uint8_t> labels_;  ///< (lines x samples)
-  BeamImage echoes_;            ///< (lines x samples)
+  GreyImage labels_;  ///< (lines x samples)
+  BeamImage echoes_;  ///< (lines x samples)
   std::vector<float> contact_;
   ReverberationScratch reverberation_;
 };
