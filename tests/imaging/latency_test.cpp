@@ -46,6 +46,9 @@ TEST(LatencyHistogram, GivesQuantilesGoodToABucket) {
   EXPECT_EQ(times.quantile_us(0.34), 32.0) << "one of three is less than this share";
   EXPECT_EQ(times.quantile_us(0.67), 64.0);
   times.clear();
+  times.add(100.0);
+  EXPECT_EQ(times.quantile_us(0.5), 100.0) << "never above the longest time";
+  times.clear();
   EXPECT_EQ(times.count(), 0U);
   EXPECT_EQ(times.max_us(), 0.0);
 }

@@ -179,8 +179,7 @@ QString StatusLine::planTip() const {
                     .arg(tr("What the picture runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
   const LatencyHistogram& latency = session_.latency();
   if (latency.count() == 0) return tip;
-  // A quantile is the upper edge of its bucket, which may lie above the longest time there was.
-  const auto quantile_ms = [&](double share) { return std::min(latency.quantile_us(share), latency.max_us()) / 1000.0; };
+  const auto quantile_ms = [&](double share) { return latency.quantile_us(share) / 1000.0; };
   tip +=
       QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
           .arg(tr("From the hand to the picture, ms; pictures: %1").arg(latency.count()), tr("median %1, 95 % %2, 99 % %3, worst %4")

@@ -48,7 +48,7 @@ double LatencyHistogram::quantile_us(double share) const {
   std::uint64_t within = 0;
   for (int bucket = 0; bucket < kBuckets; ++bucket) {
     within += inBucket(bucket);
-    if (within >= wanted) return bucket + 1 < kBuckets ? edge_us(bucket) : max_us_;
+    if (within >= wanted) return std::min(edge_us(bucket), max_us_);
   }
   return max_us_;
 }

@@ -18,8 +18,8 @@ class LatencyHistogram {
   /// @param bucket 0..kBuckets - 1
   [[nodiscard]] static double edge_us(int bucket);
   [[nodiscard]] std::uint64_t inBucket(int bucket) const { return buckets_[static_cast<std::size_t>(bucket)]; }
-  /// The smallest edge that `share` (0..1) of the pictures do not exceed; 0 when there are none. Good to a bucket (19 %). In the last
-  /// bucket it is the longest time there was.
+  /// The smallest edge that `share` (0..1) of the pictures do not exceed, or the longest time there was when that is less; 0 when there are
+  /// none. Good to a bucket (19 %).
   [[nodiscard]] double quantile_us(double share) const;
   [[nodiscard]] double max_us() const { return max_us_; }
 
