@@ -13,7 +13,7 @@ namespace ew::cli {
 struct SheetSource {
   SliceSource echo;
   SliceSource labels;  ///< empty: effects go by grey level
-  Scene scene;         ///< recorded range and tissues are taken from it; its effects are those of the tiles that have "all"
+  Scene scene;         ///< recorded range and tissues of every tile; its effects are those of "as the case asks" and of the probes' tiles
   Probe probe;         ///< of the tiles of effects
   std::vector<Probe> probes;
   Pose pose;

@@ -323,7 +323,6 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (writes && writesStrip)
     if (auto written = write(run, numbered(arguments.output, 0, 1), maker.strip(), maker.geometry().pixel_mm); !written)
       return passOn(written.error());
-  // Before they are warm, the figures below say little.
   run.report.quality = {{"pictures_not_black", litPictures},
                         {"pose_to_picture_p50_us", scanner.latency.quantile_us(0.5)},
                         {"pose_to_picture_p95_us", scanner.latency.quantile_us(0.95)},
@@ -391,7 +390,7 @@ void addScan(CLI::App& root, Selection& selection) {
                  "A part of the face off the skin, from -1 (its -x end) to 1; may be given several times. Acts when the scene has contact")
       ->allow_extra_args(false)
       ->type_name("FROM:TO");
-  addNumber(app, "--rate", arguments->rate_hz, {0.1, 1000.0}, "Poses a second, for M-mode and persistence (30)");
+  addNumber(app, "--rate", arguments->rate_hz, {0.1, 1000.0}, "Poses a second, for M-mode (30)");
   addCount(app, "--threads", arguments->threads, 0, 256, "Threads of one frame; 0: all cores; the picture does not depend on it (1)");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }

@@ -134,7 +134,7 @@ void addSlice(CLI::App& root, Selection& selection) {
   addSize(app, "--size", arguments->size_px, "Pixels of the picture (400x400)");
   addNumber(app, "--pixel", arguments->pixel_mm, {1e-6, 1e6}, "Size of a pixel in mm (the volume's smallest spacing)");
   app.add_option("--quality", arguments->quality,
-                 "weave: nearest voxel, fastest; linear: trilinear; cubic: cubic convolution, smoothest (linear)")
+                 "weave: nearest voxel, fastest; linear: trilinear; cubic: cubic convolution, most exact (linear)")
       ->check(CLI::IsMember({"weave", "linear", "cubic"}))
       ->type_name("QUALITY");
   app.add_flag("--map", arguments->map,

@@ -12,7 +12,7 @@ constexpr double kFNumber = 3.0;
 /// sin(pi u) / (pi u) = 1/2 at u = 0.60335.
 constexpr double kFocalWidth = 1.2067;
 /// A Gaussian aperture of full width W (half maximum) has the focal width (4 ln 2 / pi) L F / W; equal to kFocalWidth L F / D it is
-/// 0.732 D wide.
+/// 0.731 D wide.
 constexpr double kFaceWidth = 4.0 * std::numbers::ln2 / (std::numbers::pi * kFocalWidth);
 /// Standard deviations in the full width at half maximum.
 const double kWidthOfSigma = std::sqrt(8.0 * std::numbers::ln2);

@@ -20,7 +20,7 @@ void contactOfLines(const ContactEffect& effect, std::span<const float> gaps_mm,
                     std::span<float> contact);
 
 /// Lines without contact go dark and ring down: bright bars below the face that fade with depth.
-///   level' = level - 40 log10(c) greyPerDb (the share c of the aperture's amplitude, once each way; 160 dB at most), and down to
+///   level' = level + 40 log10(c) greyPerDb (the share c of the aperture's amplitude, once each way; -160 dB at least), and down to
 ///   ringDown_mm, added as power, 255 + greyPerDb (40 log10(1 - c) - 60 d / ringDown_mm - 18 sin^2(pi d / 1.5 mm)):
 /// bars 1.5 mm apart, as a lens in air shows them. Model and numbers are ours, after the look of a probe held in air.
 /// Lines of full contact stay as they are to the bit; when all are full, nothing is done.

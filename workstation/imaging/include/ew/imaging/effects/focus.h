@@ -27,8 +27,8 @@ struct BeamModel {
 /// Lateral width of the beam (full width at half maximum, mm) at a depth: receive focusing follows the echo, transmit focusing is at the
 /// foci, each depth is taken from the focus that is sharpest there. With z the depth, F the focus, D the aperture, L the wavelength and
 ///   D(F) = min(D, F / 3)
-///   transmit  w_t^2 = (0.732 D(F) (1 - z / F))^2 + (1.206 L z / D(F))^2
-///   receive   w_r   =  1.206 L max(3, z / D)
+///   transmit  w_t^2 = (0.731 D(F) (1 - z / F))^2 + (1.207 L z / D(F))^2
+///   receive   w_r   =  1.207 L max(3, z / D)
 ///   two-way   1 / w^2 = 1 / w_t^2 + 1 / w_r^2
 /// w_t is the beam of a Gaussian aperture, exact in Fresnel's approximation, as wide at its focus as that of an evenly driven aperture D
 /// (half of a sinc's height lies at 0.603). w has its minima at the foci up to 3 D; deeper, the aperture no longer keeps its f-number and

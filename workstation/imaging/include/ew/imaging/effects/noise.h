@@ -19,7 +19,7 @@ namespace ew {
 ///   10^(level' / s) = 10^(level / s) + 10^(levels[row] / s) (-ln u),  s = 10 greyPerDb, u even in (0, 1) from a hash of frame, row and
 ///   line.
 /// The same bits for the same frame number on every instruction set, in every band and with any number of threads. Error below 0.003
-/// levels at 60 dB. Rows whose level lies 28 dB or more below black are left as they are: no sample would change by half a level.
+/// levels at 60 dB. Rows whose level lies 28 dB or more below black are left as they are: at 60 dB no sample would change by half a level.
 /// @param levels      of the whole grid
 /// @param greyPerDb   > 0
 /// @param firstRow    the grid's row that echoes.row(0) is; echoes holds all lines

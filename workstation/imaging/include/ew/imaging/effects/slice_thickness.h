@@ -37,11 +37,11 @@ struct ElevationPlane {
 /// are speckle, not polynomials. Where the speckle's correlation has 0.4 of the beam's standard deviation, its mean error with 3, 5, 7, 9
 /// planes is 0.46, 0.33, 0.25, 0.18 of the speckle's own standard deviation, ours 0.34, 0.11, 0.045, 0.024; on fields smoother than the
 /// beam it is the better one, but there both are below 0.06.
-/// @param planes odd, 3..9
 struct ElevationRule {
   std::vector<double> offset_sigmas;
   std::vector<double> weights;
 };
+/// @param planes odd, 3..9
 [[nodiscard]] ElevationRule elevationRule(int planes);
 
 /// `planes` planes whose weighted mean stands for the Gaussian elevational profile (elevationRule). Their weights are rounded to whole
