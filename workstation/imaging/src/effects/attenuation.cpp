@@ -11,6 +11,7 @@
 //
 #include "effects/attenuation_rows.h"
 #include "effects/powers-inl.h"
+#include "probes/sound.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ew {
@@ -102,7 +103,9 @@ HWY_EXPORT(rowByGrey);
 
 constexpr double kSmoothing_mm = 2.0;        // of the grey level that is compared with a fluid's
 constexpr float kInterfaceSoftness = 40.0F;  // grey levels below interfaceLevel over which an interface's loss comes in
-constexpr double kSpeed_mPerS = 1540.0;
+
+/// What a sample's length there and back is worth to an attenuation in dB/(cm MHz).
+double path_cmMhz(double carrier_hz, double sampleSpacing_mm) { return 2.0 * 0.1 * sampleSpacing_mm * 1e-6 * carrier_hz; }
 
 /// Share of what is waiting that a sample releases when `length_mm` is the 1/e length.
 float shareOfSample(double sampleSpacing_mm, double length_mm) { return static_cast<float>(1.0 - std::exp(-sampleSpacing_mm / length_mm)); }
@@ -113,11 +116,11 @@ TissueLosses makeTissueLosses(const Scene& scene, double carrier_hz, double samp
   EW_EXPECTS(carrier_hz > 0.0 && sampleSpacing_mm > 0.0);
   TissueLosses losses;
   const double expected_dbPerCmMhz = scene.attenuation.value_or(AttenuationEffect{}).expected_dbPerCmMhz;
-  const double path_cmMhz = 2.0 * 0.1 * sampleSpacing_mm * 1e-6 * carrier_hz;
+  const double sample_cmMhz = path_cmMhz(carrier_hz, sampleSpacing_mm);
   for (const TissueAcoustics& tissue : scene.tissues) {
     if (tissue.label < 0 || tissue.label > 255) continue;
     const auto label = static_cast<std::size_t>(tissue.label);
-    losses.perSample_db[label] = static_cast<float>((tissue.attenuation_dbPerCmMhz - expected_dbPerCmMhz) * path_cmMhz);
+    losses.perSample_db[label] = static_cast<float>((tissue.attenuation_dbPerCmMhz - expected_dbPerCmMhz) * sample_cmMhz);
     losses.onEntering_db[label] = static_cast<float>(tissue.reflection_db);
     losses.known[label] = true;
   }
@@ -149,13 +152,13 @@ void attenuate(const AttenuationEffect& effect, const TissueLosses& losses, Imag
   rows.greyPerDb = static_cast<float>(greyPerDb);
   rows.largestEnhancement_db = static_cast<float>(effect.largestEnhancement_db);
   rows.smoothing = shareOfSample(sampleSpacing_mm, kSmoothing_mm);
-  rows.release = shareOfSample(sampleSpacing_mm, 1e3 * kSpeed_mPerS / carrier_hz);
+  rows.release = shareOfSample(sampleSpacing_mm, detail::kSpeedOfSound_mmPerS / carrier_hz);
   rows.interfaceFrom = static_cast<float>(effect.interfaceLevel) - kInterfaceSoftness;
   rows.interfaceSlope = 1.0F / kInterfaceSoftness;
   rows.interfaceStep_db = static_cast<float>(effect.interface_dbPerMm * sampleSpacing_mm);
   rows.fluidLevel = static_cast<float>(effect.fluidLevel);
   rows.fluidSlope = 1.0F / std::max(0.5F * rows.fluidLevel, 1.0F);
-  rows.expectedStep_db = static_cast<float>(2.0 * effect.expected_dbPerCmMhz * 1e-6 * carrier_hz * 0.1 * sampleSpacing_mm);
+  rows.expectedStep_db = static_cast<float>(effect.expected_dbPerCmMhz * path_cmMhz(carrier_hz, sampleSpacing_mm));
 
   for (int y = 0; y < echoes.height; ++y) {
     float* echo = echoes.row(y);

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "probes/sound.h"
+
 namespace ew {
 namespace {
 
-constexpr double kSpeedOfSound_mmPerS = 1.54e6;
+using detail::kSpeedOfSound_mmPerS;
+
 constexpr double kFNumber = 3.0;
 /// sin(pi u) / (pi u) = 1/2 at u = 0.60335.
 constexpr double kFocalWidth = 1.2067;

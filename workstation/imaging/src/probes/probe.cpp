@@ -12,6 +12,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
+#include "sound.h"
 
 namespace ew {
 namespace {
@@ -22,7 +23,6 @@ constexpr std::uintmax_t kLargestFile_bytes = 1 << 20;
 constexpr int kFormatVersion = 1;
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
-constexpr double kSpeedOfSound_mmPerS = 1.54e6;
 constexpr std::size_t kMostCarriers = 8;
 
 constexpr std::array<std::pair<std::string_view, ProbeKind>, 5> kKinds = {{{"linear", ProbeKind::linear},
@@ -72,7 +72,7 @@ double usualAperture_mm(const Probe& probe) {
 
 /// The height of elements that focus to the slice thickness: thickness = wavelength * focus / aperture.
 double usualElevationalAperture_mm(const Probe& probe) {
-  const double wavelength_mm = kSpeedOfSound_mmPerS / probe.carrier_hz;
+  const double wavelength_mm = detail::kSpeedOfSound_mmPerS / probe.carrier_hz;
   return std::clamp(wavelength_mm * probe.elevationalFocus_mm / probe.elevationalThickness_mm, probe.elevationalThickness_mm, 50.0);
 }
 
