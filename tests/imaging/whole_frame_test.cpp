@@ -451,7 +451,7 @@ TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
     Knobs knobs{.gain = 1.1, .mode = DisplayMode::both};
     knobs.mSweep_s = 1.0;
     Scene scene;
-    if (onBeams) scene.noise = NoiseEffect{.atFace_db = -89.0, .growth_dbPerCmMhz = 0.0};
+    if (onBeams) scene.noise = NoiseEffect{.atFace_db = -87.0, .growth_dbPerCmMhz = 0.0};
     FrameMaker maker;
     maker.configure(linearProbe(), knobs, scene, layers.grid, 200, 160);
     ASSERT_EQ(maker.plan().onBeams, onBeams);

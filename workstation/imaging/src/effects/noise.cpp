@@ -79,19 +79,13 @@ std::uint64_t spread(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// The largest power is 24 ln 2 = 16.6 (12.2 dB) above the mean, and black becomes half a level of 42.5 a decade brighter at -15.6 dB: from
-// 27.8 dB below black on no sample is rounded to another level.
-constexpr double kUnseen_db = 28.0;
-
 }  // namespace
 
 std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, double recordedDynamicRange_db, const BeamGrid& grid) {
   EW_EXPECTS(recordedDynamicRange_db > 0.0);
   std::vector<float> levels(static_cast<std::size_t>(grid.samples));
   for (int s = 0; s < grid.samples; ++s) {
-    const double depth_cm = 0.1 * grid.depth_mm(s);
-    const double growth_db = 2.0 * effect.growth_dbPerCmMhz * 1e-6 * carrier_hz * depth_cm;
-    const double level_db = std::min(effect.atFace_db + growth_db, effect.largest_db);
+    const double level_db = noiseLevel_db(effect, carrier_hz, grid.depth_mm(s));
     levels[static_cast<std::size_t>(s)] = static_cast<float>(255.0 * (1.0 + level_db / recordedDynamicRange_db));
   }
   return levels;
@@ -101,7 +95,7 @@ void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t 
   EW_EXPECTS(greyPerDb > 0.0);
   EW_EXPECTS(firstRow >= 0 && static_cast<std::size_t>(firstRow) + static_cast<std::size_t>(echoes.height) <= levels.size());
   const float perDoubling = levelsPerDoubling(greyPerDb);
-  const auto unseen = static_cast<float>(-kUnseen_db * greyPerDb);
+  const auto unseen = static_cast<float>(-kNoiseUnseen_db * greyPerDb);
   for (int y = 0; y < echoes.height; ++y) {
     const float level = levels[static_cast<std::size_t>(firstRow + y)];
     if (!(level > unseen)) continue;

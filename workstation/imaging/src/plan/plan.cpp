@@ -2,6 +2,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "ew/imaging/effects/noise.h"
 #include "ew/imaging/frame.h"
 #include "planning.h"
 
@@ -49,11 +50,9 @@ bool hasTable(const Knobs& knobs, const Scene& scene) {
   return (scene.gainAndDgc && gains) || !detail::toneOf(knobs, scene).isNeutral();
 }
 
-/// Noise so far below black that no sample shows it, however it falls, is none.
+/// Whether noise shows anywhere: it grows with depth.
 bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz, double depth_mm) {
-  constexpr double kUnseen_db = 30.0;
-  const double atDepth_db = noise.atFace_db + 2.0 * noise.growth_dbPerCmMhz * (carrier_hz / 1e6) * (depth_mm / 10.0);
-  return std::min(std::max(noise.atFace_db, atDepth_db), noise.largest_db) > -scene.recordedDynamicRange_db - kUnseen_db;
+  return noiseLevel_db(noise, carrier_hz, depth_mm) > -scene.recordedDynamicRange_db - kNoiseUnseen_db;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -8,8 +9,18 @@
 
 namespace ew {
 
-/// Expected noise level (grey levels) of each row of a beam grid, before it is added as power; far below 0 where it cannot be seen:
-///   255 (1 + min(atFace_db + 2 growth f d, largest_db) / range), f in MHz, d in cm.
+/// Expected noise level at a depth, dB (0: full white): min(atFace_db + 2 growth f d, largest_db), f in MHz, d in cm.
+[[nodiscard]] inline double noiseLevel_db(const NoiseEffect& effect, double carrier_hz, double depth_mm) {
+  const double depth_cm = 0.1 * depth_mm;
+  return std::min(effect.atFace_db + 2.0 * effect.growth_dbPerCmMhz * 1e-6 * carrier_hz * depth_cm, effect.largest_db);
+}
+
+/// From this far below black on, dB, noise is left out. The largest power is 24 ln 2 = 16.6 (12.2 dB) above the mean, and at 60 dB black
+/// becomes half a level of 42.5 a decade brighter at -15.6 dB: no sample would be rounded to another level.
+inline constexpr double kNoiseUnseen_db = 28.0;
+
+/// The same for each row of a beam grid in grey levels, before it is added as power; far below 0 where it cannot be seen:
+///   255 (1 + noiseLevel_db / range).
 /// @param recordedDynamicRange_db > 0
 [[nodiscard]] std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, double recordedDynamicRange_db,
                                              const BeamGrid& grid);
@@ -19,7 +30,7 @@ namespace ew {
 ///   10^(level' / s) = 10^(level / s) + 10^(levels[row] / s) (-ln u),  s = 10 greyPerDb, u even in (0, 1) from a hash of frame, row and
 ///   line.
 /// The same bits for the same frame number on every instruction set, in every band and with any number of threads. Error below 0.003
-/// levels at 60 dB. Rows whose level lies 28 dB or more below black are left as they are: at 60 dB no sample would change by half a level.
+/// levels at 60 dB. Rows whose level lies kNoiseUnseen_db or more below black are left as they are.
 /// @param levels      of the whole grid
 /// @param greyPerDb   > 0
 /// @param firstRow    the grid's row that echoes.row(0) is; echoes holds all lines
