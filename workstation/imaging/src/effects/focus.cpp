@@ -4,12 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "effects/gaussian.h"
 #include "probes/sound.h"
 
 namespace ew {
 namespace {
 
 using detail::kSpeedOfSound_mmPerS;
+using detail::kWidthOfSigma;
+using detail::quantised;
 
 constexpr double kFNumber = 3.0;
 /// sin(pi u) / (pi u) = 1/2 at u = 0.60335.
@@ -17,13 +20,10 @@ constexpr double kFocalWidth = 1.2067;
 /// A Gaussian aperture of full width W (half maximum) has the focal width (4 ln 2 / pi) L F / W; equal to kFocalWidth L F / D it is
 /// 0.731 D wide.
 constexpr double kFaceWidth = 4.0 * std::numbers::ln2 / (std::numbers::pi * kFocalWidth);
-/// Standard deviations in the full width at half maximum.
-const double kWidthOfSigma = std::sqrt(8.0 * std::numbers::ln2);
 
 constexpr double kReach_sigmas = 3.0;
 constexpr double kNarrow_lines = 0.6;
 constexpr double kLeastWeight = 0.5 / 255.0;
-constexpr double kQuantum = 1.0 / 65536.0;
 
 double usableDepth_mm(double depth_mm) { return depth_mm > 0.0 ? depth_mm : 0.0; }
 
@@ -35,8 +35,6 @@ double transmitWidth_mm(const BeamModel& model, double focus_mm, double depth_mm
 double unfocusedWidth_mm(const BeamModel& model, double depth_mm) {
   return std::hypot(kFaceWidth * model.aperture_mm, kFocalWidth * model.wavelength_mm * depth_mm / model.aperture_mm);
 }
-
-double quantised(double weight) { return kQuantum * std::round(weight / kQuantum); }
 
 }  // namespace
 

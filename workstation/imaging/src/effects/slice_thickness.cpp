@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "effects/gaussian.h"
 
 namespace ew {
 namespace {
 
-const double kWidthOfSigma = std::sqrt(8.0 * std::numbers::ln2);
-constexpr double kQuantum = 1.0 / 65536.0;
 /// How much too wide a straight piece may be between its ends, as a share of the width.
 constexpr double kWidthError = 0.03;
 
@@ -95,11 +94,11 @@ std::vector<ElevationPlane> makeElevationPlanes(const Probe& probe, double carri
   std::vector<ElevationPlane> result(rule.weights.size());
   double middleWeight = 1.0;
   for (std::size_t p = 1; p < result.size(); ++p) {
-    const double weight = kQuantum * std::round(rule.weights[p] / kQuantum);
+    const double weight = detail::quantised(rule.weights[p]);
     result[p].weight = static_cast<float>(weight);
     middleWeight -= weight;
     result[p].pieces = widths;
-    const double sigmas = rule.offset_sigmas[p] / kWidthOfSigma;
+    const double sigmas = rule.offset_sigmas[p] / detail::kWidthOfSigma;
     for (ElevationPlane::Piece& piece : result[p].pieces) {
       piece.offsetAtFirst_mm *= sigmas;
       piece.offsetAtLast_mm *= sigmas;
