@@ -721,7 +721,6 @@ void ConsolePanel::step(const QString& control, int steps) {
   }
 }
 
-void ConsolePanel::showPage(int page) { pages_->setCurrentIndex(page); }
 void ConsolePanel::showNextPage() { pages_->setCurrentIndex((pages_->currentIndex() + 1) % pages_->count()); }
 
 void ConsolePanel::chooseQuality(Quality quality) {

@@ -32,7 +32,6 @@ class ConsolePanel final : public QWidget {
   void step(const QString& control, int steps);
   void resetDgc();
   void chooseQuality(Quality quality);
-  void showPage(int page);
   void showNextPage();
   void refreshIcons();
 

@@ -24,7 +24,7 @@ class FocusScale final : public QWidget {
 
  private:
   [[nodiscard]] bool isOn() const { return session_.scene().focus && !session_.isFrozen(); }
-  void moveTo(double y);
+  void moveTo(double y_px);
 
   Session& session_;
   std::function<double(double)> depthAt_mm_;
