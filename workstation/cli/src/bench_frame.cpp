@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <sstream>
 
@@ -92,10 +90,9 @@ Result<std::unique_ptr<World>> makeWorld(const FrameBenchOptions& options, int s
   grid.origin_mm = glm::dvec3(-0.5 * kSpan_mm + 0.5 * kSpan_mm / side);
   for (int n = 0; n < options.poses; ++n) {
     const double t = n / 3.0;
-    const glm::dquat turn = glm::angleAxis(0.6 + 0.25 * std::sin(2.1 * t), glm::normalize(glm::dvec3(0.8, 0.3, 0.5 + 0.2 * std::sin(t))));
     Pose pose;
     glm::dmat4& matrix = pose.probeToWorld.matrix;
-    matrix = glm::mat4_cast(turn);
+    matrix = glm::mat4_cast(rockingTurn(t));
     const glm::dvec3 slide_mm = 6.0 * glm::dvec3(std::sin(1.3 * t), std::sin(0.7 * t), 0.5 * std::cos(1.1 * t));
     matrix[3] = glm::dvec4(slide_mm - 0.5 * probe.defaultDepth_mm * glm::dvec3(matrix[1]), 1.0);
     world->poses.push_back(pose);
@@ -418,14 +415,8 @@ void addToReport(const std::vector<Setting>& settings, const World& world, json&
     }
     report["results"].push_back(std::move(row));
     if (setting.group == "everything" && setting.method == "everything")
-      for (const auto& [step, times_us] : setting.steps_us) {
-        const cli::StepSummary summary = cli::summarise(times_us);
-        report["steps"].push_back({{"name", setting.name + "/" + step},
-                                   {"count", summary.count},
-                                   {"median_us", summary.median_us},
-                                   {"p99_us", summary.p99_us},
-                                   {"max_us", summary.max_us}});
-      }
+      for (const auto& [step, times_us] : setting.steps_us)
+        report["steps"].push_back(json(cli::stepRow(setting.name + "/" + step, times_us)));
   }
   const auto must = [&](const std::string& what, const Setting* setting, double limit) {
     if (!setting || peer_us <= 0.0) return;

@@ -15,6 +15,7 @@
 #include <random>
 
 #include "ew/core/large_pages.h"
+#include "report.h"
 
 namespace ew {
 
@@ -112,6 +113,10 @@ BenchSlicer peerSlicer(Quality quality, const Volume& volume, int width, int hei
   };
 }
 
+glm::dquat rockingTurn(double time_s) {
+  return glm::angleAxis(0.6 + 0.25 * std::sin(2.1 * time_s), glm::normalize(glm::dvec3(0.8, 0.3, 0.5 + 0.2 * std::sin(time_s))));
+}
+
 namespace {
 double cpuTime_s(clockid_t clock) {
   timespec now{};
@@ -130,12 +135,7 @@ bool runsOnThisThreadAlone(const std::function<void()>& work) {
   return spentByAll < 1.1 * spentHere + 1e-4;
 }
 
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
+double medianOf(std::vector<double> values) { return cli::summarise(std::move(values)).median_us; }
 
 std::string machineName() {
   std::ifstream info("/proc/cpuinfo");

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ using BenchSlicer = std::function<const std::uint8_t*(const Transform<frame::Vox
 /// vtkImageReslice on one thread, with its optimisation on, reading the same voxels in the same memory. The volume must outlive it.
 /// Quality::weave is VTK's nearest neighbour.
 [[nodiscard]] BenchSlicer peerSlicer(Quality quality, const Volume& volume, int width, int height);
+
+/// How a hand that rocks holds its probe at a moment.
+[[nodiscard]] glm::dquat rockingTurn(double time_s);
 
 /// Processor time of the thread that asks: what other programs take from it does not count.
 [[nodiscard]] double threadTime_s();

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <memory>
 #include <random>
@@ -16,6 +15,7 @@
 #include "bench_parts.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slicing.h"
+#include "report.h"
 
 namespace ew {
 namespace {
@@ -51,9 +51,8 @@ std::map<std::string, std::vector<ImageToVoxel>> posesFor(const BenchOptions& op
     const glm::dvec3 aside = glm::dvec3(dx, dy, dz) * static_cast<double>(volumeSide);
     poses["random"].push_back(planeThrough(middle + aside, glm::normalize(glm::dquat(w, x, y, z)), options.sliceSide));
     const double t = n / 30.0;
-    const glm::dquat turn = glm::angleAxis(0.6 + 0.25 * std::sin(2.1 * t), glm::normalize(glm::dvec3(0.8, 0.3, 0.5 + 0.2 * std::sin(t))));
     const glm::dvec3 slide = 0.06 * volumeSide * glm::dvec3(std::sin(1.3 * t), std::sin(0.7 * t), std::cos(1.1 * t));
-    poses["smooth"].push_back(planeThrough(middle + slide, turn, options.sliceSide));
+    poses["smooth"].push_back(planeThrough(middle + slide, rockingTurn(t), options.sliceSide));
   }
   return poses;
 }
@@ -216,21 +215,6 @@ void timeCases(std::vector<Case>& cases, const Scene& scene, const BenchOptions&
   benchmark::ClearRegisteredBenchmarks();
 }
 
-json stepOf(const Case& tested) {
-  std::vector<double> sorted = tested.slices_us;
-  std::sort(sorted.begin(), sorted.end());
-  const auto rank = [&](double share) {
-    const auto n = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-    return sorted[std::clamp<std::size_t>(n, 1, sorted.size()) - 1];
-  };
-  if (sorted.empty()) sorted.push_back(0.0);
-  return {{"name", tested.name},
-          {"count", tested.slices_us.size()},
-          {"median_us", medianOf(sorted)},
-          {"p99_us", rank(0.99)},
-          {"max_us", sorted.back()}};
-}
-
 Result<void> checkOptions(const BenchOptions& options) {
   const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
   if (options.volumeSides.empty()) return refuse("The slicing benchmark needs at least one volume side; give --side 256.");
@@ -363,7 +347,7 @@ void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
                                  {"psnr_db", tested.psnr_db},
                                  {"psnr_double_db", tested.psnrDouble_db},
                                  {"worst_grey", tested.worst_grey}});
-    report["steps"].push_back(stepOf(tested));
+    report["steps"].push_back(json(cli::stepRow(tested.name, tested.slices_us)));
     for (const Case& peer : cases)
       if (!tested.peer && peer.peer && peer.quality == tested.quality && peer.poseKind == tested.poseKind)
         report["ratios"].push_back({{"volume_side", volumeSide},

@@ -22,6 +22,12 @@ StepSummary summarise(std::vector<double> durations_us) {
   return summary;
 }
 
+nlohmann::ordered_json stepRow(const std::string& name, std::vector<double> durations_us) {
+  const StepSummary summary = summarise(std::move(durations_us));
+  return {
+      {"name", name}, {"count", summary.count}, {"median_us", summary.median_us}, {"p99_us", summary.p99_us}, {"max_us", summary.max_us}};
+}
+
 double peakMemory_mib() {
   // getrusage's figure survives exec, so a large parent would be reported as ours; the high water mark of the address space is not.
   std::ifstream status("/proc/self/status");
@@ -56,16 +62,7 @@ nlohmann::ordered_json Report::toJson() const {
   json["options"] = options;
   json["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   auto steps = nlohmann::ordered_json(summarisedSteps);
-  for (const auto& [name, durations_us] : steps_) {
-    const auto summary = summarise(durations_us);
-    nlohmann::ordered_json step;
-    step["name"] = name;
-    step["count"] = summary.count;
-    step["median_us"] = summary.median_us;
-    step["p99_us"] = summary.p99_us;
-    step["max_us"] = summary.max_us;
-    steps.push_back(std::move(step));
-  }
+  for (const auto& [name, durations_us] : steps_) steps.push_back(stepRow(name, durations_us));
   json["steps"] = std::move(steps);
   json["quality"] = quality;
   json["memory_mib"] = peakMemory_mib();
