@@ -192,10 +192,7 @@ void Session::setKnobs(const Knobs& knobs) {
   Q_EMIT knobsChanged();
 }
 
-double Session::depth_mm() const {
-  const double wanted = knobs_.depth_mm > 0.0 ? knobs_.depth_mm : probe_.defaultDepth_mm;
-  return std::clamp(wanted, probe_.minDepth_mm, probe_.maxDepth_mm);
-}
+double Session::depth_mm() const { return resolvedDepth_mm(probe_, knobs_); }
 
 double Session::focus_mm() const { return knobs_.focus_mm > 0.0 ? std::min(knobs_.focus_mm, depth_mm()) : depth_mm() / 2.0; }
 

@@ -9,11 +9,6 @@
 namespace ew {
 namespace {
 
-double resolvedDepth_mm(const Probe& probe, const Knobs& knobs) {
-  if (!(knobs.depth_mm > 0.0)) return probe.defaultDepth_mm;
-  return std::clamp(knobs.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
-}
-
 /// Pixels x of a row of `width` whose centres lie in [low, high], lengths in mm from column `middle_px`.
 RowSpan pixelsBetween(double low_mm, double high_mm, double middle_px, double pixel_mm, int width) {
   const auto nearest = [&](double at_mm) { return std::clamp(std::round(middle_px + at_mm / pixel_mm), -1.0, static_cast<double>(width)); };
@@ -46,6 +41,11 @@ glm::dvec2 DisplayGeometry::probePoint_mm(int x_px, int y_px) const {
   const double x_mm = (x_px - face_px.x) * pixel_mm;
   const double y_mm = (y_px - face_px.y) * pixel_mm;
   return {markerLeft ? -x_mm : x_mm, upsideDown ? -y_mm : y_mm};
+}
+
+double resolvedDepth_mm(const Probe& probe, const Knobs& knobs) {
+  if (!(knobs.depth_mm > 0.0)) return probe.defaultDepth_mm;
+  return std::clamp(knobs.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
 }
 
 DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height) {

@@ -25,9 +25,12 @@ struct DisplayGeometry {
   [[nodiscard]] glm::dvec2 probePoint_mm(int x_px, int y_px) const;
 };
 
+/// The knobs' depth brought into the probe's range, or the probe's own where they name none, mm.
+[[nodiscard]] double resolvedDepth_mm(const Probe& probe, const Knobs& knobs);
+
 /// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
 /// about the picture's middle. The middle of the face stays in the picture's middle column, so a fan that leans to one side is fitted as
-/// if it leant to both. A depth outside the probe's range is brought to the nearer end of it, a zoom to 1..8.
+/// if it leant to both. A zoom outside 1..8 is brought to the nearer end.
 /// @param width, height pixels, >= 1
 [[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height);
 
