@@ -10,12 +10,6 @@
 namespace ew::detail {
 namespace {
 
-/// Length of the face along itself, mm.
-double faceLength_mm(const Probe& probe) {
-  const bool isCurved = isSector(probe.kind) && probe.radius_mm > 0.0;
-  return isCurved ? 2.0 * probe.radius_mm * probe.halfAngle_rad : probe.width_mm;
-}
-
 void transpose(ImageView<const std::uint8_t> linesAsRows, ImageView<std::uint8_t> out) {
   for (int s = 0; s < out.height; ++s) {
     std::uint8_t* row = out.row(s);

@@ -193,7 +193,7 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   if (hasField(probe.kind, "width_mm")) probe.width_mm = fields.number("width_mm", 5.0, 300.0);
   if (hasField(probe.kind, "radius_mm")) probe.radius_mm = fields.number("radius_mm", 3.0, 300.0);
   if (hasField(probe.kind, "opening_deg")) probe.halfAngle_rad = 0.5 * kDegree_rad * fields.number("opening_deg", 5.0, 170.0);
-  if (probe.radius_mm > 0.0) probe.width_mm = 2.0 * probe.radius_mm * probe.halfAngle_rad;
+  probe.width_mm = faceLength_mm(probe);
   if (hasField(probe.kind, "max_steering_deg")) probe.maxSteering_rad = kDegree_rad * fields.number("max_steering_deg", 0.0, 45.0, 0.0);
   if (hasField(probe.kind, "trapezoid_deg")) probe.trapezoidHalfAngle_rad = kDegree_rad * fields.number("trapezoid_deg", 0.0, 30.0, 0.0);
   probe.lines = fields.wholeNumber("lines", 2, 4096);
@@ -212,6 +212,11 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
       fields.complain(item.key(), "a value", "left out, because a probe of the kind \"" + kind + "\" has no such field");
   if (fields.complaint()) return passOn(*fields.complaint());
   return probe;
+}
+
+double faceLength_mm(const Probe& probe) {
+  const bool isCurved = isSector(probe.kind) && probe.radius_mm > 0.0;
+  return isCurved ? 2.0 * probe.radius_mm * probe.halfAngle_rad : probe.width_mm;
 }
 
 double faceHalfWidth_mm(const Probe& probe) {

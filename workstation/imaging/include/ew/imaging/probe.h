@@ -23,12 +23,12 @@ struct Probe {
   std::string id;    ///< file name without ending: "convex-3.5"
   std::string name;  ///< as shown: "Convex 3.5 MHz Abdomen"
   ProbeKind kind = ProbeKind::linear;
-  double width_mm = 40.0;                ///< linear, phased: length of the face
+  double width_mm = 40.0;                ///< length of the face; of a curved one radius and angle decide (faceLength_mm)
   double radius_mm = 0.0;                ///< all but linear: from the point where the lines meet to the face; 0 for phased
   double halfAngle_rad = 0.0;            ///< all but linear: half of the opening angle
   int lines = 128;                       ///< scan lines across the face
   double carrier_hz = 5e6;               ///< the frequency at start
-  std::vector<double> carriers_hz = {};       ///< what the console may choose from, rising, carrier_hz among them; empty: carrier_hz alone
+  std::vector<double> carriers_hz = {};  ///< what the console may choose from, rising, carrier_hz among them; empty: carrier_hz alone
   double aperture_mm = 20.0;             ///< widest active part of the face, lateral: decides how sharp a focus can be
   double elevationalThickness_mm = 2.0;  ///< slice thickness (full width at half maximum) at the elevational focus
   double elevationalFocus_mm = 60.0;     ///< depth of the acoustic lens' focus
@@ -45,6 +45,8 @@ struct Probe {
 /// Whether the lines meet in one point behind the face (everything but a linear probe).
 [[nodiscard]] inline bool isSector(ProbeKind kind) { return kind != ProbeKind::linear; }
 
+/// Length of the face along itself, mm.
+[[nodiscard]] double faceLength_mm(const Probe& probe);
 /// Half of the face's lateral extent, and how far its ends lie behind its foremost point (0 for a straight face), mm.
 [[nodiscard]] double faceHalfWidth_mm(const Probe& probe);
 [[nodiscard]] double faceSagitta_mm(const Probe& probe);
