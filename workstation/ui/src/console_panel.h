@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -78,10 +79,10 @@ class ConsolePanel final : public QWidget {
                  std::function<QString(double)> text, SliderParts parts, const QString& switchTip);
   void setFoci(int count);
   void showAll();
-  template <class Change>
-  void change(Change&& apply);
-  template <class Change>
-  void changeScene(Change&& apply);
+  void change(const std::function<void(Knobs&)>& apply);
+  void changeScene(const std::function<void(Scene&)>& apply);
+  static QLabel* quietLabel(const QString& text);
+  static int rounded(double value) { return static_cast<int>(std::lround(value)); }
 
   Session& session_;
   bool showing_ = false;

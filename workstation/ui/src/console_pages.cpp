@@ -1,0 +1,418 @@
+// The three pages of the console.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+
+#include "console_panel.h"
+#include "figures.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kZoomSteps = 10;  // of the slider per factor 1
+
+/// Where a further focus helps most: in the middle of the widest part of the depth without one.
+double placeForFocus_mm(std::vector<double> foci_mm, double depth_mm) {
+  foci_mm.push_back(0.0);
+  foci_mm.push_back(depth_mm);
+  std::sort(foci_mm.begin(), foci_mm.end());
+  double best_mm = depth_mm / 2.0;
+  double widest_mm = 0.0;
+  for (std::size_t i = 1; i < foci_mm.size(); ++i) {
+    if (foci_mm[i] - foci_mm[i - 1] <= widest_mm) continue;
+    widest_mm = foci_mm[i] - foci_mm[i - 1];
+    best_mm = foci_mm[i - 1] + widest_mm / 2.0;
+  }
+  return std::round(best_mm);
+}
+
+}  // namespace
+
+void ConsolePanel::setFoci(int count) {
+  change([this, count](Knobs& k) {
+    std::vector<double> foci_mm{session_.focus_mm()};
+    for (const double more_mm : k.moreFoci_mm) {
+      if (more_mm > 0.0) foci_mm.push_back(more_mm);
+    }
+    while (static_cast<int>(foci_mm.size()) < count) foci_mm.push_back(placeForFocus_mm(foci_mm, session_.depth_mm()));
+    if (count > 1) k.focus_mm = foci_mm.front();
+    k.moreFoci_mm = {};
+    for (int i = 1; i < count; ++i) k.moreFoci_mm[static_cast<std::size_t>(i - 1)] = foci_mm[static_cast<std::size_t>(i)];
+  });
+}
+
+void ConsolePanel::addImagePage(QVBoxLayout* rows) {
+  const auto hasFocus = [this] { return session_.scene().focus.has_value(); };
+  SliderParts focus{tr("Focus"),
+                    QStringLiteral("focus"),
+                    QStringLiteral("300 mm"),
+                    tr("Depth of the first focus (comma, full stop); drag the marks beside the picture for the others"),
+                    5,
+                    300,
+                    5,
+                    [this] { return rounded(session_.focus_mm()); },
+                    [this](int v) { change([v](Knobs& k) { k.focus_mm = v; }); },
+                    [this] { return tr("%1 mm").arg(rounded(session_.focus_mm())); },
+                    hasFocus};
+  focus.range = [this] { return std::pair{5, rounded(session_.depth_mm())}; };
+  addSlider(rows, std::move(focus));
+  ChoiceParts foci{tr("Foci"),
+                   QStringLiteral("foci"),
+                   {},
+                   [this] {
+                     const auto& more = session_.knobs().moreFoci_mm;
+                     return static_cast<int>(std::count_if(more.begin(), more.end(), [](double mm) { return mm > 0.0; }));
+                   },
+                   [this](int index) { setFoci(index + 1); },
+                   hasFocus};
+  for (int i = 1; i <= kMostFoci; ++i) {
+    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("Number of focus depths (N for the next)")});
+  }
+  foci.isInline = true;
+  addSegments(rows, std::move(foci));
+  addSegments(rows,
+              {tr("Focus by"),
+               QStringLiteral("focusMethod"),
+               {{tr("Kernel"), QStringLiteral("focusKernel"), tr("Every depth is blurred by the width its beam has there (Shift+N)")},
+                {tr("Stretch"), QStringLiteral("focusStretch"), tr("Rows out of focus are undersampled and stretched back (Shift+N)")}},
+               [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
+               [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
+               hasFocus});
+  const auto shownRange_db = [this] {
+    const double asked_db = session_.knobs().dynamicRange_db;
+    return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
+  };
+  addSlider(rows, {tr("Dynamic range"), QStringLiteral("dynamicRange"), QStringLiteral("120 dB"),
+                   tr("Levels this far below full white become black (R, Shift+R)"), 20, 120, 5, shownRange_db,
+                   [this](int v) {
+                     change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
+                   },
+                   [shownRange_db] { return tr("%1 dB").arg(shownRange_db()); }});
+  addSegments(rows, {tr("Grey map"),
+                     QStringLiteral("greyMap"),
+                     {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
+                      {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
+                      {tr("Hard"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
+                      {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")}},
+                     [this] { return static_cast<int>(session_.knobs().greyMap); },
+                     [this](int i) { change([i](Knobs& k) { k.greyMap = static_cast<GreyMap>(i); }); }});
+  addSlider(rows, {tr("Edges"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Edge enhancement (B, Shift+B)"), 0, 100, 10,
+                   [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
+                   [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
+                   [this] {
+                     const int percent = rounded(session_.knobs().edgeEnhancement * 100.0);
+                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+                   }});
+  addSlider(rows, {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"),
+                   tr("How much of the last picture stays (P, Shift+P)"), 0, 95, 10,
+                   [this] { return rounded(session_.knobs().persistence * 100.0); },
+                   [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
+                   [this] {
+                     const int percent = rounded(session_.knobs().persistence * 100.0);
+                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+                   }});
+  addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify about the middle of the picture (Z, Shift+Z)"),
+                   kZoomSteps, 8 * kZoomSteps, kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
+                   [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
+                   [this] { return tr("%1 x").arg(session_.knobs().zoom, 0, 'f', 1); }});
+  addSegments(rows, {tr("Quality"),
+                     QStringLiteral("quality"),
+                     {{tr("Weave"), QStringLiteral("qualityWeave"), tr("Nearest voxels, fastest (1)")},
+                      {tr("Linear"), QStringLiteral("qualityLinear"), tr("Interpolated between eight voxels (2)")},
+                      {tr("Cubic"), QStringLiteral("qualityCubic"), tr("Interpolated between 64 voxels, sharpest (3)")}},
+                     [this] { return static_cast<int>(session_.knobs().quality); },
+                     [this](int i) { chooseQuality(static_cast<Quality>(i)); }});
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  QCheckBox* adaptive = addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),
+                                  tr("Quality may fall while the probe moves fast, and refines at rest (F9)"));
+  auto* cost = new QPushButton(tr("Cost…"));
+  cost->setObjectName(QStringLiteral("cost"));
+  cost->setAccessibleName(tr("Cost of accuracy"));
+  cost->setToolTip(tr("Measure what accuracy costs on this machine (Ctrl+K)"));
+  cost->setProperty("flat", true);
+  cost->setFocusPolicy(Qt::TabFocus);
+  line->addStretch(1);
+  line->addWidget(cost);
+  rows->addLayout(line);
+  connect(cost, &QPushButton::clicked, this, &ConsolePanel::costAsked);
+  connect(adaptive, &QCheckBox::toggled, this, [this](bool on) {
+    if (showing_) return;
+    session_.setAdaptive(on);
+    QSettings().setValue(QStringLiteral("adaptiveQuality"), on);
+  });
+  shows_.emplace_back([this, adaptive] { adaptive->setChecked(session_.isAdaptive()); });
+}
+
+template <class Effect>
+void ConsolePanel::addEffect(QBoxLayout* rows, std::optional<Effect> Scene::*effect, double Effect::*strength, double perStep,
+                             std::function<QString(double)> text, SliderParts parts, const QString& switchTip) {
+  QCheckBox* box = addSwitch(rows, parts.name, parts.objectName + QStringLiteral("Effect"), switchTip);
+  connect(box, &QCheckBox::toggled, this, [this, effect](bool on) {
+    changeScene([this, effect, on](Scene& scene) { scene.*effect = on ? remembered_.*effect : std::nullopt; });
+  });
+  shows_.emplace_back([this, box, effect] {
+    if (session_.scene().*effect) remembered_.*effect = session_.scene().*effect;
+    box->setChecked((session_.scene().*effect).has_value());
+  });
+  const auto present = [this, effect, strength] { return (remembered_.*effect).value().*strength; };
+  parts.get = [present, perStep] { return rounded(present() / perStep); };
+  parts.set = [this, effect, strength, perStep](int v) {
+    changeScene([&](Scene& scene) {
+      if (scene.*effect) (*(scene.*effect)).*strength = v * perStep;
+    });
+  };
+  parts.text = [present, text = std::move(text)] { return text(present()); };
+  parts.isOn = [this, effect] { return (session_.scene().*effect).has_value(); };
+  const QString name = parts.name;
+  parts.name.clear();
+  addSlider(rows, std::move(parts))->setAccessibleName(name);
+}
+
+void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
+  QCheckBox* gain = addSwitch(rows, tr("Gain and DGC"), QStringLiteral("gainEffect"), tr("Whether gain and DGC act at all"));
+  connect(gain, &QCheckBox::toggled, this, [this](bool on) { changeScene([on](Scene& scene) { scene.gainAndDgc = on; }); });
+  shows_.emplace_back([this, gain] { gain->setChecked(session_.scene().gainAndDgc); });
+  rows->addSpacing(4);
+
+  const auto percent = [](double share) { return tr("%1 %").arg(rounded(share * 100.0)); };
+  addEffect<FocusEffect>(rows, &Scene::focus, &FocusEffect::strength, 0.01, percent,
+                         {tr("Beam width and focus"),
+                          QStringLiteral("focusStrength"),
+                          QStringLiteral("20.0 dB/mm"),
+                          tr("How much wider than recorded the beam is away from its focus"),
+                          0,
+                          300,
+                          25,
+                          {},
+                          {},
+                          {}},
+                         tr("The beam is narrow at the focus and wide elsewhere (F2)"));
+  addEffect<SliceThicknessEffect>(
+      rows, &Scene::sliceThickness, &SliceThicknessEffect::scale, 0.1, [](double scale) { return tr("%1 x").arg(scale, 0, 'f', 1); },
+      {tr("Slice thickness"),
+       QStringLiteral("sliceThickness"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Thickness of the slice, as a multiple of the probe's own"),
+       1,
+       40,
+       5,
+       {},
+       {},
+       {}},
+      tr("The picture is an average over the thickness of the beam (F3)"));
+  ChoiceParts planes{tr("Planes"),
+                     QStringLiteral("planes"),
+                     {},
+                     [this] { return (session_.knobs().elevationPlanes - 3) / 2; },
+                     [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
+                     [this] { return session_.scene().sliceThickness.has_value(); }};
+  for (int n = 3; n <= 9; n += 2) {
+    planes.choices.push_back({QString::number(n), QStringLiteral("planes%1").arg(n),
+                              tr("The thickness is averaged over %1 planes (Shift+F3 for the next)").arg(n)});
+  }
+  planes.isInline = true;
+  addSegments(rows, std::move(planes));
+  addEffect<AttenuationEffect>(
+      rows, &Scene::attenuation, &AttenuationEffect::interface_dbPerMm, 0.5,
+      [](double loss) { return tr("%1 dB/mm").arg(loss, 0, 'f', 1); },
+      {tr("Shadow and enhancement"),
+       QStringLiteral("attenuation"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("What each millimetre of strong echoes takes from the sound behind it"),
+       0,
+       40,
+       2,
+       {},
+       {},
+       {}},
+      tr("Dark behind stone, bone and gas, bright behind fluid (F4)"));
+  addEffect<ReverberationEffect>(
+      rows, &Scene::reverberation, &ReverberationEffect::loss_dbPerBounce, 1.0, [](double loss) { return tr("−%1 dB").arg(rounded(loss)); },
+      {tr("Reverberation"),
+       QStringLiteral("reverberation"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("What the sound loses on each way there and back"),
+       3,
+       40,
+       3,
+       {},
+       {},
+       {}},
+      tr("Echoes repeated between the face and strong interfaces (F5)"));
+  QCheckBox* mirror =
+      addSwitch(rows, tr("Mirror images"), QStringLiteral("mirror"), tr("Mirror images beyond smooth strong interfaces (F6)"));
+  connect(mirror, &QCheckBox::toggled, this, [this](bool on) {
+    changeScene([on](Scene& scene) {
+      if (scene.reverberation) scene.reverberation->mirror = on;
+    });
+  });
+  shows_.emplace_back([this, mirror] {
+    mirror->setChecked(session_.scene().reverberation && session_.scene().reverberation->mirror);
+    mirror->setEnabled(session_.scene().reverberation.has_value());
+  });
+  addEffect<NoiseEffect>(
+      rows, &Scene::noise, &NoiseEffect::atFace_db, 1.0, [](double level) { return tr("−%1 dB").arg(rounded(-level)); },
+      {tr("Electronic noise"),
+       QStringLiteral("noise"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Noise at the face, below full white; it grows with depth"),
+       -120,
+       -60,
+       5,
+       {},
+       {},
+       {}},
+      tr("Noise of the amplifier, which depth compensation lifts (F7)"));
+  addEffect<ContactEffect>(
+      rows, &Scene::contact, &ContactEffect::gel_mm, 0.5, [](double gel) { return tr("%1 mm").arg(gel, 0, 'f', 1); },
+      {tr("Skin contact"),
+       QStringLiteral("contactGel"),
+       QStringLiteral("20.0 dB/mm"),
+       tr("Gaps up to here are filled by gel"),
+       0,
+       20,
+       2,
+       {},
+       {},
+       {}},
+      tr("Where the face is off the skin the picture goes dark and rings down (F8)"));
+
+  auto* reset = new QPushButton;
+  reset->setObjectName(QStringLiteral("sceneReset"));
+  reset->setProperty("compact", true);
+  reset->setFocusPolicy(Qt::TabFocus);
+  rows->addSpacing(8);
+  rows->addWidget(reset);
+  connect(reset, &QPushButton::clicked, this, [this] {
+    if (session_.canUndoSceneReset()) {
+      session_.undoSceneReset();
+    } else {
+      session_.resetScene();
+    }
+  });
+  shows_.emplace_back([this, reset] {
+    const bool undo = session_.canUndoSceneReset();
+    reset->setText(undo ? tr("Undo: effects of the case") : tr("Effects of the case"));
+    reset->setToolTip(undo ? tr("Back to the effects as they were switched before") : tr("Back to the effects that the case calls for"));
+    reset->setEnabled(undo || (session_.subject() && !session_.hasCaseScene()));
+  });
+  connect(&session_, &Session::subjectChanged, this, [this] { remembered_ = sceneWithEverything(); });
+}
+
+void ConsolePanel::addProbePage(QVBoxLayout* rows) {
+  auto* probe = new QComboBox;
+  probe->setObjectName(QStringLiteral("probe"));
+  probe->setAccessibleName(tr("Transducer"));
+  probe->setMinimumContentsLength(8);
+  probe->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  rows->addWidget(quietLabel(tr("Transducer")));
+  rows->addSpacing(4);
+  rows->addWidget(probe);
+  rows->addSpacing(8);
+  connect(probe, qOverload<int>(&QComboBox::activated), this,
+          [this, probe](int index) { session_.chooseProbe(probe->itemData(index).toString().toStdString()); });
+  shows_.emplace_back([this, probe] {
+    const QSignalBlocker quiet(probe);
+    bool isSame = probe->count() == static_cast<int>(session_.probes().size());
+    for (int i = 0; isSame && i < probe->count(); ++i) {
+      isSame = probe->itemData(i).toString() == words(session_.probes()[static_cast<std::size_t>(i)].id);
+    }
+    if (!isSame) {
+      probe->clear();
+      for (const Probe& one : session_.probes()) {
+        probe->addItem(words(one.name), words(one.id));
+        probe->setItemData(probe->count() - 1, words(one.name), Qt::ToolTipRole);
+      }
+    }
+    probe->setCurrentIndex(probe->findData(words(session_.probe().id)));
+    probe->setToolTip(tr("Transducer: %1 (T for the next)").arg(probe->currentText()));
+  });
+
+  auto* carrierName = quietLabel(tr("Frequency"));
+  rows->addWidget(carrierName);
+  rows->addSpacing(4);
+  auto* carriers = new QComboBox;
+  carriers->setObjectName(QStringLiteral("frequency"));
+  carriers->setAccessibleName(tr("Frequency"));
+  carriers->setToolTip(tr("Higher is sharper, lower reaches deeper (H for the next)"));
+  rows->addWidget(carriers);
+  rows->addSpacing(8);
+  connect(carriers, qOverload<int>(&QComboBox::activated), this, [this, carriers](int index) {
+    const double carrier_hz = carriers->itemData(index).toDouble();
+    change([this, carrier_hz](Knobs& k) { k.carrier_hz = carrier_hz == session_.probe().carrier_hz ? 0.0 : carrier_hz; });
+  });
+  shows_.emplace_back([this, carriers] {
+    const QSignalBlocker quiet(carriers);
+    const Probe& p = session_.probe();
+    std::vector<double> offered_hz = p.carriers_hz;
+    if (offered_hz.empty()) offered_hz = {p.carrier_hz};
+    bool isSame = carriers->count() == static_cast<int>(offered_hz.size());
+    for (int i = 0; isSame && i < carriers->count(); ++i) {
+      isSame = carriers->itemData(i).toDouble() == offered_hz[static_cast<std::size_t>(i)];
+    }
+    if (!isSame) {
+      carriers->clear();
+      for (const double hz : offered_hz) carriers->addItem(tr("%1 MHz").arg(hz / 1e6, 0, 'f', 1), hz);
+    }
+    const double now_hz = session_.knobs().carrier_hz > 0.0 ? session_.knobs().carrier_hz : p.carrier_hz;
+    for (int i = 0; i < carriers->count(); ++i) {
+      if (carriers->itemData(i).toDouble() == now_hz) carriers->setCurrentIndex(i);
+    }
+    carriers->setEnabled(carriers->count() > 1);
+  });
+
+  SliderParts steering{tr("Steering"),
+                       QStringLiteral("steering"),
+                       QStringLiteral("−30°"),
+                       tr("Tilts the beams of a linear array (J, L)"),
+                       -30,
+                       30,
+                       5,
+                       [this] { return rounded(glm::degrees(session_.knobs().steering_rad)); },
+                       [this](int v) { change([v](Knobs& k) { k.steering_rad = glm::radians(static_cast<double>(v)); }); },
+                       [this] { return tr("%1°").arg(rounded(glm::degrees(session_.knobs().steering_rad))); },
+                       [this] { return !session_.knobs().trapezoid; },
+                       [this] { return session_.probe().maxSteering_rad > 0.0; }};
+  steering.range = [this] {
+    const int most = static_cast<int>(std::floor(glm::degrees(session_.probe().maxSteering_rad) + 1e-9));
+    return std::pair{-most, most};
+  };
+  addSlider(rows, std::move(steering));
+  QCheckBox* trapezoid = addSwitch(rows, tr("Trapezoid"), QStringLiteral("trapezoid"), tr("The lines of a linear array fan out (V)"));
+  connect(trapezoid, &QCheckBox::toggled, this, [this](bool on) { change([on](Knobs& k) { k.trapezoid = on; }); });
+  shows_.emplace_back([this, trapezoid] {
+    trapezoid->setChecked(session_.knobs().trapezoid);
+    trapezoid->setVisible(session_.probe().trapezoidHalfAngle_rad > 0.0);
+  });
+  // What the probe is, for whoever wonders why it shows what it shows.
+  rows->addSpacing(8);
+  const auto fact = [this, rows](const QString& name, const QString& widest, std::function<QString()> text) {
+    auto* line = new QHBoxLayout;
+    auto* value = new FigureLabel(widest);
+    line->addWidget(quietLabel(name));
+    line->addStretch(1);
+    line->addWidget(value);
+    rows->addLayout(line);
+    rows->addSpacing(4);
+    shows_.emplace_back([value, text = std::move(text)] { value->setText(text()); });
+  };
+  fact(tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.probe().lines); });
+  fact(tr("Face"), QStringLiteral("88 mm"), [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.probe()))); });
+  fact(tr("Depths"), QStringLiteral("88–888 mm"),
+       [this] { return tr("%1–%2 mm").arg(rounded(session_.probe().minDepth_mm)).arg(rounded(session_.probe().maxDepth_mm)); });
+  fact(tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
+       [this] { return tr("%1 mm").arg(session_.probe().elevationalThickness_mm, 0, 'f', 1); });
+}
+
+}  // namespace ew::ui
