@@ -227,6 +227,22 @@ TEST(WholeFrame, AllocatesNothingOnceWarm) {
     }
 }
 
+TEST(WholeFrame, AllocatesNothingWhenTheWarmProbeIsFirstLifted) {
+  const Body body;
+  FrameMaker maker;
+  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 160, 140, true);
+  const FrameInput offSkin = body.input(poseAt({0, -55, 0}), 9);
+  FrameInput touching = body.input(poseAt({0, -55, 0}));
+  touching.gaps_mm = {};
+  for (int n = 0; n < 4; ++n) {
+    touching.time_s = n / 30.0;
+    maker.make(touching);
+  }
+  const std::size_t before = testing::allocationCount();
+  maker.make(offSkin);
+  EXPECT_EQ(testing::allocationCount(), before);
+}
+
 TEST(WholeFrame, ReconfiguredGivesTheSamePixelsAsANewOne) {
   const Body body;
   std::mt19937 random(5);

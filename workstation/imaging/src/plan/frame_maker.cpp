@@ -136,6 +136,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
   lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
   plan_ = touching_;
+  plan_.steps.reserve(lifted_.steps.size());
   times_.reserve(lifted_.steps.size());
   beams_.configure(lifted_, probe, knobs_, scene_, geometry_, grid);
 
@@ -181,7 +182,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
   const bool isLifted = scene_.contact && input.gaps_mm.size() >= 2 && beams_.findContact(input.gaps_mm);
   const Plan& plan = isLifted ? lifted_ : touching_;
-  if (plan_ != plan) plan_ = plan;  // both were there from configure on, so their steps fit without new memory
+  if (plan_ != plan) plan_ = plan;  // configure made room for the longer one
   for (const Step& step : plan.steps) {
     const auto start = Clock::now();
     run(step.kind, input);
