@@ -31,11 +31,11 @@ enum class StepKind {
   focusStretch,
   focusKernel,
   noise,
+  mMode,
   scanConversion,
   edges,
   persistence,
   table,  ///< gain, DGC, dynamic range and grey map
-  mMode,
 };
 const char* nameOf(StepKind kind);
 struct Step {
