@@ -1,18 +1,20 @@
 // Bricks, cubic convolution and every instruction set: the same pixels, and the right ones.
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 #include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "ew/imaging/slicing.h"
+#include "imaging/every_target.h"
+#include "imaging/sliced.h"
 #include "imaging/support.h"
 
 namespace ew {
 namespace {
 
 using testing::ImageToVoxel;
+using testing::sliced;
 
 constexpr Quality kQualities[] = {Quality::weave, Quality::linear, Quality::cubic};
 
@@ -20,16 +22,6 @@ BrickedVolume inBricks(const Volume& volume, int levels = 1) {
   auto made = bricksOf(volume.view(), levels, 2, noProgress());
   EXPECT_TRUE(made);
   return std::move(*made);
-}
-
-GreyImage sliced(Quality quality, const SliceSource& source, const ImageToVoxel& plane, int width, int height) {
-  SliceScratch scratch;
-  GreyImage out(width, height, 99);
-  if (quality == Quality::weave)
-    sliceWeave(source, plane, viewOf(out), scratch);
-  else
-    slice(quality, source, plane, viewOf(out), scratch);
-  return out;
 }
 
 /// Cubic convolution in double precision with clamped neighbours; -1 outside.
@@ -93,21 +85,14 @@ TEST(BrickedVolume, ZoomsInWithTheWeaveToTheSamePixels) {
 TEST(Slicing, EveryInstructionSetGivesTheSamePixels) {
   const Volume volume = testing::noiseVolume({60, 50, 40}, 25);
   const BrickedVolume bricks = inBricks(volume);
-  const std::int64_t native = hwy::SupportedTargets();
   std::mt19937 random(26);
   for (int trial = 0; trial < 12; ++trial) {
     const ImageToVoxel plane = testing::randomPlane(random, volume.grid, 83, 61, trial % 2 ? 1.0 : 0.43);
     for (const Quality quality : kQualities)
       for (const SliceSource& source : {SliceSource(volume.view()), bricks.source(volume.grid)}) {
         const GreyImage expected = sliced(quality, source, plane, 83, 61);
-        for (std::int64_t rest = native; rest != 0; rest &= rest - 1) {
-          hwy::SetSupportedTargetsForTest(rest & -rest);
-          hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-          const GreyImage found = sliced(quality, source, plane, 83, 61);
-          hwy::SetSupportedTargetsForTest(0);
-          hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-          ASSERT_EQ(found, expected) << hwy::TargetName(rest & -rest) << " quality " << int(quality);
-        }
+        testing::onEveryTarget(
+            [&](const char* name) { EXPECT_EQ(sliced(quality, source, plane, 83, 61), expected) << name << " quality " << int(quality); });
       }
   }
 }

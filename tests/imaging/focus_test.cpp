@@ -1,7 +1,6 @@
 #include "ew/imaging/effects/focus.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
@@ -11,6 +10,8 @@
 #include <numbers>
 #include <random>
 #include <span>
+
+#include "imaging/every_target.h"
 
 namespace ew {
 namespace {
@@ -371,13 +372,7 @@ TEST(Focus, EveryVectorTargetGivesTheSameBits) {
     return std::pair(blurred, stretched);
   };
   const auto expected = made();
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    EXPECT_EQ(made(), expected) << hwy::TargetName(targets & -targets);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  testing::onEveryTarget([&](const char* name) { EXPECT_EQ(made(), expected) << name; });
 }
 
 }  // namespace

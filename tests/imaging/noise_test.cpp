@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <hwy/targets.h>
 #include <algorithm>
 #include <cmath>
+
+#include "imaging/every_target.h"
 
 namespace ew {
 namespace {
@@ -111,13 +112,7 @@ TEST(Noise, IsTheSameToTheBitWithEveryInstructionSet) {
     return echoes;
   };
   const BeamImage expected = made();
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    hwy::SetSupportedTargetsForTest(targets & -targets);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    EXPECT_EQ(made(), expected) << hwy::TargetName(targets & -targets);
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  testing::onEveryTarget([&](const char* name) { EXPECT_EQ(made(), expected) << name; });
 }
 
 TEST(Noise, IsAddedAsPowerAndNeverDarkens) {

@@ -6,24 +6,16 @@
 #include <limits>
 
 #include "ew/imaging/slicing.h"
+#include "imaging/sliced.h"
 #include "imaging/support.h"
 
 namespace ew {
 namespace {
 
 using testing::ImageToVoxel;
+using testing::sliced;
 
 constexpr Quality kQualities[] = {Quality::weave, Quality::linear, Quality::cubic};
-
-GreyImage sliced(Quality quality, const SliceSource& source, const ImageToVoxel& plane, int width, int height) {
-  SliceScratch scratch;
-  GreyImage out(width, height, 99);
-  if (quality == Quality::weave)
-    sliceWeave(source, plane, viewOf(out), scratch);
-  else
-    slice(quality, source, plane, viewOf(out), scratch);
-  return out;
-}
 
 TEST(SampleRows, OfAPlaneGiveTheSliceOfThatPlane) {
   const Volume volume = testing::noiseVolume({40, 50, 30}, 2);
