@@ -80,17 +80,6 @@ void lay(Piece& piece) {
   }
 }
 
-/// Into the second-level cache, which keeps far more requests under way than the first: half the time of a slice against a request into
-/// the first (measured on 256 and 512 cubed, volumes i fastest). Always inlined: GCC 12 takes a function that only prefetches for one
-/// without effect, and drops its calls.
-HWY_INLINE void prefetch(const std::uint8_t* at) {
-#if defined(__GNUC__)
-  __builtin_prefetch(at, 0, 2);
-#else
-  static_cast<void>(at);
-#endif
-}
-
 /// Asks for the line of every offset that lies on another line than the sample before it: a request costs as much as a load, and in
 /// bricks most samples share their line with the one before.
 /// @param rows where the offsets count from
@@ -137,17 +126,14 @@ void announceAny(PieceKind kind, const Piece& piece) {
       }
     return;
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint8_t* slice = piece.voxels + k * piece.stride[2];
-    announce<4>({slice, slice + piece.stride[1], slice + 2 * piece.stride[1], slice + 3 * piece.stride[1]}, piece.offset[0], piece.count);
-  }
+  // The corners of the neighbourhood: what lies between them was a corner of samples before. All sixteen rows take 1.16 times the time.
+  const std::uint8_t *first = piece.voxels, *last = first + 3 * piece.stride[2];
+  announce<4>({first, first + 3 * piece.stride[1], last, last + 3 * piece.stride[1]}, piece.offset[0], piece.count);
 }
 
 /// Loads stand apart from arithmetic, in parts that stay in the first-level cache. Gathers would do both at once, but they wait for
 /// their slowest element: on volumes beyond the first-level cache scalar loads were 1.7 times as fast (AVX-512, Zen 4).
-constexpr int kPart = 64;
-using Pairs = std::uint16_t[kPart + kLanesAtMost];
-using Fours = std::uint32_t[kPart + kLanesAtMost];
+constexpr int kPart = Loaded::kMost;
 
 template <class Bytes>
 HWY_INLINE void load(const std::uint8_t* from, Bytes& bytes) {
@@ -171,8 +157,25 @@ HWY_INLINE VecF byteOf(VecU four) {
   if constexpr (kByte == 3) return toFloat(hn::ShiftRight<24>(four));
   return toFloat(hn::And(hn::ShiftRight<8 * kByte>(four), set(0xffU)));
 }
-HWY_INLINE VecF weightAt(const Piece& piece, std::size_t axis, int n) {
-  return hn::Mul(toFloat(hn::LoadU(U32(), piece.fraction[axis].data() + n)), set(kPerFraction));
+using Fractions = std::array<const std::uint32_t*, 3>;
+HWY_INLINE VecF weightAt(const Fractions& fraction, std::size_t axis, int n) {
+  return hn::Mul(toFloat(hn::LoadU(U32(), fraction[axis] + n)), set(kPerFraction));
+}
+HWY_INLINE Fractions fractionsFrom(const Piece& piece, int begin) {
+  return {piece.fraction[0].data() + begin, piece.fraction[1].data() + begin, piece.fraction[2].data() + begin};
+}
+
+void blendPairs(const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
+  const U32 d;
+  for (int n = 0; n < count; n += static_cast<int>(hn::Lanes(d))) {
+    const VecF weightI = weightAt(fraction, 0, n), weightJ = weightAt(fraction, 1, n), weightK = weightAt(fraction, 2, n);
+    const auto alongI = [&](std::size_t row) {
+      const VecU pair = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, U32>(), loaded.pairs[row] + n));
+      return blend(byteOf<0>(pair), toFloat(hn::ShiftRight<8>(pair)), weightI);
+    };
+    const VecF near = blend(alongI(0), alongI(1), weightJ), far = blend(alongI(2), alongI(3), weightJ);
+    storeGreys(rounded(blend(near, far, weightK)), count - n, out + n);
+  }
 }
 
 void sampleWeave(const Piece& piece) {
@@ -185,9 +188,8 @@ void sampleWeave(const Piece& piece) {
 
 template <VoxelLayout layout>
 void sampleLinear(const Piece& piece) {
-  const U32 d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  HWY_ALIGN Pairs pair00, pair10, pair01, pair11;  // named by their steps along j and k
+  HWY_ALIGN Loaded loaded;
+  auto& [pair00, pair10, pair01, pair11] = loaded.pairs;
   for (int begin = 0; begin < piece.count; begin += kPart) {
     const int count = std::min(kPart, piece.count - begin);
     if constexpr (layout == VoxelLayout::linear) {
@@ -213,16 +215,7 @@ void sampleLinear(const Piece& piece) {
         load(from + o11[n], pair11[n]);
       }
     }
-    for (int n = 0; n < count; n += lanes) {
-      const VecF weightI = weightAt(piece, 0, begin + n), weightJ = weightAt(piece, 1, begin + n), weightK = weightAt(piece, 2, begin + n);
-      const auto alongI = [&](const Pairs& pairs) {
-        const VecU pair = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, U32>(), pairs + n));
-        return blend(byteOf<0>(pair), toFloat(hn::ShiftRight<8>(pair)), weightI);
-      };
-      const VecF near = blend(alongI(pair00), alongI(pair10), weightJ);
-      const VecF far = blend(alongI(pair01), alongI(pair11), weightJ);
-      storeGreys(rounded(blend(near, far, weightK)), count - n, piece.out + begin + n);
-    }
+    blendPairs(loaded, fractionsFrom(piece, begin), count, piece.out + begin);
   }
 }
 
@@ -254,11 +247,39 @@ HWY_INLINE VecI rowSum(VecU four, VecU weights02, VecU weights13) {
 #endif
 }
 
-template <VoxelLayout layout>
-void sampleCubic(const Piece& piece) {
+void blendFours(const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
   const U32 d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  HWY_ALIGN Fours rows[16];
+  for (int n = 0; n < count; n += lanes) {
+    const std::array<VecF, 4> weightI = cubicWeights(weightAt(fraction, 0, n)), weightJ = cubicWeights(weightAt(fraction, 1, n)),
+                              weightK = cubicWeights(weightAt(fraction, 2, n));
+    // To the nearest of 2^14 steps; the second takes what is left, so that constants stay exact.
+    const auto fixed = [&](VecF weight) {
+      const VecF shifted = hn::Add(hn::Mul(weight, set(16384.0F)), set(16384.5F));
+      return hn::BitCast(d, hn::Sub(hn::ConvertTo(I32(), shifted), hn::Set(I32(), 16384)));
+    };
+    const VecU w0 = fixed(weightI[0]), w2 = fixed(weightI[2]), w3 = fixed(weightI[3]);
+    const VecU w1 = hn::Sub(set(16384U), hn::Add(w0, hn::Add(w2, w3)));
+    const VecU lowHalf = set(0xffffU);
+    const VecU weights02 = hn::Or(hn::And(w0, lowHalf), hn::ShiftLeft<16>(w2));
+    const VecU weights13 = hn::Or(hn::And(w1, lowHalf), hn::ShiftLeft<16>(w3));
+    VecF sum = set(0.0F);
+    for (std::size_t k = 0; k < 4; ++k) {
+      VecF slice = set(0.0F);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const VecF row = hn::ConvertTo(F32(), rowSum(hn::LoadU(d, loaded.fours[4 * k + j] + n), weights02, weights13));
+        slice = hn::Add(slice, hn::Mul(weightJ[j], row));
+      }
+      sum = hn::Add(sum, hn::Mul(weightK[k], slice));
+    }
+    sum = hn::Mul(sum, set(1.0F / 16384.0F));
+    storeGreys(rounded(hn::Min(hn::Max(sum, set(0.0F)), set(255.0F))), count - n, out + n);
+  }
+}
+
+template <VoxelLayout layout>
+void sampleCubic(const Piece& piece) {
+  HWY_ALIGN Loaded loaded;
   const std::uint8_t* HWY_RESTRICT from = piece.voxels;
   for (int begin = 0; begin < piece.count; begin += kPart) {
     const int count = std::min(kPart, piece.count - begin);
@@ -267,7 +288,7 @@ void sampleCubic(const Piece& piece) {
       const std::uint64_t strideJ = piece.stride[1], strideK = piece.stride[2];
       for (int n = 0; n < count; ++n)
         for (std::size_t k = 0; k < 4; ++k)
-          for (std::size_t j = 0; j < 4; ++j) load(from + offset[n] + k * strideK + j * strideJ, rows[4 * k + j][n]);
+          for (std::size_t j = 0; j < 4; ++j) load(from + offset[n] + k * strideK + j * strideJ, loaded.fours[4 * k + j][n]);
     } else {
       const std::uint32_t* HWY_RESTRICT alongJ = piece.offset[0].data() + begin;
       const std::uint32_t* HWY_RESTRICT alongK = piece.alongK[0].data() + begin;
@@ -276,34 +297,9 @@ void sampleCubic(const Piece& piece) {
         for (std::size_t k = 0; k < 4; ++k)
           for (std::size_t j = 0; j < 4; ++j)
             load(from + alongK[k * kNext + static_cast<std::size_t>(n)] + alongJ[j * kNext + static_cast<std::size_t>(n)],
-                 rows[4 * k + j][n]);
+                 loaded.fours[4 * k + j][n]);
     }
-    for (int n = 0; n < count; n += lanes) {
-      const std::array<VecF, 4> weightI = cubicWeights(weightAt(piece, 0, begin + n)),
-                                weightJ = cubicWeights(weightAt(piece, 1, begin + n)),
-                                weightK = cubicWeights(weightAt(piece, 2, begin + n));
-      // To the nearest of 2^14 steps; the second takes what is left, so that constants stay exact.
-      const auto fixed = [&](VecF weight) {
-        const VecF shifted = hn::Add(hn::Mul(weight, set(16384.0F)), set(16384.5F));
-        return hn::BitCast(d, hn::Sub(hn::ConvertTo(I32(), shifted), hn::Set(I32(), 16384)));
-      };
-      const VecU w0 = fixed(weightI[0]), w2 = fixed(weightI[2]), w3 = fixed(weightI[3]);
-      const VecU w1 = hn::Sub(set(16384U), hn::Add(w0, hn::Add(w2, w3)));
-      const VecU lowHalf = set(0xffffU);
-      const VecU weights02 = hn::Or(hn::And(w0, lowHalf), hn::ShiftLeft<16>(w2));
-      const VecU weights13 = hn::Or(hn::And(w1, lowHalf), hn::ShiftLeft<16>(w3));
-      VecF sum = set(0.0F);
-      for (std::size_t k = 0; k < 4; ++k) {
-        VecF slice = set(0.0F);
-        for (std::size_t j = 0; j < 4; ++j) {
-          const VecF row = hn::ConvertTo(F32(), rowSum(hn::LoadU(d, rows[4 * k + j] + n), weights02, weights13));
-          slice = hn::Add(slice, hn::Mul(weightJ[j], row));
-        }
-        sum = hn::Add(sum, hn::Mul(weightK[k], slice));
-      }
-      sum = hn::Mul(sum, set(1.0F / 16384.0F));
-      storeGreys(rounded(hn::Min(hn::Max(sum, set(0.0F)), set(255.0F))), count - n, piece.out + begin + n);
-    }
+    blendFours(loaded, fractionsFrom(piece, begin), count, piece.out + begin);
   }
 }
 
@@ -329,6 +325,11 @@ void sampleAny(PieceKind kind, const Piece& piece) {
     case Quality::cubic:
       return bricked ? sampleCubic<VoxelLayout::bricked>(piece) : sampleCubic<VoxelLayout::linear>(piece);
   }
+}
+
+void blendAny(Quality quality, const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
+  if (quality == Quality::linear) return blendPairs(loaded, fraction, count, out);
+  blendFours(loaded, fraction, count, out);
 }
 
 void fillAny(std::int64_t high, std::int32_t lowPart, int count, std::uint32_t* whole, std::uint32_t* fraction) {
@@ -368,11 +369,15 @@ namespace ew::detail {
 HWY_EXPORT(layAny);
 HWY_EXPORT(announceAny);
 HWY_EXPORT(sampleAny);
+HWY_EXPORT(blendAny);
 HWY_EXPORT(fillAny);
 
 void layPiece(PieceKind kind, Piece& piece) { HWY_DYNAMIC_DISPATCH(layAny)(kind, piece); }
 void announcePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(announceAny)(kind, piece); }
 void samplePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(sampleAny)(kind, piece); }
+void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out) {
+  HWY_DYNAMIC_DISPATCH(blendAny)(quality, loaded, fraction, count, out);
+}
 void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction) {
   HWY_DYNAMIC_DISPATCH(fillAny)(high, low, count, whole, fraction);
 }

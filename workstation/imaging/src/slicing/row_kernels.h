@@ -28,6 +28,25 @@ struct Piece {
   std::array<Values, 3> fraction;  ///< of base plus template
 };
 
+/// Voxels loaded for a few samples: what stands between the memory and the arithmetic.
+struct Loaded {
+  static constexpr int kMost = 64;
+  union {
+    std::uint16_t pairs[4]
+                       [kMost + kLanesAtMost];  ///< linear: neighbours along i, the rows named by their steps along j and k: 00, 10, 01, 11
+    std::uint32_t fours[16][kMost + kLanesAtMost];  ///< cubic: four neighbours along i, row 4 k + j
+  };
+};
+
+/// Asks for the line of a byte that is read later; a hint without effect on any value. Into the second-level cache, which keeps far more
+/// requests under way than the first: half the time of a slice against a request into the first (measured on 256 and 512 cubed, volumes i
+/// fastest). Always inlined: GCC 12 takes a function that only prefetches for one without effect, and drops its calls.
+#if defined(__GNUC__)
+[[gnu::always_inline]] inline void prefetch(const std::uint8_t* at) { __builtin_prefetch(at, 0, 2); }
+#else
+inline void prefetch(const std::uint8_t*) {}
+#endif
+
 struct PieceKind {
   Quality quality = Quality::linear;
   VoxelLayout layout = VoxelLayout::linear;
@@ -39,6 +58,9 @@ void layPiece(PieceKind kind, Piece& piece);
 /// Asks the memory for what samplePiece will read; a hint without effect on any value.
 void announcePiece(PieceKind kind, const Piece& piece);
 void samplePiece(PieceKind kind, const Piece& piece);
+
+/// The blending of samplePiece alone: `count` <= Loaded::kMost samples, their fractions (31 bits) along i, j, k.
+void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out);
 
 /// T_n = round(n * step) for n = 0 .. count - 1, step = (high * 2^16 + low) / 2^47 voxels.
 void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction);

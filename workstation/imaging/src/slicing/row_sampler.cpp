@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "bricks.h"
 
@@ -47,25 +48,40 @@ std::uint64_t offsetAlong(const TemplateLine& line, std::size_t axis, std::int64
   return Bricks::offsetAlong(axis, n, line.stride);
 }
 
-float blend(float a, float b, float weight) { return a + weight * (b - a); }
-
-/// Weights of the four neighbours at -1, 0, 1, 2 of a place `t` in [0, 1) between the middle two.
-/// Source: Keys, IEEE Trans. ASSP 29(6), 1981, with a = -1/2 (third order).
-std::array<float, 4> cubicWeights(float t) {
-  return {((-0.5F * t + 1.0F) * t - 0.5F) * t, (1.5F * t - 2.5F) * t * t + 1.0F, ((-1.5F * t + 2.0F) * t + 0.5F) * t,
-          (0.5F * t - 0.5F) * t * t};
+/// The position is clamped to the outermost voxel centres, and the neighbours to the volume.
+template <std::size_t count>
+void findNeighbours(const TemplateLine& line, const FixedPosition& base, int n, RowSampler::Neighbours& found) {
+  constexpr std::int64_t kBelow = count == 4 ? 1 : 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::int64_t last = line.dims[static_cast<int>(a)] - 1;
+    const std::int64_t position = std::clamp(base[a] + line.at(a, n), std::int64_t{0}, last * kOneVoxel);
+    const std::int64_t first = (position >> kFractionBits) - kBelow;
+    found.fraction[a] = static_cast<std::uint32_t>(position & static_cast<std::int64_t>(kFractionMask));
+    for (std::size_t m = 0; m < count; ++m)
+      found.offset[a][m] = offsetAlong(line, a, std::clamp(first + static_cast<std::int64_t>(m), std::int64_t{0}, last));
+  }
+  for (const std::size_t k : {std::size_t{0}, count - 1})
+    for (const std::size_t j : {std::size_t{0}, count - 1})
+      prefetch(line.voxels + found.offset[0][0] + found.offset[1][j] + found.offset[2][k]);
 }
 
-/// The same with 14 bits after the point; the second takes what is left, so that they sum to one.
-std::array<std::int32_t, 4> fixedWeights(float t) {
-  const std::array<float, 4> weights = cubicWeights(t);
-  std::array<std::int32_t, 4> fixed{};
-  for (std::size_t n = 0; n < 4; ++n) fixed[n] = static_cast<std::int32_t>(weights[n] * 16384.0F + 16384.5F) - 16384;
-  fixed[1] = 16384 - (fixed[0] + fixed[2] + fixed[3]);
-  return fixed;
+/// Loads the rows of one sample as sample `n` of a batch.
+template <std::size_t count, class Row, std::size_t length>
+void loadRows(const RowSampler::Neighbours& at, Row (*rows)[length], std::size_t n) {
+  const auto& i = at.offset[0];
+  const bool together = i[count - 1] == i[0] + count - 1;
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::uint8_t* row = at.voxels + at.offset[1][j] + at.offset[2][k];
+      std::array<std::uint8_t, count> bytes;
+      if (together) {
+        std::memcpy(bytes.data(), row + i[0], count);
+      } else {
+        for (std::size_t m = 0; m < count; ++m) bytes[m] = row[i[m]];
+      }
+      std::memcpy(&rows[count * k + j][n], bytes.data(), count);
+    }
 }
-
-std::uint8_t rounded(float grey) { return static_cast<std::uint8_t>(static_cast<std::int32_t>(grey + 0.5F)); }
 
 }  // namespace
 
@@ -119,45 +135,38 @@ void RowSampler::sampleBlock(const TemplateLine& line, const FixedPosition& base
   std::fill(block + run.end, block + within.end, std::uint8_t{0});
 }
 
-/// Samples within half a voxel outside the outermost voxel centres, or too near to a face for the vectors: the position is clamped to the
-/// outermost centres, and the neighbours to the volume. The same arithmetic as in row_kernels.cpp, in the same order.
-void RowSampler::borderRun(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) const {
-  const std::size_t firstNeighbour = quality_ == Quality::cubic ? 0 : 1, endNeighbour = quality_ == Quality::cubic ? 4 : 3;
+/// Samples within half a voxel outside the outermost voxel centres, or too near to a face for whole pieces. They are few a row, so they
+/// wait until a batch is full, and the memory has answered.
+void RowSampler::borderRun(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) {
   for (int n = run.begin; n < run.end; ++n) {
-    std::array<float, 3> weight{};
-    std::array<std::array<std::uint64_t, 4>, 3> offset{};  // of the neighbours at -1, 0, 1, 2
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::int64_t last = line.dims[static_cast<int>(a)] - 1;
-      const std::int64_t position = std::clamp(base[a] + line.at(a, n), std::int64_t{0}, last * kOneVoxel);
-      const std::int64_t whole = position >> kFractionBits;
-      weight[a] = static_cast<float>(position & static_cast<std::int64_t>(kFractionMask)) * kPerFraction;
-      for (std::size_t m = firstNeighbour; m < endNeighbour; ++m)
-        offset[a][m] = offsetAlong(line, a, std::clamp(whole - 1 + static_cast<std::int64_t>(m), std::int64_t{0}, last));
-    }
-    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return static_cast<float>(line.voxels[offset[0][i] + offset[1][j] + offset[2][k]]);
-    };
+    Neighbours& waiting = border_[static_cast<std::size_t>(borderCount_)];
+    waiting.voxels = line.voxels;
+    waiting.out = block + n;
     if (quality_ == Quality::linear) {
-      const auto alongI = [&](std::size_t j, std::size_t k) { return blend(at(1, j, k), at(2, j, k), weight[0]); };
-      const float near = blend(alongI(1, 1), alongI(2, 1), weight[1]);
-      const float far = blend(alongI(1, 2), alongI(2, 2), weight[1]);
-      block[n] = rounded(blend(near, far, weight[2]));
+      findNeighbours<2>(line, base, n, waiting);
     } else {
-      const auto wi = fixedWeights(weight[0]);
-      const auto wj = cubicWeights(weight[1]), wk = cubicWeights(weight[2]);
-      float sum = 0.0F;
-      for (std::size_t k = 0; k < 4; ++k) {
-        float slice = 0.0F;
-        for (std::size_t j = 0; j < 4; ++j) {
-          std::int32_t rowSum = 0;
-          for (std::size_t i = 0; i < 4; ++i) rowSum += wi[i] * line.voxels[offset[0][i] + offset[1][j] + offset[2][k]];
-          slice += wj[j] * static_cast<float>(rowSum);
-        }
-        sum += wk[k] * slice;
-      }
-      block[n] = rounded(std::min(std::max(sum * (1.0F / 16384.0F), 0.0F), 255.0F));
+      findNeighbours<4>(line, base, n, waiting);
+    }
+    if (++borderCount_ == Loaded::kMost) sampleBorder();
+  }
+}
+
+void RowSampler::sampleBorder() {
+  Loaded loaded;
+  std::array<std::array<std::uint32_t, Loaded::kMost + kLanesAtMost>, 3> fraction;
+  std::array<std::uint8_t, Loaded::kMost> greys;
+  const auto count = static_cast<std::size_t>(borderCount_);
+  for (std::size_t n = 0; n < count; ++n) {
+    for (std::size_t a = 0; a < 3; ++a) fraction[a][n] = border_[n].fraction[a];
+    if (quality_ == Quality::linear) {
+      loadRows<2>(border_[n], loaded.pairs, n);
+    } else {
+      loadRows<4>(border_[n], loaded.fours, n);
     }
   }
+  blendLoaded(quality_, loaded, {fraction[0].data(), fraction[1].data(), fraction[2].data()}, borderCount_, greys.data());
+  for (std::size_t n = 0; n < count; ++n) *border_[n].out = greys[n];
+  borderCount_ = 0;
 }
 
 void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) {
@@ -210,6 +219,7 @@ void RowSampler::sampleOldest() {
 
 void RowSampler::finish() {
   for (std::size_t n = 0; n <= kAhead; ++n) sampleOldest();
+  if (borderCount_ > 0) sampleBorder();
 }
 
 }  // namespace ew::detail
