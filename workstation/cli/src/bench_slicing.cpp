@@ -68,8 +68,8 @@ Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volume
   return scene;
 }
 
-// The layout that was faster on the whole stands for the slicer, the other is shown beside it.
-constexpr VoxelLayout kMain = VoxelLayout::linear, kOther = VoxelLayout::bricked;
+/// The layout the program uses for such a volume; the other is shown beside it.
+VoxelLayout layoutOf(int volumeSide) { return worthBricking(glm::ivec3(volumeSide)) ? VoxelLayout::bricked : VoxelLayout::linear; }
 
 SliceSource sourceOf(const Scene& scene, VoxelLayout layout) {
   return layout == VoxelLayout::bricked ? scene.bricks.source(scene.volume.grid) : SliceSource(scene.volume.view());
@@ -237,17 +237,19 @@ std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int 
     bool peer;
     VoxelLayout layout;
   };
-  constexpr Way kWays[] = {{Quality::weave, "weave", "weave", false, kMain},
-                           {Quality::weave, "weave, bricks", "weave_bricks", false, kOther},
-                           {Quality::weave, "VTK nearest", "vtk_nearest", true, VoxelLayout::linear},
-                           {Quality::linear, "linear", "linear", false, kMain},
-                           {Quality::linear, "linear, bricks", "linear_bricks", false, kOther},
-                           {Quality::linear, "VTK linear", "vtk_linear", true, VoxelLayout::linear},
-                           {Quality::cubic, "cubic", "cubic", false, kMain},
-                           {Quality::cubic, "cubic, bricks", "cubic_bricks", false, kOther},
-                           {Quality::cubic, "VTK cubic", "vtk_cubic", true, VoxelLayout::linear}};
+  const VoxelLayout used = layoutOf(volumeSide);
+  const bool bricks = used == VoxelLayout::bricked;
+  const VoxelLayout other = bricks ? VoxelLayout::linear : VoxelLayout::bricked;
+  const Way ways[] = {{Quality::weave, "weave", "weave", false, used},
+                      {Quality::weave, bricks ? "weave, rows" : "weave, bricks", bricks ? "weave_rows" : "weave_bricks", false, other},
+                      {Quality::weave, "VTK nearest", "vtk_nearest", true, VoxelLayout::linear},
+                      {Quality::linear, "linear", "linear", false, used},
+                      {Quality::linear, bricks ? "linear, rows" : "linear, bricks", bricks ? "linear_rows" : "linear_bricks", false, other},
+                      {Quality::linear, "VTK linear", "vtk_linear", true, VoxelLayout::linear},
+                      {Quality::cubic, "cubic", "cubic", false, VoxelLayout::linear},
+                      {Quality::cubic, "VTK cubic", "vtk_cubic", true, VoxelLayout::linear}};
   for (const std::string kind : {"random", "smooth"})
-    for (const Way& way : kWays) {
+    for (const Way& way : ways) {
       if (way.peer && !options.peers) continue;
       Case tested;
       tested.method = way.method;
@@ -268,7 +270,7 @@ json timeThreads(const Scene& scene, int volumeSide) {
   constexpr int kWidth = 1024, kHeight = 768, kSlices = 31;
   GreyImage image(kWidth, kHeight);
   const Spans spans(kHeight, {{0, kWidth}});
-  const SliceSource source = sourceOf(scene, kMain);
+  const SliceSource source = sourceOf(scene, layoutOf(volumeSide));
   ImageToVoxel plane = scene.poses.at("smooth").front();
   const double step = 0.6 * volumeSide / static_cast<double>(kWidth);
   const glm::dvec3 x_voxel = step * glm::dvec3(plane.matrix[0]), y_voxel = step * glm::dvec3(plane.matrix[1]);

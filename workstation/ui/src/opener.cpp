@@ -33,9 +33,11 @@ Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& f
   return std::make_shared<const bridge::Mannequin>(std::move(*loaded));
 }
 
-/// The voxels in bricks, where at least half of the free memory stays free; null where it does not: slicing then reads the volume as it is.
+/// The voxels in bricks, where that makes slices faster and at least half of the free memory stays free; null where not: slicing then reads
+/// the volume as it is.
 /// @error cancelled
 Result<std::shared_ptr<const BrickedVolume>> bricksWhereThereIsRoom(const Volume& volume, Progress& progress) {
+  if (!worthBricking(volume.grid.dims)) return nullptr;
   const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (static_cast<double>(bricksForecast_bytes(volume.grid.dims, 1)) > 0.5 * free_bytes) return nullptr;
   auto bricks = bricksOf(volume.view(), 1, 0, progress);

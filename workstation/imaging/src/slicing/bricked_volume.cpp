@@ -42,7 +42,7 @@ class QuietProgress final : public Progress {
 /// Copies one slice of bricks.
 void fillSlice(const VolumeView<const std::uint8_t>& volume, const Bricks& bricks, std::uint64_t brickK, std::uint8_t* out) {
   const glm::ivec3 last = volume.grid.dims - 1;
-  const auto clamped = [](std::uint64_t at, int most) { return std::clamp(static_cast<int>(at) - Bricks::kBefore, 0, most); };
+  const auto clamped = [](std::uint64_t at, int most) { return std::clamp(static_cast<int>(at), 0, most); };
   for (std::uint64_t brickJ = 0; brickJ < bricks.count[1]; ++brickJ)
     for (std::uint64_t k = 0; k < Bricks::kSlices; ++k)
       for (std::uint64_t j = 0; j < Bricks::kRows; ++j) {
@@ -50,8 +50,8 @@ void fillSlice(const VolumeView<const std::uint8_t>& volume, const Bricks& brick
                                                                     clamped(brickK * Bricks::kSlices + k, last.z));
         std::uint8_t* to = out + brickJ * bricks.stride[1] + (k * Bricks::kRows + j) * Bricks::kStored;
         for (std::uint64_t brickI = 0; brickI < bricks.count[0]; ++brickI, to += Bricks::kBytes) {
-          const std::int64_t first = static_cast<std::int64_t>(brickI * Bricks::kCells) - Bricks::kBefore;
-          if (first >= 0 && first + Bricks::kStored <= volume.grid.dims.x)
+          const auto first = static_cast<std::int64_t>(brickI * Bricks::kCells);
+          if (first + Bricks::kStored <= volume.grid.dims.x)
             std::memcpy(to, row + first, Bricks::kStored);
           else
             for (int i = 0; i < Bricks::kStored; ++i) to[i] = row[std::clamp<std::int64_t>(first + i, 0, last.x)];
@@ -95,8 +95,8 @@ SliceSource BrickedVolume::source(const Grid& placed) const { return sourceFor(p
 
 SliceSource BrickedVolume::sourceFor(const Grid& placed, double pixel_mm) const {
   SliceSource found;
-  if (levels_.empty()) return found;
-  EW_EXPECTS(placed.dims == levels_.front().dims);
+  if (bricks_.empty()) return found;
+  EW_EXPECTS(placed.dims == dims_);
   int level = 0;
   found.grid = placed;
   while (level + 1 < levels()) {
@@ -105,14 +105,19 @@ SliceSource BrickedVolume::sourceFor(const Grid& placed, double pixel_mm) const 
     found.grid = coarser;
     ++level;
   }
-  found.voxels = levels_[static_cast<std::size_t>(level)].bricks.data();
-  found.layout = VoxelLayout::bricked;
+  if (level > 0) {
+    found.voxels = coarser_[static_cast<std::size_t>(level - 1)].data();
+  } else {
+    found.voxels = bricks_.data();
+    found.rows = rows_;
+    found.layout = VoxelLayout::bricked;
+  }
   return found;
 }
 
 std::size_t BrickedVolume::bytes() const {
-  std::size_t sum = 0;
-  for (const Level& level : levels_) sum += level.bricks.size();
+  std::size_t sum = bricks_.size();
+  for (const auto& level : coarser_) sum += level.size();
   return sum;
 }
 
@@ -120,30 +125,28 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
   EW_EXPECTS(levels >= 1 && levels <= 30);
   BrickedVolume made;
   if (volume.data == nullptr || volume.grid.voxelCount() == 0) return made;
+  made.dims_ = volume.grid.dims;
+  made.rows_ = volume.data;
   try {
-    VolumeView<const std::uint8_t> present = volume;
-    std::vector<std::uint8_t> means;  // the present level, i fastest, when it is not the volume itself
-    for (int level = 0; level < levels; ++level) {
-      // Levels take an eighth of each other's time, and there is nothing to see after the first.
-      PartOfProgress part(progress, level == 0 ? 0.0 : 0.9, level == 0 && levels > 1 ? 0.9 : 1.0);
-      if (level > 0) {
-        const Grid grid = gridOfLevel(present.grid, 1);
-        std::vector<std::uint8_t> coarser(grid.voxelCount());
-        const auto halve = [&](int k) { halveSlice(present, grid.dims, k, coarser.data() + grid.indexOf(0, 0, k)); };
-        QuietProgress quiet(part);
-        if (!forEachTask(grid.dims.z, threads, quiet, "", halve)) return cancelled();
-        means = std::move(coarser);
-        present = {means.data(), grid};
-      }
-      const Bricks bricks(present.grid.dims);
-      if (bricks.stride[2] > kLargestSlice_bytes) return passOn(tooLarge(volume.grid.dims));
-      BrickedVolume::Level filled{present.grid.dims, zerosInLargePages(bricks.bytes())};
-      const auto fill = [&](int brickK) {
-        const auto at = static_cast<std::uint64_t>(brickK);
-        fillSlice(present, bricks, at, filled.bricks.data() + at * bricks.stride[2]);
-      };
-      if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, "Arranging voxels in bricks", fill)) return cancelled();
-      made.levels_.push_back(std::move(filled));
+    const Bricks bricks(volume.grid.dims);
+    if (bricks.stride[2] > kLargestSlice_bytes) return passOn(tooLarge(volume.grid.dims));
+    made.bricks_ = zerosInLargePages(bricks.bytes());
+    const auto fill = [&](int brickK) {
+      const auto at = static_cast<std::uint64_t>(brickK);
+      fillSlice(volume, bricks, at, made.bricks_.data() + at * bricks.stride[2]);
+    };
+    // Coarser levels take an eighth of each other's time, and there is nothing to see after the first.
+    PartOfProgress part(progress, 0.0, levels > 1 ? 0.9 : 1.0);
+    if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, "Arranging voxels in bricks", fill)) return cancelled();
+    VolumeView<const std::uint8_t> finer = volume;
+    for (int level = 1; level < levels; ++level) {
+      const Grid grid = gridOfLevel(finer.grid, 1);
+      std::vector<std::uint8_t> coarser = zerosInLargePages(grid.voxelCount());
+      const auto halve = [&](int k) { halveSlice(finer, grid.dims, k, coarser.data() + grid.indexOf(0, 0, k)); };
+      QuietProgress quiet(progress);
+      if (!forEachTask(grid.dims.z, threads, quiet, "", halve)) return cancelled();
+      made.coarser_.push_back(std::move(coarser));
+      finer = {made.coarser_.back().data(), grid};
     }
   } catch (const std::bad_alloc&) {
     return passOn(tooLarge(volume.grid.dims));
@@ -151,10 +154,18 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
   return made;
 }
 
+bool worthBricking(const glm::ivec3& dims) {
+  constexpr double kCache_bytes = 32.0 * 1024.0 * 1024.0;
+  return static_cast<double>(dims.x) * static_cast<double>(dims.y) * static_cast<double>(dims.z) > kCache_bytes;
+}
+
 std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels) {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = Bricks(dims).bytes();
   glm::ivec3 size = dims;
-  for (int level = 0; level < levels; ++level, size = halved(size)) sum += Bricks(size).bytes();
+  for (int level = 1; level < levels; ++level) {
+    size = halved(size);
+    sum += static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(size.z);
+  }
   return sum;
 }
 

@@ -20,11 +20,13 @@ struct Piece {
   const std::uint8_t* voxels = nullptr;
   std::array<std::uint32_t, 3> startWhole{}, startFraction{};               ///< of the base, from the lowest corner
   std::array<const std::uint32_t*, 3> templateWhole{}, templateFraction{};  ///< of the piece's first sample
-  std::array<std::uint64_t, 3> stride{};                                    ///< as in TemplateLine
+  const std::uint32_t* templateOffset = nullptr;                            ///< rows: dT of Eq. 1, modulo 2^32, as startOffset
+  std::uint32_t startOffset = 0;
+  std::array<std::uint64_t, 3> stride{};  ///< as in TemplateLine
 
   /// Of the voxel of Eq. 1 (weave, linear) or the first of four along each axis (cubic). In bricks also, linear: of its neighbours along
-  /// j, k, and both; cubic: of the rows at j .. j + 3, to which those of the slices in alongK come.
-  std::array<Values, 4> offset, alongK;
+  /// j, k, and both.
+  std::array<Values, 4> offset;
   std::array<Values, 3> fraction;  ///< of base plus template
 };
 
@@ -32,9 +34,9 @@ struct Piece {
 struct Loaded {
   static constexpr int kMost = 64;
   union {
+    std::uint32_t fours[16][kMost + kLanesAtMost];  ///< cubic: four neighbours along i, row 4 k + j
     std::uint16_t pairs[4]
                        [kMost + kLanesAtMost];  ///< linear: neighbours along i, the rows named by their steps along j and k: 00, 10, 01, 11
-    std::uint32_t fours[16][kMost + kLanesAtMost];  ///< cubic: four neighbours along i, row 4 k + j
   };
 };
 
@@ -47,6 +49,7 @@ struct Loaded {
 inline void prefetch(const std::uint8_t*) {}
 #endif
 
+/// Cubic reads rows alone.
 struct PieceKind {
   Quality quality = Quality::linear;
   VoxelLayout layout = VoxelLayout::linear;
@@ -64,5 +67,9 @@ void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const s
 
 /// T_n = round(n * step) for n = 0 .. count - 1, step = (high * 2^16 + low) / 2^47 voxels.
 void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction);
+
+/// dT of Eq. 1 in voxels that lie row after row, modulo 2^32.
+void fillOffsets(const std::array<const std::uint32_t*, 3>& whole, const std::array<std::uint64_t, 3>& stride, int count,
+                 std::uint32_t* offset);
 
 }  // namespace ew::detail

@@ -152,8 +152,8 @@ void RowSampler::borderRun(const TemplateLine& line, const FixedPosition& base, 
 }
 
 void RowSampler::sampleBorder() {
-  Loaded loaded;
-  std::array<std::array<std::uint32_t, Loaded::kMost + kLanesAtMost>, 3> fraction;
+  Loaded loaded{};  // vectors read beyond the last sample
+  std::array<std::array<std::uint32_t, Loaded::kMost + kLanesAtMost>, 3> fraction{};
   std::array<std::uint8_t, Loaded::kMost> greys;
   const auto count = static_cast<std::size_t>(borderCount_);
   for (std::size_t n = 0; n < count; ++n) {
@@ -197,6 +197,11 @@ void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSp
       piece.startFraction[a] = static_cast<std::uint32_t>(static_cast<std::uint64_t>(base[a]) & kFractionMask);
       piece.templateWhole[a] = line.whole[a] + n;
       piece.templateFraction[a] = line.fraction[a] + n;
+    }
+    if (line.layout == VoxelLayout::linear) {
+      piece.templateOffset = line.offset + n;
+      piece.startOffset = 0;
+      for (std::size_t a = 0; a < 3; ++a) piece.startOffset += piece.startWhole[a] * static_cast<std::uint32_t>(line.stride[a]);
     }
     piece.count = count;
     piece.out = block + n;

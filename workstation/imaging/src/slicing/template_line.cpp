@@ -23,13 +23,13 @@ bool isInRange(const glm::dvec3& p_voxel) {
 
 FixedPosition fixedPosition(const glm::dvec3& p_voxel) { return {fixed(p_voxel.x), fixed(p_voxel.y), fixed(p_voxel.z)}; }
 
-TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch) {
+TemplateLine layTemplate(Quality quality, const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch) {
   TemplateLine line;
-  line.voxels = source.voxels;
   line.dims = source.grid.dims;
-  line.layout = source.layout;
+  line.layout = quality == Quality::cubic ? VoxelLayout::linear : source.layout;
+  line.voxels = line.layout == source.layout ? source.voxels : source.rows;
   line.step_voxel = step_voxel;
-  const bool hasVoxels = source.voxels != nullptr && line.dims.x > 0 && line.dims.y > 0 && line.dims.z > 0;
+  const bool hasVoxels = line.voxels != nullptr && line.dims.x > 0 && line.dims.y > 0 && line.dims.z > 0;
   line.empty = !hasVoxels || width < 1 || !isInRange(step_voxel * static_cast<double>(width));
   if (line.empty) return line;
 
@@ -44,7 +44,7 @@ TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel
   }
 
   constexpr std::size_t kEntries = kBlock + kLanesAtMost;
-  scratch.templateLine.resize(6 * kEntries);
+  scratch.templateLine.resize(7 * kEntries);
   const int count = std::min(width, kBlock);
   for (std::size_t a = 0; a < 3; ++a) {
     std::uint32_t* whole = scratch.templateLine.data() + 2 * a * kEntries;
@@ -55,6 +55,11 @@ TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel
     line.whole[a] = whole;
     line.fraction[a] = fraction;
     line.samplesPerUnit[a] = 1.0 / step;
+  }
+  if (line.layout == VoxelLayout::linear) {
+    std::uint32_t* offset = scratch.templateLine.data() + 6 * kEntries;
+    fillOffsets(line.whole, line.stride, count, offset);
+    line.offset = offset;
   }
   return line;
 }

@@ -33,7 +33,8 @@ struct TemplateLine {
   glm::dvec3 step_voxel{0.0};
   std::array<double, 3> samplesPerUnit{};  ///< 1 / step in fixed point units
   std::array<const std::uint32_t*, 3> whole{}, fraction{};
-  bool empty = true;  ///< nothing can be sampled: no voxels, or a step out of range
+  const std::uint32_t* offset = nullptr;  ///< dT of Eq. 1 modulo 2^32; rows alone
+  bool empty = true;                      ///< nothing can be sampled: no voxels, or a step out of range
 
   /// T_n along an axis.
   [[nodiscard]] std::int64_t at(std::size_t axis, int n) const {
@@ -42,7 +43,7 @@ struct TemplateLine {
 };
 
 /// @param width samples of the longest row, for the check of its reach
-TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch);
+TemplateLine layTemplate(Quality quality, const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch);
 
 /// Whether a position is finite and within 2^30 voxels: then three such terms stay below 2^63 in fixed point.
 bool isInRange(const glm::dvec3& p_voxel);

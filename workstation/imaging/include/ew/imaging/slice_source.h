@@ -18,6 +18,7 @@ struct SliceSource {
   const std::uint8_t* voxels = nullptr;
   Grid grid;
   VoxelLayout layout = VoxelLayout::linear;
+  const std::uint8_t* rows = nullptr;  ///< bricked: the same voxels i, j, k after one another, which cubic sampling reads
 
   SliceSource() = default;
   SliceSource(const VolumeView<const std::uint8_t>& volume) : voxels(volume.data), grid(volume.grid) {}
@@ -32,21 +33,25 @@ class BrickedVolume {
   [[nodiscard]] SliceSource source(const Grid& placed) const;
   /// The level whose voxels are as large as the largest that do not exceed `pixel_mm`; the finest when there is no such level.
   [[nodiscard]] SliceSource sourceFor(const Grid& placed, double pixel_mm) const;
-  [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
+  [[nodiscard]] int levels() const { return bricks_.empty() ? 0 : 1 + static_cast<int>(coarser_.size()); }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Level {
-    glm::ivec3 dims{0};
-    std::vector<std::uint8_t> bricks;  ///< in large pages
-  };
-  std::vector<Level> levels_;
+  glm::ivec3 dims_{0};
+  const std::uint8_t* rows_ = nullptr;
+  std::vector<std::uint8_t> bricks_;                ///< the finest level, in large pages
+  std::vector<std::vector<std::uint8_t>> coarser_;  ///< in rows
   friend Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>&, int levels, int threads, Progress&);
 };
 
-/// @param levels >= 1: the finest and levels - 1 coarser ones
+/// @param volume must stay where it is: cubic sampling goes on reading it
+/// @param levels >= 1: the finest in bricks, and levels - 1 coarser ones
 /// @error cancelled (within 0.1 s), tooLarge (no memory)
 [[nodiscard]] Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
+
+/// Whether weave and linear slices of a volume of these dims are faster from bricks: where the voxels no longer fit the processor's cache,
+/// from 32 MiB on. Smaller ones are faster as they lie (resources/decisions/0013).
+[[nodiscard]] bool worthBricking(const glm::ivec3& dims);
 
 /// Bytes that bricksOf holds for a volume of these dims.
 [[nodiscard]] std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels);
