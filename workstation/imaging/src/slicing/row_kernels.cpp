@@ -315,9 +315,7 @@ void blendAny(Quality quality, const Loaded& loaded, const Fractions& fraction, 
 void fillAny(std::int64_t high, std::int32_t lowPart, int count, std::uint32_t* whole, std::uint32_t* fraction) {
   using U64 = hn::ScalableTag<std::uint64_t>;
   const U64 d;
-  const U32 d32;
   const hn::Rebind<std::uint32_t, U64> half;
-  static_cast<void>(d32);
   const int lanes = static_cast<int>(hn::Lanes(d));
   // The low parts are kept 2^40 too high, so that they are never negative; 16 bits further down that is 2^24.
   constexpr std::uint64_t kHigher = std::uint64_t{1} << 40;

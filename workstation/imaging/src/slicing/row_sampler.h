@@ -9,7 +9,7 @@
 namespace ew::detail {
 
 /// Samples rows one after another. Each row is clipped once; its pieces run through three loops: lay the offsets of a piece (Eq. 1 with
-/// the carry), announce its voxels to the memory, and only after the next piece has been announced too, sample it. This goes on over the
+/// the carry), announce its voxels to the memory, and only when kAhead more pieces have been announced, sample it. This goes on over the
 /// ends of rows, so that the memory never idles between them.
 class RowSampler {
  public:

@@ -34,13 +34,10 @@ TemplateLine layTemplate(Quality quality, const SliceSource& source, const glm::
   if (line.empty) return line;
 
   if (line.layout == VoxelLayout::bricked) {
-    const Bricks bricks(line.dims);
-    line.stride = bricks.stride;
-    line.bytes = bricks.bytes();
+    line.stride = Bricks(line.dims).stride;
   } else {
     const auto nx = static_cast<std::uint64_t>(line.dims.x), ny = static_cast<std::uint64_t>(line.dims.y);
     line.stride = {1, nx, nx * ny};
-    line.bytes = source.grid.voxelCount();
   }
 
   constexpr std::size_t kEntries = kBlock + kLanesAtMost;

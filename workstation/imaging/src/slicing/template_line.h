@@ -26,7 +26,6 @@ using FixedPosition = std::array<std::int64_t, 3>;
 /// it is laid over. Every entry is the rounded product, so nothing adds up along a row.
 struct TemplateLine {
   const std::uint8_t* voxels = nullptr;
-  std::uint64_t bytes = 0;  ///< that may be read from `voxels` on
   glm::ivec3 dims{0};
   VoxelLayout layout = VoxelLayout::linear;
   std::array<std::uint64_t, 3> stride{};  ///< bytes from a voxel to the next, or from a brick to the next
