@@ -6,10 +6,10 @@
 #include <numbers>
 #include <thread>
 
-#include "ew/imaging/frame.h"
 #include "ew/imaging/effects/gain.h"
-#include "ew/imaging/slicing.h"
 #include "ew/imaging/effects/stretch.h"
+#include "ew/imaging/frame.h"
+#include "ew/imaging/slicing.h"
 #include "imaging/support.h"
 
 namespace ew {
