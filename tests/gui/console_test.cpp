@@ -340,6 +340,26 @@ class ConsoleTest : public WindowFixture {
     }
   }
 
+  void zoomingOutReadsACoarserLevelUnlessTheQualityIsWeave() {
+    const Subject plain = *session().subject();
+    auto made = bricksOf(plain.volume->view(), 4, 0, noProgress());
+    QVERIFY(made.has_value());
+    Subject bricked = plain;
+    bricked.bricks = std::make_shared<const BrickedVolume>(std::move(*made));
+    const auto shown = [this](const Subject& subject, const char* quality, int width, int height) {
+      if (!find<QPushButton>(quality)->isChecked()) press(quality);
+      session().show(subject);
+      session().setPictureSize(width, height);
+      session().makePictureNow();
+      return pixelsOf(session());
+    };
+    for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
+      QVERIFY2(shown(bricked, quality, 600, 500) == shown(plain, quality, 600, 500), quality);
+      const bool same = shown(bricked, quality, 24, 20) == shown(plain, quality, 24, 20);
+      QVERIFY2(same == (quality == std::string("qualityWeave")), quality);
+    }
+  }
+
   void upsideDownMovesScaleSlidersAndMarkerWithThePicture() {
     session().makePictureNow();
     QTest::qWait(30);

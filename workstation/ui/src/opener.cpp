@@ -39,8 +39,9 @@ Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& f
 Result<std::shared_ptr<const BrickedVolume>> bricksWhereThereIsRoom(const Volume& volume, Progress& progress) {
   if (!worthBricking(volume.grid.dims)) return nullptr;
   const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (static_cast<double>(bricksForecast_bytes(volume.grid.dims, 1)) > 0.5 * free_bytes) return nullptr;
-  auto bricks = bricksOf(volume.view(), 1, 0, progress);
+  constexpr int kLevels = 4;  // the coarsest an eighth as fine as the volume
+  if (static_cast<double>(bricksForecast_bytes(volume.grid.dims, kLevels)) > 0.5 * free_bytes) return nullptr;
+  auto bricks = bricksOf(volume.view(), kLevels, 0, progress);
   if (bricks) return std::make_shared<const BrickedVolume>(std::move(*bricks));
   if (bricks.error().code == ErrorCode::cancelled) return passOn(bricks.error());
   return nullptr;

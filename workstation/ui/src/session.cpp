@@ -302,7 +302,9 @@ void Session::makePictureNow() {
   if (wantsGaps && !frozen_) measureGaps(pose);
   FrameInput input;
   if (subject_->bricks) {
-    input.echo = subject_->bricks->source(subject_->placedGrid);
+    // Zooming out, a weave undersamples as the paper's does; the better qualities read a coarser level.
+    const double level_mm = usedKnobs_.quality == Quality::weave ? 0.0 : geometry().pixel_mm;
+    input.echo = subject_->bricks->sourceFor(subject_->placedGrid, level_mm);
   } else {
     input.echo = VolumeView<const std::uint8_t>{subject_->volume->echo.data(), subject_->placedGrid};
   }
