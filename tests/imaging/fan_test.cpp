@@ -20,7 +20,7 @@ RC_GTEST_PROP(FanOutline, RunsAlongTheEdgesOfTheBeams, ()) {
   RC_ASSERT(outline.size() >= 4U);
   RC_ASSERT(outline.front() == outline.back());
   for (std::size_t n = 0; n + 1 < outline.size(); ++n) {
-    RC_ASSERT(n == 0 || outline[n] != outline[n - 1]);
+    if (n > 0) RC_ASSERT(outline[n] != outline[n - 1]);  // inside RC_ASSERT an || looks at both of its sides
     const glm::dvec2 at = lineAndSampleAt(probe, knobs, grid, outline[n]);
     const double last = probe.lines - 1.0, bottom = grid.samples - 1.0;
     RC_ASSERT(at.x > -1e-6 && at.x < last + 1e-6 && at.y > -1e-6 && at.y < bottom + 1e-6);
