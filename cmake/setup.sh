@@ -73,3 +73,33 @@ ew_build() {
   fi
   cmake --build "build/$preset" "${targets[@]}" >&2
 }
+
+# ew_start_screen: starts a virtual screen, waits until it answers, and sets DISPLAY and ew_screen (its process id). A busy machine may
+# need long for that, and a display number may be taken in the meantime, so it waits a minute, tries three times and shows what was said.
+ew_start_screen() {
+  local log number attempt display
+  log=$(mktemp)
+  number=$(mktemp)
+  for attempt in 1 2 3; do
+    : >"$number"
+    display=()
+    [ "$attempt" -eq 1 ] || display=(":$((100 + RANDOM % 800))")
+    Xvfb "${display[@]}" -displayfd 3 -screen 0 1920x1080x24 -noreset 3>"$number" 2>"$log" &
+    ew_screen=$!
+    for _ in $(seq 600); do
+      if [ -s "$number" ] || ! kill -0 "$ew_screen" 2>/dev/null; then break; fi
+      sleep 0.1
+    done
+    if [ -s "$number" ]; then
+      DISPLAY=:$(tr -d '[:space:]' <"$number")
+      export DISPLAY
+      rm -f "$log" "$number"
+      return 0
+    fi
+    kill "$ew_screen" 2>/dev/null || true
+    ew_say "The virtual screen (Xvfb) did not start (attempt $attempt of 3). It said:"
+    cat "$log" >&2
+  done
+  rm -f "$log" "$number"
+  return 1
+}
