@@ -48,13 +48,18 @@ Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& rec
 
 Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
   Tissue tissue;
-  reader.allow(object, place, {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "reflection_db", "texture"});
+  reader.allow(object, place,
+               {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "reflection_db", "texture", "impedance_mrayl", "speed_m_per_s",
+                "scatterers_per_mm3"});
   if (reader.problem()) return tissue;
   tissue.name = reader.text(object, place, "name");
   tissue.echoLevel = reader.number(object, place, "echo_level", 0.0, 255.0);
   tissue.speckle = reader.number(object, place, "speckle", 0.0, 1.0);
   tissue.attenuation_dbPerCmMhz = reader.number(object, place, "attenuation_db_per_cm_mhz", 0.0, 100.0, 0.5);
   tissue.reflection_db = reader.number(object, place, "reflection_db", 0.0, 60.0, 0.0);
+  tissue.impedance_mrayl = reader.number(object, place, "impedance_mrayl", 1e-4, 20.0, tissue.impedance_mrayl);
+  tissue.speed_mPerS = reader.number(object, place, "speed_m_per_s", 200.0, 6000.0, tissue.speed_mPerS);
+  if (object.contains("scatterers_per_mm3")) tissue.scatterers_perMm3 = reader.number(object, place, "scatterers_per_mm3", 0.0, 1000.0);
   if (const auto texture = object.find("texture"); texture != object.end()) {
     const std::string at = place + ".texture";
     reader.allow(*texture, at, {"level", "scale_mm", "follows_the_skin"});
@@ -151,7 +156,8 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (!recipe) return passOn(recipe.error());
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
-  reader.allow(*recipe, "patient", {"format", "mannequin", "box", "beam_axis_mm", "tissues", "background", "shapes", "organs"});
+  reader.allow(*recipe, "patient",
+               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "shapes", "organs"});
   patient->name = reader.text(*recipe, "patient", "name");
 
   const auto box = recipe->find("box");
@@ -174,6 +180,10 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
     }
   }
 
+  if (const auto scatterers = recipe->find("scatterers"); scatterers != recipe->end()) {
+    reader.allow(*scatterers, "scatterers", {"pitch_mm"});
+    if (!reader.problem()) patient->scattererPitch_mm = reader.number(*scatterers, "scatterers", "pitch_mm", 0.05, 5.0);
+  }
   patient->tissues = readTissues(reader, *recipe);
   patient->backgroundTissue = tissueNamed(reader, *recipe, "patient", "background", patient->tissues);
   const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);

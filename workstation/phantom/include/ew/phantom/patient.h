@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Tissue {
   double attenuation_dbPerCmMhz = 0.5;  ///< one way
   double reflection_db = 0.0;           ///< lost once, both ways together, on entering it from another tissue, 0..60
   TissueTexture texture;
+  double impedance_mrayl = 1.63;                 ///< soft tissue on average (Cobbold, Foundations of Biomedical Ultrasound, 2007); 1e-4..20
+  double speed_mPerS = 1540.0;                   ///< of sound, 200..6000
+  std::optional<double> scatterers_perMm3 = {};  ///< number density, 0..1000; absent: as dense as the patient's field of scatterers
   bool operator==(const Tissue&) const = default;
 };
 
