@@ -79,6 +79,16 @@ TEST_F(OutOfTree, APluginBuiltAgainstTheInstalledSdkIsLoadedAndRuns) {
   EXPECT_EQ(command->run({}, noProgress()).error().code, ErrorCode::badUsage);
 }
 
+TEST_F(OutOfTree, TheStitchingPluginConfiguresAgainstTheInstalledSdkAlone) {
+  const auto& f = *folder_;
+  const std::string into = (f / "stitching-build").string();
+  runOrFail(std::string(CMAKE_PROGRAM) + " -S '" EW_SOURCE_DIR "/plugins/stitching' -B '" + into +
+                "' -G '" CMAKE_GENERATOR "' -DCMAKE_CXX_COMPILER='" CMAKE_CXX "' -DCMAKE_PREFIX_PATH='" + (f / "sdk").string() +
+                "' -DEW_SANITIZE='" EW_SANITIZE_FLAGS "'",
+            f / "log");
+  EXPECT_TRUE(fs::exists(f / "sdk/include/ew/stitching/stitch.h"));
+}
+
 TEST_F(OutOfTree, APluginBuiltAgainstAnOlderSdkIsRefusedByItsManifest) {
   HeadlessHost host;
   PluginList plugins({*folder_ / "older-build/lib/plugins"});

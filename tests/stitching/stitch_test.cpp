@@ -1,4 +1,4 @@
-#include "logic/stitch.h"
+#include "ew/stitching/stitch.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "logic/distance.h"
+#include "ew/stitching/distance.h"
 
 namespace ew::stitching {
 namespace {

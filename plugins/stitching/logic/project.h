@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ew/sdk/host.h"
-#include "logic/stitch.h"
+#include "ew/stitching/stitch.h"
 
 namespace ew::stitching {
 

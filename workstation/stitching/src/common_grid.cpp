@@ -3,7 +3,7 @@
 #include <fstream>
 #include <limits>
 
-#include "logic/stitch.h"
+#include "ew/stitching/stitch.h"
 
 namespace ew::stitching {
 namespace {

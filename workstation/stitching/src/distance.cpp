@@ -1,4 +1,4 @@
-#include "logic/distance.h"
+#include "ew/stitching/distance.h"
 
 #include <algorithm>
 #include <cmath>

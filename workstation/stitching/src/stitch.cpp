@@ -1,4 +1,4 @@
-#include "logic/stitch.h"
+#include "ew/stitching/stitch.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
-#include "logic/distance.h"
+#include "ew/stitching/distance.h"
 
 namespace ew::stitching {
 namespace {
