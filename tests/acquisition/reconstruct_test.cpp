@@ -300,5 +300,29 @@ TEST(Reconstruct, StopsWhenAskedTo) {
   EXPECT_EQ(result.error().code, ErrorCode::cancelled);
 }
 
+TEST(ReconstructOnto, FramesOfOnePartLieWhereTheyLieInTheGridOfAll) {
+  const Sweep all = stack(9, 7, 6, 1.0, [](int x, int y, int n) { return 1 + x + 9 * y + 30 * n; });
+  const ReconstructOptions options{.spacing_mm = 1.0};
+  const auto grid = gridFor(all.frames, options);
+  ASSERT_TRUE(grid.has_value());
+  const auto part = reconstructOnto(*grid, std::span(all.frames).subspan(2, 2), options, noProgress());
+  ASSERT_TRUE(part.has_value()) << part.error();
+  EXPECT_EQ(part->volume.grid, *grid);
+  for (int k = 0; k < 6; ++k) EXPECT_EQ(part->volume.echo[grid->indexOf(3, 4, k)], k == 2 || k == 3 ? 1 + 3 + 9 * 4 + 30 * k : 0) << k;
+}
+
+TEST(ReconstructOnto, RefusesAGridThatDoesNotHoldEveryFrame) {
+  const Sweep all = stack(9, 7, 6, 1.0, [](int, int, int) { return 7; });
+  const ReconstructOptions options{.spacing_mm = 1.0};
+  const auto small = gridFor(std::span(all.frames).subspan(0, 3), options);
+  ASSERT_TRUE(small.has_value());
+  const auto made = reconstructOnto(*small, all.frames, options, noProgress());
+  ASSERT_FALSE(made.has_value());
+  EXPECT_EQ(made.error().code, ErrorCode::badField);
+  Grid coarse = *gridFor(all.frames, options);
+  coarse.spacing_mm = glm::dvec3(2.0);
+  EXPECT_FALSE(reconstructOnto(coarse, all.frames, options, noProgress()).has_value());
+}
+
 }  // namespace
 }  // namespace ew

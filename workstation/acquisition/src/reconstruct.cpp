@@ -89,8 +89,8 @@ Result<void> checkOptions(const ReconstructOptions& options) {
   return {};
 }
 
-/// Smallest corner of the clip rectangle over all frames, and samples per axis = round((largest - smallest) / spacing) + 1.
-Extent extentOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle, double spacing_mm) {
+/// Smallest and largest coordinates of the clip rectangle over all frames.
+Bounds boundsOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle) {
   glm::dvec3 lowest_mm(std::numeric_limits<double>::infinity()), highest_mm(-std::numeric_limits<double>::infinity());
   for (const PosedFrame& frame : frames)
     for (const double x : {rectangle.left, rectangle.right})
@@ -99,7 +99,13 @@ Extent extentOf(std::span<const PosedFrame> frames, const ClipRectangle& rectang
         lowest_mm = glm::min(lowest_mm, corner_mm);
         highest_mm = glm::max(highest_mm, corner_mm);
       }
-  return {lowest_mm, glm::floor((highest_mm - lowest_mm) / spacing_mm + 0.5) + 1.0};
+  return {lowest_mm, highest_mm};
+}
+
+/// Smallest corner of the clip rectangle over all frames, and samples per axis = round((largest - smallest) / spacing) + 1.
+Extent extentOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle, double spacing_mm) {
+  const Bounds bounds = boundsOf(frames, rectangle);
+  return {bounds.lowest_mm, glm::floor((bounds.highest_mm - bounds.lowest_mm) / spacing_mm + 0.5) + 1.0};
 }
 
 Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options) {
@@ -123,6 +129,26 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
                        " of memory, more than the " + gibibytes(options.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
                    {{"dims", sizeOf(extent)}, {"bytes", std::to_string(bytes)}, {"maxBytes", std::to_string(options.maxBytes)}});
   return grid;
+}
+
+/// The grid as it is, when every clipped pixel of the frames falls into it.
+Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, const ReconstructOptions& options) {
+  if (const auto smallest = gridFor(frames, options); !smallest) return passOn(smallest.error());
+  if (const auto checked = checkGrid(grid); !checked) return passOn(checked.error());
+  const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
+  const Bounds bounds = boundsOf(frames, *rectangle);
+  const glm::dvec3 lowest_voxel = (bounds.lowest_mm - grid.origin_mm) / options.spacing_mm;
+  const glm::dvec3 highest_voxel = (bounds.highest_mm - grid.origin_mm) / options.spacing_mm;
+  // gridFor rounds the number of samples, so pixels reach up to half a voxel beyond its last centre.
+  constexpr double kRounding_voxel = 1e-6;
+  const bool holds = glm::all(glm::greaterThanEqual(lowest_voxel, glm::dvec3(-kRounding_voxel))) &&
+                     glm::all(glm::lessThan(highest_voxel, glm::dvec3(grid.dims) - 0.5 + kRounding_voxel));
+  if (grid.spacing_mm != glm::dvec3(options.spacing_mm) || grid.directions != glm::dmat3(1.0) || !holds)
+    return failure(ErrorCode::badField,
+                   "The grid asked for does not hold every frame at a spacing of " + textOf(options.spacing_mm) +
+                       " mm; use the grid of all frames together.",
+                   {{"field", "grid"}});
+  return checkedGrid({grid.origin_mm, glm::dvec3(grid.dims)}, options);
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -159,6 +185,13 @@ Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOption
 
 Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options, Progress& progress) {
   const auto grid = gridFor(frames, options);
+  if (!grid) return passOn(grid.error());
+  return reconstructOnto(*grid, frames, options, progress);
+}
+
+Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const PosedFrame> frames, const ReconstructOptions& options,
+                                          Progress& progress) {
+  const auto grid = checkedOnto(asked, frames, options);
   if (!grid) return passOn(grid.error());
   const auto clip = ClipSpans::of(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!clip) return passOn(clip.error());

@@ -87,4 +87,10 @@ struct ReconstructResult {
 [[nodiscard]] Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options,
                                                     Progress& progress);
 
+/// As reconstruct, onto a grid that the caller chose, so that volumes of several sets of frames can be compared voxel by voxel.
+/// @param grid as gridFor gives it for these frames or for a set that contains them
+/// @error as reconstruct; badField (a grid that is oblique, is not of options.spacing_mm, or does not hold every clipped pixel)
+[[nodiscard]] Result<ReconstructResult> reconstructOnto(const Grid& grid, std::span<const PosedFrame> frames,
+                                                        const ReconstructOptions& options, Progress& progress);
+
 }  // namespace ew
