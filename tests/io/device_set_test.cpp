@@ -38,6 +38,24 @@ TEST(DeviceSetFile, ReadsCalibrationAndReconstructionWithAnyWhiteSpaceBetweenNum
   EXPECT_EQ(set->compounding, "MEAN");
 }
 
+TEST(DeviceSetFile, OfSeveralFilesTheEarlierCountsAndTheLaterFillsGaps) {
+  const TempFolder folder;
+  const auto transform = [](const std::string& from, const std::string& to, int x) {
+    return "<Transform From=\"" + from + "\" To=\"" + to + "\" Matrix=\"1 0 0 " + std::to_string(x) + " 0 1 0 0 0 0 1 0 0 0 0 1\"/>";
+  };
+  const std::vector<std::filesystem::path> files = {
+      folder.put("a.xml", deviceSet("<CoordinateDefinitions>" + transform("Image", "Probe", 1) + "</CoordinateDefinitions>")),
+      folder.put("b.xml", deviceSet("<CoordinateDefinitions>" + transform("Probe", "Image", 2) + transform("Phantom", "Reference", 3) +
+                                    "</CoordinateDefinitions><VolumeReconstruction OutputSpacing=\"1 1 1\"/>"))};
+  const auto joined = readDeviceSets(files);
+  ASSERT_TRUE(succeeded(joined));
+  ASSERT_EQ(joined->transforms.size(), 2u);
+  EXPECT_EQ(joined->transforms[0].matrix[3].x, 1.0);
+  EXPECT_EQ(joined->transforms[1].from, "Phantom");
+  EXPECT_EQ(joined->outputSpacing_mm, glm::dvec3(1.0));
+  EXPECT_TRUE(failedWith(readDeviceSets(std::vector<std::filesystem::path>{files[0], folder.path() / "none.xml"}), ErrorCode::notFound));
+}
+
 TEST(DeviceSetFile, TheCalibrationProgramsResultIsACalibrationToo) {
   const TempFolder folder;
   const auto set =

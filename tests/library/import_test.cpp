@@ -63,7 +63,7 @@ class ImportSweep : public testing::Test {
 
   [[nodiscard]] static SweepImportOptions nearestAt(double spacing_mm, const fs::path& calibration) {
     SweepImportOptions options;
-    options.calibration = calibration;
+    if (!calibration.empty()) options.calibrations = {calibration};
     options.reconstruct.spacing_mm = spacing_mm;
     options.reconstruct.interpolation = Interpolation::nearest;
     return options;
@@ -224,7 +224,7 @@ TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
                         Case{"PlusDeviceSet_SpinePhantomFreehandReconstructionOnly.xml", "SpinePhantomFreehandReconstructed.mha", -1.5, 1.5,
                              0.99, false}}) {
     SweepImportOptions options;
-    options.calibration = data / c.device;
+    options.calibrations = {data / c.device};
     options.spacingFromCalibration = true;
     options.methodFromCalibration = true;
     options.reconstruct.keepWeights = true;
@@ -244,6 +244,56 @@ TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
     EXPECT_GE(found.withinTen, c.withinTen) << c.reference;
     std::printf("%s: correlation %.5f, bias %+.2f, within 10 %.2f %%, %zu voxels\n", c.reference, found.correlation, found.bias,
                 100.0 * found.withinTen, found.voxels);
+  }
+}
+
+struct Wire {
+  glm::dvec3 from_mm;
+  glm::dvec3 to_mm;
+};
+
+double distance_mm(const Wire& wire, const glm::dvec3& p_mm) {
+  const glm::dvec3 along = wire.to_mm - wire.from_mm;
+  const double t = std::clamp(glm::dot(p_mm - wire.from_mm, along) / glm::dot(along, along), 0.0, 1.0);
+  return glm::length(p_mm - wire.from_mm - t * along);
+}
+
+/// The nine wires are stretched between the phantom's walls as its device set says; the recordings show them and little else.
+TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
+  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "wire-phantom-pair";
+  if (!fs::exists(data)) GTEST_SKIP() << "the wire phantom's recordings are not here";
+  const std::vector<Wire> wires = {{{30, 0, 20}, {30, 40, 20}}, {{55, 0, 20}, {35, 40, 20}}, {{60, 0, 20}, {60, 40, 20}},
+                                   {{30, 0, 10}, {30, 40, 10}}, {{35, 0, 10}, {55, 40, 10}}, {{60, 0, 10}, {60, 40, 10}},
+                                   {{35, 0, 0}, {35, 40, 0}},   {{55, 0, 0}, {40, 40, 0}},   {{60, 0, 0}, {60, 40, 0}}};
+  constexpr int kHalfOfWhite = 128;
+  for (const char* recording : {"fCal_Test_Calibration_3NWires_fCal2.0.igs.mha", "fCal_Test_Validation_3NWires_fCal2.0.igs.mha"}) {
+    SweepImportOptions options;
+    options.calibrations = {data / "FreehandCalibration3NWires_fCal2.0.results.xml",
+                            data / "PlusDeviceSet_fCal_Sim_SpatialCalibration_2.0.xml"};
+    options.toFrame = "Phantom";
+    options.reconstruct.spacing_mm = 0.4;
+    options.reconstruct.interpolation = Interpolation::nearest;
+    const auto imported = importSweep(data / recording, options, noProgress());
+    ASSERT_TRUE(imported.has_value()) << imported.error();
+    const Volume& volume = imported->reconstruction.volume;
+    std::vector<double> distances_mm;
+    const auto voxelToPhantom = volume.grid.voxelToWorld();
+    for (int k = 0; k < volume.grid.dims.z; ++k)
+      for (int j = 0; j < volume.grid.dims.y; ++j)
+        for (int i = 0; i < volume.grid.dims.x; ++i) {
+          if (volume.echo[volume.grid.indexOf(i, j, k)] < kHalfOfWhite) continue;
+          const glm::dvec3 p_mm = (voxelToPhantom * Point<frame::Voxel>{{i, j, k}}).at;
+          double least_mm = 1e9;
+          for (const Wire& wire : wires) least_mm = std::min(least_mm, distance_mm(wire, p_mm));
+          distances_mm.push_back(least_mm);
+        }
+    ASSERT_FALSE(distances_mm.empty());
+    std::sort(distances_mm.begin(), distances_mm.end());
+    const double median_mm = distances_mm[distances_mm.size() / 2];
+    std::printf("%s: median %.3f mm, 90 %% below %.3f mm, %zu voxels\n", recording, median_mm, distances_mm[distances_mm.size() * 9 / 10],
+                distances_mm.size());
+    EXPECT_GT(distances_mm.size(), 1000u);
+    EXPECT_LE(median_mm, 0.55) << recording;
   }
 }
 

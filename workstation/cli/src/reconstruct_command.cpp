@@ -13,7 +13,7 @@ namespace {
 struct ReconstructArguments {
   std::string sweep;
   std::string output;
-  std::string calibration;
+  std::vector<std::string> calibrations;
   std::string toFrame;
   std::string coverage;
   std::optional<double> spacing_mm;
@@ -80,7 +80,7 @@ nlohmann::json toJson(const Clip& clip) {
 
 SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   SweepImportOptions options;
-  options.calibration = arguments.calibration;
+  options.calibrations.assign(arguments.calibrations.begin(), arguments.calibrations.end());
   options.toFrame = arguments.toFrame;
   options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
   options.spacingFromCalibration = !arguments.spacing_mm;
@@ -97,7 +97,7 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
 
 nlohmann::json optionsReport(const ReconstructArguments& arguments, const ImportPlan& plan) {
   const auto& done = plan.reconstruct;
-  return {{"calibration", arguments.calibration},
+  return {{"calibration", arguments.calibrations},
           {"image_to", plan.toFrame},
           {"spacing_mm", done.spacing_mm},
           {"interpolation", nameOf(done.interpolation)},
@@ -111,7 +111,7 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
   run.input(arguments.sweep);
-  if (!arguments.calibration.empty()) run.input(arguments.calibration);
+  for (const auto& file : arguments.calibrations) run.input(file);
   if (auto announced = run.output(arguments.output, ".mha .mhd"); !announced) return passOn(announced.error());
   if (!arguments.coverage.empty())
     if (auto announced = run.output(arguments.coverage, ".mha .mhd"); !announced) return passOn(announced.error());
@@ -180,9 +180,12 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
   app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required()->type_name("");
   app.add_option("-o,--output", arguments->output, "The volume: .mha, or .mhd with its .raw")->required()->type_name("VOLUME.mha");
-  app.add_option("--calibration", arguments->calibration,
-                 "Device set of the recording: calibration, and clip, spacing and method if it has them")
-      ->type_name("XML");
+  app.add_option("--calibration", arguments->calibrations,
+                 "Device set of the recording: calibration, and clip, spacing and method if it has them; may be given several times, "
+                 "then the earlier file counts where two say the same")
+      ->type_name("XML")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
       ->type_name("FRAME");
   addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6}, "Size of a voxel in mm (the calibration file's, else 0.5)");

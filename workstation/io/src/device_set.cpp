@@ -115,4 +115,31 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
   return set;
 }
 
+Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
+  DeviceSet joined;
+  const auto fill = [](auto& field, auto& from) {
+    if (!field) field = std::move(from);
+  };
+  for (const auto& file : files) {
+    auto read = readDeviceSet(file);
+    if (!read) return passOn(read.error());
+    for (auto& transform : read->transforms) {
+      const bool known = std::any_of(joined.transforms.begin(), joined.transforms.end(), [&](const NamedTransform& each) {
+        return (each.from == transform.from && each.to == transform.to) || (each.from == transform.to && each.to == transform.from);
+      });
+      if (!known) joined.transforms.push_back(std::move(transform));
+    }
+    fill(joined.outputSpacing_mm, read->outputSpacing_mm);
+    fill(joined.clipOrigin_px, read->clipOrigin_px);
+    fill(joined.clipSize_px, read->clipSize_px);
+    fill(joined.fanAngles_deg, read->fanAngles_deg);
+    fill(joined.fanOrigin_px, read->fanOrigin_px);
+    fill(joined.fanRadiusStart_px, read->fanRadiusStart_px);
+    fill(joined.fanRadiusStop_px, read->fanRadiusStop_px);
+    fill(joined.interpolation, read->interpolation);
+    fill(joined.compounding, read->compounding);
+  }
+  return joined;
+}
+
 }  // namespace ew

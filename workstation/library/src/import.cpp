@@ -145,8 +145,8 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
 Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
   const auto started = Clock::now();
   std::optional<DeviceSet> device;
-  if (!options.calibration.empty()) {
-    auto read = readDeviceSet(options.calibration);
+  if (!options.calibrations.empty()) {
+    auto read = readDeviceSets(options.calibrations);
     if (!read) return passOn(read.error());
     device = std::move(*read);
   }

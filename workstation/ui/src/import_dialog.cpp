@@ -186,7 +186,7 @@ void ImportDialog::addRows() {
 
 SweepImportOptions ImportDialog::options() const {
   SweepImportOptions chosen;
-  chosen.calibration = pathOf(calibration_->text().trimmed());
+  if (const auto file = pathOf(calibration_->text().trimmed()); !file.empty()) chosen.calibrations = {file};
   chosen.toFrame = frame_->currentData().toString().toStdString();
   chosen.reconstruct.spacing_mm = spacing_->value();
   chosen.reconstruct.interpolation = static_cast<Interpolation>(interpolation_->currentData().toInt());
@@ -208,8 +208,8 @@ void ImportDialog::readAgain() {
       tr("Reading %1").arg(QFileInfo(sweep_).fileName()),
       [found, sweep = pathOf(sweep_), chosen = options()](Progress& progress) -> Result<void> {
         std::vector<NamedTransform> calibration;
-        if (!chosen.calibration.empty()) {
-          auto device = readDeviceSet(chosen.calibration);
+        if (!chosen.calibrations.empty()) {
+          auto device = readDeviceSets(chosen.calibrations);
           if (!device) return passOn(device.error());
           calibration = std::move(device->transforms);
         }

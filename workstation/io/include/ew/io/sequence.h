@@ -81,6 +81,11 @@ struct DeviceSet {
 /// @error notFound, notReadable, tooLarge, badHeader (not XML, or neither of the two), badField
 [[nodiscard]] Result<DeviceSet> readDeviceSet(const std::filesystem::path& file);
 
+/// Several files of one recording, such as a device set and its calibration's results, as one: every transform of all of them, and of the
+/// rest what the first file that has it says. Of two transforms between the same frames the earlier file's counts.
+/// @error as readDeviceSet
+[[nodiscard]] Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files);
+
 /// The transform from one named frame to another through any chain of the given ones (forwards or inverted); empty when there is no chain
 /// of usable transforms. The shortest chain wins.
 [[nodiscard]] std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std::string_view from, std::string_view to);

@@ -18,12 +18,12 @@ namespace ew {
 /// How a recorded sweep becomes a volume. The defaults need no knowledge of the recording; what a device set says about geometry is used
 /// where the switches below allow it, and what was used is in the plan.
 struct SweepImportOptions {
-  std::filesystem::path calibration;    ///< device set (.xml) of the recording; empty: the recording says everything itself
-  std::string toFrame;                  ///< the file's name of the frame that becomes the world; empty: see sweepPoses
-  ReconstructOptions reconstruct = {};  ///< its clip is replaced when the device set has one and clipFromCalibration is on
-  bool clipFromCalibration = true;      ///< clip rectangle and fan of the device set
-  bool spacingFromCalibration = false;  ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
-  bool methodFromCalibration = false;   ///< interpolation and compounding of the device set instead of those of `reconstruct`
+  std::vector<std::filesystem::path> calibrations;  ///< device sets (.xml) of the recording; none: the recording says everything itself
+  std::string toFrame;                              ///< the file's name of the frame that becomes the world; empty: see sweepPoses
+  ReconstructOptions reconstruct = {};              ///< its clip is replaced when the device set has one and clipFromCalibration is on
+  bool clipFromCalibration = true;                  ///< clip rectangle and fan of the device set
+  bool spacingFromCalibration = false;              ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
+  bool methodFromCalibration = false;               ///< interpolation and compounding of the device set instead of those of `reconstruct`
 };
 
 struct SweepCounts {
