@@ -118,6 +118,7 @@ std::optional<phantom::Border> readBorder(FieldReader& reader, const json& objec
 }
 
 void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes known, Patient& patient) {
+  const phantom::NamedFrames frames = phantom::readFrames(reader, recipe);
   if (recipe.contains("shapes")) {
     const json& shapes = reader.list(recipe, "patient", "shapes", 0, 200);
     for (std::size_t n = 0; n < shapes.size() && !reader.problem(); ++n) {
@@ -125,7 +126,7 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
       if (!shapes[n].is_object()) return reader.refuse(at, "not an object", "a named shape");
       const std::string name = reader.text(shapes[n], at, "name");
       if (known.count(name) > 0) reader.refuse(at + ".name", '"' + name + '"', "a name that is not taken yet");
-      phantom::ShapePtr shape = phantom::readShape(reader, shapes[n], at + " (" + name + ")", known);
+      phantom::ShapePtr shape = phantom::readShape(reader, shapes[n], at + " (" + name + ")", known, frames);
       if (!reader.problem()) known.emplace(name, std::move(shape));
     }
   }
@@ -141,7 +142,7 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
     organ.tissue = tissueNamed(reader, organs[n], at, "tissue", patient.tissues);
     if (!organs[n].contains("shape")) reader.refuse(at + ".shape", "missing", "a shape");
     if (reader.problem()) return;
-    organ.shape = phantom::readShape(reader, organs[n]["shape"], at + ".shape", known);
+    organ.shape = phantom::readShape(reader, organs[n]["shape"], at + ".shape", known, frames);
     organ.border = readBorder(reader, organs[n], at);
     if (reader.problem()) return;
     known.emplace(organ.name, organ.shape);
@@ -157,7 +158,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
   reader.allow(*recipe, "patient",
-               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "shapes", "organs"});
+               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs"});
   patient->name = reader.text(*recipe, "patient", "name");
 
   const auto box = recipe->find("box");

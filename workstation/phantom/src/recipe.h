@@ -50,10 +50,18 @@ class FieldReader {
 /// Shapes that a recipe can refer to by name.
 using NamedShapes = std::map<std::string, ShapePtr>;
 
+/// Frames that a recipe can draw shapes in, by name.
+using NamedFrames = std::map<std::string, DrawingFrame>;
+
+/// The recipe's "frames": each with a name, an origin and turns about x, then y, then z, given in the world or in the earlier frame
+/// it names with "within". Empty when the recipe has none.
+[[nodiscard]] NamedFrames readFrames(FieldReader& reader, const nlohmann::json& recipe);
+
 /// The shape that a JSON object describes: exactly one of ellipsoid, capsule, tube, loft, half_space, shell, grown, union,
 /// intersection, difference, or "of" with the name of an earlier shape; with "mirrored": true also its mirror image in x = 0.
+/// With "frame" what it draws, its parts and its mirror image are in that frame; shapes it names stay where they are.
 /// Null after a problem. See the schemas of patients and mannequins for the fields.
 [[nodiscard]] ShapePtr readShape(FieldReader& reader, const nlohmann::json& object, const std::string& place, const NamedShapes& known,
-                                 int depth = 0);
+                                 const NamedFrames& frames = {});
 
 }  // namespace ew::phantom

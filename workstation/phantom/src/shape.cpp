@@ -82,6 +82,25 @@ class Offset final : public Shape {
   double grow_;
 };
 
+class Placed final : public Shape {
+ public:
+  Placed(ShapePtr of, const DrawingFrame& frame) : of_(std::move(of)), frame_(frame) {
+    const Bounds& drawn = of_->bounds();
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto pick = [&](int axis) { return ((corner >> axis) & 1) != 0 ? drawn.highest_mm[axis] : drawn.lowest_mm[axis]; };
+      const glm::dvec3 placed = frame_.toWorld({pick(0), pick(1), pick(2)});
+      bounds_.lowest_mm = corner == 0 ? placed : glm::min(bounds_.lowest_mm, placed);
+      bounds_.highest_mm = corner == 0 ? placed : glm::max(bounds_.highest_mm, placed);
+    }
+  }
+  double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(frame_.fromWorld(p_mm)); }
+  double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(frame_.fromWorld(p_mm)); }
+
+ private:
+  ShapePtr of_;
+  DrawingFrame frame_;
+};
+
 class Mirrored final : public Shape {
  public:
   Mirrored(ShapePtr of, double smoothing) : of_(std::move(of)), squared_(smoothing * smoothing) {
@@ -194,6 +213,10 @@ ShapePtr makeShell(ShapePtr of, double fromDepth_mm, double toDepth_mm) {
 ShapePtr makeOffset(ShapePtr of, double grow_mm) {
   EW_EXPECTS(of);
   return std::make_shared<Offset>(std::move(of), grow_mm);
+}
+ShapePtr makePlaced(ShapePtr of, const DrawingFrame& frame) {
+  EW_EXPECTS(of);
+  return std::make_shared<Placed>(std::move(of), frame);
 }
 ShapePtr makeMirrored(ShapePtr of, double smoothing_mm) {
   EW_EXPECTS(of && smoothing_mm >= 0.0);

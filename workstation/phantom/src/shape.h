@@ -27,6 +27,14 @@ class Shape {
 };
 using ShapePtr = std::shared_ptr<const Shape>;
 
+/// A rigid frame of its own to draw in: columns of `axes` are its directions in the world, orthonormal and right-handed.
+struct DrawingFrame {
+  glm::dvec3 origin_mm{0.0};
+  glm::dmat3 axes{1.0};
+  [[nodiscard]] glm::dvec3 toWorld(const glm::dvec3& p_mm) const { return origin_mm + axes * p_mm; }
+  [[nodiscard]] glm::dvec3 fromWorld(const glm::dvec3& p_mm) const { return glm::transpose(axes) * (p_mm - origin_mm); }
+};
+
 /// Minimum of two distances with the crease rounded over `blend_mm` (quadratic, so the gradient is continuous); the plain minimum
 /// where they differ by more than `blend_mm`. Never above the minimum, at most blend_mm / 4 below it.
 [[nodiscard]] double smoothMin(double a_mm, double b_mm, double blend_mm);
@@ -66,6 +74,8 @@ struct LoftSection {
 [[nodiscard]] ShapePtr makeShell(ShapePtr of, double fromDepth_mm, double toDepth_mm);
 /// `of` grown (or, below 0, shrunk) by a distance.
 [[nodiscard]] ShapePtr makeOffset(ShapePtr of, double grow_mm);
+/// `of`, drawn in `frame`, as it lies in the world.
+[[nodiscard]] ShapePtr makePlaced(ShapePtr of, const DrawingFrame& frame);
 /// `of` (drawn on the left side, x > 0) and its mirror image; |x| is rounded over `smoothing_mm` so that the midline has no crease.
 [[nodiscard]] ShapePtr makeMirrored(ShapePtr of, double smoothing_mm);
 

@@ -94,15 +94,23 @@ ShapePtr readHalfSpace(FieldReader& reader, const json& object, const std::strin
   return reader.problem() ? nullptr : makeHalfSpace(point, outward);
 }
 
-ShapePtr named(FieldReader& reader, const json& object, const std::string& place, const std::string& field, const NamedShapes& known) {
+/// The entry of a table that a field names; null after a problem.
+template <class Table>
+const typename Table::mapped_type* entryNamed(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
+                                              const Table& known, const std::string& what) {
   const std::string name = reader.text(object, place, field);
   if (reader.problem()) return nullptr;
   const auto found = known.find(name);
-  if (found != known.end()) return found->second;
+  if (found != known.end()) return &found->second;
   std::string names;
-  for (const auto& [each, shape] : known) names += (names.empty() ? "" : ", ") + each;
-  reader.refuse(place + "." + field, '"' + name + '"', "a shape described before this one" + (names.empty() ? "" : " (" + names + ")"));
+  for (const auto& [each, entry] : known) names += (names.empty() ? "" : ", ") + each;
+  reader.refuse(place + "." + field, '"' + name + '"', what + " described before this one" + (names.empty() ? "" : " (" + names + ")"));
   return nullptr;
+}
+
+ShapePtr named(FieldReader& reader, const json& object, const std::string& place, const std::string& field, const NamedShapes& known) {
+  const ShapePtr* found = entryNamed(reader, object, place, field, known, "a shape");
+  return found ? *found : nullptr;
 }
 
 ShapePtr readShell(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known) {
@@ -122,29 +130,47 @@ ShapePtr readGrown(FieldReader& reader, const json& object, const std::string& p
   return reader.problem() ? nullptr : makeOffset(std::move(of), by);
 }
 
+/// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, and how deep it is nested.
+struct Surroundings {
+  const NamedShapes& known;
+  const NamedFrames& frames;
+  const DrawingFrame* frame = nullptr;
+  int depth = 0;
+};
+
+ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& place, Surroundings around);
+
 std::vector<BlendedPart> readParts(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
-                                   const NamedShapes& known, int depth) {
+                                   Surroundings around) {
   std::vector<BlendedPart> parts;
   const json& list = reader.list(object, place, field, 1, kMostParts);
+  ++around.depth;
   for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
     const std::string at = place + "." + field + "[" + std::to_string(n) + "]";
-    BlendedPart part{readShape(reader, list[n], at, known, depth + 1), 0.0};
+    BlendedPart part{shapeIn(reader, list[n], at, around), 0.0};
     if (!reader.problem()) part.blend_mm = reader.number(list[n], at, "blend_mm", 0.0, kLargest_mm, 0.0);
     parts.push_back(std::move(part));
   }
   return parts;
 }
 
-}  // namespace
+ShapePtr placed(ShapePtr drawn, const DrawingFrame* frame) { return drawn && frame ? makePlaced(std::move(drawn), *frame) : drawn; }
 
-ShapePtr readShape(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known, int depth) {
+/// The shape with its mirror image in x = 0 of the frame.
+ShapePtr mirroredIn(ShapePtr shape, double smoothing_mm, const DrawingFrame* frame) {
+  if (!frame) return makeMirrored(std::move(shape), smoothing_mm);
+  const DrawingFrame worldInFrame{frame->fromWorld(glm::dvec3(0.0)), glm::transpose(frame->axes)};
+  return makePlaced(makeMirrored(makePlaced(std::move(shape), worldInFrame), smoothing_mm), *frame);
+}
+
+ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& place, Surroundings around) {
   static const std::array<std::string, 11> kKinds{"capsule", "difference", "ellipsoid", "grown", "half_space", "intersection",
                                                   "loft",    "of",         "shell",     "tube",  "union"};
   reader.allow(object, place,
-               {"blend_mm", "capsule", "difference", "ellipsoid", "grown", "half_space", "intersection", "loft", "mirrored",
+               {"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
                 "mirror_smoothing_mm", "of", "shell", "tube", "union"});
   if (reader.problem()) return nullptr;
-  if (depth > kDeepest) {
+  if (around.depth > kDeepest) {
     reader.refuse(place, "nested too deeply", "at most " + std::to_string(kDeepest) + " shapes inside one another");
     return nullptr;
   }
@@ -159,19 +185,22 @@ ShapePtr readShape(FieldReader& reader, const json& object, const std::string& p
                   "one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union");
   if (reader.problem()) return nullptr;
 
+  if (object.contains("frame")) around.frame = entryNamed(reader, object, place, "frame", around.frames, "a frame");
+  if (reader.problem()) return nullptr;
+
   const std::string at = place + "." + kind;
   const json& inner = object[kind];
   ShapePtr shape;
-  if (kind == "ellipsoid") shape = readEllipsoid(reader, inner, at);
-  if (kind == "capsule") shape = readCapsule(reader, inner, at);
-  if (kind == "tube") shape = readTube(reader, inner, at);
-  if (kind == "loft") shape = readLoft(reader, inner, at);
-  if (kind == "half_space") shape = readHalfSpace(reader, inner, at);
-  if (kind == "shell") shape = readShell(reader, inner, at, known);
-  if (kind == "grown") shape = readGrown(reader, inner, at, known);
-  if (kind == "of") shape = named(reader, object, place, "of", known);
+  if (kind == "ellipsoid") shape = placed(readEllipsoid(reader, inner, at), around.frame);
+  if (kind == "capsule") shape = placed(readCapsule(reader, inner, at), around.frame);
+  if (kind == "tube") shape = placed(readTube(reader, inner, at), around.frame);
+  if (kind == "loft") shape = placed(readLoft(reader, inner, at), around.frame);
+  if (kind == "half_space") shape = placed(readHalfSpace(reader, inner, at), around.frame);
+  if (kind == "shell") shape = readShell(reader, inner, at, around.known);
+  if (kind == "grown") shape = readGrown(reader, inner, at, around.known);
+  if (kind == "of") shape = named(reader, object, place, "of", around.known);
   if (kind == "union" || kind == "intersection" || kind == "difference") {
-    std::vector<BlendedPart> parts = readParts(reader, object, place, kind, known, depth);
+    std::vector<BlendedPart> parts = readParts(reader, object, place, kind, around);
     if (reader.problem()) return nullptr;
     shape = kind == "union"          ? makeUnion(std::move(parts))
             : kind == "intersection" ? makeIntersection(std::move(parts))
@@ -180,7 +209,34 @@ ShapePtr readShape(FieldReader& reader, const json& object, const std::string& p
   const bool mirrored = reader.flag(object, place, "mirrored", false);
   const double smoothing = reader.number(object, place, "mirror_smoothing_mm", 0.0, 100.0, 0.0);
   if (reader.problem()) return nullptr;
-  return mirrored ? makeMirrored(std::move(shape), smoothing) : shape;
+  return mirrored ? mirroredIn(std::move(shape), smoothing, around.frame) : shape;
+}
+
+}  // namespace
+
+NamedFrames readFrames(FieldReader& reader, const json& recipe) {
+  NamedFrames frames;
+  if (!recipe.contains("frames")) return frames;
+  const json& list = reader.list(recipe, "patient", "frames", 0, 100);
+  for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
+    std::string at = "frames[" + std::to_string(n) + "]";
+    reader.allow(list[n], at, {"origin_mm", "turned_deg", "within"});
+    if (reader.problem()) return frames;
+    const std::string name = reader.text(list[n], at, "name");
+    at += " (" + name + ")";
+    if (frames.count(name) > 0) reader.refuse(at + ".name", '"' + name + '"', "a name that is not taken yet");
+    DrawingFrame frame{reader.vector(list[n], at, "origin_mm"), turned(reader.vector(list[n], at, "turned_deg", glm::dvec3(0.0)))};
+    if (list[n].contains("within")) {
+      if (const DrawingFrame* outer = entryNamed(reader, list[n], at, "within", frames, "a frame"))
+        frame = {outer->toWorld(frame.origin_mm), outer->axes * frame.axes};
+    }
+    frames.emplace(name, frame);
+  }
+  return frames;
+}
+
+ShapePtr readShape(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known, const NamedFrames& frames) {
+  return shapeIn(reader, object, place, {known, frames, nullptr, 0});
 }
 
 }  // namespace ew::phantom
