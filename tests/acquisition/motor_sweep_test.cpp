@@ -199,7 +199,9 @@ TEST_F(MotorFile, ReaderAndSchemaRefuseTheSameFilesByField) {
 }
 
 Sequence recordedFan(int frames) {
-  Sequence sequence{.width = 4, .height = 3};
+  Sequence sequence;
+  sequence.width = 4;
+  sequence.height = 3;
   sequence.otherFields = {{std::string(fields::kMotorKind), "FAN"},
                           {std::string(fields::kMotorAxisBehindFace), "9.5"},
                           {std::string(fields::kMotorStart), "1 0 0 3 0 1 0 0 0 0 1 0 0 0 0 1"}};

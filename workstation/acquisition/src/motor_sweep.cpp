@@ -186,7 +186,8 @@ Result<MotorSweep> readMotorSweep(const std::filesystem::path& path) {
     }
   }
   if (const auto image = object->find("image"); image != object->end()) {
-    MotorFile part(image->is_object() ? *image : json::object(), path.string());
+    const json fields = image->is_object() ? *image : json::object();
+    MotorFile part(fields, path.string());
     part.allow({"pixel_mm", "face_px"});
     const auto pixel_mm = part.numbers("pixel_mm", 2, 2, 1e-4, 100.0);
     const auto face_px = part.numbers("face_px", 2, 2, -1e6, 1e6);

@@ -22,13 +22,13 @@ enum class MotorKind {
 /// the right hand about +x (fan) and +y (rotational) of the probe.
 struct MotorSweep {
   MotorKind kind = MotorKind::parallel;
-  double first = 0.0;              ///< value at frame 0
-  double step = 0.0;               ///< from frame to frame, not 0 unless `values` are given
-  std::vector<double> values;      ///< one per frame, in place of first and step; a NaN stands for a frame whose value was not recorded
-  double axisBehindFace_mm = 0.0;  ///< fan: the axis runs through (0, -axisBehindFace_mm, 0); below 0: in front of the face
-  glm::dvec2 axisOffset_mm{0.0};   ///< rotational: the axis runs through (x, 0, z) = (axisOffset_mm.x, 0, axisOffset_mm.y)
+  double first = 0.0;               ///< value at frame 0
+  double step = 0.0;                ///< from frame to frame, not 0 unless `values` are given
+  std::vector<double> values = {};  ///< one per frame, in place of first and step; a NaN stands for a frame whose value was not recorded
+  double axisBehindFace_mm = 0.0;   ///< fan: the axis runs through (0, -axisBehindFace_mm, 0); below 0: in front of the face
+  glm::dvec2 axisOffset_mm{0.0};    ///< rotational: the axis runs through (x, 0, z) = (axisOffset_mm.x, 0, axisOffset_mm.y)
   std::optional<Transform<frame::Probe, frame::Image>> imageToProbe = {};  ///< absent: the recording's or device set's chain Image to Probe
-  Transform<frame::World, frame::Probe> startProbeToWorld;                 ///< pose at value 0
+  Transform<frame::World, frame::Probe> startProbeToWorld = {};            ///< pose at value 0
   bool operator==(const MotorSweep&) const = default;
 };
 
