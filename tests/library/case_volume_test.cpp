@@ -90,7 +90,7 @@ TEST(LoadCaseVolume, MakesARecipeOnceAndThenReadsItFromTheCache) {
   finer.volume.recipeSpacing_mm = 8.0;
   EXPECT_TRUE(caseNeedsPreparation(finer)) << "another spacing is another volume";
   auto recipe = nlohmann::json::parse(textOf(folder / "case/patient.json"));
-  recipe["tissues"][0]["echo_level"] = 77;
+  recipe["tissues"] = nlohmann::json::array({{{"name", "skin"}, {"echo_level", 77}}});
   writeText(folder / "case/patient.json", recipe.dump());
   EXPECT_TRUE(caseNeedsPreparation(made)) << "another recipe is another volume";
 }

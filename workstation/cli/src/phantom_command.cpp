@@ -19,7 +19,21 @@ struct PhantomArguments {
   double spacing_mm = 1.0;
   std::uint64_t seed = 1;
   int threads = 0;
+  std::vector<std::string> set;
 };
+
+/// The words of --set: NAME=VALUE.
+Result<ParameterValues> parameterValues(const std::vector<std::string>& words) {
+  ParameterValues values;
+  for (const std::string& word : words) {
+    const auto sign = word.find('=');
+    const auto value = sign == std::string::npos ? std::nullopt : parseNumber(std::string_view(word).substr(sign + 1));
+    if (!value || sign == 0)
+      return failure(ErrorCode::badUsage, "--set takes NAME=VALUE with a number, as in --set stone_diameter_mm=9; found \"" + word + "\".");
+    values[word.substr(0, sign)] = *value;
+  }
+  return values;
+}
 
 Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   if (arguments.volume.empty() && arguments.labels.empty())
@@ -32,8 +46,12 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   run.report.seed = arguments.seed;
 
   const auto resources = resourceFolder();
-  const auto patient = readPatient(arguments.patient, resources ? *resources / "mannequin" : std::filesystem::path());
+  const auto values = parameterValues(arguments.set);
+  if (!values) return passOn(values.error());
+  const auto patient = readPatient(arguments.patient, resources ? *resources / "mannequin" : std::filesystem::path(), *values);
   if (!patient) return passOn(patient.error());
+  for (const PatientParameter& each : parametersOf(**patient))
+    run.report.details["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}};
   VoxeliseOptions options;
   options.spacing_mm = arguments.spacing_mm;
   options.seed = arguments.seed;
@@ -88,6 +106,9 @@ void addPhantom(CLI::App& root, Selection& selection) {
   app.add_option("--volume", arguments->volume, "Echo levels with speckle: .mha or .mhd")->type_name("TRUTH.mha");
   app.add_option("--labels", arguments->labels, "Which organ owns a voxel (0: none); the numbers are listed when done")
       ->type_name("LABELS.mha");
+  app.add_option("--set", arguments->set, "A parameter of the recipe, such as the size of a finding; may be given several times")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
   addNumber(app, "--spacing", arguments->spacing_mm, {0.01, 100.0}, "Size of a voxel in mm (1)");
   addSeed(app, "--seed", arguments->seed, "Of the speckle; the same seed gives the same voxels everywhere (1)");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");

@@ -103,7 +103,7 @@ Result<void> writeCached(const CacheEntry& entry, const Prepared& made, Progress
 }
 
 Result<std::vector<TissueAcoustics>> acousticsOf(const fs::path& recipe) {
-  const auto tissues = readLabelTissues(recipe);
+  const auto tissues = readLabelTissues(recipe, mannequinFolder());
   if (!tissues) return passOn(tissues.error());
   std::vector<TissueAcoustics> acoustics;
   for (const LabelTissue& each : *tissues)

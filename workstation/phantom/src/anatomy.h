@@ -44,7 +44,8 @@ class Patient {
   std::size_t backgroundTissue = 0;    ///< inside the skin, outside every organ
   std::vector<phantom::Organ> organs;  ///< by priority; at most 254
   glm::dvec2 beamAxis_mm{0.0, 110.0};  ///< x and y of the vertical line that beams from all over the skin run towards: where borders shine
-  double scattererPitch_mm = 0.5;      ///< of the lattice of scatterers, one in a cell where they are dense: 1 / pitch^3 to the mm3
+  std::vector<PatientParameter> parameters;
+  double scattererPitch_mm = 0.5;  ///< of the lattice of scatterers, one in a cell where they are dense: 1 / pitch^3 to the mm3
 };
 
 }  // namespace ew

@@ -1,12 +1,11 @@
 #include "ew/phantom/patient.h"
 
-#include <cstdlib>
 #include <set>
-#include <system_error>
 
 #include "anatomy.h"
 #include "kept_distance.h"
 #include "recipe.h"
+#include "whole_recipe.h"
 
 namespace ew {
 namespace {
@@ -28,19 +27,8 @@ Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& rec
   if (!reader.problem() && std::filesystem::path(name).has_parent_path())
     reader.refuse("mannequin", '"' + name + '"', "the name of a file in resources/mannequin, without a folder");
   if (reader.problem()) return passOn(*reader.problem());
-  std::vector<std::filesystem::path> candidates{file.parent_path() / name};
-  if (!mannequins.empty()) candidates.push_back(mannequins / name);
-  std::error_code failed;
-  std::filesystem::path above = std::filesystem::absolute(file, failed).parent_path();
-  for (int level = 0; level < 4 && above.has_relative_path(); ++level) {
-    above = above.parent_path();
-    candidates.push_back(above / "resources" / "mannequin" / name);
-  }
-  if (const char* resources = std::getenv("ECHOWEAVE_RESOURCES"))
-    candidates.push_back(std::filesystem::path(resources) / "mannequin" / name);
-  for (const auto& candidate : candidates) {
-    if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
-  }
+  const auto found = phantom::findNamed(name, "mannequin", file, mannequins);
+  if (!found.empty()) return found;
   return failure(ErrorCode::notFound,
                  file.string() + " needs the mannequin " + name + ", which is neither beside it nor in resources/mannequin; put it there.",
                  {{"file", file.string()}, {"mannequin", name}});
@@ -152,11 +140,14 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
 
 }  // namespace
 
-Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins) {
-  const auto recipe = phantom::readRecipe(file, "virtual patient");
-  if (!recipe) return passOn(recipe.error());
+Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins,
+                                                   const ParameterValues& parameters) {
+  const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
+  if (!whole) return passOn(whole.error());
+  const json* recipe = &whole->json;
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
+  patient->parameters = whole->parameters;
   reader.allow(*recipe, "patient",
                {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs"});
   patient->name = reader.text(*recipe, "patient", "name");
@@ -197,15 +188,16 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   return patient;
 }
 
-Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins) {
-  const auto recipe = phantom::readRecipe(file, "virtual patient");
-  if (!recipe) return passOn(recipe.error());
+Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins,
+                                           const ParameterValues& parameters) {
+  const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
+  if (!whole) return passOn(whole.error());
   FieldReader reader(file.string());
-  const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);
+  const auto bodyFile = findMannequin(reader, whole->json, file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
   const auto body = phantom::readRecipe(*bodyFile, "mannequin recipe");
   if (!body) return passOn(body.error());
-  return fnv1a(body->dump(), fnv1a(recipe->dump(), 14695981039346656037ull ^ kVoxelVersion));
+  return fnv1a(body->dump(), fnv1a(whole->json.dump(), 14695981039346656037ull ^ kVoxelVersion));
 }
 
 std::vector<OrganName> organsOf(const Patient& patient) {
@@ -214,9 +206,11 @@ std::vector<OrganName> organsOf(const Patient& patient) {
   return names;
 }
 
-Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file) {
-  const auto recipe = phantom::readRecipe(file, "virtual patient");
-  if (!recipe) return passOn(recipe.error());
+Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file, const std::filesystem::path& mannequins,
+                                                  const ParameterValues& parameters) {
+  const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
+  if (!whole) return passOn(whole.error());
+  const json* recipe = &whole->json;
   FieldReader reader(file.string());
   const std::vector<Tissue> tissues = readTissues(reader, *recipe);
   const std::size_t background = tissueNamed(reader, *recipe, "patient", "background", tissues);
@@ -233,6 +227,8 @@ Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& f
   if (reader.problem()) return passOn(*reader.problem());
   return labels;
 }
+
+const std::vector<PatientParameter>& parametersOf(const Patient& patient) { return patient.parameters; }
 
 Bounds boxOf(const Patient& patient) { return patient.box; }
 

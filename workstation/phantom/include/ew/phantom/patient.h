@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,25 +55,48 @@ struct LabelTissue {
   bool operator==(const LabelTissue&) const = default;
 };
 
+/// Values for a recipe's parameters by name; the others keep their defaults.
+using ParameterValues = std::map<std::string, double>;
+
+/// A number that whoever uses or extends the recipe may choose: the size of a finding.
+struct PatientParameter {
+  std::string name;
+  double value = 0.0;
+  double lowest = 0.0;
+  double highest = 0.0;
+  std::string unit;
+  std::string note;
+  bool operator==(const PatientParameter&) const = default;
+};
+
 /// Reads a virtual patient (resources/schemas/patient.schema.json says what it may hold). The mannequin it names gives its skin and is
 /// looked for beside the recipe, in `mannequins`, in resources/mannequin of the folders above the recipe, then of $ECHOWEAVE_RESOURCES.
-/// @error notFound, notReadable, tooLarge, badHeader, badField (organ, field, value found, expected), newerFormat
+/// The recipe it extends is looked for in the same way, in folders named "anatomy" beside those of mannequins.
+/// @error notFound, notReadable, tooLarge, badHeader, badField (organ, field, value found, expected; a parameter that is not there or out
+///        of its range; recipes that extend one another in a circle), newerFormat
 [[nodiscard]] Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file,
-                                                                 const std::filesystem::path& mannequins = {});
+                                                                 const std::filesystem::path& mannequins = {},
+                                                                 const ParameterValues& parameters = {});
+
+/// The recipe's parameters by name, with the values this patient has.
+[[nodiscard]] const std::vector<PatientParameter>& parametersOf(const Patient& patient);
 
 [[nodiscard]] std::vector<OrganName> organsOf(const Patient& patient);
 
 /// The tissues of all labels of a recipe, by rising label; nothing is built, so it is quick where the voxels are there already.
 /// @error as readPatient, as far as it goes: neither shapes nor the mannequin are looked at
-[[nodiscard]] Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file);
+[[nodiscard]] Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& file,
+                                                                const std::filesystem::path& mannequins = {},
+                                                                const ParameterValues& parameters = {});
 
 /// The box that voxelise fills.
 [[nodiscard]] Bounds boxOf(const Patient& patient);
 
-/// A number that changes with the recipe, its mannequin and the way voxels are made: the key for whoever keeps voxelised patients.
-/// Reads the two files without building anything.
+/// A number that changes with the recipe, what it extends, its parameters, its mannequin and the way voxels are made: the key for whoever
+/// keeps voxelised patients. Reads the files without building anything.
 /// @error as readPatient, as far as it goes: the fields of the anatomy are not looked at
-[[nodiscard]] Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins = {});
+[[nodiscard]] Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins = {},
+                                                         const ParameterValues& parameters = {});
 
 /// Signed distance in mm (negative inside; sign exact, value first order, right near the surface) of a named organ as it was drawn,
 /// without what organs of higher priority take from it. "skin surface" is the surface of the whole body.
