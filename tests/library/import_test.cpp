@@ -158,12 +158,13 @@ TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {
   }
 }
 
-TEST_F(ImportSweep, RefusesScanLinesThatWereNeverConvertedToImages) {
+TEST_F(ImportSweep, RefusesScanLinesWhoseGeometryNobodyStates) {
   Sequence lines = sweep();
   lines.orientation = "FM";
   const auto imported = importSweep(written(lines), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(imported.has_value());
-  EXPECT_EQ(imported.error().code, ErrorCode::unsupported);
+  EXPECT_EQ(imported.error().code, ErrorCode::badField);
+  EXPECT_NE(imported.error().sentence.find("ScanConversion"), std::string::npos) << imported.error();
 }
 
 TEST_F(ImportSweep, PlansAVolumeThatDoesNotFitAndRefusesToMakeIt) {

@@ -110,6 +110,8 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
   for (const auto& definitions : root.children("CoordinateDefinitions"))
     for (const auto& node : definitions.children("Transform"))
       if (auto read = readTransform(file, node, set); !read) return passOn(read.error());
+  if (const auto conversion = root.find_node([](const pugi::xml_node& node) { return std::string_view(node.name()) == "ScanConversion"; }))
+    for (const auto& attribute : conversion.attributes()) set.scanConversion.emplace_back(attribute.name(), attribute.value());
   if (const auto reconstruction = root.child("VolumeReconstruction"))
     if (auto read = readReconstruction(file, reconstruction, set); !read) return passOn(read.error());
   return set;
@@ -138,6 +140,7 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
     fill(joined.fanRadiusStop_px, read->fanRadiusStop_px);
     fill(joined.interpolation, read->interpolation);
     fill(joined.compounding, read->compounding);
+    if (joined.scanConversion.empty()) joined.scanConversion = std::move(read->scanConversion);
   }
   return joined;
 }

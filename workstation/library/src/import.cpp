@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "ew/acquisition/line_data.h"
 #include "ew/core/numbers.h"
 
 namespace ew {
@@ -22,14 +23,10 @@ Result<void> checkImages(const Sequence& sequence) {
   if (sequence.width < 1 || sequence.height < 1 || sequence.pixels.empty())
     return failure(ErrorCode::unsupported,
                    "The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.");
-  const std::string& orientation = sequence.orientation;
-  const bool lines = orientation.size() >= 2 && (orientation[0] == 'F' || orientation[0] == 'N');
-  const bool rf = sequence.imageType.starts_with("RF");
-  if (lines || rf)
+  if (sequence.imageType.starts_with("RF"))
     return failure(ErrorCode::unsupported,
-                   "The recording holds scan lines (" + (rf ? sequence.imageType : orientation) +
-                       "), not images; convert the lines to B-mode images first.",
-                   {{"orientation", orientation}, {"imageType", sequence.imageType}});
+                   "The recording holds " + sequence.imageType + " data, no brightness; convert it to B-mode images first.",
+                   {{"orientation", sequence.orientation}, {"imageType", sequence.imageType}});
   return {};
 }
 
@@ -154,17 +151,31 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes});
   if (!sequence) return passOn(sequence.error());
   if (const auto checked = checkImages(*sequence); !checked) return passOn(checked.error());
+  std::optional<Clip> sector;
+  std::vector<std::string> notes;
+  if (holdsScanLines(*sequence)) {
+    const auto geometry = lineGeometryOf(*sequence, calibration);
+    if (!geometry) return passOn(geometry.error());
+    auto converted = convertLines(std::move(*sequence), *geometry, options.reconstruct.threads, progress, options.reconstruct.maxBytes);
+    if (!converted) return passOn(converted.error());
+    sequence = std::move(converted);
+    sector = clipOf(*geometry);
+    notes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) + " x " +
+                    std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
+  }
   auto poses = sweepPoses(*sequence, calibration, options.toFrame);
   if (!poses) return passOn(poses.error());
 
   OpenedSweep opened{std::move(*sequence), std::move(*poses), {}, 0.0};
   ImportPlan& plan = opened.plan;
   plan.notes = opened.sequence.notes;
+  plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   plan.notes.insert(plan.notes.end(), opened.poses.notes.begin(), opened.poses.notes.end());
   if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
   auto effective = effectiveOptions(options, calibration, plan.notes);
   if (!effective) return passOn(effective.error());
   plan.reconstruct = *effective;
+  if (sector && plan.reconstruct.clip == Clip{}) plan.reconstruct.clip = *sector;
   plan.toFrame = opened.poses.toFrame;
   plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
 

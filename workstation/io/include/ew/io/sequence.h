@@ -75,6 +75,8 @@ struct DeviceSet {
   std::optional<double> fanRadiusStop_px;
   std::optional<std::string> interpolation;  ///< as written: NEAREST_NEIGHBOR, LINEAR
   std::optional<std::string> compounding;    ///< as written: MEAN, MAXIMUM, LATEST (also from the older `Compounding`)
+  std::vector<std::pair<std::string, std::string>>
+      scanConversion;  ///< attributes of the first ScanConversion, as written: where scan lines lie
 };
 
 /// Reads a device set (PlusConfiguration), or the calibration program's result file (ProbeCalibrationResult: transforms only).

@@ -63,7 +63,8 @@ struct ImportedSweep {
 /// Reads a sweep, its poses and, where given, its device set, and works out grid and memory.
 /// Images recorded mirrored or upside down (UN, MN, ...) are turned to MF, with a note; clip and calibration count pixels in MF.
 /// @error as readSequence, readDeviceSet, sweepPoses and gridFor (but a volume over maxBytes is not an error here: see `fits`);
-///        unsupported (no images, or lines that are not scan converted); badField (an OutputSpacing, interpolation or compounding of the
+///        unsupported (no images, RF data), lineGeometryOf (scan lines, which are
+///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
 [[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
 
