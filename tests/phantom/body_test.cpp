@@ -71,9 +71,8 @@ TEST(Mannequin, HasNoCreaseAtTheMidlineOfChestBellyAndBack) {
   }
 }
 
-TEST(Mannequin, IsOneClosedSolidWithoutHolesOrHandles) {
-  const Grid grid = gridAround(adult(), 12.0);
-  const std::vector<float>& d = sampledAt12mm();
+/// Expects one piece without holes or handles that ends inside the grid.
+void expectClosedSolid(const Grid& grid, const std::vector<float>& d) {
   const auto inside = [&](int i, int j, int k) { return grid.contains({i, j, k}) && d[grid.indexOf(i, j, k)] < 0.0F; };
   // Euler characteristic of the union of closed voxels: corners - edges + faces - voxels; 1 for a ball, less for a handle, more for
   // a second piece.
@@ -96,6 +95,21 @@ TEST(Mannequin, IsOneClosedSolidWithoutHolesOrHandles) {
       EXPECT_FALSE(inside(i, j, 0));
       EXPECT_FALSE(inside(i, j, grid.dims.z - 1));
     }
+}
+
+TEST(Mannequin, IsOneClosedSolidWithoutHolesOrHandles) { expectClosedSolid(gridAround(adult(), 12.0), sampledAt12mm()); }
+
+TEST(GravidMannequin, IsTheAdultWithABellyAndStillOneClosedSolid) {
+  const auto gravid = readBodyShape(testing::shippedMannequin().parent_path() / "gravid.json");
+  ASSERT_TRUE(gravid) << gravid.error();
+  std::vector<float> distances;
+  ASSERT_TRUE(sampleDistance(**gravid, gridAround(**gravid, 12.0), distances, 2, noProgress()));
+  expectClosedSolid(gridAround(**gravid, 12.0), distances);
+  EXPECT_LT((*gravid)->signedDistance_mm({0, -112, -290}), 0.0) << "the belly at the navel";
+  EXPECT_GT(adult().signedDistance_mm({0, -112, -290}), 5.0);
+  for (const glm::dvec3& elsewhere :
+       {glm::dvec3(0, 0, 460), glm::dvec3(0, 110, -50), glm::dvec3(101, 10, -1270), glm::dvec3(380, -40, -560)})
+    EXPECT_EQ((*gravid)->signedDistance_mm(elsewhere), adult().signedDistance_mm(elsewhere));
 }
 
 TEST(SampleDistance, KeepsTheSignOfEveryVoxelWhereItSkipsBlocks) {
