@@ -213,6 +213,117 @@ TEST(SaveCase, KeepsUnknownFieldsWhereTheyWere) {
   EXPECT_EQ(loadCase(folder.path())->otherFields, opened->otherFields);
 }
 
+json withSweeps() {
+  json manifest = smallest();
+  manifest["volume"] = {{"recipe", "patient.json"},
+                        {"sweeps", {"sweeps/a.json", "sweeps/b.json"}},
+                        {"reconstruct", {{"spacing_mm", 0.5}, {"compounding", "maximum"}, {"later", {1, 2}}}}};
+  manifest["previous_examinations"] = {{{"when", "a year ago"}, {"kind", "ultrasound"}, {"findings", "None."}, {"place", "here"}}};
+  manifest["findings"] = {"One.", "Two."};
+  manifest["targets"] = {{{"kind", "point"}, {"name", "p"}, {"at_mm", {1, 2, 3}}, {"tolerance_mm", 4}, {"hint", "x"}},
+                         {{"kind", "plane"}, {"name", "long"}, {"angle_tolerance_deg", 20}},
+                         {{"kind", "plane"}, {"name", "own"}, {"probe_to_world", rowsOf(glm::dmat4(1.0))}},
+                         {{"kind", "structure"}, {"name", "the stone"}, {"organ", "gall stone"}}};
+  manifest["measurements"] = {{{"name", "stone"}, {"tolerance", 2}, {"why", "y"}}, {{"name", "duct"}}};
+  return manifest;
+}
+
+void makeSweptCase(const std::filesystem::path& folder, const json& manifest) {
+  makeCase(folder, manifest);
+  for (const char* name : {"sweeps/a.json", "sweeps/b.json"}) writeText(folder / name, "{}");
+}
+
+TEST(LoadCase, ReadsSweepsTargetsAndWhatIsExpected) {
+  const TemporaryFolder folder;
+  makeSweptCase(folder.path(), withSweeps());
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->volume.sweeps, (std::vector<std::string>{"sweeps/a.json", "sweeps/b.json"}));
+  EXPECT_EQ(opened->volume.reconstruct.spacing_mm, 0.5);
+  EXPECT_EQ(opened->volume.reconstruct.compounding, Compounding::maximum);
+  EXPECT_EQ(opened->volume.reconstruct.interpolation, Interpolation::linear);
+  ASSERT_EQ(opened->previousExaminations.size(), 1u);
+  EXPECT_EQ(opened->previousExaminations[0].when, "a year ago");
+  EXPECT_EQ(opened->findings, (std::vector<std::string>{"One.", "Two."}));
+  ASSERT_EQ(opened->targets.size(), 4u);
+  EXPECT_EQ(opened->targets[0].at_mm, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(opened->targets[1].kind, CaseTarget::Kind::plane);
+  EXPECT_FALSE(opened->targets[1].probeToWorld);
+  EXPECT_EQ(opened->targets[1].angleTolerance_deg, 20.0);
+  EXPECT_EQ(opened->targets[2].probeToWorld, glm::dmat4(1.0));
+  EXPECT_EQ(opened->targets[3].organ, "gall stone");
+  ASSERT_EQ(opened->measurements.size(), 2u);
+  EXPECT_EQ(opened->measurements[0].tolerance, 2.0);
+  EXPECT_FALSE(opened->measurements[1].tolerance);
+}
+
+TEST(SaveCase, KeepsUnknownFieldsOfSweepsTargetsAndMeasurements) {
+  const TemporaryFolder folder;
+  makeSweptCase(folder.path(), withSweeps());
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  ASSERT_TRUE(saveCase(*opened, folder.path()));
+  const auto again = loadCase(folder.path());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(*again, *opened);
+  const json saved = json::parse(textOf(folder / "case.json"));
+  EXPECT_EQ(saved["volume"]["reconstruct"]["later"], json({1, 2}));
+  EXPECT_EQ(saved["previous_examinations"][0]["place"], "here");
+  EXPECT_EQ(saved["targets"][0]["hint"], "x");
+  EXPECT_EQ(saved["measurements"][0]["why"], "y");
+}
+
+TEST(LoadCase, SaysWhatIsWrongWithSweepsAndTargets) {
+  const auto problemOf = [](const char* pointer, const json& value) {
+    json manifest = withSweeps();
+    manifest[json::json_pointer(pointer)] = value;
+    const TemporaryFolder folder;
+    makeSweptCase(folder.path(), manifest);
+    const auto problems = validateCase(folder.path());
+    EXPECT_EQ(problems.size(), 1u) << pointer << " " << value;
+    return problems.empty() ? Error{} : problems.front();
+  };
+  const std::pair<const char*, json> wrong[] = {{"/volume/sweeps", json::array()},
+                                                {"/volume/sweeps/1", "sweeps/none.json"},
+                                                {"/volume/sweeps/0", "../a.json"},
+                                                {"/volume/sweeps", 3},
+                                                {"/volume/reconstruct/spacing_mm", 0},
+                                                {"/volume/reconstruct/compounding", "median"},
+                                                {"/volume/reconstruct/fill_reach_mm", -1},
+                                                {"/targets/0/kind", "line"},
+                                                {"/targets/0/at_mm", {1, 2}},
+                                                {"/targets/2/probe_to_world", std::vector<double>(16, 1.0)},
+                                                {"/targets/3", {{"kind", "structure"}, {"name", "x"}}},
+                                                {"/targets/0", {{"kind", "point"}, {"name", "x"}}},
+                                                {"/measurements/0/tolerance", 0},
+                                                {"/measurements/0", {{"tolerance", 1}}},
+                                                {"/findings/0", 1},
+                                                {"/previous_examinations/0/when", 2019}};
+  for (const auto& [pointer, value] : wrong) {
+    const Error problem = problemOf(pointer, value);
+    EXPECT_FALSE(context(problem, "field").empty()) << pointer;
+    EXPECT_TRUE(problem.sentence.ends_with('.')) << problem.sentence;
+  }
+}
+
+TEST(LoadCase, WantsAPatientForWhatOnlyAPatientKnows) {
+  json manifest = smallest();
+  manifest["targets"] = {{{"kind", "structure"}, {"name", "x"}, {"organ", "liver"}}};
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "targets[0]");
+  manifest = smallest();
+  manifest["targets"] = {{{"kind", "plane"}, {"name", "x"}}};
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "targets[0]");
+  manifest = smallest();
+  manifest["measurements"] = {{{"name", "x"}}};
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "measurements");
+  manifest = smallest();
+  manifest["volume"]["sweeps"] = {"patient.json"};
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "volume.sweeps");
+  manifest = smallest();
+  manifest["volume"]["reconstruct"] = json::object();
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "volume.reconstruct");
+}
+
 TEST(SaveCase, RefusesWhatLoadCaseWouldRefuseAndLeavesTheOldFile) {
   const TemporaryFolder folder;
   makeCase(folder.path(), smallest());
@@ -349,6 +460,22 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
   (*rc::gen::arbitrary<bool>() ? made.volume.file : made.volume.recipe) = "patient.json";
   made.volume.recipeSpacing_mm = *rc::gen::inRange(1, 100) * 0.1;
   made.volume.fileToWorld = matrix();
+  if (!made.volume.recipe.empty() && *rc::gen::arbitrary<bool>()) {
+    made.volume.sweeps = {"volumes/a.mha"};
+    made.volume.reconstruct = {*rc::gen::inRange(1, 100) * 0.1,
+                               *rc::gen::element(Interpolation::nearest, Interpolation::linear),
+                               *rc::gen::element(Compounding::mean, Compounding::maximum, Compounding::latest),
+                               *rc::gen::inRange(0, 300) * 0.1,
+                               *rc::gen::inRange(0, 1000) * 0.1,
+                               *rc::gen::arbitrary<bool>(),
+                               *rc::gen::inRange(1, 100) * 0.1};
+    made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}}};
+    made.targets = {{.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text()},
+                    {.kind = CaseTarget::Kind::plane, .name = "p", .probeToWorld = matrix(), .angleTolerance_deg = 3.5},
+                    {.kind = CaseTarget::Kind::point, .name = "q", .at_mm = glm::dvec3(1.0 / 3.0, 2, -1e-9), .tolerance_mm = 0.7}};
+  }
+  if (*rc::gen::arbitrary<bool>()) made.findings = {text(), text()};
+  if (*rc::gen::arbitrary<bool>()) made.previousExaminations = {{text(), text(), text()}};
   made.probes = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("convex-3.5", "linear-7.5"));
   made.scene.gainAndDgc = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) made.startPose = Pose{{matrix()}};

@@ -13,10 +13,18 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 13> kTopFields = {"format",    "id",     "title",     "region", "patient", "history",   "indication",
-                                                         "diagnosis", "volume", "mannequin", "probes", "scene",   "start_pose"};
+constexpr std::array<std::string_view, 17> kTopFields = {
+    "format",  "id",           "title",  "region",    "patient", "history", "indication", "previous_examinations", "findings", "diagnosis",
+    "targets", "measurements", "volume", "mannequin", "probes",  "scene",   "start_pose"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
-constexpr std::array<std::string_view, 5> kVolumeFields = {"file", "labels", "recipe", "recipe_spacing_mm", "file_to_world"};
+constexpr std::array<std::string_view, 7> kVolumeFields = {"file",   "labels",      "recipe",       "recipe_spacing_mm",
+                                                           "sweeps", "reconstruct", "file_to_world"};
+constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
+                                                                "feather_mm", "equalise",      "labels_spacing_mm"};
+constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", "findings"};
+constexpr std::array<std::string_view, 8> kTargetFields = {
+    "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ"};
+constexpr std::array<std::string_view, 2> kMeasurementFields = {"name", "tolerance"};
 constexpr const char* kSceneName = "the scene of case.json";
 
 template <class Names>
@@ -35,6 +43,10 @@ json unknownFields(const json& manifest) {
   };
   keep("patient", kPatientFields);
   keep("volume", kVolumeFields);
+  if (manifest["volume"].contains("reconstruct")) {
+    json rest = without(manifest["volume"]["reconstruct"], kReconstructFields);
+    if (!rest.empty()) unknown["volume"]["reconstruct"] = std::move(rest);
+  }
   if (manifest.contains("scene")) {
     json rest;
     if (sceneFromJson(manifest["scene"], kSceneName, &rest) && !rest.empty()) unknown["scene"] = std::move(rest);
@@ -56,6 +68,36 @@ void checkMatrix(const json& owner, const char* key, const std::string& field, s
     problem.context.insert(problem.context.begin(), {"field", field});
     problems.push_back(std::move(problem));
   }
+}
+
+Error wrongField(const std::string& field, const std::string& found, const std::string& expected) {
+  return {ErrorCode::badField,
+          "'" + field + "' in " + kManifestName + " is " + found + "; it must be " + expected + ".",
+          {{"field", field}, {"found", found}, {"expected", expected}}};
+}
+
+/// What the schema cannot say: each kind of target has fields of its own.
+void checkTargets(const json& manifest, std::vector<Error>& problems) {
+  if (!manifest.contains("targets")) return;
+  for (std::size_t n = 0; n < manifest["targets"].size(); ++n) {
+    const json& target = manifest["targets"][n];
+    const std::string field = "targets[" + std::to_string(n) + "]";
+    const std::string kind = target["kind"];
+    if (kind == "point" && !target.contains("at_mm"))
+      problems.push_back(wrongField(field + ".at_mm", "missing", "three numbers, mm in the world"));
+    if (kind == "structure" && !target.contains("organ"))
+      problems.push_back(wrongField(field + ".organ", "missing", "the name of an organ of the patient"));
+    const bool needsPatient = kind == "structure" || (kind == "plane" && !target.contains("probe_to_world"));
+    if (needsPatient && !manifest["volume"].contains("recipe"))
+      problems.push_back(wrongField(field, "a " + kind + " of a patient, and the case has no recipe",
+                                    kind == "plane" ? "a plane with probe_to_world" : "a point or a plane"));
+    checkMatrix(target, "probe_to_world", field + ".probe_to_world", problems);
+  }
+}
+
+void checkMeasurements(const json& manifest, std::vector<Error>& problems) {
+  if (manifest.contains("measurements") && !manifest["measurements"].empty() && !manifest["volume"].contains("recipe"))
+    problems.push_back(wrongField("measurements", "given, and the case has no recipe whose patient could know their values", "left out"));
 }
 
 void checkFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
@@ -121,9 +163,124 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
                         "'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.",
                         {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
   checkFile(folder, volume, "recipe", "volume.recipe", problems);
+  if (volume.contains("sweeps")) {
+    if (!volume.contains("recipe"))
+      problems.push_back(wrongField("volume.sweeps", "given without a recipe", "left out, or beside the recipe whose patient is swept"));
+    for (std::size_t n = 0; n < volume["sweeps"].size(); ++n) {
+      const std::string field = "volume.sweeps[" + std::to_string(n) + "]";
+      if (auto file = fileOfCase(folder, volume["sweeps"][n].get<std::string>(), field); !file) problems.push_back(file.error());
+    }
+  } else if (volume.contains("reconstruct")) {
+    problems.push_back(wrongField("volume.reconstruct", "given without sweeps", "left out, or beside the sweeps it is about"));
+  }
+  checkTargets(manifest, problems);
+  checkMeasurements(manifest, problems);
   checkMannequin(folder, manifest, problems);
   return problems;
 }
+
+namespace {
+
+CaseReconstruction reconstructionOf(const json& object) {
+  CaseReconstruction made;
+  made.spacing_mm = object.value("spacing_mm", made.spacing_mm);
+  made.interpolation = object.value("interpolation", "linear") == "nearest" ? Interpolation::nearest : Interpolation::linear;
+  const std::string compounding = object.value("compounding", "mean");
+  made.compounding = compounding == "maximum" ? Compounding::maximum : compounding == "latest" ? Compounding::latest : Compounding::mean;
+  made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
+  made.feather_mm = object.value("feather_mm", made.feather_mm);
+  made.equalise = object.value("equalise", made.equalise);
+  made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
+  return made;
+}
+
+ordered_json toJson(const CaseReconstruction& reconstruct) {
+  const char* compounding = reconstruct.compounding == Compounding::maximum  ? "maximum"
+                            : reconstruct.compounding == Compounding::latest ? "latest"
+                                                                             : "mean";
+  return {{"spacing_mm", reconstruct.spacing_mm},
+          {"interpolation", reconstruct.interpolation == Interpolation::nearest ? "nearest" : "linear"},
+          {"compounding", compounding},
+          {"fill_reach_mm", reconstruct.fillReach_mm},
+          {"feather_mm", reconstruct.feather_mm},
+          {"equalise", reconstruct.equalise},
+          {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
+}
+
+std::optional<double> numberIn(const json& object, const char* field) {
+  if (!object.contains(field)) return std::nullopt;
+  return object[field].get<double>();
+}
+
+CaseTarget targetOf(const json& object) {
+  CaseTarget target;
+  const std::string kind = object["kind"];
+  target.kind = kind == "point" ? CaseTarget::Kind::point : kind == "plane" ? CaseTarget::Kind::plane : CaseTarget::Kind::structure;
+  target.name = object["name"];
+  if (object.contains("at_mm")) target.at_mm = glm::dvec3(object["at_mm"][0], object["at_mm"][1], object["at_mm"][2]);
+  target.tolerance_mm = numberIn(object, "tolerance_mm");
+  if (object.contains("probe_to_world")) target.probeToWorld = matrixOf(object["probe_to_world"]);
+  target.positionTolerance_mm = numberIn(object, "position_tolerance_mm");
+  target.angleTolerance_deg = numberIn(object, "angle_tolerance_deg");
+  target.organ = object.value("organ", "");
+  target.otherFields = without(object, kTargetFields);
+  return target;
+}
+
+void add(ordered_json& into, const json& others) {
+  for (const auto& [key, value] : others.items())
+    if (!into.contains(key)) into[key] = ordered_json(value);
+}
+
+ordered_json toJson(const CaseTarget& target) {
+  const char* kind = target.kind == CaseTarget::Kind::point ? "point" : target.kind == CaseTarget::Kind::plane ? "plane" : "structure";
+  ordered_json object = {{"kind", kind}, {"name", target.name}};
+  if (target.at_mm) object["at_mm"] = {target.at_mm->x, target.at_mm->y, target.at_mm->z};
+  if (target.tolerance_mm) object["tolerance_mm"] = *target.tolerance_mm;
+  if (target.probeToWorld) object["probe_to_world"] = rowsOf(*target.probeToWorld);
+  if (target.positionTolerance_mm) object["position_tolerance_mm"] = *target.positionTolerance_mm;
+  if (target.angleTolerance_deg) object["angle_tolerance_deg"] = *target.angleTolerance_deg;
+  if (!target.organ.empty()) object["organ"] = target.organ;
+  add(object, target.otherFields);
+  return object;
+}
+
+/// History, earlier findings and what is expected: everything a lesson asks about.
+void readExpectations(const json& manifest, Case& made) {
+  for (const json& each : manifest.value("previous_examinations", json::array()))
+    made.previousExaminations.push_back(
+        {each.value("when", ""), each.value("kind", ""), each.value("findings", ""), without(each, kExaminationFields)});
+  if (manifest.contains("findings")) made.findings = manifest["findings"].get<std::vector<std::string>>();
+  for (const json& each : manifest.value("targets", json::array())) made.targets.push_back(targetOf(each));
+  for (const json& each : manifest.value("measurements", json::array()))
+    made.measurements.push_back({each["name"], numberIn(each, "tolerance"), without(each, kMeasurementFields)});
+}
+
+ordered_json examinationsOf(const Case& edited) {
+  ordered_json list = ordered_json::array();
+  for (const CaseExamination& each : edited.previousExaminations) {
+    ordered_json object = ordered_json::object();
+    if (!each.when.empty()) object["when"] = each.when;
+    if (!each.kind.empty()) object["kind"] = each.kind;
+    if (!each.findings.empty()) object["findings"] = each.findings;
+    add(object, each.otherFields);
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+ordered_json measurementsOf(const Case& edited) {
+  ordered_json list = ordered_json::array();
+  for (const CaseMeasurement& each : edited.measurements) {
+    ordered_json object = {{"name", each.name}};
+    if (each.tolerance) object["tolerance"] = *each.tolerance;
+    add(object, each.otherFields);
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+}  // namespace
 
 Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path& folder) {
   if (auto problems = checkManifest(manifest, folder); !problems.empty()) return passOn(std::move(problems.front()));
@@ -140,11 +297,14 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   made.history = manifest.value("history", "");
   made.indication = manifest.value("indication", "");
   made.diagnosis = manifest.value("diagnosis", "");
+  readExpectations(manifest, made);
   const json& volume = manifest["volume"];
   made.volume.file = volume.value("file", "");
   made.volume.labels = volume.value("labels", "");
   made.volume.recipe = volume.value("recipe", "");
   made.volume.recipeSpacing_mm = volume.value("recipe_spacing_mm", 1.0);
+  if (volume.contains("sweeps")) made.volume.sweeps = volume["sweeps"].get<std::vector<std::string>>();
+  if (volume.contains("reconstruct")) made.volume.reconstruct = reconstructionOf(volume["reconstruct"]);
   if (volume.contains("file_to_world")) made.volume.fileToWorld = matrixOf(volume["file_to_world"]);
   made.mannequin = manifest.value("mannequin", "");
   if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
@@ -179,12 +339,20 @@ ordered_json orderedManifestOf(const Case& edited) {
   if (!patient.empty()) manifest["patient"] = patient;
   text("history", edited.history);
   text("indication", edited.indication);
+  if (!edited.previousExaminations.empty()) manifest["previous_examinations"] = examinationsOf(edited);
+  if (!edited.findings.empty()) manifest["findings"] = edited.findings;
   text("diagnosis", edited.diagnosis);
+  for (const CaseTarget& target : edited.targets) manifest["targets"].push_back(toJson(target));
+  if (!edited.measurements.empty()) manifest["measurements"] = measurementsOf(edited);
   ordered_json volume = ordered_json::object();
   if (!edited.volume.file.empty()) volume["file"] = edited.volume.file;
   if (!edited.volume.labels.empty()) volume["labels"] = edited.volume.labels;
   if (!edited.volume.recipe.empty()) volume["recipe"] = edited.volume.recipe;
   if (!edited.volume.recipe.empty() || edited.volume.recipeSpacing_mm != 1.0) volume["recipe_spacing_mm"] = edited.volume.recipeSpacing_mm;
+  if (!edited.volume.sweeps.empty()) {
+    volume["sweeps"] = edited.volume.sweeps;
+    volume["reconstruct"] = toJson(edited.volume.reconstruct);
+  }
   volume["file_to_world"] = rowsOf(edited.volume.fileToWorld);
   manifest["volume"] = volume;
   text("mannequin", edited.mannequin);
@@ -192,13 +360,12 @@ ordered_json orderedManifestOf(const Case& edited) {
   manifest["scene"] = ordered_json(toJson(edited.scene, edited.otherFields.contains("scene") ? &edited.otherFields["scene"] : nullptr));
   if (edited.startPose) manifest["start_pose"] = rowsOf(edited.startPose->probeToWorld.matrix);
 
-  const auto addMissing = [](ordered_json& into, const json& from) {
-    for (const auto& [key, value] : from.items())
-      if (!into.contains(key)) into[key] = ordered_json(value);
-  };
   for (const char* nested : {"patient", "volume"})
-    if (manifest.contains(nested) && edited.otherFields.contains(nested)) addMissing(manifest[nested], edited.otherFields[nested]);
-  addMissing(manifest, edited.otherFields);
+    if (manifest.contains(nested) && edited.otherFields.contains(nested)) add(manifest[nested], edited.otherFields[nested]);
+  if (manifest["volume"].contains("reconstruct") && edited.otherFields.contains("volume") &&
+      edited.otherFields["volume"].contains("reconstruct"))
+    add(manifest["volume"]["reconstruct"], edited.otherFields["volume"]["reconstruct"]);
+  add(manifest, edited.otherFields);
   return manifest;
 }
 

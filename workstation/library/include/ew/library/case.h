@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/acquisition/reconstruct.h"
 #include "ew/core/frames.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
@@ -23,14 +24,60 @@ struct CasePatient {
   bool operator==(const CasePatient&) const = default;
 };
 
+/// How the virtual sweeps of a case become its volume: each is reconstructed as a user's recording is, then they are stitched.
+struct CaseReconstruction {
+  double spacing_mm = 0.8;  ///< of the volume, 0.1 to 10
+  Interpolation interpolation = Interpolation::linear;
+  Compounding compounding = Compounding::mean;
+  double fillReach_mm = 4.0;      ///< holes between measured voxels at most this far apart are filled, 0 to 30
+  double feather_mm = 10.0;       ///< over which a sweep fades in from its border, 0 to 100
+  bool equalise = true;           ///< bring the sweeps' gain together before they are stitched
+  double labelsSpacing_mm = 1.6;  ///< of the label volume, which comes from the patient's truth, 0.1 to 10
+  bool operator==(const CaseReconstruction&) const = default;
+};
+
 /// Where the case's volume comes from and where it lies in the mannequin.
 struct CaseVolume {
   std::string file;    ///< relative to the case folder ("volumes/abdomen.mha"), or empty when a recipe makes it
   std::string labels;  ///< of a file: which tissue each voxel is (scene.tissues says what they do), on a grid of its own, or empty
-  std::string recipe;  ///< virtual patient ("patient.json"), voxelised on first start into the cache; empty when there is a file
-  double recipeSpacing_mm = 1.0;
+  std::string recipe;  ///< virtual patient ("patient.json"), made into a volume on first start, in the cache; empty when there is a file
+  double recipeSpacing_mm = 1.0;    ///< of a recipe without sweeps: it is voxelised as it is, without views, shadows or speckle of a probe
+  std::vector<std::string> sweeps;  ///< virtual sweeps of the recipe ("sweeps/subcostal.json"), recorded, reconstructed and stitched
+  CaseReconstruction reconstruct;
   glm::dmat4 fileToWorld{1.0};  ///< rigid placement in the mannequin, mm, LPS
   bool operator==(const CaseVolume&) const = default;
+};
+
+/// What was examined before this examination.
+struct CaseExamination {
+  std::string when;      ///< in words: "two years ago"
+  std::string kind;      ///< "ultrasound", "laboratory" ...
+  std::string findings;  ///< what it said
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const CaseExamination&) const = default;
+};
+
+/// What a trainee is to find. Points and planes are in the world of the patient or file, before file_to_world.
+struct CaseTarget {
+  enum class Kind { point, plane, structure };
+  Kind kind = Kind::structure;
+  std::string name;
+  std::optional<glm::dvec3> at_mm = {};             ///< of a point
+  std::optional<double> tolerance_mm = {};          ///< of a point
+  std::optional<glm::dmat4> probeToWorld = {};      ///< of a plane; absent: the patient's standard plane of that name
+  std::optional<double> positionTolerance_mm = {};  ///< of a plane; absent: the standard plane's
+  std::optional<double> angleTolerance_deg = {};    ///< of a plane; absent: the standard plane's
+  std::string organ = {};                           ///< of a structure: an organ of the patient
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const CaseTarget&) const = default;
+};
+
+/// A measurement that is expected of a trainee: the patient knows its true value (see CaseTruth).
+struct CaseMeasurement {
+  std::string name;                      ///< of a measurement of the patient
+  std::optional<double> tolerance = {};  ///< in the measurement's unit
+  nlohmann::json otherFields = nlohmann::json::object();
+  bool operator==(const CaseMeasurement&) const = default;
 };
 
 /// The manifest of a case folder: case.json, checked against resources/schemas/case.schema.json.
@@ -41,7 +88,11 @@ struct Case {
   CasePatient patient;
   std::string history;
   std::string indication;
+  std::vector<CaseExamination> previousExaminations;
+  std::vector<std::string> findings;  ///< what a good report of this examination says, a sentence each
   std::string diagnosis;
+  std::vector<CaseTarget> targets;
+  std::vector<CaseMeasurement> measurements;
   CaseVolume volume;
   std::string mannequin;            ///< file in resources/mannequin or in the case folder; empty: the default
   std::vector<std::string> probes;  ///< ids; the first is the default; empty: all
