@@ -1,0 +1,283 @@
+#include "scatterers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/phantom/speckle.h"
+
+namespace ew::phantom {
+namespace {
+
+// As in sampleDistance: how far a first-order distance may exceed the true one before a part of the body is wrongly left out.
+constexpr double kReserve = 1.5;
+constexpr double kHalfDiagonal = 0.8660254037844386;
+constexpr double kDecibelPerLevel = 60.0 / 255.0;
+constexpr double kMeanOfLog_db = 2.507;
+constexpr std::uint64_t kTextureSeed = 0x7465787475726521ull;  // as voxelise: the same grains
+constexpr std::uint64_t kAmplitudeSeed = 0x616d706c69747564ull;
+constexpr std::uint64_t kFacetSeed = 0x66616365745f5f31ull;
+constexpr int kFacetsPerCell = 2;  // along each edge
+// A perfect mirror stands this far above full white: fat on soft tissue (reflection coefficient 0.08) is then bright, not burnt.
+constexpr double kPerfectMirror = 2.7;
+constexpr double kLeastReflection = 1e-4;
+constexpr double kCoincident_mm = 0.05;  // surfaces nearer than this are one
+constexpr double kNormalStep_mm = 0.05;
+constexpr double kRough_db = -9.0;         // scattered by a bone's or gas' surface, below what it mirrors
+constexpr double kSmoothRough_db = -18.0;  // and by a capsule or vessel wall
+constexpr double kGlintScattered = 0.18;   // as voxelise: of a border's extra brightness, what comes from its layer of tissue
+
+double unit16(std::uint64_t hash, int shift) { return (static_cast<double>((hash >> shift) & 0xFFFFu) + 0.5) / 65536.0; }
+
+}  // namespace
+
+double specklePowerAt(double level) { return std::pow(10.0, 0.1 * ((level - 255.0) * kDecibelPerLevel + kMeanOfLog_db)); }
+double amplitudeAt(double level) { return std::pow(10.0, 0.05 * (level - 255.0) * kDecibelPerLevel); }
+
+/// Makes one block by halving it until a part lies in one tissue or is a single cell.
+class ScattererField::Filler {
+ public:
+  Filler(const ScattererField& field, const glm::ivec3& index)
+      : patient_(*field.patient_), pitch_(field.pitch_), seed_(field.seed_), first_(index * ScattererBlock::kCells) {
+    corner_ = pitch_ * glm::dvec3(first_);
+    volume_ = pitch_ * pitch_ * pitch_;
+    tissues_.assign(static_cast<std::size_t>(ScattererBlock::kCells) * ScattererBlock::kCells * ScattererBlock::kCells,
+                    ScattererBlock::kOutside);
+  }
+
+  std::shared_ptr<const ScattererBlock> make() {
+    std::vector<const Organ*> all;
+    all.reserve(patient_.organs.size());
+    for (const Organ& organ : patient_.organs) all.push_back(&organ);
+    fill(glm::ivec3(0), ScattererBlock::kCells, all, false);
+    block_.evenTissue = tissues_.front();
+    if (std::any_of(tissues_.begin(), tissues_.end(), [&](std::uint8_t tissue) { return tissue != tissues_.front(); }))
+      block_.tissues = std::move(tissues_);
+    for (std::vector<float>* values : {&block_.x, &block_.y, &block_.z, &block_.amplitude}) values->shrink_to_fit();
+    block_.facets.shrink_to_fit();
+    return std::make_shared<const ScattererBlock>(std::move(block_));
+  }
+
+ private:
+  void fill(const glm::ivec3& cell, int size, const std::vector<const Organ*>& candidates, bool insideSkin) {
+    const double radius = kHalfDiagonal * pitch_ * size;
+    const glm::dvec3 centre = corner_ + pitch_ * (glm::dvec3(cell) + 0.5 * size);
+    if (!insideSkin) {
+      const double skin = patient_.skin->distance_mm(centre);
+      if (skin > kReserve * radius) return;
+      insideSkin = skin < -kReserve * radius;
+    }
+    std::vector<const Organ*> near;
+    const Organ* owner = nullptr;  // whose tissue fills the whole part
+    for (const Organ* organ : candidates) {
+      const double reach = radius + std::max(organ->border ? organ->border->width_mm : 0.0, pitch_);
+      if (organ->shape->atLeast_mm(centre) > reach) continue;
+      const double d = organ->shape->distance_mm(centre);
+      if (d > kReserve * reach) continue;
+      near.push_back(organ);
+      if (d < -kReserve * reach) {  // whatever comes later is hidden by this one
+        owner = organ;
+        break;
+      }
+    }
+    if (insideSkin && (near.empty() || near.front() == owner)) {
+      const std::size_t tissue = near.empty() ? patient_.backgroundTissue : owner->tissue;
+      for (int k = 0; k < size; ++k)
+        for (int j = 0; j < size; ++j)
+          for (int i = 0; i < size; ++i) {
+            const glm::ivec3 at = cell + glm::ivec3(i, j, k);
+            setTissue(at, tissue);
+            addScatterer(at, placeIn(at), tissue, {});
+          }
+      return;
+    }
+    if (size > 1) {
+      const int half = size / 2;
+      for (int child = 0; child < 8; ++child)
+        fill(cell + half * glm::ivec3(child & 1, (child >> 1) & 1, child >> 2), half, near, insideSkin);
+      return;
+    }
+    const glm::dvec3 place = placeIn(cell);
+    if (insideSkin || patient_.skin->distance_mm(place) < 0.0) {
+      std::size_t tissue = patient_.backgroundTissue;
+      for (const Organ* organ : near) {
+        if (!(organ->shape->distance_mm(place) < 0.0)) continue;
+        tissue = organ->tissue;
+        break;
+      }
+      setTissue(cell, tissue);
+      addScatterer(cell, place, tissue, near);
+    }
+    for (std::size_t n = 0; n < near.size(); ++n) addFacets(cell, centre, near, n);
+  }
+
+  void setTissue(const glm::ivec3& cell, std::size_t tissue) {
+    tissues_[static_cast<std::size_t>((cell.z * ScattererBlock::kCells + cell.y) * ScattererBlock::kCells + cell.x)] =
+        static_cast<std::uint8_t>(tissue);
+  }
+
+  [[nodiscard]] std::uint64_t hashOf(const glm::ivec3& cell, std::uint64_t salt) const {
+    const glm::ivec3 at = first_ + cell;
+    return hashOfPlace(seed_ ^ salt, at.x, at.y, at.z);
+  }
+  [[nodiscard]] glm::dvec3 placeIn(const glm::ivec3& cell) const {
+    const std::uint64_t hash = hashOf(cell, 0);
+    return corner_ + pitch_ * (glm::dvec3(cell) + glm::dvec3(unit16(hash, 0), unit16(hash, 16), unit16(hash, 32)));
+  }
+
+  void addScatterer(const glm::ivec3& cell, const glm::dvec3& place, std::size_t number, const std::vector<const Organ*>& near) {
+    const Tissue& tissue = patient_.tissues[number];
+    double level = tissue.echoLevel;
+    if (tissue.texture.level > 0.0) {
+      const glm::dvec3 grain(place.x, tissue.texture.followsTheSkin ? patient_.skin->distance_mm(place) : place.y, place.z);
+      level += tissue.texture.level * valueNoise(1 + kTextureSeed * (number + 1), grain / tissue.texture.scale_mm);
+    }
+    level = withBorders(level, place, near);
+    const double kept = tissue.scatterers_perMm3 ? std::min(1.0, *tissue.scatterers_perMm3 * volume_) : 1.0;
+    if (!(kept > 0.0) || (tissue.speckle <= 0.0 && level <= tissue.echoLevel)) return;
+    const std::uint64_t hash = hashOf(cell, kAmplitudeSeed);
+    if (unit16(hash, 32) > kept) return;
+    // Random sign, magnitude even between 1/2 and 3/2 of its mean: a fourth moment of 1.29 squared variances. With so little spread the
+    // intensity has the statistics of an exponential variable although a resolution cell holds few scatterers; Gaussian amplitudes need
+    // ten times more of them.
+    constexpr double kVariance = 13.0 / 12.0;
+    const double magnitude = 0.5 + (static_cast<double>(hash & 0x7FFFFFFFu) + 0.5) / 2147483648.0;
+    const double sign = (hash & 0x80000000u) != 0 ? 1.0 : -1.0;
+    const double amplitude = sign * magnitude * std::sqrt(specklePowerAt(level) * volume_ / (kept * kVariance));
+    const glm::dvec3 local = place - corner_;
+    block_.x.push_back(static_cast<float>(local.x));
+    block_.y.push_back(static_cast<float>(local.y));
+    block_.z.push_back(static_cast<float>(local.z));
+    block_.amplitude.push_back(static_cast<float>(amplitude));
+  }
+
+  /// The layer of tissue along an organ's surface scatters more than what it parts.
+  [[nodiscard]] double withBorders(double level, const glm::dvec3& place, const std::vector<const Organ*>& near) const {
+    double strongest = 0.0, towards = 0.0;
+    for (const Organ* organ : near) {
+      const double d = organ->shape->distance_mm(place);
+      if (organ->border) {
+        const double t = d / organ->border->width_mm;
+        const double share = organ->border->shine == Shine::allRound ? 1.0 : kGlintScattered;
+        if (t * t < 1.0) {
+          const double weight = share * (1.0 - t * t) * (1.0 - t * t);
+          if (weight * organ->border->echoLevel > strongest * towards) {
+            strongest = weight;
+            towards = organ->border->echoLevel;
+          }
+        }
+      }
+      if (d < 0.0) break;
+    }
+    return towards > level ? level + strongest * (towards - level) : level;
+  }
+
+  [[nodiscard]] std::optional<double> impedanceAt(const glm::dvec3& place, const std::vector<const Organ*>& near) const {
+    if (patient_.skin->distance_mm(place) >= 0.0) return std::nullopt;
+    for (const Organ* organ : near) {
+      if (organ->shape->distance_mm(place) < 0.0) return patient_.tissues[organ->tissue].impedance_mrayl;
+    }
+    return patient_.tissues[patient_.backgroundTissue].impedance_mrayl;
+  }
+
+  /// Points spread evenly in a layer of the facets' spacing about the surface, brought down onto it: each stands for spacing^2 of it.
+  void addFacets(const glm::ivec3& cell, const glm::dvec3& centre, const std::vector<const Organ*>& near, std::size_t n) {
+    const Organ& organ = *near[n];
+    const double spacing = pitch_ / kFacetsPerCell;
+    if (std::abs(organ.shape->distance_mm(centre)) > kReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
+    for (int part = 0; part < kFacetsPerCell * kFacetsPerCell * kFacetsPerCell; ++part) {
+      const glm::ivec3 sub = kFacetsPerCell * (first_ + cell) + glm::ivec3(part & 1, (part >> 1) & 1, part >> 2);
+      const std::uint64_t hash =
+          hashOfPlace(seed_ ^ kFacetSeed ^ (static_cast<std::uint64_t>(&organ - patient_.organs.data()) << 8), sub.x, sub.y, sub.z);
+      const glm::dvec3 place = spacing * (glm::dvec3(sub) + glm::dvec3(unit16(hash, 0), unit16(hash, 16), unit16(hash, 32)));
+      const double d = organ.shape->distance_mm(place);
+      if (std::abs(d) > 0.5 * spacing) continue;
+      glm::dvec3 gradient;
+      for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 step(0.0);
+        step[axis] = kNormalStep_mm;
+        gradient[axis] = organ.shape->distance_mm(place + step) - d;
+      }
+      const double steep = glm::length(gradient);
+      if (!(steep > 0.0)) continue;
+      const glm::dvec3 normal = gradient / steep;
+      const glm::dvec3 foot = place - normal * (d * kNormalStep_mm / steep);
+      if (patient_.skin->distance_mm(foot) > kCoincident_mm || hidden(foot, near, n)) continue;
+
+      double mirror = 0.0, rough_db = kSmoothRough_db;
+      bool frontOnly = false;
+      if (organ.border) {
+        if (organ.border->shine == Shine::allRound) continue;
+        mirror = amplitudeAt(organ.border->echoLevel);
+        frontOnly = organ.border->shine == Shine::front;
+        if (frontOnly) rough_db = kRough_db;
+      } else {
+        const auto outside = impedanceAt(foot + 2.0 * kCoincident_mm * normal, near);
+        if (!outside) continue;
+        const double inside = patient_.tissues[organ.tissue].impedance_mrayl;
+        const double reflection = std::abs(inside - *outside) / (inside + *outside);
+        if (reflection < kLeastReflection) continue;
+        mirror = kPerfectMirror * reflection;
+      }
+      const double area = spacing * spacing;
+      ScattererBlock::Facet facet;
+      facet.place = glm::vec3(foot - corner_);
+      facet.normal = glm::vec3(normal);
+      facet.mirror = static_cast<float>(mirror * area);
+      facet.rough = static_cast<float>(mirror * std::pow(10.0, 0.05 * rough_db) * spacing * std::sqrt(12.0) * (unit16(hash, 48) - 0.5));
+      facet.frontOnly = frontOnly;
+      block_.facets.push_back(facet);
+    }
+  }
+
+  /// Whether an organ of higher priority covers this point of organ n's surface, or has drawn the same surface already.
+  [[nodiscard]] static bool hidden(const glm::dvec3& foot, const std::vector<const Organ*>& near, std::size_t n) {
+    for (std::size_t m = 0; m < n; ++m) {
+      const double d = near[m]->shape->distance_mm(foot);
+      if (d < -kCoincident_mm) return true;
+      if (d <= kCoincident_mm && (near[m]->border || !near[n]->border)) return true;
+    }
+    return false;
+  }
+
+  const Patient& patient_;
+  double pitch_;
+  std::uint64_t seed_;
+  glm::ivec3 first_;
+  glm::dvec3 corner_;
+  double volume_ = 0.0;
+  ScattererBlock block_;
+  std::vector<std::uint8_t> tissues_;
+};
+
+ScattererField::ScattererField(std::shared_ptr<const Patient> patient, double pitch_mm, std::uint64_t seed, std::size_t maxBytes)
+    : patient_(std::move(patient)), pitch_(pitch_mm), seed_(seed), maxBytesOfShard_(maxBytes / kShards) {}
+
+std::size_t ScattererField::Hash::operator()(const glm::ivec3& index) const {
+  return static_cast<std::size_t>(hashOfPlace(0, index.x, index.y, index.z));
+}
+
+std::shared_ptr<const ScattererBlock> ScattererField::block(const glm::ivec3& index) const {
+  Shard& shard = shards_[Hash{}(index) % kShards];
+  {
+    const std::lock_guard lock(shard.guard);
+    if (const auto found = shard.found.find(index); found != shard.found.end()) {
+      shard.used.splice(shard.used.begin(), shard.used, found->second);
+      return found->second->block;
+    }
+  }
+  // Made without the lock: two threads may make the same block at once, and both make the same one.
+  std::shared_ptr<const ScattererBlock> made = Filler(*this, index).make();
+  const std::lock_guard lock(shard.guard);
+  if (const auto found = shard.found.find(index); found != shard.found.end()) return found->second->block;
+  shard.used.push_front({index, made});
+  shard.found.emplace(index, shard.used.begin());
+  shard.bytes += made->bytes();
+  while (shard.bytes > maxBytesOfShard_ && shard.used.size() > 1) {
+    shard.bytes -= shard.used.back().block->bytes();
+    shard.found.erase(shard.used.back().index);
+    shard.used.pop_back();
+  }
+  return made;
+}
+
+}  // namespace ew::phantom
