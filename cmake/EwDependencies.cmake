@@ -15,6 +15,15 @@ find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersSources ImagingCore
   IOGeometry IOPLY InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
+# GDCM's own package file names programs and VTK bridges of other packages that are not needed here; its libraries are found by name.
+find_path(EW_GDCM_INCLUDE gdcmImageCodec.h PATH_SUFFIXES gdcm-3.0 REQUIRED)
+add_library(ew_gdcm INTERFACE)
+add_library(ew::gdcm ALIAS ew_gdcm)
+target_include_directories(ew_gdcm SYSTEM INTERFACE ${EW_GDCM_INCLUDE})
+foreach(part gdcmMSFF gdcmDSED gdcmCommon)
+  find_library(EW_${part} ${part} REQUIRED)
+  target_link_libraries(ew_gdcm INTERFACE ${EW_${part}})
+endforeach()
 find_package(benchmark REQUIRED)
 if(EW_BUILD_TESTS)
   find_package(GTest REQUIRED)

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ew/core/result.h"
+
+namespace ew {
+
+/// A rectangle of pixels; x to the right, y down, from the upper left corner.
+struct PixelRect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// "x,y,width,height". @error badUsage
+[[nodiscard]] Result<PixelRect> parsePixelRect(std::string_view text);
+
+/// What an import left behind, by name and never by value.
+struct Removed {
+  std::vector<std::string> fields;        ///< "(0010,0010) Patient's Name" ...; what was there and can name a person, a place or a time
+  std::uint64_t privateFields = 0;        ///< fields of makers, dropped whatever they hold
+  std::vector<PixelRect> blankedOutside;  ///< what was kept of each picture; everything around it was cut away
+  std::vector<PixelRect> blanked;         ///< rectangles the user named, made black
+  std::uint64_t pixelsPerFrame = 0;       ///< cut away or blanked, of each frame
+  bool operator==(const Removed&) const = default;
+  [[nodiscard]] bool nothing() const { return fields.empty() && privateFields == 0 && pixelsPerFrame == 0; }
+};
+
+/// The report as sentences for a person.
+[[nodiscard]] std::vector<std::string> sentencesOf(const Removed& removed);
+
+/// Makes the rectangles black in every frame of (frames x height x width) pixels; parts outside the picture are ignored.
+/// @return pixels of one frame that were made black
+std::uint64_t blank(std::span<std::uint8_t> pixels, int width, int height, std::span<const PixelRect> rects);
+
+}  // namespace ew

@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <new>
+
+#include "dicom_fields.h"
+#include "ew/core/numbers.h"
+#include "ew/io/dicom.h"
+#include "grey_samples.h"
+#include "image_header.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+std::string number(double value) { return textOf(std::round(value * 1e6) / 1e6); }
+
+std::string percent(double share) { return textOf(std::round(share * 10000.0) / 100.0) + " %"; }
+
+std::string listed(const std::vector<UltrasoundRegion>& regions) {
+  std::string list;
+  for (std::size_t n = 0; n < regions.size(); ++n) list += (list.empty() ? "" : "; ") + regions[n].describe(n + 1);
+  return list;
+}
+
+/// Times of the frames by the field that the file names, or by the one that is there; empty when there is none.
+std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<std::string>& notes) {
+  constexpr DicomTag period = 0x00181063u, steps = 0x00181065u;
+  DicomTag named = 0;
+  if (const DicomElement* const pointer = data.find(0x00280009u); pointer != nullptr && pointer->value.size() >= 4) {
+    const auto word = [&](std::size_t at) -> std::uint32_t {
+      const std::uint32_t first = pointer->value[at], second = pointer->value[at + 1];
+      return data.bigEndian ? first << 8 | second : second << 8 | first;
+    };
+    named = word(0) << 16 | word(2);
+  }
+  if (named != period && named != steps) named = data.find(period) != nullptr ? period : steps;
+  const auto values = data.numbers(named);
+  std::vector<double> times_s;
+  const auto usable = [](double step) { return std::isfinite(step) && step >= 0.0 && step < 1e7; };
+  if (frames < 2) return {};
+  if (named == period && !values.empty() && usable(values.front()) && values.front() > 0.0) {
+    for (std::uint64_t n = 0; n < frames; ++n) times_s.push_back(values.front() * 0.001 * static_cast<double>(n));
+  } else if (named == steps && values.size() == frames && std::all_of(values.begin(), values.end(), usable)) {
+    double time_ms = 0.0;
+    for (std::uint64_t n = 0; n < frames; ++n) {
+      // The first entry is the time before the first frame, 0 by the standard.
+      if (n > 0) time_ms += values[n];
+      times_s.push_back(time_ms * 0.001);
+    }
+  } else {
+    notes.push_back("The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.");
+  }
+  return times_s;
+}
+
+struct Chosen {
+  PixelRect rect;
+  glm::dvec2 pixel_mm{0.0};
+  const UltrasoundRegion* region = nullptr;  ///< null: the whole picture
+};
+
+Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std::vector<UltrasoundRegion>& regions,
+                      const CineOptions& options, std::vector<std::string>& notes) {
+  const PixelRect whole{0, 0, static_cast<int>(layout.columns), static_cast<int>(layout.rows)};
+  const auto ask = [&](const char* what, std::string sentence) {
+    return failure(ErrorCode::missingCalibration, std::move(sentence), {{"file", file.string()}, {"ask", what}});
+  };
+  if (options.pixel_mm)
+    for (int axis = 0; axis < 2; ++axis)
+      if (!std::isfinite((*options.pixel_mm)[axis]) || !((*options.pixel_mm)[axis] > 0.0))
+        return failure(ErrorCode::badUsage, "The size of a pixel must be above 0 mm in both directions.");
+  const auto take = [&](std::size_t index) -> Result<Chosen> {
+    const UltrasoundRegion& region = regions[index];
+    if (!region.usable() && (region.rect.width < 1 || region.problem.starts_with("it reaches")))
+      return ask("pixel-mm", "Region " + region.describe(index + 1) + " of " + quoted(file) +
+                                 " cannot be used; take the whole picture and give the size of a pixel in mm.");
+    if (!region.usable() && !options.pixel_mm)
+      return ask("pixel-mm", "Region " + region.describe(index + 1) + " of " + quoted(file) +
+                                 " cannot be used as it is; give the size of a pixel in mm, or choose another region.");
+    if (options.pixel_mm && region.usable())
+      notes.push_back("The size of a pixel was given: " + number(options.pixel_mm->x) + " x " + number(options.pixel_mm->y) +
+                      " mm instead of the " + number(region.pixel_mm().x) + " x " + number(region.pixel_mm().y) + " mm of the region.");
+    return Chosen{region.rect, options.pixel_mm.value_or(region.pixel_mm()), &region};
+  };
+  if (options.region && *options.region > 0) {
+    if (static_cast<std::size_t>(*options.region) > regions.size())
+      return ask("region", quoted(file) + " has " + counted(regions.size(), "region", "regions") + ", no region " +
+                               std::to_string(*options.region) + "; choose one that is there, or 0 for the whole picture.");
+    return take(static_cast<std::size_t>(*options.region) - 1);
+  }
+  if (options.region) {  // the whole picture
+    if (!options.pixel_mm)
+      return ask("pixel-mm", "The whole picture of " + quoted(file) + " has no size of a pixel of its own; give it in mm.");
+    return Chosen{whole, *options.pixel_mm, nullptr};
+  }
+  std::vector<std::size_t> usable;
+  bool stale = false;
+  for (std::size_t n = 0; n < regions.size(); ++n) {
+    if (regions[n].usable() && regions[n].isBMode()) usable.push_back(n);
+    stale = stale || regions[n].problem.starts_with("it reaches");
+  }
+  if (usable.size() == 1 && !stale) return take(usable.front());
+  if (usable.size() > 1)
+    return ask("region", quoted(file) + " shows " + std::to_string(usable.size()) + " calibrated pictures side by side (" +
+                             listed(regions) + "); choose one of the regions.");
+  if (options.pixel_mm) return Chosen{whole, *options.pixel_mm, nullptr};
+  if (regions.empty())
+    return ask("pixel-mm", quoted(file) + " does not say how large its pixels are (it has no ultrasound regions); give the size in mm.");
+  return ask("pixel-mm", "No region of " + quoted(file) + " tells how large a pixel is (" + listed(regions) +
+                             "); give the size of a pixel in mm, or choose a region that you know to be right.");
+}
+
+/// The pixels of `rect`, frame by frame, to the front of the same memory.
+void crop(std::vector<std::uint8_t>& pixels, std::size_t frames, const PixelLayout& layout, const PixelRect& rect) {
+  if (pixels.empty()) return;
+  std::uint8_t* to = pixels.data();
+  for (std::size_t frame = 0; frame < frames; ++frame)
+    for (int y = 0; y < rect.height; ++y) {
+      const std::size_t from =
+          (frame * layout.rows + static_cast<std::size_t>(rect.y + y)) * layout.columns + static_cast<std::size_t>(rect.x);
+      std::memmove(to, pixels.data() + from, static_cast<std::size_t>(rect.width));
+      to += rect.width;
+    }
+  pixels.resize(frames * static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
+  pixels.shrink_to_fit();
+}
+
+bool overlap(const PixelRect& a, const PixelRect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+/// What becomes of coloured pixels: as `rule` says, and told in the notes.
+Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const fs::path& file) {
+  const auto count = static_cast<double>(std::count(cine.coloured.begin(), cine.coloured.end(), 1));
+  cine.colouredShare = cine.coloured.empty() ? 0.0 : count / static_cast<double>(cine.coloured.size());
+  if (count == 0.0) {
+    cine.coloured.clear();
+    return {};
+  }
+  const std::string share = percent(cine.colouredShare) + " of the pixels are coloured";
+  const std::string where = flowRegion ? share + ", in a colour flow region" : share;
+  // A few pixels are a marker or the noise of a codec, not a Doppler picture.
+  constexpr double few = 0.0005;
+  if (rule == ColourRule::ask && (cine.colouredShare > few || flowRegion))
+    return failure(ErrorCode::unsupported,
+                   "In " + quoted(file) + " " + where +
+                       ", as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.",
+                   {{"file", file.string()}, {"ask", "colour"}, {"coloured", percent(cine.colouredShare)}});
+  if (rule == ColourRule::dropColour) {
+    for (std::size_t n = 0; n < cine.coloured.size(); ++n)
+      if (cine.coloured[n] != 0) cine.sequence.pixels[n] = 0;
+    cine.notes.push_back(where + "; they were made black, and a mask tells where.");
+  } else {
+    cine.notes.push_back(where + "; their luminance became the echo level, and a mask tells where.");
+  }
+  return {};
+}
+
+}  // namespace
+
+bool isDicom(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<std::uint8_t> beginning(256);
+  in.read(reinterpret_cast<char*>(beginning.data()), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return looksLikeDicom(beginning);
+}
+
+Result<DicomSummary> inspectDicom(const fs::path& file, const ReadLimits& limits) {
+  const auto dicom = readDicomFile(file, limits.maxBytes);
+  if (!dicom) return passOn(dicom.error());
+  DicomSummary summary;
+  summary.identifying = identifyingFields(dicom->data);
+  if (!kretzInside(dicom->data).empty()) {
+    summary.kind = DicomKind::kretz;
+    return summary;
+  }
+  const auto layout = pixelLayoutOf(*dicom, limits);
+  if (!layout) return passOn(layout.error());
+  summary.columns = static_cast<int>(layout->columns);
+  summary.rows = static_cast<int>(layout->rows);
+  summary.frames = layout->frames;
+  summary.photometric = layout->photometric;
+  summary.codec = layout->codec;
+  summary.regions = regionsOf(dicom->data, layout->columns, layout->rows);
+  const std::string burnedIn = dicom->data.text(0x00280301u);
+  if (burnedIn == "YES" || burnedIn == "NO") summary.burnedInText = burnedIn == "YES";
+  if (dicom->data.text(0x00080016u) == kEnhancedUsVolume) {
+    summary.kind = DicomKind::enhancedVolume;
+    const auto planes = volumePlanesOf(*dicom, *layout);
+    if (!planes) return passOn(planes.error());
+    summary.timeSteps_s = timeStepsOf(*planes);
+  }
+  return summary;
+}
+
+Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Progress& progress, const ReadLimits& limits) try {
+  const auto dicom = readDicomFile(file, limits.maxBytes);
+  if (!dicom) return passOn(dicom.error());
+  const auto layout = pixelLayoutOf(*dicom, limits);
+  if (!layout) return passOn(layout.error());
+  Cine cine;
+  const auto regions = regionsOf(dicom->data, layout->columns, layout->rows);
+  const auto chosen = choose(file, *layout, regions, options, cine.notes);
+  if (!chosen) return passOn(chosen.error());
+  const bool burnedIn = dicom->data.text(0x00280301u) == "YES";
+  if (burnedIn && chosen->region == nullptr && options.blank.empty() && !options.keepText)
+    return failure(ErrorCode::unsupported,
+                   "The pictures of " + quoted(file) +
+                       " have text burned in, which may name the patient; choose a region, name the rectangles to make black, or say that "
+                       "the text may stay.",
+                   {{"file", file.string()}, {"ask", "blank"}});
+
+  std::vector<std::uint64_t> every(layout->frames);
+  for (std::uint64_t n = 0; n < layout->frames; ++n) every[n] = n;
+  auto grey = readGreyFrames(*dicom, *layout, every, limits, progress, cine.notes);
+  if (!grey) return passOn(grey.error());
+  cine.removed = identifyingFields(dicom->data);
+  const PixelRect& rect = chosen->rect;
+  const int columns = static_cast<int>(layout->columns), rows = static_cast<int>(layout->rows);
+  cine.removed.pixelsPerFrame = blank(grey->level, columns, rows, options.blank);
+  blank(grey->coloured, columns, rows, options.blank);
+  cine.removed.blanked = options.blank;
+  crop(grey->level, layout->frames, *layout, rect);
+  crop(grey->coloured, layout->frames, *layout, rect);
+  if (chosen->region != nullptr) {
+    cine.removed.blankedOutside.push_back(rect);
+    const std::uint64_t kept = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
+    cine.removed.pixelsPerFrame = std::max(cine.removed.pixelsPerFrame, layout->pixelsPerFrame() - kept);
+  }
+  Sequence& sequence = cine.sequence;
+  sequence.width = rect.width;
+  sequence.height = rect.height;
+  sequence.pixels = std::move(grey->level);
+  cine.coloured = std::move(grey->coloured);
+  sequence.imageType = "BRIGHTNESS";
+  cine.pixel_mm = chosen->pixel_mm;
+  const auto times_s = frameTimes(dicom->data, layout->frames, cine.notes);
+  glm::dmat4 imageToPicture(1.0);
+  imageToPicture[0][0] = cine.pixel_mm.x;
+  imageToPicture[1][1] = cine.pixel_mm.y;
+  imageToPicture[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
+  for (std::uint64_t n = 0; n < layout->frames; ++n) {
+    SequenceFrame frame;
+    if (!times_s.empty()) frame.time_s = times_s[n];
+    frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});
+    sequence.frames.push_back(std::move(frame));
+  }
+  const bool flow = std::any_of(regions.begin(), regions.end(),
+                                [&](const UltrasoundRegion& one) { return one.dataType == 2 && overlap(one.rect, rect); });
+  if (auto settled = settleColours(cine, options.colour, flow, file); !settled) return passOn(settled.error());
+  cine.notes.push_back(
+      "The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, " +
+      number(cine.pixel_mm.x) + " x " + number(cine.pixel_mm.y) +
+      " mm a pixel; the file does not say on which side the probe's marker is.");
+  if (chosen->region != nullptr) {
+    const UltrasoundRegion& region = *chosen->region;
+    cine.notes.push_back("The pictures were cut to region " + region.describe(static_cast<std::size_t>(&region - regions.data()) + 1) +
+                         ".");
+    if (region.referencePixel)
+      cine.notes.push_back("The region counts its own mm from pixel (" + number(region.referencePixel->x) + ", " +
+                           number(region.referencePixel->y) + ") of the cut picture, where x is " + number(10.0 * region.referenceValue.x) +
+                           " and y is " + number(10.0 * region.referenceValue.y) + ".");
+  } else if (burnedIn || dicom->data.text(0x00280301u) != "NO") {
+    cine.notes.push_back(burnedIn ? "Text is burned into the pictures; check that what is left names nobody."
+                                  : "The file does not rule out text burned into the pictures; check that they name nobody.");
+  }
+  progress.report("Reading frames", 1.0);
+  return cine;
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of " + quoted(file) + "; close other programs.",
+                 {{"file", file.string()}});
+}
+
+}  // namespace ew

@@ -1,0 +1,189 @@
+#include "dicom_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "ew/core/numbers.h"
+#include "image_header.h"
+
+namespace ew {
+
+std::string UltrasoundRegion::describe(std::size_t number) const {
+  const char* kind = "another kind of picture";
+  if (spatialFormat == 1) kind = dataType == 1 ? "tissue" : dataType == 2 ? "colour flow" : "two-dimensional, neither tissue nor flow";
+  if (spatialFormat == 2) kind = "M-mode";
+  if (spatialFormat == 3) kind = "spectrum";
+  if (spatialFormat == 4) kind = "curve";
+  if (dataType == 13) kind = "grey bar";
+  if (dataType == 14) kind = "colour bar";
+  std::string text = std::to_string(number) + ": " + kind + ", " + std::to_string(rect.width) + " x " + std::to_string(rect.height) +
+                     " pixels at (" + std::to_string(rect.x) + ", " + std::to_string(rect.y) + ")";
+  if (unitsX == 3 && unitsY == 3) text += ", " + textOf(pixel_mm().x) + " x " + textOf(pixel_mm().y) + " mm a pixel";
+  if (!problem.empty()) text += " (" + problem + ")";
+  return text;
+}
+
+namespace detail {
+namespace {
+
+struct Name {
+  DicomTag tag;
+  const char* name;
+};
+/// What names or dates a patient, a person, a place, a device or a study (after PS3.15, table E.1-1).
+constexpr std::array kIdentifying{
+    Name{0x00080014u, "Instance Creator UID"},
+    Name{0x00080018u, "SOP Instance UID"},
+    Name{0x00080012u, "Instance Creation Date"},
+    Name{0x00080013u, "Instance Creation Time"},
+    Name{0x00080020u, "Study Date"},
+    Name{0x00080021u, "Series Date"},
+    Name{0x00080022u, "Acquisition Date"},
+    Name{0x00080023u, "Content Date"},
+    Name{0x0008002Au, "Acquisition DateTime"},
+    Name{0x00080030u, "Study Time"},
+    Name{0x00080031u, "Series Time"},
+    Name{0x00080032u, "Acquisition Time"},
+    Name{0x00080033u, "Content Time"},
+    Name{0x00080050u, "Accession Number"},
+    Name{0x00080080u, "Institution Name"},
+    Name{0x00080081u, "Institution Address"},
+    Name{0x00080090u, "Referring Physician's Name"},
+    Name{0x00080092u, "Referring Physician's Address"},
+    Name{0x00080094u, "Referring Physician's Telephone Numbers"},
+    Name{0x00081010u, "Station Name"},
+    Name{0x00081030u, "Study Description"},
+    Name{0x0008103Eu, "Series Description"},
+    Name{0x00081040u, "Institutional Department Name"},
+    Name{0x00081048u, "Physician(s) of Record"},
+    Name{0x00081050u, "Performing Physician's Name"},
+    Name{0x00081060u, "Name of Physician(s) Reading Study"},
+    Name{0x00081070u, "Operators' Name"},
+    Name{0x00081080u, "Admitting Diagnoses Description"},
+    Name{0x00082111u, "Derivation Description"},
+    Name{0x00084000u, "Identifying Comments"},
+    Name{0x00100010u, "Patient's Name"},
+    Name{0x00100020u, "Patient ID"},
+    Name{0x00100021u, "Issuer of Patient ID"},
+    Name{0x00100030u, "Patient's Birth Date"},
+    Name{0x00100032u, "Patient's Birth Time"},
+    Name{0x00100040u, "Patient's Sex"},
+    Name{0x00101000u, "Other Patient IDs"},
+    Name{0x00101001u, "Other Patient Names"},
+    Name{0x00101010u, "Patient's Age"},
+    Name{0x00101020u, "Patient's Size"},
+    Name{0x00101030u, "Patient's Weight"},
+    Name{0x00101040u, "Patient's Address"},
+    Name{0x00102154u, "Patient's Telephone Numbers"},
+    Name{0x00102160u, "Ethnic Group"},
+    Name{0x00102180u, "Occupation"},
+    Name{0x001021B0u, "Additional Patient History"},
+    Name{0x001021C0u, "Pregnancy Status"},
+    Name{0x001021D0u, "Last Menstrual Date"},
+    Name{0x00104000u, "Patient Comments"},
+    Name{0x00181000u, "Device Serial Number"},
+    Name{0x00181030u, "Protocol Name"},
+    Name{0x00184000u, "Acquisition Comments"},
+    Name{0x0020000Du, "Study Instance UID"},
+    Name{0x0020000Eu, "Series Instance UID"},
+    Name{0x00200010u, "Study ID"},
+    Name{0x00200052u, "Frame of Reference UID"},
+    Name{0x00209312u, "Volume Frame of Reference UID"},
+    Name{0x00204000u, "Image Comments"},
+    Name{0x00321032u, "Requesting Physician"},
+    Name{0x00321060u, "Requested Procedure Description"},
+    Name{0x00380010u, "Admission ID"},
+    Name{0x00400244u, "Performed Procedure Step Start Date"},
+    Name{0x00400245u, "Performed Procedure Step Start Time"},
+    Name{0x00400253u, "Performed Procedure Step ID"},
+    Name{0x00400254u, "Performed Procedure Step Description"},
+};
+
+void collect(const DicomItem& item, Removed& removed) {
+  for (const DicomElement& element : item.elements) {
+    const std::uint32_t group = element.tag >> 16;
+    if (group % 2 == 1) {
+      ++removed.privateFields;
+      continue;
+    }
+    const bool empty = element.value.empty() && element.items.empty();
+    const auto* const known =
+        std::find_if(kIdentifying.begin(), kIdentifying.end(), [&](const Name& name) { return name.tag == element.tag; });
+    if (!empty && (known != kIdentifying.end() || group == 0x0010u)) {
+      std::array<char, 16> tag{};
+      std::snprintf(tag.data(), tag.size(), "(%04X,%04X)", group, element.tag & 0xFFFFu);
+      std::string name = std::string(tag.data()) + " " + (known != kIdentifying.end() ? known->name : "patient field");
+      if (std::find(removed.fields.begin(), removed.fields.end(), name) == removed.fields.end()) removed.fields.push_back(std::move(name));
+    }
+    for (const DicomItem& inside : element.items) collect(inside, removed);
+  }
+}
+
+std::string problemOf(const UltrasoundRegion& region, bool placed, std::uint64_t columns, std::uint64_t rows) {
+  if (!placed) return "its corners are missing or crossed";
+  if (static_cast<std::uint64_t>(region.rect.x) + static_cast<std::uint64_t>(region.rect.width) > columns ||
+      static_cast<std::uint64_t>(region.rect.y) + static_cast<std::uint64_t>(region.rect.height) > rows)
+    return "it reaches beyond the picture of " + std::to_string(columns) + " x " + std::to_string(rows) +
+           " pixels, so that it was made for another size";
+  if (region.spatialFormat != 1) return "it is no two-dimensional picture";
+  if (region.unitsX != 3 || region.unitsY != 3) return "its units are not cm";
+  const auto usable = [](double delta) { return std::isfinite(delta) && delta > 1e-6 && delta < 10.0; };
+  if (!usable(region.deltaX) || !usable(region.deltaY)) return "it gives no size of a pixel";
+  return {};
+}
+
+}  // namespace
+
+Removed identifyingFields(const DicomItem& data) {
+  Removed removed;
+  collect(data, removed);
+  return removed;
+}
+
+std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t columns, std::uint64_t rows) {
+  std::vector<UltrasoundRegion> regions;
+  for (const DicomItem& item : data.items(0x00186011u)) {
+    UltrasoundRegion region;
+    const auto whole = [&](DicomTag tag) { return item.count(tag).value_or(0); };
+    region.spatialFormat = static_cast<int>(std::min<std::uint64_t>(whole(0x00186012u), 999));
+    region.dataType = static_cast<int>(std::min<std::uint64_t>(whole(0x00186014u), 999));
+    region.flags = static_cast<std::uint32_t>(whole(0x00186016u));
+    region.unitsX = static_cast<int>(std::min<std::uint64_t>(whole(0x00186024u), 999));
+    region.unitsY = static_cast<int>(std::min<std::uint64_t>(whole(0x00186026u), 999));
+    region.deltaX = item.number(0x0018602Cu).value_or(0.0);
+    region.deltaY = item.number(0x0018602Eu).value_or(0.0);
+    const auto x0 = item.count(0x00186018u), y0 = item.count(0x0018601Au), x1 = item.count(0x0018601Cu), y1 = item.count(0x0018601Eu);
+    constexpr std::uint64_t largest = 1u << 20;
+    const bool placed = x0 && y0 && x1 && y1 && *x1 > *x0 && *y1 > *y0 && *x1 < largest && *y1 < largest;
+    if (placed) {
+      region.rect = {static_cast<int>(*x0), static_cast<int>(*y0), static_cast<int>(*x1 - *x0 + 1), static_cast<int>(*y1 - *y0 + 1)};
+      // The lower right corner is inside the region; writers that count it outside end one pixel beyond the picture.
+      if (*x1 == columns) --region.rect.width;
+      if (*y1 == rows) --region.rect.height;
+    }
+    const auto referenceX = item.number(0x00186020u), referenceY = item.number(0x00186022u);
+    if (referenceX && referenceY) {
+      region.referencePixel = glm::dvec2(*referenceX, *referenceY);
+      region.referenceValue = {item.number(0x00186028u).value_or(0.0), item.number(0x0018602Au).value_or(0.0)};
+    }
+    region.problem = problemOf(region, placed, columns, rows);
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+Bytes kretzInside(const DicomItem& data) {
+  for (const DicomElement& element : data.elements) {
+    if ((element.tag >> 16) % 2 == 1 && element.value.size() > 24 && std::memcmp(element.value.data(), "KRETZFILE 1.0", 13) == 0)
+      return element.value;
+    for (const DicomItem& item : element.items)
+      if (const Bytes inside = kretzInside(item); !inside.empty()) return inside;
+  }
+  return {};
+}
+
+}  // namespace detail
+}  // namespace ew

@@ -1,0 +1,520 @@
+#include "dicom_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <optional>
+
+#include "ew/core/numbers.h"
+#include "grey_samples.h"
+#include "image_header.h"
+#include "packed_frame.h"
+
+namespace ew::detail {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr DicomTag kPixelData = 0x7FE00010u;
+
+struct Syntax {
+  const char* uid;
+  const char* name;
+};
+constexpr std::array kSyntaxes{
+    Syntax{"1.2.840.10008.1.2", "uncompressed"},   Syntax{"1.2.840.10008.1.2.1", "uncompressed"},
+    Syntax{"1.2.840.10008.1.2.2", "uncompressed"}, Syntax{"1.2.840.10008.1.2.1.99", "uncompressed"},
+    Syntax{"1.2.840.10008.1.2.4.50", "JPEG"},      Syntax{"1.2.840.10008.1.2.4.51", "JPEG"},
+    Syntax{"1.2.840.10008.1.2.4.57", "JPEG"},      Syntax{"1.2.840.10008.1.2.4.70", "JPEG"},
+    Syntax{"1.2.840.10008.1.2.4.80", "JPEG-LS"},   Syntax{"1.2.840.10008.1.2.4.81", "JPEG-LS"},
+    Syntax{"1.2.840.10008.1.2.4.90", "JPEG 2000"}, Syntax{"1.2.840.10008.1.2.4.91", "JPEG 2000"},
+    Syntax{"1.2.840.10008.1.2.5", "RLE"},
+};
+
+Codec codecOf(const std::string& name) {
+  if (name == "JPEG 2000") return Codec::jpeg2000;
+  return name == "JPEG-LS" ? Codec::jpegLs : Codec::jpeg;
+}
+
+/// 3/2 for colours thinned by two along a row and stored so.
+bool isThinned(const PixelLayout& layout) { return layout.photometric == "YBR_FULL_422" || layout.photometric == "YBR_PARTIAL_422"; }
+
+std::uint64_t storedBytesPerFrame(const PixelLayout& layout) {
+  const std::uint64_t bytes = layout.bitsAllocated / 8;
+  if (isThinned(layout)) return layout.rows * ((layout.columns + 1) / 2 * 4);
+  return layout.pixelsPerFrame() * static_cast<std::uint64_t>(layout.samples) * bytes;
+}
+
+/// The three tables of a palette, unfolded where they come in segments (PS3.3, C.7.9.2).
+Result<std::vector<std::uint16_t>> tableOf(const DicomFile& dicom, int colour, std::size_t entries, int bits) {
+  const auto offset = static_cast<DicomTag>(colour);
+  const auto damaged = [&](const char* what) {
+    return badField(dicom.file, "Palette Color Lookup Table Data", what, std::to_string(entries) + " entries");
+  };
+  const bool bigEndian = dicom.data.bigEndian;
+  const auto word = [&](Bytes bytes, std::size_t n) {
+    const unsigned first = bytes[2 * n], second = bytes[2 * n + 1];
+    return static_cast<std::uint16_t>(bigEndian ? first << 8 | second : second << 8 | first);
+  };
+  std::vector<std::uint16_t> table;
+  if (const DicomElement* const plain = dicom.data.find(0x00281201u + offset); plain != nullptr) {
+    const Bytes bytes = plain->value;
+    // Tables of 8 bit entries are stored as bytes, or as words by some.
+    if (bits == 8 && bytes.size() >= entries && bytes.size() < 2 * entries) {
+      table.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(entries));
+      return table;
+    }
+    if (bytes.size() < 2 * entries) return damaged("too few");
+    for (std::size_t n = 0; n < entries; ++n) table.push_back(word(bytes, n));
+    return table;
+  }
+  const DicomElement* const segmented = dicom.data.find(0x00281221u + offset);
+  if (segmented == nullptr) return damaged("none");
+  const Bytes bytes = segmented->value;
+  const bool bytewise = bits == 8 && segmented->kind[1] == 'B';
+  const std::size_t count = bytewise ? bytes.size() : bytes.size() / 2;
+  const auto at = [&](std::size_t n) -> std::uint32_t { return bytewise ? bytes[n] : word(bytes, n); };
+  // One segment at `from`; says where the next begins, or nothing when it is damaged.
+  const auto unfold = [&](std::size_t from, bool mayPoint, const auto& self) -> std::optional<std::size_t> {
+    if (from + 2 > count) return std::nullopt;
+    const std::uint32_t kind = at(from), length = at(from + 1);
+    if (kind == 0) {
+      if (length == 0 || length > count - from - 2 || table.size() + length > entries) return std::nullopt;
+      for (std::uint32_t n = 0; n < length; ++n) table.push_back(static_cast<std::uint16_t>(at(from + 2 + n)));
+      return from + 2 + length;
+    }
+    if (kind == 1) {
+      if (from + 3 > count || table.empty() || length == 0 || table.size() + length > entries) return std::nullopt;
+      const double begin = table.back(), end = at(from + 2);
+      for (std::uint32_t n = 1; n <= length; ++n)
+        table.push_back(static_cast<std::uint16_t>(std::lround(begin + (end - begin) * n / length)));
+      return from + 3;
+    }
+    if (kind == 2 && mayPoint) {
+      if (from + 4 > count) return std::nullopt;
+      std::size_t there = at(from + 2) | static_cast<std::size_t>(at(from + 3)) << (bytewise ? 8 : 16);
+      for (std::uint32_t n = 0; n < length; ++n) {
+        const auto next = self(there, false, self);
+        if (!next) return std::nullopt;
+        there = *next;
+      }
+      return from + 4;
+    }
+    return std::nullopt;
+  };
+  for (std::size_t from = 0; table.size() < entries;) {
+    const auto next = unfold(from, true, unfold);
+    if (!next) return damaged("segments that do not fit together");
+    from = *next;
+  }
+  return table;
+}
+
+int clampedByte(double value) { return static_cast<int>(std::lround(std::clamp(value, 0.0, 255.0))); }
+
+/// Full-range YCbCr to RGB (PS3.3, C.7.6.3.1.2, solved for R, G, B); `partial` is the video range of the retired YBR_PARTIAL_422.
+std::array<int, 3> rgbOf(double y, double cb, double cr, bool partial) {
+  if (partial) {
+    y = (y - 16.0) * 255.0 / 219.0;
+    cb = 128.0 + (cb - 128.0) * 255.0 / 224.0;
+    cr = 128.0 + (cr - 128.0) * 255.0 / 224.0;
+  }
+  return {clampedByte(y + 1.402 * (cr - 128.0)), clampedByte(y - 0.344136 * (cb - 128.0) - 0.714136 * (cr - 128.0)),
+          clampedByte(y + 1.772 * (cb - 128.0))};
+}
+
+std::int32_t luminance(const std::array<int, 3>& rgb) {
+  return static_cast<std::int32_t>(std::lround(0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]));
+}
+
+bool isColoured(const std::array<int, 3>& rgb) {
+  const auto [lowest, highest] = std::minmax_element(rgb.begin(), rgb.end());
+  return *highest - *lowest > FrameReader::kColourStep;
+}
+
+tl::unexpected<Error> badFrame(const fs::path& file, std::uint64_t frame, const std::string& codec) {
+  return failure(ErrorCode::badHeader,
+                 "Frame " + std::to_string(frame + 1) + " of " + quoted(file) + " is damaged: its " + codec +
+                     " stream cannot be unpacked into the size the file gives; get the file again.",
+                 {{"file", file.string()}, {"frame", std::to_string(frame)}});
+}
+
+}  // namespace
+
+Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits) {
+  const DicomItem& data = dicom.data;
+  const DicomElement* const pixels = data.find(kPixelData);
+  if (pixels == nullptr)
+    return failure(ErrorCode::unsupported,
+                   quoted(dicom.file) + " is a DICOM file without pictures; choose the file that holds the pictures.",
+                   {{"file", dicom.file.string()}});
+  PixelLayout layout;
+  const auto known = std::find_if(kSyntaxes.begin(), kSyntaxes.end(), [&](const Syntax& one) { return dicom.transferSyntax == one.uid; });
+  if (known == kSyntaxes.end())
+    return failure(ErrorCode::unsupported,
+                   "The pictures of " + quoted(dicom.file) + " are packed in a way that is not read (transfer syntax " +
+                       dicom.transferSyntax.substr(0, 64) + "); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.",
+                   {{"file", dicom.file.string()}, {"transferSyntax", dicom.transferSyntax.substr(0, 64)}});
+  layout.codec = known->name;
+  const auto field = [&](DicomTag tag, const char* name, std::uint64_t lowest, std::uint64_t highest,
+                         std::optional<std::uint64_t> otherwise) -> Result<std::uint64_t> {
+    const auto value = data.count(tag);
+    if (!value && otherwise && data.find(tag) == nullptr) return *otherwise;
+    if (!value || *value < lowest || *value > highest)
+      return badField(dicom.file, name,
+                      value                       ? std::to_string(*value)
+                      : data.find(tag) == nullptr ? "nothing"
+                                                  : "no whole number",
+                      "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+    return *value;
+  };
+  const auto rows = field(0x00280010u, "Rows", 1, 65535, std::nullopt);
+  if (!rows) return passOn(rows.error());
+  const auto columns = field(0x00280011u, "Columns", 1, 65535, std::nullopt);
+  if (!columns) return passOn(columns.error());
+  const auto frames = field(0x00280008u, "Number of Frames", 1, 1u << 24, 1);
+  if (!frames) return passOn(frames.error());
+  const auto samples = field(0x00280002u, "Samples per Pixel", 1, 3, 1);
+  if (!samples) return passOn(samples.error());
+  const auto allocated = field(0x00280100u, "Bits Allocated", 1, 64, std::nullopt);
+  if (!allocated) return passOn(allocated.error());
+  if (*allocated != 8 && *allocated != 16)
+    return failure(ErrorCode::unsupported,
+                   quoted(dicom.file) + " has " + std::to_string(*allocated) + " bits a sample; export it with 8 or 16.",
+                   {{"file", dicom.file.string()}, {"bits", std::to_string(*allocated)}});
+  const auto stored = field(0x00280101u, "Bits Stored", 1, *allocated, *allocated);
+  if (!stored) return passOn(stored.error());
+  const auto high = field(0x00280102u, "High Bit", *stored - 1, *allocated - 1, *stored - 1);
+  if (!high) return passOn(high.error());
+  const auto sign = field(0x00280103u, "Pixel Representation", 0, 1, 0);
+  if (!sign) return passOn(sign.error());
+  const auto planar = field(0x00280006u, "Planar Configuration", 0, 1, 0);
+  if (!planar) return passOn(planar.error());
+  layout.rows = *rows;
+  layout.columns = *columns;
+  layout.frames = *frames;
+  layout.samples = static_cast<int>(*samples);
+  layout.bitsAllocated = static_cast<int>(*allocated);
+  layout.bitsStored = static_cast<int>(*stored);
+  layout.highBit = static_cast<int>(*high);
+  layout.isSigned = *sign == 1;
+  layout.planar = *planar == 1 && layout.samples == 3;
+  layout.photometric = data.text(0x00280004u);
+  const std::string& colours = layout.photometric;
+  const bool grey = colours == "MONOCHROME1" || colours == "MONOCHROME2" || colours == "PALETTE COLOR";
+  const bool three = colours == "RGB" || colours == "YBR_FULL" || colours == "YBR_FULL_422" || colours == "YBR_PARTIAL_422" ||
+                     colours == "YBR_RCT" || colours == "YBR_ICT";
+  if (!(grey && layout.samples == 1) && !(three && layout.samples == 3))
+    return failure(ErrorCode::unsupported,
+                   quoted(dicom.file) + " has the colours " + (colours.empty() ? std::string("(none named)") : colours.substr(0, 32)) +
+                       " in " + std::to_string(layout.samples) + " samples a pixel, which is not read; export it as MONOCHROME2 or RGB.",
+                   {{"file", dicom.file.string()}, {"photometric", colours.substr(0, 32)}});
+  if (three && layout.bitsAllocated != 8)
+    return failure(ErrorCode::unsupported,
+                   quoted(dicom.file) + " has colours of " + std::to_string(layout.bitsAllocated) + " bits; export it with 8.",
+                   {{"file", dicom.file.string()}});
+  // Level, colour mask, and while they are mapped the stored values of one frame.
+  const std::uint64_t needed = layout.pixelsPerFrame() * layout.frames * 2;
+  if (needed > limits.maxBytes || layout.pixelsPerFrame() > (1ull << 28))
+    return failure(ErrorCode::tooLarge,
+                   quoted(dicom.file) + " promises " + std::to_string(layout.frames) + " frames of " + std::to_string(layout.columns) +
+                       " x " + std::to_string(layout.rows) + " pixels, for which " + std::to_string(needed) +
+                       " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
+                       "; check that the file is undamaged, or cut it into parts.",
+                   {{"file", dicom.file.string()}, {"needed", std::to_string(needed)}, {"limit", std::to_string(limits.maxBytes)}});
+  const bool encapsulated = layout.codec != "uncompressed";
+  if (encapsulated != !pixels->fragments.empty())
+    return failure(ErrorCode::badHeader,
+                   quoted(dicom.file) + " says its pictures are " + layout.codec + ", but they are not stored so; export it again.",
+                   {{"file", dicom.file.string()}});
+  if (!encapsulated) {
+    const std::uint64_t promised = storedBytesPerFrame(layout) * layout.frames;
+    if (pixels->value.size() < promised)
+      return failure(
+          ErrorCode::truncated,
+          quoted(dicom.file) + " is too short: it promises " + std::to_string(promised) + " bytes of pixels and has " +
+              std::to_string(pixels->value.size()) + "; get the file again.",
+          {{"file", dicom.file.string()}, {"promised", std::to_string(promised)}, {"found", std::to_string(pixels->value.size())}});
+  } else if (pixels->fragments.size() < layout.frames + 1) {
+    return failure(ErrorCode::truncated,
+                   quoted(dicom.file) + " is too short: it promises " + std::to_string(layout.frames) + " frames and has " +
+                       std::to_string(pixels->fragments.size() - 1) + "; get the file again.",
+                   {{"file", dicom.file.string()}});
+  }
+  return layout;
+}
+
+Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout& layout) {
+  FrameReader reader(dicom, layout);
+  if (layout.photometric == "PALETTE COLOR") {
+    std::array<std::vector<std::uint16_t>, 3> tables;
+    std::size_t entries = 0;
+    bool wide = false;
+    for (int colour = 0; colour < 3; ++colour) {
+      const auto descriptor = dicom.data.numbers(0x00281101u + static_cast<DicomTag>(colour));
+      if (descriptor.size() < 3 || (descriptor[2] != 8.0 && descriptor[2] != 16.0))
+        return badField(dicom.file, "Palette Color Lookup Table Descriptor", descriptor.size() < 3 ? "nothing" : "other bits",
+                        "entries, first value and 8 or 16 bits");
+      const auto here = descriptor[0] == 0.0 ? std::size_t{65536} : static_cast<std::size_t>(static_cast<std::uint16_t>(descriptor[0]));
+      if (colour > 0 && here != entries)
+        return badField(dicom.file, "Palette Color Lookup Table Descriptor", "tables of different lengths", "three of one length");
+      entries = here;
+      reader.paletteFirst_ = static_cast<int>(descriptor[1]);
+      auto table = tableOf(dicom, colour, entries, static_cast<int>(descriptor[2]));
+      if (!table) return passOn(table.error());
+      tables[static_cast<std::size_t>(colour)] = *std::move(table);
+      wide = wide || std::any_of(tables[static_cast<std::size_t>(colour)].begin(), tables[static_cast<std::size_t>(colour)].end(),
+                                 [](std::uint16_t value) { return value > 255; });
+    }
+    reader.palette_.resize(entries);
+    for (std::size_t n = 0; n < entries; ++n)
+      for (std::size_t colour = 0; colour < 3; ++colour)
+        // Tables that say 16 bits but stay below 256 mean 8.
+        reader.palette_[n][colour] = static_cast<std::uint8_t>(wide ? tables[colour][n] >> 8 : tables[colour][n]);
+  }
+  const DicomElement& pixels = *dicom.data.find(kPixelData);
+  if (layout.codec == "uncompressed") return reader;
+  const std::vector<Bytes>& all = pixels.fragments;
+  reader.packed_.resize(layout.frames);
+  if (layout.frames == 1) {
+    reader.packed_[0].assign(all.begin() + 1, all.end());
+    return reader;
+  }
+  if (all.size() == layout.frames + 1) {
+    for (std::size_t frame = 0; frame < layout.frames; ++frame) reader.packed_[frame] = {all[frame + 1]};
+    return reader;
+  }
+  // Several fragments a frame: a new frame begins where a stream begins.
+  const auto begins = [&](Bytes fragment) {
+    if (layout.codec == "RLE") return true;
+    return fragment.size() > 2 && fragment[0] == 0xFF && (fragment[1] == 0xD8 || fragment[1] == 0x4F);
+  };
+  std::size_t frame = 0;
+  for (std::size_t n = 1; n < all.size(); ++n) {
+    if (n > 1 && begins(all[n])) ++frame;
+    if (frame >= layout.frames) break;
+    reader.packed_[frame].push_back(all[n]);
+  }
+  if (frame + 1 != layout.frames)
+    return failure(ErrorCode::badHeader,
+                   quoted(dicom.file) + " holds " + std::to_string(frame + 1) + " packed pictures or more, but promises " +
+                       std::to_string(layout.frames) + " frames; export it again.",
+                   {{"file", dicom.file.string()}});
+  return reader;
+}
+
+Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma) const {
+  const std::size_t pixels = layout_.pixelsPerFrame();
+  const std::size_t count = pixels * static_cast<std::size_t>(layout_.samples);
+  const std::size_t bytesEach = static_cast<std::size_t>(layout_.bitsAllocated) / 8;
+  lumaChroma = layout_.photometric.starts_with("YBR");
+  planar = layout_.planar;
+  samples.resize(count);
+  const int shift = layout_.highBit + 1 - layout_.bitsStored;
+  const std::uint32_t mask = (1u << layout_.bitsStored) - 1u;
+  const auto put = [&](std::size_t n, std::uint32_t stored) {
+    const std::uint32_t value = stored >> shift & mask;
+    const bool negative = layout_.isSigned && (value >> (layout_.bitsStored - 1) & 1u) != 0;
+    samples[n] = static_cast<std::int32_t>(value) - (negative ? static_cast<std::int32_t>(mask) + 1 : 0);
+  };
+  if (layout_.codec == "uncompressed") {
+    const DicomElement& element = *dicom_->data.find(kPixelData);
+    const std::size_t size = storedBytesPerFrame(layout_);
+    const Bytes bytes = element.value.subspan(frame * size, size);
+    // Words of a big endian file hold the second 8 bit sample in front.
+    const bool swapped = dicom_->data.bigEndian && bytesEach == 1 && element.kind[1] == 'W';
+    const auto byteAt = [&](std::size_t n) -> std::uint32_t {
+      const std::size_t other = n ^ 1u;
+      return bytes[swapped && other < bytes.size() ? other : n];
+    };
+    if (isThinned(layout_)) {
+      // Two luminances and the colours they share: Y Y Cb Cr.
+      const std::size_t pairs = (layout_.columns + 1) / 2;
+      for (std::size_t y = 0; y < layout_.rows; ++y)
+        for (std::size_t x = 0; x < layout_.columns; ++x) {
+          const std::size_t group = (y * pairs + x / 2) * 4, to = (y * layout_.columns + x) * 3;
+          samples[to] = static_cast<std::int32_t>(byteAt(group + x % 2));
+          samples[to + 1] = static_cast<std::int32_t>(byteAt(group + 2));
+          samples[to + 2] = static_cast<std::int32_t>(byteAt(group + 3));
+        }
+      planar = false;
+      return {};
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      if (bytesEach == 1) {
+        put(n, byteAt(n));
+      } else {
+        const std::uint32_t first = bytes[2 * n], second = bytes[2 * n + 1];
+        put(n, dicom_->data.bigEndian ? first << 8 | second : second << 8 | first);
+      }
+    }
+    return {};
+  }
+  std::vector<std::uint8_t> joined;
+  Bytes stream = packed_[frame].empty() ? Bytes() : packed_[frame].front();
+  if (packed_[frame].size() > 1) {
+    for (const Bytes part : packed_[frame]) joined.insert(joined.end(), part.begin(), part.end());
+    stream = joined;
+  }
+  if (layout_.codec == "RLE") {
+    const auto planes = unpackRle(stream, static_cast<std::size_t>(layout_.samples) * bytesEach, pixels);
+    if (!planes) return badFrame(dicom_->file, frame, layout_.codec);
+    for (std::size_t sample = 0; sample < static_cast<std::size_t>(layout_.samples); ++sample)
+      for (std::size_t n = 0; n < pixels; ++n) {
+        std::uint32_t stored = 0;
+        for (std::size_t byte = 0; byte < bytesEach; ++byte) stored = stored << 8 | (*planes)[(sample * bytesEach + byte) * pixels + n];
+        put(sample * pixels + n, stored);
+      }
+    planar = layout_.samples == 3;
+    return {};
+  }
+  const Codec codec = codecOf(layout_.codec);
+  const auto head = packedHead(codec, stream);
+  if (!head || head->width != layout_.columns || head->height != layout_.rows || head->components != layout_.samples ||
+      (head->bits > 8 ? 16 : 8) != layout_.bitsAllocated)
+    return badFrame(dicom_->file, frame, layout_.codec);
+  const auto unpacked = unpack(codec, stream, *head, layout_.bitsAllocated, layout_.bitsStored, layout_.isSigned);
+  if (!unpacked) return badFrame(dicom_->file, frame, layout_.codec);
+  for (std::size_t n = 0; n < count; ++n) {
+    if (bytesEach == 1) {
+      put(n, (*unpacked)[n]);
+    } else {
+      std::uint16_t value = 0;
+      std::memcpy(&value, unpacked->data() + 2 * n, 2);
+      put(n, value);
+    }
+  }
+  planar = head->byPlanes && layout_.samples == 3;
+  if (codec == Codec::jpeg2000) {
+    // The decoder turns the colours back itself where the stream says that they were turned.
+    if (layout_.photometric != "YBR_FULL" && layout_.photometric != "YBR_FULL_422") lumaChroma = false;
+  } else if (codec == Codec::jpeg && layout_.photometric == "RGB") {
+    lumaChroma = head->namesColours && head->lumaChroma;
+  }
+  return {};
+}
+
+Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured) const {
+  const std::size_t pixels = layout_.pixelsPerFrame();
+  coloured.assign(layout_.inColour() ? pixels : 0, 0);
+  bool planar = false, lumaChroma = false;
+  if (!layout_.inColour()) return samplesOf(frame, level, planar, lumaChroma);
+  std::vector<std::int32_t> samples;
+  if (auto got = samplesOf(frame, samples, planar, lumaChroma); !got) return got;
+  level.resize(pixels);
+  if (!palette_.empty()) {
+    const auto last = static_cast<std::int64_t>(palette_.size()) - 1;
+    for (std::size_t n = 0; n < pixels; ++n) {
+      const auto& entry = palette_[static_cast<std::size_t>(std::clamp<std::int64_t>(samples[n] - paletteFirst_, 0, last))];
+      const std::array<int, 3> rgb{entry[0], entry[1], entry[2]};
+      level[n] = luminance(rgb);
+      coloured[n] = isColoured(rgb) ? 1 : 0;
+    }
+    return {};
+  }
+  const bool partial = layout_.photometric == "YBR_PARTIAL_422";
+  for (std::size_t n = 0; n < pixels; ++n) {
+    const auto sample = [&](std::size_t c) { return samples[planar ? c * pixels + n : 3 * n + c]; };
+    const std::array<int, 3> rgb =
+        lumaChroma ? rgbOf(sample(0), sample(1), sample(2), partial) : std::array<int, 3>{sample(0), sample(1), sample(2)};
+    // The luminance of full-range YCbCr is Y itself; through RGB and back it would be rounded twice.
+    level[n] = lumaChroma && !partial ? sample(0) : luminance(rgb);
+    coloured[n] = isColoured(rgb) ? 1 : 0;
+  }
+  return {};
+}
+
+Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
+                                  const ReadLimits& limits, Progress& progress, std::vector<std::string>& notes) try {
+  const auto reader = FrameReader::open(dicom, layout);
+  if (!reader) return passOn(reader.error());
+  const std::size_t pixels = layout.pixelsPerFrame();
+  if (pixels * which.size() * 2 > limits.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   quoted(dicom.file) + " would need " + std::to_string(pixels * which.size() * 2) + " bytes of memory, but the limit is " +
+                       std::to_string(limits.maxBytes) + "; cut it into parts.",
+                   {{"file", dicom.file.string()}});
+  std::vector<std::int32_t> level;
+  std::vector<std::uint8_t> coloured;
+  const bool direct = layout.inColour() || (layout.bitsStored == 8 && !layout.isSigned);
+  std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
+  for (std::size_t n = 0; !direct && n < which.size(); ++n) {
+    if (progress.cancelRequested()) return stopped(dicom.file);
+    if (auto got = reader->read(which[n], level, coloured); !got) return passOn(got.error());
+    const auto [low, high] = std::minmax_element(level.begin(), level.end());
+    lowest = std::min(lowest, *low);
+    highest = std::max(highest, *high);
+    progress.report("Reading frames", 0.5 * static_cast<double>(n + 1) / static_cast<double>(which.size()));
+  }
+  if (direct) {
+    lowest = 0;
+    highest = 255;
+  } else {
+    notes.push_back("The samples have " + std::to_string(layout.bitsStored) + " bits" + (layout.isSigned ? " with sign" : "") +
+                    ": values from " + std::to_string(lowest) + " to " + std::to_string(highest) + " were mapped to 0 to 255.");
+  }
+  const bool inverted = layout.photometric == "MONOCHROME1";
+  if (inverted) notes.push_back("The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.");
+  GreyFrames grey;
+  grey.level.resize(pixels * which.size());
+  if (layout.inColour()) grey.coloured.resize(pixels * which.size());
+  const double span = std::max(1, highest - lowest);
+  bool any = false;
+  for (std::size_t n = 0; n < which.size(); ++n) {
+    if (progress.cancelRequested()) return stopped(dicom.file);
+    if (auto got = reader->read(which[n], level, coloured); !got) return passOn(got.error());
+    std::uint8_t* const out = grey.level.data() + n * pixels;
+    for (std::size_t p = 0; p < pixels; ++p) {
+      const int value = direct ? std::clamp(level[p], 0, 255) : static_cast<int>(std::lround(255.0 * (level[p] - lowest) / span));
+      out[p] = static_cast<std::uint8_t>(inverted ? 255 - value : value);
+    }
+    if (layout.inColour()) {
+      std::copy(coloured.begin(), coloured.end(), grey.coloured.begin() + static_cast<std::ptrdiff_t>(n * pixels));
+      any = any || std::any_of(coloured.begin(), coloured.end(), [](std::uint8_t one) { return one != 0; });
+    }
+    progress.report("Reading frames",
+                    (direct ? 0.0 : 0.5) + (direct ? 1.0 : 0.5) * static_cast<double>(n + 1) / static_cast<double>(which.size()));
+  }
+  if (!any) grey.coloured.clear();
+  return grey;
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of " + quoted(dicom.file) + "; close other programs.",
+                 {{"file", dicom.file.string()}});
+}
+
+Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostPixels) {
+  const auto head = packedHead(Codec::jpeg, bytes);
+  if (!head || head->bits != 8)
+    return failure(ErrorCode::badHeader, quoted(file) + " is not a JPEG of 8 bits that can be read; save the picture again.",
+                   {{"file", file.string()}});
+  if (head->width * head->height > mostPixels)
+    return failure(ErrorCode::tooLarge,
+                   quoted(file) + " promises " + std::to_string(head->width * head->height) + " pixels, but the limit is " +
+                       std::to_string(mostPixels) + "; save a smaller picture.",
+                   {{"file", file.string()}});
+  const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false);
+  if (!unpacked)
+    return failure(ErrorCode::badHeader, quoted(file) + " is a damaged JPEG; save the picture again.", {{"file", file.string()}});
+  JpegGrey grey;
+  grey.width = static_cast<int>(head->width);
+  grey.height = static_cast<int>(head->height);
+  if (head->components == 1) {
+    grey.level = *unpacked;
+    return grey;
+  }
+  const std::size_t pixels = head->width * head->height;
+  grey.level.resize(pixels);
+  grey.coloured.resize(pixels);
+  const bool lumaChroma = !head->namesColours || head->lumaChroma;
+  for (std::size_t n = 0; n < pixels; ++n) {
+    const std::uint8_t* const p = unpacked->data() + 3 * n;
+    const std::array<int, 3> rgb = lumaChroma ? rgbOf(p[0], p[1], p[2], false) : std::array<int, 3>{p[0], p[1], p[2]};
+    grey.level[n] = static_cast<std::uint8_t>(lumaChroma ? p[0] : luminance(rgb));
+    grey.coloured[n] = isColoured(rgb) ? 1 : 0;
+  }
+  return grey;
+}
+
+}  // namespace ew::detail
