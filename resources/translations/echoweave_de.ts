@@ -1139,10 +1139,6 @@
         <translation>letzte Ansicht</translation>
     </message>
     <message>
-        <source> voxels</source>
-        <translation> Voxel</translation>
-    </message>
-    <message>
         <source>leave holes</source>
         <translation>Löcher lassen</translation>
     </message>

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace ew {
@@ -34,8 +35,8 @@ Volume randomVolume(const glm::ivec3& dims, double share, unsigned seed) {
   return volume;
 }
 
-FilledVolume filled(const Volume& volume, int reach_voxels, int threads = 1) {
-  auto result = fillHoles(volume, {reach_voxels, threads}, noProgress());
+FilledVolume filled(const Volume& volume, double reach_mm, int threads = 1) {
+  auto result = fillHoles(volume, {reach_mm, threads}, noProgress());
   if (!result) {
     ADD_FAILURE() << result.error();
     return {};
@@ -44,8 +45,10 @@ FilledVolume filled(const Volume& volume, int reach_voxels, int threads = 1) {
 }
 
 /// The definition, voxel by voxel: the nearest measured ones along both ways of 13 directions.
-Volume plainlyFilled(const Volume& volume, int reach_voxels) {
+Volume plainlyFilled(const Volume& volume, double reach_mm) {
   Volume result = volume;
+  const int reach_voxels =
+      static_cast<int>(std::ceil(reach_mm / std::min({volume.grid.spacing_mm.x, volume.grid.spacing_mm.y, volume.grid.spacing_mm.z})));
   const Grid& grid = volume.grid;
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
@@ -65,8 +68,9 @@ Volume plainlyFilled(const Volume& volume, int reach_voxels) {
             }
           if (steps[0] == 0 || steps[1] == 0) continue;
           const int span = steps[0] + steps[1];
-          const double squared = static_cast<double>(span) * span * glm::dot(glm::dvec3(step), glm::dvec3(step));
-          if (squared > reach_voxels * reach_voxels + 1e-6) continue;
+          const glm::dvec3 step_mm = glm::dvec3(step) * grid.spacing_mm;
+          const double squared = static_cast<double>(span) * span * glm::dot(step_mm, step_mm);
+          if (squared > reach_mm * reach_mm + 1e-6) continue;
           const double share = std::pow(squared, -6.0);
           total += (static_cast<double>(echo[0]) * steps[1] + static_cast<double>(echo[1]) * steps[0]) / span * share;
           weight += share;
@@ -99,12 +103,23 @@ TEST(FillHoles, LeavesAGapWiderThanTheReachOpen) {
   EXPECT_EQ(filled(volume, 10).filledVoxels, 9u);
 }
 
-TEST(FillHoles, MeasuresTheReachInVoxelsOfDistanceAlongDiagonalsToo) {
+TEST(FillHoles, MeasuresTheReachAsADistanceAlongDiagonalsToo) {
   Volume volume = emptyVolume({8, 8, 8});
   measure(volume, {1, 1, 1}, 10);
   measure(volume, {5, 5, 5}, 10);  // 4 * sqrt(3) = 6.93 away
   EXPECT_EQ(filled(volume, 6).filledVoxels, 0u);
   EXPECT_EQ(filled(volume, 7).filledVoxels, 3u);
+}
+
+TEST(FillHoles, MeasuresTheReachInMmWhateverTheSpacing) {
+  for (const double spacing_mm : {0.25, 0.5, 2.0}) {
+    Volume volume = emptyVolume({3, 3, 20});
+    volume.grid.spacing_mm = {1.0, 7.0, spacing_mm};
+    measure(volume, {1, 1, 2}, 10);
+    measure(volume, {1, 1, 12}, 20);
+    EXPECT_EQ(filled(volume, 10 * spacing_mm - 0.01).filledVoxels, 0u) << spacing_mm;
+    EXPECT_EQ(filled(volume, 10 * spacing_mm).filledVoxels, 9u) << spacing_mm;
+  }
 }
 
 TEST(FillHoles, DoesNotInflateTheOutsideOfASheet) {
@@ -135,12 +150,13 @@ TEST(FillHoles, BridgesWordsOfSixtyFourVoxels) {
 
 RC_GTEST_PROP(FillHoles, EqualsThePlainDefinition, ()) {
   const glm::ivec3 dims(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12));
-  const int reach_voxels = *rc::gen::inRange(0, 12);
+  const double reach_mm = *rc::gen::inRange(0, 12);
   const double share = *rc::gen::elementOf(std::vector{0.02, 0.1, 0.5, 0.95});
-  const Volume volume = randomVolume(dims, share, *rc::gen::inRange(0u, 100000u));
-  const auto result = fillHoles(volume, {reach_voxels, 2}, noProgress());
+  Volume volume = randomVolume(dims, share, *rc::gen::inRange(0u, 100000u));
+  volume.grid.spacing_mm = *rc::gen::elementOf(std::vector<glm::dvec3>{{1, 1, 1}, {1, 1.5, 3}, {2, 0.75, 1}});
+  const auto result = fillHoles(volume, {reach_mm, 2}, noProgress());
   RC_ASSERT(result.has_value());
-  const Volume expected = plainlyFilled(volume, reach_voxels);
+  const Volume expected = plainlyFilled(volume, reach_mm);
   RC_ASSERT(result->volume.coverage == expected.coverage);
   for (std::size_t v = 0; v < expected.echo.size(); ++v)
     RC_ASSERT(std::abs(int{result->volume.echo[v]} - int{expected.echo[v]}) <= 1);  // ties of the doubles may fall either way
@@ -160,8 +176,8 @@ TEST(FillHoles, EqualsThePlainDefinitionWhereBridgesCrossTiles) {
 RC_GTEST_PROP(FillHoles, NeverChangesAMeasuredVoxelAndIsTheSameWithAnyNumberOfThreads, ()) {
   const Volume volume =
       randomVolume({*rc::gen::inRange(1, 90), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 90)}, 0.05, *rc::gen::inRange(0u, 100000u));
-  const int reach_voxels = *rc::gen::inRange(2, 9);
-  const auto one = fillHoles(volume, {reach_voxels, 1}, noProgress());
+  const double reach_mm = *rc::gen::inRange(2, 9);
+  const auto one = fillHoles(volume, {reach_mm, 1}, noProgress());
   RC_ASSERT(one.has_value());
   std::size_t interpolated = 0;
   for (std::size_t v = 0; v < volume.echo.size(); ++v) {
@@ -170,7 +186,7 @@ RC_GTEST_PROP(FillHoles, NeverChangesAMeasuredVoxelAndIsTheSameWithAnyNumberOfTh
   }
   RC_ASSERT(interpolated == one->filledVoxels);
   for (const int threads : {2, 8}) {
-    const auto many = fillHoles(volume, {reach_voxels, threads}, noProgress());
+    const auto many = fillHoles(volume, {reach_mm, threads}, noProgress());
     RC_ASSERT(many.has_value());
     RC_ASSERT(many->volume == one->volume);
   }
@@ -180,6 +196,8 @@ TEST(FillHoles, RefusesAReachItCannotUseAndVoxelsThatDoNotFitTheGrid) {
   const auto far = fillHoles(emptyVolume({4, 4, 4}), {100000, 1}, noProgress());
   ASSERT_FALSE(far.has_value());
   EXPECT_EQ(far.error().code, ErrorCode::badField);
+  for (const double reach_mm : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_FALSE(fillHoles(emptyVolume({4, 4, 4}), {reach_mm, 1}, noProgress()).has_value()) << reach_mm;
   Volume broken = emptyVolume({4, 4, 4});
   broken.coverage.pop_back();
   EXPECT_FALSE(fillHoles(broken, {4, 1}, noProgress()).has_value());

@@ -30,7 +30,7 @@ ReconstructResult made(const Sweep& sweep, const ReconstructOptions& options) {
 }
 
 constexpr Interpolation kInterpolations[] = {Interpolation::nearest, Interpolation::linear};
-constexpr Compounding kCompoundings[] = {Compounding::mean, Compounding::maximum, Compounding::latest};
+constexpr Compounding kCompoundings[] = {Compounding::mean, Compounding::maximum, Compounding::latest, Compounding::weighted};
 
 /// A sweep with frames tilted about two axes, mirrored where asked, with pixels smaller than voxels.
 Sweep tiltedSweep(int count, double tilt_rad, bool mirrored, const std::function<int(int, int, int)>& value, int width = 40,
@@ -122,7 +122,7 @@ TEST(Reconstruct, KeepsConstantsConstantHoweverFramesLie) {
     for (const Interpolation interpolation : kInterpolations)
       for (const Compounding compounding : kCompoundings) {
         const Sweep sweep = tiltedSweep(9, 0.7, level == 127, [&](int, int, int) { return level; });
-        const ReconstructResult result = made(sweep, {.interpolation = interpolation, .compounding = compounding, .fillReach_voxels = 6});
+        const ReconstructResult result = made(sweep, {.interpolation = interpolation, .compounding = compounding, .fillReach_mm = 6});
         std::size_t known = 0;
         for (std::size_t v = 0; v < result.volume.echo.size(); ++v) {
           const bool absent = result.volume.coverageAt(v) == Coverage::absent;
@@ -173,7 +173,7 @@ RC_GTEST_PROP(Reconstruct, GivesTheSameVoxelsWithOneTwoAndEightThreads, ()) {
   options.spacing_mm = *rc::gen::inRange(15, 60) / 100.0;
   options.interpolation = *rc::gen::elementOf(std::vector(std::begin(kInterpolations), std::end(kInterpolations)));
   options.compounding = *rc::gen::elementOf(std::vector(std::begin(kCompoundings), std::end(kCompoundings)));
-  options.fillReach_voxels = *rc::gen::inRange(0, 9);
+  options.fillReach_mm = *rc::gen::inRange(0, 9);
   const Sweep sweep =
       tiltedSweep(count, tilt_rad, seed % 2 == 0, [&](int x, int y, int n) { return speckle(x, y, n + static_cast<int>(seed)); });
   options.threads = 1;
@@ -269,11 +269,53 @@ TEST(Reconstruct, PastesExactlyThePixelsOfTheFanWhereTheNearArcSplitsRows) {
   EXPECT_EQ(result.measuredVoxels, inside);
 }
 
+TEST(Reconstruct, WeighsEachPixelAsItsFrameSays) {
+  Sweep sweep = stack(6, 5, 2, 0.0, [](int, int, int n) { return n == 0 ? 10 : 110; });
+  const GreyImage weights[2] = {imageOf(6, 5, [](int x, int) { return x < 4 ? 60 : 0; }),
+                                imageOf(6, 5, [](int x, int) { return x < 2 ? 180 : 0; })};
+  for (std::size_t n = 0; n < 2; ++n) sweep.frames[n].weights = viewOf(weights[n]);
+  for (const Interpolation interpolation : kInterpolations) {
+    const auto result =
+        made(sweep, {.spacing_mm = 1.0, .interpolation = interpolation, .compounding = Compounding::weighted, .keepWeights = true});
+    for (int x = 0; x < 6; ++x) {
+      const std::size_t index = result.volume.grid.indexOf(x, 2, 0);
+      EXPECT_EQ(result.volume.echo[index], x < 2 ? 85 : x < 4 ? 10 : 0);
+      EXPECT_EQ(result.volume.coverageAt(index), x < 4 ? Coverage::measured : Coverage::absent);
+      EXPECT_FLOAT_EQ(result.weights[index], x < 2 ? 240.0f / 255.0f : x < 4 ? 60.0f / 255.0f : 0.0f);
+    }
+  }
+}
+
+RC_GTEST_PROP(Reconstruct, GivesTheVoxelsOfTheMeanWhenAllWeightsAreEqual, ()) {
+  Sweep sweep = tiltedSweep(*rc::gen::inRange(1, 8), *rc::gen::inRange(-300, 300) / 100.0, false, speckle);
+  ReconstructOptions options;
+  options.spacing_mm = *rc::gen::inRange(15, 60) / 100.0;
+  options.interpolation = *rc::gen::elementOf(std::vector(std::begin(kInterpolations), std::end(kInterpolations)));
+  const auto mean = reconstruct(sweep.frames, options, noProgress());
+  RC_ASSERT(mean.has_value());
+  // 0: no weights at all.
+  const int level = *rc::gen::elementOf(std::vector{0, 1, 77, 255});
+  const GreyImage weights(40, 33, static_cast<std::uint8_t>(level));
+  for (PosedFrame& frame : sweep.frames)
+    if (level > 0) frame.weights = viewOf(weights);
+  options.compounding = Compounding::weighted;
+  const auto weighted = reconstruct(sweep.frames, options, noProgress());
+  RC_ASSERT(weighted.has_value());
+  std::size_t different = 0;
+  for (std::size_t v = 0; v < mean->volume.echo.size(); ++v) {
+    // Doubles that are a hair apart may round apart, and the least weights of a splat may fall below what counts as measured.
+    const int apart = std::abs(int{mean->volume.echo[v]} - int{weighted->volume.echo[v]});
+    const bool same = apart <= 1 && mean->volume.coverage[v] == weighted->volume.coverage[v];
+    different += same && (apart == 0 || options.interpolation == Interpolation::linear) ? 0 : 1;
+  }
+  RC_ASSERT(different <= (options.interpolation == Interpolation::linear ? mean->volume.echo.size() / 10000 : 0));
+}
+
 TEST(Reconstruct, NeedsAtMostEightBytesAVoxelAndSaysSoBefore) {
   Grid grid;
   grid.dims = {546, 484, 325};
   for (const Interpolation interpolation : kInterpolations)
-    EXPECT_LT(static_cast<double>(forecastBytes(grid, {.interpolation = interpolation, .fillReach_voxels = 8, .threads = 2})),
+    EXPECT_LT(static_cast<double>(forecastBytes(grid, {.interpolation = interpolation, .fillReach_mm = 8, .threads = 2})),
               2.6 * static_cast<double>(grid.voxelCount()));
 }
 
@@ -295,7 +337,7 @@ class StopsAtOnce final : public Progress {
 TEST(Reconstruct, StopsWhenAskedTo) {
   const Sweep sweep = stack(20, 16, 5, 1.0, [](int, int, int) { return 9; });
   StopsAtOnce stop;
-  const auto result = reconstruct(sweep.frames, {.fillReach_voxels = 4}, stop);
+  const auto result = reconstruct(sweep.frames, {.fillReach_mm = 4}, stop);
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::cancelled);
 }

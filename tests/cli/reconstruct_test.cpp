@@ -88,6 +88,11 @@ TEST_F(ReconstructCommand, FillsHolesOnlyWhenAsked) {
   ASSERT_EQ(reconstruct({"--spacing", "1", "--interpolation", "nearest", "--fill-reach", "4", "--report", folder / "r.json"}).status, 0);
   EXPECT_EQ(readJson(folder / "r.json")["quality"]["voxels_interpolated"], 8 * 6 * 4);
   EXPECT_EQ(readJson(folder / "r.json")["quality"]["voxels_measured"], 8 * 6 * 3);
+  const auto inMm = reconstruct({"--spacing", "1", "--interpolation", "nearest", "--fill-reach-mm", "4", "--report", folder / "r.json"});
+  ASSERT_EQ(inMm.status, 0);
+  EXPECT_EQ(readJson(folder / "r.json")["quality"]["voxels_interpolated"], 8 * 6 * 4);
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["fill_reach_mm"], 4.0);
+  EXPECT_EQ(reconstruct({"--fill-reach-mm", "4", "--fill-reach", "4"}).status, 2);
 }
 
 TEST_F(ReconstructCommand, CountsTheFramesItLeavesOut) {

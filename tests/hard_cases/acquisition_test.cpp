@@ -32,7 +32,7 @@ TEST(HardSequences, ASweepWithoutAValidPoseIsRefused) { EXPECT_EQ(codeOf({}, {},
 TEST(HardSequences, OneValidFrameBecomesAVolumeOneVoxelThick) {
   const Sweep sweep = stack(12, 9, 1, 1.0, level);
   for (const Interpolation interpolation : {Interpolation::nearest, Interpolation::linear}) {
-    const auto result = reconstruct(sweep.frames, {.spacing_mm = 1.0, .interpolation = interpolation, .fillReach_voxels = 5}, noProgress());
+    const auto result = reconstruct(sweep.frames, {.spacing_mm = 1.0, .interpolation = interpolation, .fillReach_mm = 5}, noProgress());
     ASSERT_TRUE(result.has_value()) << result.error();
     EXPECT_EQ(result->volume.grid.dims, glm::ivec3(12, 9, 1));
     for (int y = 0; y < 9; ++y)
@@ -137,7 +137,9 @@ TEST(HardGeometry, OptionsThatCannotBeUsedAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double spacing_mm : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()})
     EXPECT_EQ(codeOf(sweep, {.spacing_mm = spacing_mm}, "spacing"), ErrorCode::badField);
-  EXPECT_EQ(codeOf(sweep, {.fillReach_voxels = -1}, "reach"), ErrorCode::badField);
+  EXPECT_EQ(codeOf(sweep, {.fillReach_mm = -1}, "reach"), ErrorCode::badField);
+  EXPECT_EQ(codeOf(sweep, {.fillReach_mm = nan}, "reach"), ErrorCode::badField);
+  EXPECT_EQ(codeOf(sweep, {.fillReach_mm = 1000.0}, "more than the 256"), ErrorCode::badField);
   EXPECT_EQ(codeOf(sweep, {.threads = -2}, "threads"), ErrorCode::badField);
   EXPECT_EQ(codeOf(sweep, {.clip = {.origin_px = {25, 0}}}, "outside the 20 x 10 px frame"), ErrorCode::badField);
   EXPECT_EQ(codeOf(sweep, {.clip = {.size_px = glm::dvec2(-5, 5)}}, "negative size"), ErrorCode::badField);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "clip_spans.h"
+#include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 
 namespace ew {
@@ -26,12 +27,11 @@ constexpr double kFalloff = 12.0;
 /// One bit per voxel, rows padded with zero words on both sides, so that a row may be read at any offset up to the reach.
 class MeasuredBits {
  public:
-  MeasuredBits(const Volume& volume, int reach_voxels)
+  MeasuredBits(const Grid& grid, int reach_voxels)
       : padWords_(padWords(reach_voxels)),
-        wordsPerRow_(wordsPerRow(volume.grid, reach_voxels)),
-        rowsPerLayer_(volume.grid.dims.y),
-        words_(static_cast<std::size_t>(wordsPerRow_) * static_cast<std::size_t>(volume.grid.dims.y) *
-               static_cast<std::size_t>(volume.grid.dims.z)) {}
+        wordsPerRow_(wordsPerRow(grid, reach_voxels)),
+        rowsPerLayer_(grid.dims.y),
+        words_(static_cast<std::size_t>(wordsPerRow_) * static_cast<std::size_t>(grid.dims.y) * static_cast<std::size_t>(grid.dims.z)) {}
 
   static std::ptrdiff_t padWords(int reach_voxels) { return reach_voxels / kWordBits + 2; }
   static std::ptrdiff_t dataWords(const Grid& grid) { return (grid.dims.x + kWordBits - 1) / kWordBits; }
@@ -86,14 +86,23 @@ struct Direction13 {
   std::vector<double> weights;  ///< by steps: 1 / distance^kFalloff
 };
 
-std::vector<Direction13> directionsFor(int reach_voxels) {
+/// The reach along the axis of the finest spacing, in voxels.
+double farthest_voxels(const Grid& grid, double reach_mm) {
+  return reach_mm / std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
+}
+int farthestSteps(const Grid& grid, double reach_mm) {
+  return static_cast<int>(std::floor(std::min(farthest_voxels(grid, reach_mm), double{kMaxFillReach_voxels}) + 1e-9));
+}
+
+std::vector<Direction13> directionsFor(const Grid& grid, double reach_mm) {
   std::vector<Direction13> directions;
   for (int z = 0; z <= 1; ++z)
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x) {
         if (z == 0 && (y < 0 || (y == 0 && x <= 0))) continue;  // the opposite one is in the list
-        const double length = std::sqrt(x * x + y * y + z * z);
-        const int longest = static_cast<int>(std::floor(reach_voxels / length + 1e-9));
+        // In units of the first axis, so that equal spacings of any size give the same weights.
+        const double length = glm::length(glm::dvec3(x, y, z) * grid.spacing_mm / grid.spacing_mm.x);
+        const int longest = static_cast<int>(std::floor(reach_mm / grid.spacing_mm.x / length + 1e-9));
         if (longest < 2) continue;
         Direction13 direction{{x, y, z}, longest, std::vector<double>(static_cast<std::size_t>(longest) + 1)};
         for (int steps = 2; steps <= longest; ++steps)
@@ -137,9 +146,9 @@ class Filler {
  public:
   Filler(Volume& volume, const FillOptions& options)
       : volume_(volume),
-        directions_(directionsFor(options.reach_voxels)),
+        directions_(directionsFor(volume.grid, options.reach_mm)),
         tiles_(tilesFor(volume.grid)),
-        bits_(volume, options.reach_voxels),
+        bits_(volume.grid, farthestSteps(volume.grid, options.reach_mm)),
         workers_(threadCount(options.threads)) {
     scratch_.resize(static_cast<std::size_t>(std::min(workers_, tiles_.tilesY * tiles_.tilesZ)));
     const std::size_t cells =
@@ -287,20 +296,29 @@ class Filler {
 
 }  // namespace
 
-Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
-  if (options.reach_voxels < 0 || options.reach_voxels > kMaxFillReach_voxels)
-    return failure(ErrorCode::badField,
-                   "A hole filling reach of " + std::to_string(options.reach_voxels) + " voxels cannot be used; give 0 to " +
-                       std::to_string(kMaxFillReach_voxels) + ".",
+Result<void> checkFillReach(const Grid& grid, double reach_mm) {
+  if (!(reach_mm >= 0.0) || !std::isfinite(reach_mm))
+    return failure(ErrorCode::badField, "A hole filling reach of " + textOf(reach_mm) + " mm cannot be used; give 0 mm or more.",
                    {{"field", "fill reach"}});
+  if (const double farthest = farthest_voxels(grid, reach_mm); farthest > kMaxFillReach_voxels + 1e-6)
+    return failure(ErrorCode::badField,
+                   "A hole filling reach of " + textOf(reach_mm) + " mm is " + textOf(std::ceil(farthest)) +
+                       " voxels here, more than the " + std::to_string(kMaxFillReach_voxels) +
+                       " that can be bridged; give a shorter reach or a coarser spacing.",
+                   {{"field", "fill reach"}});
+  return {};
+}
+
+Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
   if (options.threads < 0)
     return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
                    {{"field", "threads"}});
   if (const auto checked = checkGrid(volume.grid); !checked) return passOn(checked.error());
+  if (const auto checked = checkFillReach(volume.grid, options.reach_mm); !checked) return passOn(checked.error());
   const std::size_t voxels = volume.grid.voxelCount();
   if (volume.echo.size() != voxels || (!volume.coverage.empty() && volume.coverage.size() != voxels))
     return failure(ErrorCode::badField, "The volume's voxels do not fit its grid; read it again.", {{"field", "voxels"}});
-  if (volume.coverage.empty() || options.reach_voxels < 2) return FilledVolume{std::move(volume), 0};
+  if (volume.coverage.empty() || farthestSteps(volume.grid, options.reach_mm) < 2) return FilledVolume{std::move(volume), 0};
   try {
     Filler filler(volume, options);
     const auto filled = filler.run(progress);
@@ -312,12 +330,13 @@ Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progre
 }
 
 std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options) {
-  if (options.reach_voxels < 2) return 0;
+  const int farthest = farthestSteps(grid, options.reach_mm);
+  if (farthest < 2) return 0;
   const TilePlan tiles = tilesFor(grid);
   const std::uint64_t cells =
       static_cast<std::uint64_t>(grid.dims.x) * static_cast<std::uint64_t>(tiles.rows) * static_cast<std::uint64_t>(tiles.layers);
   const auto workers = static_cast<std::uint64_t>(std::min(threadCount(options.threads), tiles.tilesY * tiles.tilesZ));
-  const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, options.reach_voxels)) *
+  const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, farthest)) *
                              static_cast<std::uint64_t>(grid.dims.y) * static_cast<std::uint64_t>(grid.dims.z) * sizeof(std::uint64_t);
   return bits + workers * (cells * sizeof(Sums) + cells / kWordBits * sizeof(std::uint64_t));
 }

@@ -62,6 +62,7 @@ BrickPlan planFor(const Grid& grid, std::size_t cellBytes, int guard) {
 /// From pixels to voxels of the grid. The fixed-point part counts columns from the clip's first one and rounds as the mode wants it.
 struct FrameMap {
   ImageView<const std::uint8_t> pixels;
+  ImageView<const std::uint8_t> weights;
   glm::dvec3 firstPixel_voxel{0.0};
   glm::dvec3 perColumn_voxel{0.0};
   glm::dvec3 perRow_voxel{0.0};
@@ -79,6 +80,7 @@ FrameMap mapOf(const PosedFrame& frame, const ClipSpans& clip, const Grid& grid,
   const glm::dmat4& m = frame.imageToWorld.matrix;
   FrameMap map;
   map.pixels = frame.pixels;
+  map.weights = frame.weights;
   map.firstPixel_voxel = (glm::dvec3(m[3]) - grid.origin_mm) / grid.spacing_mm;
   map.perColumn_voxel = glm::dvec3(m[0]) / grid.spacing_mm;
   map.perRow_voxel = glm::dvec3(m[1]) / grid.spacing_mm;
@@ -223,6 +225,7 @@ class Paster {
         if (begin >= end) continue;
         for (std::size_t axis = 0; axis < 3; ++axis) walk.at[axis] = at[axis] + begin * walk.step[axis];
         walk.pixels = frame.pixels.row(y) + firstColumn + begin;
+        walk.weights = frame.weights.data == nullptr ? nullptr : frame.weights.row(y) + firstColumn + begin;
         walk.count = static_cast<int>(end - begin);
         Mode::walk(walk, cells);
         pasted += static_cast<std::uint64_t>(walk.count);
@@ -300,6 +303,8 @@ auto withMode(const ReconstructOptions& options, const Use& use) {
       return nearest ? use(paste::NearestMaximum{}) : use(paste::LinearMaximum{});
     case Compounding::latest:
       return nearest ? use(paste::NearestLatest{}) : use(paste::LinearLatest{});
+    case Compounding::weighted:
+      return nearest ? use(paste::NearestWeighted{}) : use(paste::LinearWeighted{});
     case Compounding::mean:
       break;
   }

@@ -19,6 +19,7 @@ struct Walk {
   std::int64_t at[3];
   std::int64_t step[3];
   const std::uint8_t* pixels;
+  const std::uint8_t* weights;  ///< null: all are 255
   int count;
 };
 
@@ -38,7 +39,7 @@ inline void walkNearest(const Walk& walk, const Cells<Cell>& brick, const Put& p
   std::int64_t x = walk.at[0], y = walk.at[1], z = walk.at[2];
   for (int n = 0; n < walk.count; ++n) {
     const std::ptrdiff_t cell = (z >> kFractionBits) * brick.layerStride + (y >> kFractionBits) * brick.rowStride + (x >> kFractionBits);
-    put(brick.cells[cell], walk.pixels[n]);
+    put(brick.cells[cell], n);
     brick.touched[cell >> kBlockBits] = 1;
     x += walk.step[0];
     y += walk.step[1];
@@ -58,13 +59,15 @@ inline void walkLinear(const Walk& walk, const Cells<Cell>& brick, const Put& pu
     const double fz = static_cast<double>(z & kFraction) * kPerUnit;
     Cell* const near = brick.cells + cell;
     Cell* const far = near + brick.layerStride;
-    put(near, brick.rowStride, far, fx, fy, fz, walk.pixels[n]);
+    put(near, brick.rowStride, far, fx, fy, fz, n);
     brick.touched[cell >> kBlockBits] = 1;
     x += walk.step[0];
     y += walk.step[1];
     z += walk.step[2];
   }
 }
+
+inline std::uint64_t weightAt(const Walk& walk, int n) { return walk.weights == nullptr ? 255u : walk.weights[n]; }
 
 /// What a cell says in the end.
 struct Voxel {
@@ -78,7 +81,7 @@ struct NearestMean {
   static constexpr int kGuard = 0;
   static constexpr int kSumBits = 36;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell += (Cell{1} << kSumBits) | value; });
+    walkNearest(row, brick, [&](Cell& cell, int n) { cell += (Cell{1} << kSumBits) | row.pixels[n]; });
   }
   static Voxel voxelOf(Cell cell) {
     const Cell count = cell >> kSumBits;
@@ -98,7 +101,7 @@ struct NearestMaximum {
   using Cell = KeptPixel;
   static constexpr int kGuard = 0;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell = std::max(cell, kept(value)); });
+    walkNearest(row, brick, [&](Cell& cell, int n) { cell = std::max(cell, kept(row.pixels[n])); });
   }
   static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
 };
@@ -107,38 +110,78 @@ struct NearestLatest {
   using Cell = KeptPixel;
   static constexpr int kGuard = 0;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkNearest(row, brick, [](Cell& cell, std::uint8_t value) { cell = kept(value); });
+    walkNearest(row, brick, [&](Cell& cell, int n) { cell = kept(row.pixels[n]); });
   }
   static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
 };
 
-struct LinearMean {
-  using Pair = double __attribute__((vector_size(16)));
+/// The mean of weighted pixels, in whole numbers: 255 for a weight of 1.
+struct NearestWeighted {
   struct Cell {
-    Pair sums;  // of weight * value, of weight: one vector addition per corner
+    std::uint64_t total = 0;  ///< of weight * value
+    std::uint64_t weight = 0;
   };
-  static constexpr int kGuard = 1;
+  static constexpr int kGuard = 0;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
-      const Pair pixel = {static_cast<double>(value), 1.0};
-      const Pair left = pixel * (1.0 - fx);
-      const Pair right = pixel * fx;
-      const double w00 = (1.0 - fy) * (1.0 - fz), w10 = fy * (1.0 - fz), w01 = (1.0 - fy) * fz, w11 = fy * fz;
-      near[0].sums += left * w00;
-      near[1].sums += right * w00;
-      near[rowStride].sums += left * w10;
-      near[rowStride + 1].sums += right * w10;
-      far[0].sums += left * w01;
-      far[1].sums += right * w01;
-      far[rowStride].sums += left * w11;
-      far[rowStride + 1].sums += right * w11;
+    walkNearest(row, brick, [&](Cell& cell, int n) {
+      const std::uint64_t weight = weightAt(row, n);
+      cell.total += weight * row.pixels[n];
+      cell.weight += weight;
     });
   }
   static Voxel voxelOf(const Cell& cell) {
-    const double total = cell.sums[0], weight = cell.sums[1];
-    if (!(weight > kMeasuredWeight)) return {};
-    return {true, static_cast<std::uint8_t>(std::min(total / weight + 0.5, 255.0)), weight};
+    if (cell.weight == 0) return {};
+    const double weight = static_cast<double>(cell.weight);
+    return {true, static_cast<std::uint8_t>(static_cast<double>(cell.total) / weight + 0.5), weight / 255.0};
   }
+};
+
+using Pair = double __attribute__((vector_size(16)));
+struct LinearSums {
+  Pair sums;  ///< of weight * value, of weight: one vector addition per corner
+};
+
+/// Adds a pixel's value and weight to the 8 cells around it.
+inline void putLinear(LinearSums* near, std::ptrdiff_t rowStride, LinearSums* far, double fx, double fy, double fz, Pair pixel) {
+  const Pair left = pixel * (1.0 - fx);
+  const Pair right = pixel * fx;
+  const double w00 = (1.0 - fy) * (1.0 - fz), w10 = fy * (1.0 - fz), w01 = (1.0 - fy) * fz, w11 = fy * fz;
+  near[0].sums += left * w00;
+  near[1].sums += right * w00;
+  near[rowStride].sums += left * w10;
+  near[rowStride + 1].sums += right * w10;
+  far[0].sums += left * w01;
+  far[1].sums += right * w01;
+  far[rowStride].sums += left * w11;
+  far[rowStride + 1].sums += right * w11;
+}
+inline Voxel voxelOfLinear(const LinearSums& cell) {
+  const double total = cell.sums[0], weight = cell.sums[1];
+  if (!(weight > kMeasuredWeight)) return {};
+  return {true, static_cast<std::uint8_t>(std::min(total / weight + 0.5, 255.0)), weight};
+}
+
+struct LinearMean {
+  using Cell = LinearSums;
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {
+      putLinear(near, rowStride, far, fx, fy, fz, Pair{static_cast<double>(row.pixels[n]), 1.0});
+    });
+  }
+  static Voxel voxelOf(const Cell& cell) { return voxelOfLinear(cell); }
+};
+
+struct LinearWeighted {
+  using Cell = LinearSums;
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {
+      const double weight = static_cast<double>(weightAt(row, n)) / 255.0;
+      putLinear(near, rowStride, far, fx, fy, fz, Pair{weight * static_cast<double>(row.pixels[n]), weight});
+    });
+  }
+  static Voxel voxelOf(const Cell& cell) { return voxelOfLinear(cell); }
 };
 
 template <class Keep>
@@ -158,8 +201,8 @@ struct LinearMaximum {
   using Cell = KeptPixel;
   static constexpr int kGuard = 1;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
-      putWhereWeighty(near, rowStride, far, fx, fy, fz, value, [](Cell before, Cell now) { return std::max(before, now); });
+    walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {
+      putWhereWeighty(near, rowStride, far, fx, fy, fz, row.pixels[n], [](Cell before, Cell now) { return std::max(before, now); });
     });
   }
   static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
@@ -169,8 +212,8 @@ struct LinearLatest {
   using Cell = KeptPixel;
   static constexpr int kGuard = 1;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
-    walkLinear(row, brick, [](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, std::uint8_t value) {
-      putWhereWeighty(near, rowStride, far, fx, fy, fz, value, [](Cell, Cell now) { return now; });
+    walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {
+      putWhereWeighty(near, rowStride, far, fx, fy, fz, row.pixels[n], [](Cell, Cell now) { return now; });
     });
   }
   static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }

@@ -66,6 +66,13 @@ Result<void> checkFrames(std::span<const PosedFrame> frames) {
                          " pixels and frame 0 has " + std::to_string(first.width) + " x " + std::to_string(first.height) +
                          "; reconstruct frames of one size at a time.",
                      {{"field", "pixels"}, {"frame", std::to_string(n)}});
+    const auto& weights = frames[n].weights;
+    if (weights.data != nullptr && (weights.width != first.width || weights.height != first.height))
+      return failure(ErrorCode::badField,
+                     "The weights of frame " + std::to_string(n) + " have " + std::to_string(weights.width) + " x " +
+                         std::to_string(weights.height) + " values for " + std::to_string(first.width) + " x " +
+                         std::to_string(first.height) + " pixels; give one weight for each pixel.",
+                     {{"field", "weights"}, {"frame", std::to_string(n)}});
     if (const auto checked = checkMatrix(frames[n].imageToWorld.matrix, n); !checked) return passOn(checked.error());
   }
   return {};
@@ -79,12 +86,11 @@ Result<void> checkOptions(const ReconstructOptions& options) {
   if (options.threads < 0)
     return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
                    {{"field", "threads"}});
-  if (options.fillReach_voxels < 0 || options.fillReach_voxels > kMaxFillReach_voxels)
+  if (!(options.fillReach_mm >= 0.0) || !std::isfinite(options.fillReach_mm))
     return failure(ErrorCode::badField,
-                   "A hole filling reach of " + std::to_string(options.fillReach_voxels) + " voxels cannot be used; give 0 to " +
-                       std::to_string(kMaxFillReach_voxels) + ".",
+                   "A hole filling reach of " + textOf(options.fillReach_mm) + " mm cannot be used; give 0 mm or more.",
                    {{"field", "fill reach"}});
-  if (options.keepWeights && options.compounding != Compounding::mean)
+  if (options.keepWeights && options.compounding != Compounding::mean && options.compounding != Compounding::weighted)
     return failure(ErrorCode::badField, "Only the mean has weights; ask for the mean or do not ask for weights.", {{"field", "weights"}});
   return {};
 }
@@ -171,7 +177,7 @@ bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
 
 std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options) {
   const std::uint64_t volume = grid.voxelCount() * (2 + (options.keepWeights ? sizeof(float) : 0));
-  const std::uint64_t filling = forecastFillBytes(grid, {options.fillReach_voxels, options.threads});
+  const std::uint64_t filling = forecastFillBytes(grid, {options.fillReach_mm, options.threads});
   return volume + std::max(pasteScratchBytes(grid, options), filling);
 }
 
@@ -180,7 +186,10 @@ Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOption
   if (const auto checked = checkOptions(options); !checked) return passOn(checked.error());
   const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!rectangle) return passOn(rectangle.error());
-  return checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
+  const auto grid = checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
+  if (!grid) return passOn(grid.error());
+  if (const auto checked = checkFillReach(*grid, options.fillReach_mm); !checked) return passOn(checked.error());
+  return grid;
 }
 
 Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options, Progress& progress) {
@@ -196,7 +205,7 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
   const auto clip = ClipSpans::of(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!clip) return passOn(clip.error());
 
-  const double filledFrom = options.fillReach_voxels >= 2 ? 0.7 : 1.0;
+  const double filledFrom = options.fillReach_mm > 0.0 ? 0.7 : 1.0;
   const auto started = std::chrono::steady_clock::now();
   ReconstructResult result;
   try {
@@ -219,10 +228,10 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
   result.pixelsPasted = frames.size() * clip->pixelCount();
   result.pasteSeconds = secondsSince(started);
 
-  if (options.fillReach_voxels >= 2) {
+  if (options.fillReach_mm > 0.0) {
     const auto fillStarted = std::chrono::steady_clock::now();
     PartOfProgress filling(progress, filledFrom, 1.0);
-    auto filled = fillHoles(std::move(result.volume), {options.fillReach_voxels, options.threads}, filling);
+    auto filled = fillHoles(std::move(result.volume), {options.fillReach_mm, options.threads}, filling);
     if (!filled) return passOn(filled.error());
     result.volume = std::move(filled->volume);
     result.interpolatedVoxels = filled->filledVoxels;

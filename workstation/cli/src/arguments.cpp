@@ -38,7 +38,9 @@ CLI::Option& addNumber(CLI::App& app, const std::string& name, std::optional<dou
               ->type_name("NUMBER");
 }
 
-CLI::Option& addCount(CLI::App& app, const std::string& name, int& target, int lowest, int highest, const std::string& description) {
+template <class Target>
+static CLI::Option& addCountTo(CLI::App& app, const std::string& name, Target& target, int lowest, int highest,
+                               const std::string& description) {
   return *app.add_option_function<std::string>(
                  name,
                  [&target, name, lowest, highest](const std::string& text) {
@@ -50,6 +52,15 @@ CLI::Option& addCount(CLI::App& app, const std::string& name, int& target, int l
                  },
                  description)
               ->type_name("COUNT");
+}
+
+CLI::Option& addCount(CLI::App& app, const std::string& name, int& target, int lowest, int highest, const std::string& description) {
+  return addCountTo(app, name, target, lowest, highest, description);
+}
+
+CLI::Option& addCount(CLI::App& app, const std::string& name, std::optional<int>& target, int lowest, int highest,
+                      const std::string& description) {
+  return addCountTo(app, name, target, lowest, highest, description);
 }
 
 CLI::Option& addSeed(CLI::App& app, const std::string& name, std::uint64_t& target, const std::string& description) {

@@ -26,6 +26,8 @@ CLI::Option& addNumber(CLI::App& app, const std::string& name, double& target, R
 CLI::Option& addNumber(CLI::App& app, const std::string& name, std::optional<double>& target, Range range, const std::string& description);
 /// `--name 3`: a whole number within the range.
 CLI::Option& addCount(CLI::App& app, const std::string& name, int& target, int lowest, int highest, const std::string& description);
+CLI::Option& addCount(CLI::App& app, const std::string& name, std::optional<int>& target, int lowest, int highest,
+                      const std::string& description);
 /// A whole number from 0 to 2^64 - 1.
 CLI::Option& addSeed(CLI::App& app, const std::string& name, std::uint64_t& target, const std::string& description);
 /// `--name 640x480`.

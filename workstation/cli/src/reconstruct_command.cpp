@@ -19,7 +19,8 @@ struct ReconstructArguments {
   std::optional<double> spacing_mm;
   std::string interpolation;  // empty: the calibration file's, else linear
   std::string compounding;    // empty: the calibration file's, else mean
-  int fillReach_voxels = 0;
+  std::optional<double> fillReach_mm;
+  std::optional<int> fillReach_voxels;
   int threads = 0;
   std::optional<std::vector<double>> clip_px;  // x y width height
   std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
@@ -36,6 +37,8 @@ const char* nameOf(Compounding compounding) {
       return "maximum";
     case Compounding::latest:
       return "latest";
+    case Compounding::weighted:
+      return "weighted";
   }
   return "mean";
 }
@@ -89,7 +92,8 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   if (arguments.spacing_mm) reconstruction.spacing_mm = *arguments.spacing_mm;
   if (!arguments.interpolation.empty()) reconstruction.interpolation = interpolationOf(arguments.interpolation);
   if (!arguments.compounding.empty()) reconstruction.compounding = compoundingOf(arguments.compounding);
-  reconstruction.fillReach_voxels = arguments.fillReach_voxels;
+  reconstruction.fillReach_mm = arguments.fillReach_mm.value_or(0.0);
+  options.fillReach_voxels = arguments.fillReach_voxels;
   reconstruction.threads = arguments.threads;
   reconstruction.clip = clipOf(arguments);
   return options;
@@ -102,7 +106,7 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
           {"spacing_mm", done.spacing_mm},
           {"interpolation", nameOf(done.interpolation)},
           {"compounding", nameOf(done.compounding)},
-          {"fill_reach_voxels", done.fillReach_voxels},
+          {"fill_reach_mm", done.fillReach_mm},
           {"threads", done.threads},
           {"clip", toJson(done.clip)}};
 }
@@ -110,6 +114,8 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
 Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
+  if (arguments.fillReach_mm && arguments.fillReach_voxels)
+    return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
   run.input(arguments.sweep);
   for (const auto& file : arguments.calibrations) run.input(file);
   if (auto announced = run.output(arguments.output, ".mha .mhd"); !announced) return passOn(announced.error());
@@ -131,7 +137,7 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   const auto& plan = imported->plan;
   const auto& made = imported->reconstruction;
   run.report.addStep("paste", made.pasteSeconds * 1e6);
-  if (plan.reconstruct.fillReach_voxels > 0) run.report.addStep("fill", made.fillSeconds * 1e6);
+  if (plan.reconstruct.fillReach_mm > 0.0) run.report.addStep("fill", made.fillSeconds * 1e6);
 
   {
     const StepClock clock(run.report, "write");
@@ -175,7 +181,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<ReconstructArguments>();
   auto& app = addCommand(root, selection, "reconstruct", "Turn a tracked sweep into a volume",
                          {"reconstruct sweep.igs.mha -o volume.mha --calibration deviceset.xml --spacing 0.5",
-                          "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach 6 --coverage coverage.mha",
+                          "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach-mm 3 --coverage coverage.mha",
                           "reconstruct sweep.igs.mha -o volume.mha --clip 0 0 739 593 --fan -30.28 30.28 369 -139.33 161.34 724.35"},
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
   app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required()->type_name("");
@@ -198,8 +204,9 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                  "What a voxel takes from several pixels: mean, maximum or latest (the calibration file's, else mean)")
       ->check(CLI::IsMember({"mean", "maximum", "latest"}))
       ->type_name("KIND");
-  addCount(app, "--fill-reach", arguments->fillReach_voxels, 0, 1000,
-           "Fill holes between measured voxels that are at most so many voxels apart; 0: none (0)");
+  addNumber(app, "--fill-reach-mm", arguments->fillReach_mm, {0.0, 1e6},
+            "Fill holes between measured voxels that are at most so many mm apart, whatever the spacing; 0: none (0)");
+  addCount(app, "--fill-reach", arguments->fillReach_voxels, 0, 1000, "The same, counted in voxels of the spacing");
   app.add_option("--coverage", arguments->coverage, "Also write what is known of each voxel: 0 absent, 1 interpolated, 2 measured")
       ->type_name("OUT.mha");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");

@@ -176,6 +176,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   if (!effective) return passOn(effective.error());
   plan.reconstruct = *effective;
   if (sector && plan.reconstruct.clip == Clip{}) plan.reconstruct.clip = *sector;
+  if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
   plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
 

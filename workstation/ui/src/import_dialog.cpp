@@ -11,12 +11,12 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <cmath>
 #include <set>
 
+#include "ew/acquisition/fill_holes.h"
 #include "jobs.h"
 #include "message_bar.h"
 #include "theme.h"
@@ -123,10 +123,12 @@ void ImportDialog::addRows() {
   compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
   compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
   compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
-  fill_ = new QSpinBox;
-  fill_->setRange(0, 20);
-  fill_->setValue(3);
-  fill_->setSuffix(tr(" voxels"));
+  fill_ = new QDoubleSpinBox;
+  fill_->setRange(0.0, 20.0);
+  fill_->setSingleStep(0.5);
+  fill_->setDecimals(1);
+  fill_->setValue(FillOptions{}.reach_mm);
+  fill_->setSuffix(tr(" mm"));
   fill_->setSpecialValueText(tr("leave holes"));
   fill_->setToolTip(tr("Holes at most this far between measured voxels are filled and marked as interpolated"));
   frames_ = valueLabel("importFrames");
@@ -179,7 +181,7 @@ void ImportDialog::addRows() {
   connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
   connect(interpolation_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
-  connect(fill_, qOverload<int>(&QSpinBox::valueChanged), this, &ImportDialog::showPlan);
+  connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &ImportDialog::start);
 }
@@ -191,7 +193,7 @@ SweepImportOptions ImportDialog::options() const {
   chosen.reconstruct.spacing_mm = spacing_->value();
   chosen.reconstruct.interpolation = static_cast<Interpolation>(interpolation_->currentData().toInt());
   chosen.reconstruct.compounding = static_cast<Compounding>(compounding_->currentData().toInt());
-  chosen.reconstruct.fillReach_voxels = fill_->value();
+  chosen.reconstruct.fillReach_mm = fill_->value();
   return chosen;
 }
 

@@ -12,7 +12,6 @@ class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 
 namespace ew::ui {
 
@@ -53,7 +52,7 @@ class ImportDialog final : public QDialog {
   QDoubleSpinBox* spacing_ = nullptr;
   QComboBox* interpolation_ = nullptr;
   QComboBox* compounding_ = nullptr;
-  QSpinBox* fill_ = nullptr;
+  QDoubleSpinBox* fill_ = nullptr;
   QLabel* frames_ = nullptr;
   QLabel* size_ = nullptr;
   QLabel* memory_ = nullptr;

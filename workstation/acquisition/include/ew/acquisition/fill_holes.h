@@ -10,10 +10,10 @@
 namespace ew {
 
 struct FillOptions {
-  int reach_voxels = 8;  ///< longest distance between the two measured voxels a hole lies between; 0 to kMaxFillReach_voxels
-  int threads = 0;       ///< 0: all cores; the voxels do not depend on it
+  double reach_mm = 4.0;  ///< longest distance between the centres of the two measured voxels a hole lies between
+  int threads = 0;        ///< 0: all cores; the voxels do not depend on it
 };
-inline constexpr int kMaxFillReach_voxels = 256;
+inline constexpr int kMaxFillReach_voxels = 256;  ///< along the axis of the finest spacing
 
 struct FilledVolume {
   Volume volume;
@@ -22,7 +22,7 @@ struct FilledVolume {
 
 /// Fills holes between measured voxels; measured and earlier interpolated voxels keep their values. Move the volume in and no copy is made.
 /// An absent voxel is a hole when, along at least one of the 13 directions to its neighbours, the next voxels on both sides are measured
-/// ones and at most `reach_voxels` (Euclidean, in voxels) apart. So nothing is filled outside the hull of what was measured, and nothing
+/// ones and at most `reach_mm` (Euclidean) apart. So nothing is filled outside the hull of what was measured, and nothing
 /// further from it than the reach. Its echo is the mean, over those directions, of the linear interpolation between the two ends, weighted
 /// with 1 / distance^12 between them, rounded once; its coverage becomes interpolated. Directions are added in a fixed order, so the voxels
 /// are the same however many threads there are.
@@ -30,6 +30,10 @@ struct FilledVolume {
 /// @param volume with coverage (an empty coverage means that everything is measured: nothing to do)
 /// @error badField (reach, or sizes that do not fit the grid), tooLarge (no memory), cancelled
 [[nodiscard]] Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress);
+
+/// Whether a reach can be used on a grid.
+/// @error badField (negative, not finite, more than kMaxFillReach_voxels)
+[[nodiscard]] Result<void> checkFillReach(const Grid& grid, double reach_mm);
 
 /// Bytes fillHoles needs beside the volume.
 [[nodiscard]] std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options);

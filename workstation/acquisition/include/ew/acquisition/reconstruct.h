@@ -21,8 +21,11 @@ enum class Interpolation { nearest, linear };
 /// mean:    floor(sum of weight * value / sum of weight + 0.5). With linear, a voxel is measured when its weight exceeds 1e-9 pixels.
 /// maximum: the largest. A measured zero counts as measured.
 /// latest:  the last one in the order of the frames, and within a frame of rows and columns.
+/// weighted: as mean, each pixel counted with the weight its frame gives it (PosedFrame::weights). A voxel that only pixels of weight 0
+/// reach
+///          is not measured. Equal weights give the voxels of the mean.
 /// For maximum and latest with linear, a pixel reaches those of the 8 voxels where its weight is at least 1/8, so always one.
-enum class Compounding { mean, maximum, latest };
+enum class Compounding { mean, maximum, latest, weighted };
 
 /// Which pixels of a frame are image: a rectangle, and within it optionally a fan. Pixel coordinates, centres at integers.
 struct ClipFan {
@@ -44,10 +47,10 @@ struct ReconstructOptions {
   double spacing_mm = 0.5;
   Interpolation interpolation = Interpolation::linear;
   Compounding compounding = Compounding::mean;
-  int fillReach_voxels = 0;  ///< holes between measured voxels at most this far apart are filled (see fill_holes.h); 0: none
+  double fillReach_mm = 0.0;  ///< holes between measured voxels at most this far apart are filled (see fill_holes.h); 0: none
   Clip clip = {};
   int threads = 0;           ///< 0: all cores; the voxels do not depend on it
-  bool keepWeights = false;  ///< also return each voxel's weight; compounding mean only
+  bool keepWeights = false;  ///< also return each voxel's weight; compounding mean and weighted only
   std::uint64_t maxBytes = 16ull << 30;
 };
 
@@ -55,6 +58,7 @@ struct ReconstructOptions {
 struct PosedFrame {
   ImageView<const std::uint8_t> pixels;
   Transform<frame::World, frame::Image> imageToWorld;  ///< affine, mm per pixel included
+  ImageView<const std::uint8_t> weights = {};          ///< as large as `pixels`, 0 to 255 for 0 to 1: confidence; no data: all are 1
 };
 
 struct ReconstructResult {
@@ -76,7 +80,7 @@ struct ReconstructResult {
 /// axis = round((largest - smallest) / spacing) + 1.
 /// Frames are of one size; their matrices may be mirrored, oblique or sheared.
 /// @error noValidPose (no frames), tooLarge (with the forecast), badField (spacing, threads, reach, clip outside the frame, frames of
-///        different sizes, a matrix that is not affine, not finite or maps the image onto a line or point)
+///        different sizes, weights of another size, a matrix that is not affine, not finite or maps the image onto a line or point)
 [[nodiscard]] Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options);
 
 /// Pastes every clipped pixel of every frame into the volume, compounds, fills holes of bounded reach and says per voxel which is which.

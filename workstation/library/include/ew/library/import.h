@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct SweepImportOptions {
   bool clipFromCalibration = true;                  ///< clip rectangle and fan of the device set
   bool spacingFromCalibration = false;              ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
   bool methodFromCalibration = false;               ///< interpolation and compounding of the device set instead of those of `reconstruct`
+  std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
 };
 
 struct SweepCounts {
