@@ -106,7 +106,7 @@ TEST(MotorSweep, ParallelFanAndRotationalSweepsOfOneWorldAgreeWithIt) {
                                {.kind = MotorKind::rotational, .first = 0.0, .step = 3.0}};
   for (const MotorSweep& motor : motors) {
     const Sweep sweep = imaged(motor, motor.kind == MotorKind::rotational ? 60 : motor.kind == MotorKind::fan ? 51 : 41);
-    const auto made = reconstruct(sweep.frames, {.spacing_mm = 0.5, .fillReach_voxels = 6}, noProgress());
+    const auto made = reconstruct(sweep.frames, {.spacing_mm = 0.5, .fillReach_mm = 3.0}, noProgress());
     ASSERT_TRUE(made.has_value()) << made.error();
     EXPECT_LT(centroidError_mm(made->volume), 0.1) << "kind " << static_cast<int>(motor.kind) << ", voxels of 0.5 mm";
     double worst = 0.0, sum = 0.0;
