@@ -109,5 +109,24 @@ TEST_F(HardFamilies, WithAnExpressionOfAThousandParenthesesAreRefused) {
         "expected"));
 }
 
+TEST_F(HardFamilies, WhoseMotionWouldFoldTissueAreRefused) {
+  const auto moving = [](const std::string& motion) {
+    return patientRecipe(R"({"name": "pipe", "tissue": "dark", "shape": {"tube": {"points": [[0, 0, -30, 4], [0, 0, 30, 4]]}}},
+                            {"name": "bow", "tissue": "dark", "shape": {"tube": {"points": [[0, 20, -10, 2], [0, 20, 20, 2], [0, 25, 0, 2]]}}})",
+                         R"("motion": )" + motion + ",");
+  };
+  EXPECT_EQ(refusal(moving(R"({"breathing": {"displacement_mm": [0, 0, -10], "held_depth_mm": 5, "free_depth_mm": 30}})")), "");
+  for (const char* motion :
+       {R"({"breathing": {"displacement_mm": [0, 0, -30], "held_depth_mm": 5, "free_depth_mm": 15}})",
+        R"({"breathing": {"displacement_mm": [0, 0, 30], "grows_along_z_mm": [10, 20]}})",
+        R"({"breathing": {"displacement_mm": [0, 0, -61]}})", R"({"breathing": {"displacement_mm": [0, 0, -3], "held_by": ["liver"]}})",
+        R"({"breathing": {"displacement_mm": [0, 0, -3], "held_depth_mm": 9, "free_depth_mm": 9}})",
+        R"({"pulse": {"vessels": [{"of": "pipe", "diameter_growth_mm": 12, "reach_mm": 3}]}})",
+        R"({"pulse": {"vessels": [{"of": "bow", "diameter_growth_mm": 0.1}]}})",
+        R"({"pulse": {"vessels": [{"of": "skin surface", "diameter_growth_mm": 0.1}]}})", R"({"pulse": {"vessels": []}})",
+        R"({"pulse": {"beats_per_minute": 0, "vessels": [{"of": "pipe", "diameter_growth_mm": 1}]}})"})
+    EXPECT_TRUE(names(refusal(moving(motion)), "motion")) << motion;
+}
+
 }  // namespace
 }  // namespace ew

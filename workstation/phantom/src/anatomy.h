@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ew/phantom/patient.h"
+#include "motion_recipe.h"
 #include "shape.h"
 
 namespace ew {
@@ -45,6 +47,8 @@ class Patient {
   std::vector<phantom::Organ> organs;  ///< by priority; at most 254
   glm::dvec2 beamAxis_mm{0.0, 110.0};  ///< x and y of the vertical line that beams from all over the skin run towards: where borders shine
   std::vector<PatientParameter> parameters;
+  phantom::NamedShapes shapes;  ///< every shape and organ by name, as drawn
+  phantom::Motion motion;
   double scattererPitch_mm = 0.5;  ///< of the lattice of scatterers, one in a cell where they are dense: 1 / pitch^3 to the mm3
 };
 

@@ -136,6 +136,7 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
     known.emplace(organ.name, organ.shape);
     patient.organs.push_back(std::move(organ));
   }
+  patient.shapes = std::move(known);
 }
 
 }  // namespace
@@ -148,8 +149,9 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
-  reader.allow(*recipe, "patient",
-               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs"});
+  reader.allow(
+      *recipe, "patient",
+      {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion"});
   patient->name = reader.text(*recipe, "patient", "name");
 
   const auto box = recipe->find("box");
@@ -184,6 +186,8 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (!body) return passOn(body.error());
   patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm);
   readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
+  if (const auto motion = recipe->find("motion"); motion != recipe->end() && !reader.problem())
+    patient->motion = phantom::readMotion(reader, *motion, patient->box, patient->skin, patient->shapes);
   if (reader.problem()) return passOn(*reader.problem());
   return patient;
 }

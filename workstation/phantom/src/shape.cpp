@@ -74,12 +74,18 @@ class Offset final : public Shape {
  public:
   Offset(ShapePtr of, double grow) : of_(std::move(of)), grow_(grow) {
     bounds_ = {of_->bounds().lowest_mm - glm::dvec3(std::max(grow, 0.0)), of_->bounds().highest_mm + glm::dvec3(std::max(grow, 0.0))};
+    if (of_->centreLine()) {
+      line_ = *of_->centreLine();
+      for (glm::dvec4& point : line_.points_mm) point.w = std::max(0.0, point.w + grow);
+    }
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(p_mm) - grow_; }
+  const CentreLine* centreLine() const override { return of_->centreLine() ? &line_ : nullptr; }
 
  private:
   ShapePtr of_;
   double grow_;
+  CentreLine line_;
 };
 
 class Placed final : public Shape {
@@ -92,13 +98,17 @@ class Placed final : public Shape {
       bounds_.lowest_mm = corner == 0 ? placed : glm::min(bounds_.lowest_mm, placed);
       bounds_.highest_mm = corner == 0 ? placed : glm::max(bounds_.highest_mm, placed);
     }
+    if (const CentreLine* drawnLine = of_->centreLine())
+      for (const glm::dvec4& point : drawnLine->points_mm) line_.points_mm.emplace_back(frame_.toWorld(glm::dvec3(point)), point.w);
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return of_->distance_mm(frame_.fromWorld(p_mm)); }
   double atLeast_mm(const glm::dvec3& p_mm) const override { return of_->atLeast_mm(frame_.fromWorld(p_mm)); }
+  const CentreLine* centreLine() const override { return line_.points_mm.empty() ? nullptr : &line_; }
 
  private:
   ShapePtr of_;
   DrawingFrame frame_;
+  CentreLine line_;
 };
 
 class Mirrored final : public Shape {
@@ -143,6 +153,7 @@ class Union final : public Shape {
     }
     return joined;
   }
+  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
  private:
   std::vector<BlendedPart> parts_;
@@ -163,6 +174,7 @@ class Intersection final : public Shape {
     for (std::size_t n = 1; n < parts_.size(); ++n) joined = smoothMax(joined, parts_[n].shape->distance_mm(p_mm), parts_[n].blend_mm);
     return joined;
   }
+  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
  private:
   std::vector<BlendedPart> parts_;
@@ -180,6 +192,7 @@ class Difference final : public Shape {
     }
     return joined;
   }
+  const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
  private:
   std::vector<BlendedPart> parts_;

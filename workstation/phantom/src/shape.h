@@ -11,6 +11,11 @@ namespace ew::phantom {
 /// Distance from a point to a box; 0 inside. A lower bound of the distance to whatever the box holds.
 [[nodiscard]] double distanceToBox_mm(const glm::dvec3& p_mm, const Bounds& box);
 
+/// The line along which a tube runs, as the polyline its surface is made about: place and radius at each point, mm.
+struct CentreLine {
+  std::vector<glm::dvec4> points_mm;
+};
+
 /// An implicit solid: signed distance in mm (negative inside) and a box that holds all of it.
 /// Distances are exact for spheres, capsules, tubes and planes; ellipsoids and lofts give the first-order distance F / |grad F|,
 /// which has the exact sign everywhere and the exact distance on the surface and on the axes.
@@ -21,6 +26,8 @@ class Shape {
   /// At most the distance (0 inside), and cheaper to have.
   [[nodiscard]] virtual double atLeast_mm(const glm::dvec3& p_mm) const { return distanceToBox_mm(p_mm, bounds_); }
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  /// Of a tube, of a tube that is grown, and of blends whose first part is one; null for everything else.
+  [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }
 
  protected:
   Bounds bounds_;

@@ -77,6 +77,7 @@ class Tube final : public Shape {
       return glm::dvec4(points[clamped], radii[clamped]);
     };
     bounds_ = {points.front(), points.front()};
+    line_.points_mm.push_back(at(0));
     for (int n = 0; n + 1 < count; ++n) {
       const glm::dvec4 before = at(n - 1), from = at(n), to = at(n + 1), after = at(n + 2);
       const auto spline = [&](double t) {
@@ -94,6 +95,7 @@ class Tube final : public Shape {
         span.box.lowest_mm = glm::min(span.box.lowest_mm, box.lowest_mm);
         span.box.highest_mm = glm::max(span.box.highest_mm, box.highest_mm);
         span.cones.emplace_back(cone);
+        line_.points_mm.push_back(next);
         last = next;
       }
       if (n == 0) bounds_ = span.box;
@@ -111,6 +113,7 @@ class Tube final : public Shape {
     }
     return nearest;
   }
+  const CentreLine* centreLine() const override { return &line_; }
 
  private:
   static constexpr int kPiecesPerSpan = 8;
@@ -119,6 +122,7 @@ class Tube final : public Shape {
     std::vector<Cone> cones;
   };
   std::vector<Span> spans_;
+  CentreLine line_;
 };
 
 constexpr double kThinnest_mm = 0.01;

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestFamily = 8;
 constexpr double kLargestParameter = 1e5;
-const std::set<std::string> kNamedLists{"measurements", "organs", "planes", "shapes", "tissues"};
+const std::set<std::string> kNamedLists{"frames", "measurements", "organs", "planes", "shapes", "tissues"};
 const std::set<std::string> kWords{"name", "note", "source", "unit"};  // never expressions
 
 std::string shown(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }

@@ -1,0 +1,183 @@
+#include "motion_recipe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/numbers.h"
+#include "ew/core/parallel.h"
+
+namespace ew::phantom {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kShareSpacing_mm = 6.0;
+constexpr double kShareMargin_mm = 30.0;  // around the box: probes and organs reach beyond it
+constexpr double kLeastStretch = 0.15;    // of tissue, along any direction: below it neighbours would nearly meet
+
+double smoothStep(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+Rhythm readRhythm(FieldReader& reader, const json& object, const std::string& place, double period_s) {
+  Rhythm rhythm;
+  rhythm.period_s = period_s;
+  rhythm.variation = reader.number(object, place, "variation", 0.0, 0.4, 0.0);
+  return rhythm;
+}
+
+Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes) {
+  const std::string place = "motion.breathing";
+  Breathing breathing;
+  reader.allow(object, place,
+               {"period_s", "variation", "pause", "displacement_mm", "held_depth_mm", "free_depth_mm", "held_by", "free_distance_mm",
+                "grows_along_z_mm"});
+  if (reader.problem()) return breathing;
+  breathing.rhythm = readRhythm(reader, object, place, reader.number(object, place, "period_s", 1.0, 30.0, 4.0));
+  breathing.pause = reader.number(object, place, "pause", 0.0, 0.9, 0.3);
+  breathing.displacement_mm = reader.vector(object, place, "displacement_mm");
+  if (!(glm::length(breathing.displacement_mm) <= 60.0)) reader.refuse(place + ".displacement_mm", "too long", "at most 60 mm");
+  const double held = reader.number(object, place, "held_depth_mm", 0.0, 500.0, 20.0);
+  const double free = reader.number(object, place, "free_depth_mm", 0.0, 500.0, 40.0);
+  if (!(free > held)) reader.refuse(place + ".free_depth_mm", textOf(free), "a depth below held_depth_mm");
+  const double freeDistance = reader.number(object, place, "free_distance_mm", 1.0, 500.0, 25.0);
+  std::vector<ShapePtr> holders;
+  if (object.contains("held_by")) {
+    const json& names = reader.list(object, place, "held_by", 0, 50);
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      const auto found = names[n].is_string() ? shapes.find(names[n].get<std::string>()) : shapes.end();
+      if (found == shapes.end())
+        reader.refuse(place + ".held_by[" + std::to_string(n) + "]", names[n].dump(), "the name of a shape or organ");
+      else
+        holders.push_back(found->second);
+    }
+  }
+  double still_z = -1e5, full_z = -1e5 + 1.0;
+  if (object.contains("grows_along_z_mm")) {
+    const json& range = reader.list(object, place, "grows_along_z_mm", 2, 2);
+    if (reader.problem()) return breathing;
+    still_z = reader.number(json{{"from", range[0]}}, place + ".grows_along_z_mm", "from", -1e4, 1e4);
+    full_z = reader.number(json{{"to", range[1]}}, place + ".grows_along_z_mm", "to", -1e4, 1e4);
+    if (!(std::abs(full_z - still_z) >= 1.0)) reader.refuse(place + ".grows_along_z_mm", "too short", "two heights at least 1 mm apart");
+  }
+  if (reader.problem()) return breathing;
+
+  auto share = std::make_shared<ShareField>(Bounds{box.lowest_mm - kShareMargin_mm, box.highest_mm + kShareMargin_mm}, kShareSpacing_mm);
+  const glm::ivec3 nodes = share->nodes();
+  forEachTask(nodes.z, 0, noProgress(), "", [&](int k) {
+    for (int j = 0; j < nodes.y; ++j)
+      for (int i = 0; i < nodes.x; ++i) {
+        const glm::dvec3 p = share->placeOf({i, j, k});
+        double value = smoothStep((p.z - still_z) / (full_z - still_z));
+        if (value > 0.0) value *= smoothStep((-skin->distance_mm(p) - held) / (free - held));
+        for (const ShapePtr& holder : holders)
+          if (value > 0.0) value *= smoothStep(holder->distance_mm(p) / freeDistance);
+        share->at({i, j, k}) = static_cast<float>(value);
+      }
+  });
+  // Along the displacement d the tissue stretches by 1 + d . grad share; where that reaches 0 two places would meet.
+  const double stretch = 1.0 + share->steepestFall(breathing.displacement_mm);
+  if (!(stretch >= kLeastStretch))
+    reader.refuse(place + ".displacement_mm", "so long that it would fold the tissue where it fades",
+                  "a shorter one, or a wider way from held to free");
+  breathing.share = std::move(share);
+  return breathing;
+}
+
+PulsingVessel readVessel(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& shapes) {
+  PulsingVessel vessel;
+  reader.allow(object, place, {"of", "diameter_growth_mm", "reach_mm", "fade_mm"});
+  const std::string name = reader.text(object, place, "of");
+  vessel.growth_mm = reader.number(object, place, "diameter_growth_mm", 0.0, 20.0);
+  vessel.reach_mm = reader.number(object, place, "reach_mm", 1.0, 200.0, 20.0);
+  vessel.fade_mm = reader.number(object, place, "fade_mm", 1.0, 200.0, 15.0);
+  if (reader.problem()) return vessel;
+  const auto found = shapes.find(name);
+  const CentreLine* line = found == shapes.end() ? nullptr : found->second->centreLine();
+  if (line) vessel.line_mm = line->points_mm;
+  if (vessel.line_mm.size() < 2) {
+    reader.refuse(place + ".of", '"' + name + '"', "the name of a shape or organ that is a tube");
+    return vessel;
+  }
+  if (vessel.line_mm.front().z > vessel.line_mm.back().z) std::reverse(vessel.line_mm.begin(), vessel.line_mm.end());
+  double thinnest = vessel.line_mm.front().w;
+  for (std::size_t n = 1; n < vessel.line_mm.size(); ++n) {
+    thinnest = std::min(thinnest, vessel.line_mm[n].w);
+    if (!(vessel.line_mm[n].z - vessel.line_mm[n - 1].z > 1e-6)) {
+      reader.refuse(place + ".of", '"' + name + '"', "a tube that runs up or down all along, never turning back or running level");
+      return vessel;
+    }
+  }
+  // The wall's push falls off by 1 / radius from the ring it widens and by at most 1.6 / reach from its fading.
+  if (!(0.5 * vessel.growth_mm * (1.0 / thinnest + 1.6 / vessel.reach_mm) <= 1.0 - kLeastStretch))
+    reader.refuse(place + ".diameter_growth_mm", textOf(vessel.growth_mm), "less growth, or a longer reach, so that no tissue is folded");
+  return vessel;
+}
+
+}  // namespace
+
+ShareField::ShareField(const Bounds& box, double spacing_mm) : origin_(box.lowest_mm), spacing_(spacing_mm) {
+  nodes_ = glm::max(glm::ivec3(glm::ceil((box.highest_mm - box.lowest_mm) / spacing_mm)), glm::ivec3(1)) + 1;
+  row_ = static_cast<std::size_t>(nodes_.x);
+  slice_ = row_ * static_cast<std::size_t>(nodes_.y);
+  values_.assign(slice_ * static_cast<std::size_t>(nodes_.z), 0.0F);
+}
+
+double ShareField::operator()(const glm::dvec3& p_mm) const {
+  const glm::dvec3 at = glm::clamp((p_mm - origin_) / spacing_, glm::dvec3(0.0), glm::dvec3(nodes_ - 1));
+  const glm::dvec3 cell = glm::min(glm::floor(at), glm::dvec3(nodes_ - 2));
+  const glm::dvec3 t = at - cell;
+  const float* v = values_.data() + indexOf(glm::ivec3(cell));
+  const auto along = [&](const float* from) {
+    return static_cast<double>(from[0]) + t.x * (static_cast<double>(from[1]) - static_cast<double>(from[0]));
+  };
+  const double near0 = along(v), near1 = along(v + row_), far0 = along(v + slice_), far1 = along(v + slice_ + row_);
+  const double nearer = near0 + t.y * (near1 - near0), farther = far0 + t.y * (far1 - far0);
+  return nearer + t.z * (farther - nearer);
+}
+
+double ShareField::steepestFall(const glm::dvec3& direction) const {
+  // Inside a cell each partial derivative is a mean of the differences along its four edges.
+  double least = 0.0;
+  for (int k = 0; k + 1 < nodes_.z; ++k)
+    for (int j = 0; j + 1 < nodes_.y; ++j)
+      for (int i = 0; i + 1 < nodes_.x; ++i) {
+        double fall = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+          if (direction[axis] == 0.0) continue;
+          double worst = 1e9;
+          for (int edge = 0; edge < 4; ++edge) {
+            glm::ivec3 from(i, j, k), step(0);
+            from[(axis + 1) % 3] += edge & 1;
+            from[(axis + 2) % 3] += edge >> 1;
+            step[axis] = 1;
+            worst = std::min(worst, direction[axis] * (at(from + step) - at(from)) / spacing_);
+          }
+          fall += worst;
+        }
+        least = std::min(least, fall);
+      }
+  return least;
+}
+
+Motion readMotion(FieldReader& reader, const json& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes) {
+  Motion read;
+  reader.allow(motion, "motion", {"breathing", "pulse"});
+  if (reader.problem()) return read;
+  if (const auto found = motion.find("breathing"); found != motion.end()) read.breathing = readBreathing(reader, *found, box, skin, shapes);
+  if (const auto found = motion.find("pulse"); found != motion.end()) {
+    reader.allow(*found, "motion.pulse", {"beats_per_minute", "variation", "vessels"});
+    if (reader.problem()) return read;
+    Pulse pulse;
+    pulse.rhythm =
+        readRhythm(reader, *found, "motion.pulse", 60.0 / reader.number(*found, "motion.pulse", "beats_per_minute", 20.0, 240.0, 66.0));
+    const json& vessels = reader.list(*found, "motion.pulse", "vessels", 1, 50);
+    for (std::size_t n = 0; n < vessels.size() && !reader.problem(); ++n)
+      pulse.vessels.push_back(readVessel(reader, vessels[n], "motion.pulse.vessels[" + std::to_string(n) + "]", shapes));
+    read.pulse = std::move(pulse);
+  }
+  return read;
+}
+
+}  // namespace ew::phantom
