@@ -145,4 +145,49 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
   return joined;
 }
 
+Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
+  if (lowerCase(file.extension().string()) != ".xml")
+    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .xml.",
+                   {{"file", file.string()}});
+  pugi::xml_document document;
+  auto root = document.append_child("PlusConfiguration");
+  root.append_attribute("version") = "2.9";
+  auto definitions = root.append_child("CoordinateDefinitions");
+  const auto textOfAll = [](std::initializer_list<double> numbers) {
+    std::string text;
+    for (const double number : numbers) text += (text.empty() ? "" : " ") + textOf(number);
+    return text;
+  };
+  for (const NamedTransform& transform : set.transforms) {
+    auto node = definitions.append_child("Transform");
+    node.append_attribute("From") = transform.from.c_str();
+    node.append_attribute("To") = transform.to.c_str();
+    std::string matrix;
+    for (const double number : rowsOf(transform.matrix)) matrix += (matrix.empty() ? "" : " ") + textOf(number);
+    node.append_attribute("Matrix") = matrix.c_str();
+  }
+  auto reconstruction = root.append_child("VolumeReconstruction");
+  const auto add = [&](const char* name, const std::string& text) { reconstruction.append_attribute(name) = text.c_str(); };
+  const auto addPair = [&](const char* name, const std::optional<glm::dvec2>& pair) {
+    if (pair) add(name, textOfAll({pair->x, pair->y}));
+  };
+  if (const auto& spacing = set.outputSpacing_mm) add("OutputSpacing", textOfAll({spacing->x, spacing->y, spacing->z}));
+  addPair("ClipRectangleOrigin", set.clipOrigin_px);
+  addPair("ClipRectangleSize", set.clipSize_px);
+  addPair("FanAnglesDeg", set.fanAngles_deg);
+  addPair("FanOriginPixel", set.fanOrigin_px);
+  if (set.fanRadiusStart_px) add("FanRadiusStartPixel", textOf(*set.fanRadiusStart_px));
+  if (set.fanRadiusStop_px) add("FanRadiusStopPixel", textOf(*set.fanRadiusStop_px));
+  if (set.interpolation) add("Interpolation", *set.interpolation);
+  if (set.compounding) add("CompoundingMode", *set.compounding);
+  if (!set.scanConversion.empty()) {
+    auto conversion = root.append_child("ScanConversion");
+    for (const auto& [name, value] : set.scanConversion) conversion.append_attribute(name.c_str()) = value.c_str();
+  }
+  return writeFileSafely(file, [&](std::ostream& out) -> Result<void> {
+    document.save(out, "  ");
+    return {};
+  });
+}
+
 }  // namespace ew

@@ -88,6 +88,10 @@ struct DeviceSet {
 /// @error as readDeviceSet
 [[nodiscard]] Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files);
 
+/// Writes a device set with what `set` holds, complete or not at all; reading it back gives the same.
+/// @error notWritable, unsupported (an ending other than .xml)
+[[nodiscard]] Result<void> writeDeviceSet(const DeviceSet& set, const std::filesystem::path& file);
+
 /// The transform from one named frame to another through any chain of the given ones (forwards or inverted); empty when there is no chain
 /// of usable transforms. The shortest chain wins.
 [[nodiscard]] std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std::string_view from, std::string_view to);
