@@ -19,8 +19,8 @@ namespace ew {
 enum class SweepKind {
   freehand,   ///< over the skin along a path of points, leaning by hand
   parallel,   ///< a motor pushes the probe straight on, frames parallel
-  fan,        ///< a motor tilts the image plane about the face's lateral axis
-  rotational  ///< a motor turns the image plane about the beam axis
+  fan,        ///< a motor tilts the image plane about the face's lateral axis, or one parallel to it behind the face
+  rotational  ///< a motor turns the image plane about the central beam
 };
 
 /// What a sweep file (resources/schemas/sweep.schema.json) says: probe, path, machine settings, tracker and errors.
@@ -28,12 +28,12 @@ struct SweepRecipe {
   std::string name;
   std::string probe;  ///< id of a file in resources/probes
   SweepKind kind = SweepKind::freehand;
-  int frames = 100;
+  int frames = 100;  ///< the first at the path's beginning, the last at its end
   double framesPerSecond = 20.0;
   FormationOptions formation;
 
-  /// freehand: the face's centre over the skin, with which way the image looks; joined by a smooth curve.
-  /// The others: one station, from which the motor starts.
+  /// freehand: the face's centre over the skin, with which way the image looks; joined by a smooth curve. One alone: held still.
+  /// The others: one station; a parallel motor starts there, a fan's middle image and a rotation's first one are there.
   struct Station {
     glm::dvec3 near_mm{0.0};                    ///< a point near the skin: the face is put on the skin next to it
     glm::dvec3 lateral{1.0, 0.0, 0.0};          ///< world direction of the image's x axis, made square to the beam
@@ -41,9 +41,12 @@ struct SweepRecipe {
     bool operator==(const Station&) const = default;
   };
   std::vector<Station> stations;
-  double extent_mm = 0.0;   ///< parallel: way of the motor, along the probe's z
-  double extent_deg = 0.0;  ///< fan, rotational: angle of the motor, half to either side (rotational: from 0)
-  double unevenness = 0.0;  ///< freehand: how much speed and lean of the hand vary, 0..1
+  bool onSkin = true;              ///< false: the face's centre is at near_mm itself, wherever that is (inside the body, in a bath)
+  double extent_mm = 0.0;          ///< parallel: way of the motor, along the probe's z
+  double extent_deg = 0.0;         ///< fan: angle of the motor, half to either side; rotational: from 0
+  double axisBehindFace_mm = 0.0;  ///< fan: how far behind the face the motor's axis lies
+  double unevenness = 0.0;         ///< freehand: how much speed and lean of the hand vary, 0..1
+  std::uint64_t handSeed = 1;      ///< of the unevenness
 
   double indentation_mm = 0.0;  ///< how deep the face presses into the skin; the tissue below gives way
   bool breathing = false;       ///< tissue moves with the patient's breath while recording
@@ -54,16 +57,16 @@ struct SweepRecipe {
   struct Tracker {
     double noise_mm = 0.0;             ///< standard deviation of each coordinate
     double noise_deg = 0.0;            ///< standard deviation about each axis
-    double jitter_s = 0.0;             ///< standard deviation of the time between image and pose
-    double latency_s = 0.0;            ///< poses lag behind images by this much
-    double dropOutShare = 0.0;         ///< of the frames, in runs: marked INVALID
+    double jitter_s = 0.0;             ///< standard deviation of the time between image and pose, and of unfiltered timestamps
+    double latency_s = 0.0;            ///< poses lag behind images by this much: with an image comes the pose of so long before
+    double dropOutShare = 0.0;         ///< of the frames, in runs: marked INVALID, with plausible numbers in them
     glm::dmat4 calibrationError{1.0};  ///< rigid: what the written calibration is off by, in the probe frame
     std::uint64_t seed = 1;
     bool operator==(const Tracker&) const = default;
   } tracker;
 
-  bool scanLines = false;  ///< write scan lines (orientation FM) instead of converted images
-  double pixel_mm = 0.0;   ///< of converted images; 0: about one sample in four
+  bool scanLines = false;  ///< write scan lines (orientation FM, one a row) instead of converted images (orientation MF)
+  double pixel_mm = 0.0;   ///< of converted images, and distance of samples along written lines; 0: depth / 512, of lines depth / 1024
   std::uint64_t seed = 1;  ///< of scatterers; the same for every sweep of one patient
   bool operator==(const SweepRecipe&) const = default;
 };
@@ -81,10 +84,17 @@ struct SweepForecast {
 
 /// A recorded sweep with the truth beside it.
 struct VirtualSweep {
-  Sequence sequence;  ///< PLUS: ProbeToReference (or to Tracker) per frame, statuses, times, ECG and respiration as fields, calibration
+  /// PLUS: per frame ProbeToReference and ImageToProbe, statuses, times; further fields as in ew/io/gating_fields.h. So it can be
+  /// reconstructed as it is; a device set, where one is given, takes the place of its calibration.
+  Sequence sequence;
+  /// What a calibrated laboratory would have beside the recording: ImageToProbe as written, and the sector of the picture as clip.
+  DeviceSet deviceSet;
   std::vector<Transform<frame::World, frame::Probe>> trueProbeToWorld;  ///< one per frame, where the probe really was
+  std::vector<double> trueTime_s;                                       ///< one per frame, from the beginning of the sweep
   std::vector<BodyState> trueState;
-  glm::dmat4 imageToProbe{1.0};  ///< the true calibration: pixel to probe frame, mm; as written it has the tracker's calibration error
+  /// The true calibration: pixel to probe frame, mm; as written it has the tracker's calibration error. Of scan lines: of the picture they
+  /// are meant to become.
+  glm::dmat4 imageToProbe{1.0};
 };
 
 /// @error badField (no station, a station whose skin is not found, a probe that does not fit), tooLarge
