@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ew/phantom/speckle.h"
 
@@ -22,6 +23,7 @@ constexpr double kPerfectMirror = 2.7;
 constexpr double kLeastReflection = 1e-4;
 constexpr double kCoincident_mm = 0.05;  // surfaces nearer than this are one
 constexpr double kNormalStep_mm = 0.05;
+constexpr double kStraight = 0.04;         // of the pitch: how far a distance may bend within a cell before it is asked exactly
 constexpr double kRough_db = -9.0;         // scattered by a bone's or gas' surface, below what it mirrors
 constexpr double kSmoothRough_db = -18.0;  // and by a capsule or vessel wall
 constexpr double kGlintScattered = 0.18;   // as voxelise: of a border's extra brightness, what comes from its layer of tissue
@@ -67,6 +69,7 @@ class ScattererField::Filler {
       insideSkin = skin < -kReserve * radius;
     }
     std::vector<const Organ*> near;
+    std::vector<double> atCentre_mm;
     const Organ* owner = nullptr;  // whose tissue fills the whole part
     for (const Organ* organ : candidates) {
       const double reach = radius + std::max(organ->border ? organ->border->width_mm : 0.0, pitch_);
@@ -74,6 +77,7 @@ class ScattererField::Filler {
       const double d = organ->shape->distance_mm(centre);
       if (d > kReserve * reach) continue;
       near.push_back(organ);
+      atCentre_mm.push_back(d);
       if (d < -kReserve * reach) {  // whatever comes later is hidden by this one
         owner = organ;
         break;
@@ -96,18 +100,85 @@ class ScattererField::Filler {
         fill(cell + half * glm::ivec3(child & 1, (child >> 1) & 1, child >> 2), half, near, insideSkin);
       return;
     }
+    takeCell(cell, near, atCentre_mm);
     const glm::dvec3 place = placeIn(cell);
     if (insideSkin || patient_.skin->distance_mm(place) < 0.0) {
       std::size_t tissue = patient_.backgroundTissue;
-      for (const Organ* organ : near) {
-        if (!(organ->shape->distance_mm(place) < 0.0)) continue;
-        tissue = organ->tissue;
+      for (const Near& organ : near_) {
+        if (!(organ.distance_mm(place) < 0.0)) continue;
+        tissue = organ.organ->tissue;
         break;
       }
       setTissue(cell, tissue);
-      addScatterer(cell, place, tissue, near);
+      addScatterer(cell, place, tissue, near_);
     }
-    for (std::size_t n = 0; n < near.size(); ++n) addFacets(cell, centre, near, n);
+    for (std::size_t n = 0; n < near_.size(); ++n) addFacets(cell, n);
+  }
+
+  /// Distances of one organ at the corners of the block's cells; not a number where nobody asked yet.
+  static constexpr int kNodes = ScattererBlock::kCells + 1;
+  struct Corners {
+    const Organ* organ = nullptr;
+    std::vector<double> distance_mm;
+  };
+
+  /// An organ near the cell at hand. Where its distance is straight enough within the cell it is interpolated between the corners, which
+  /// neighbouring cells share; small vessels, edges and thin layers are asked exactly.
+  struct Near {
+    const Organ* organ = nullptr;
+    double atCentre_mm = 0.0;
+    bool straight = false;
+    glm::dvec3 corner_mm{0.0};
+    double perPitch = 1.0;
+    std::array<double, 8> v{};
+
+    [[nodiscard]] double distance_mm(const glm::dvec3& p) const {
+      if (!straight) return organ->shape->distance_mm(p);
+      const glm::dvec3 t = (p - corner_mm) * perPitch;
+      const auto along = [&](std::size_t n) { return v[n] + t.x * (v[n + 1] - v[n]); };
+      const double nearer = along(0) + t.y * (along(2) - along(0)), farther = along(4) + t.y * (along(6) - along(4));
+      return nearer + t.z * (farther - nearer);
+    }
+    /// Of the distance, which is `d` at p.
+    [[nodiscard]] glm::dvec3 gradient(const glm::dvec3& p, double d) const {
+      glm::dvec3 slope;
+      for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 step(0.0);
+        step[axis] = kNormalStep_mm;
+        slope[axis] = (distance_mm(p + step) - d) / kNormalStep_mm;
+      }
+      return slope;
+    }
+  };
+
+  void takeCell(const glm::ivec3& cell, const std::vector<const Organ*>& near, const std::vector<double>& atCentre_mm) {
+    near_.resize(near.size());
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      Near& taken = near_[n];
+      taken.organ = near[n];
+      taken.atCentre_mm = atCentre_mm[n];
+      taken.corner_mm = corner_ + pitch_ * glm::dvec3(cell);
+      taken.perPitch = 1.0 / pitch_;
+      Corners& corners = cornersOf(near[n]);
+      double sum = 0.0;
+      for (int c = 0; c < 8; ++c) {
+        const glm::ivec3 node = cell + glm::ivec3(c & 1, (c >> 1) & 1, c >> 2);
+        double& kept = corners.distance_mm[static_cast<std::size_t>((node.z * kNodes + node.y) * kNodes + node.x)];
+        if (std::isnan(kept)) kept = near[n]->shape->distance_mm(corner_ + pitch_ * glm::dvec3(node));
+        taken.v[static_cast<std::size_t>(c)] = kept;
+        sum += kept;
+      }
+      taken.straight = std::abs(0.125 * sum - taken.atCentre_mm) < kStraight * pitch_;
+    }
+  }
+
+  Corners& cornersOf(const Organ* organ) {
+    for (Corners& corners : corners_) {
+      if (corners.organ == organ) return corners;
+    }
+    corners_.push_back(
+        {organ, std::vector<double>(static_cast<std::size_t>(kNodes * kNodes * kNodes), std::numeric_limits<double>::quiet_NaN())});
+    return corners_.back();
   }
 
   void setTissue(const glm::ivec3& cell, std::size_t tissue) {
@@ -124,7 +195,7 @@ class ScattererField::Filler {
     return corner_ + pitch_ * (glm::dvec3(cell) + glm::dvec3(unit16(hash, 0), unit16(hash, 16), unit16(hash, 32)));
   }
 
-  void addScatterer(const glm::ivec3& cell, const glm::dvec3& place, std::size_t number, const std::vector<const Organ*>& near) {
+  void addScatterer(const glm::ivec3& cell, const glm::dvec3& place, std::size_t number, const std::vector<Near>& near) {
     const Tissue& tissue = patient_.tissues[number];
     double level = tissue.echoLevel;
     if (tissue.texture.level > 0.0) {
@@ -151,10 +222,11 @@ class ScattererField::Filler {
   }
 
   /// The layer of tissue along an organ's surface scatters more than what it parts.
-  [[nodiscard]] double withBorders(double level, const glm::dvec3& place, const std::vector<const Organ*>& near) const {
+  [[nodiscard]] double withBorders(double level, const glm::dvec3& place, const std::vector<Near>& near) const {
     double strongest = 0.0, towards = 0.0;
-    for (const Organ* organ : near) {
-      const double d = organ->shape->distance_mm(place);
+    for (const Near& each : near) {
+      const Organ* organ = each.organ;
+      const double d = each.distance_mm(place);
       if (organ->border) {
         const double t = d / organ->border->width_mm;
         const double share = organ->border->shine == Shine::allRound ? 1.0 : kGlintScattered;
@@ -171,47 +243,43 @@ class ScattererField::Filler {
     return towards > level ? level + strongest * (towards - level) : level;
   }
 
-  [[nodiscard]] std::optional<double> impedanceAt(const glm::dvec3& place, const std::vector<const Organ*>& near) const {
+  [[nodiscard]] std::optional<double> impedanceAt(const glm::dvec3& place) const {
     if (patient_.skin->distance_mm(place) >= 0.0) return std::nullopt;
-    for (const Organ* organ : near) {
-      if (organ->shape->distance_mm(place) < 0.0) return patient_.tissues[organ->tissue].impedance_mrayl;
+    for (const Near& each : near_) {
+      if (each.distance_mm(place) < 0.0) return patient_.tissues[each.organ->tissue].impedance_mrayl;
     }
     return patient_.tissues[patient_.backgroundTissue].impedance_mrayl;
   }
 
   /// Points spread evenly in a layer of the facets' spacing about the surface, brought down onto it: each stands for spacing^2 of it.
-  void addFacets(const glm::ivec3& cell, const glm::dvec3& centre, const std::vector<const Organ*>& near, std::size_t n) {
-    const Organ& organ = *near[n];
+  void addFacets(const glm::ivec3& cell, std::size_t n) {
+    const Near& here = near_[n];
+    const Organ& organ = *here.organ;
     const double spacing = pitch_ / kFacetsPerCell;
-    if (std::abs(organ.shape->distance_mm(centre)) > kReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
+    if (organ.border && organ.border->shine == Shine::allRound) return;
+    if (std::abs(here.atCentre_mm) > kReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
     for (int part = 0; part < kFacetsPerCell * kFacetsPerCell * kFacetsPerCell; ++part) {
       const glm::ivec3 sub = kFacetsPerCell * (first_ + cell) + glm::ivec3(part & 1, (part >> 1) & 1, part >> 2);
       const std::uint64_t hash =
           hashOfPlace(seed_ ^ kFacetSeed ^ (static_cast<std::uint64_t>(&organ - patient_.organs.data()) << 8), sub.x, sub.y, sub.z);
       const glm::dvec3 place = spacing * (glm::dvec3(sub) + glm::dvec3(unit16(hash, 0), unit16(hash, 16), unit16(hash, 32)));
-      const double d = organ.shape->distance_mm(place);
+      const double d = here.distance_mm(place);
       if (std::abs(d) > 0.5 * spacing) continue;
-      glm::dvec3 gradient;
-      for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 step(0.0);
-        step[axis] = kNormalStep_mm;
-        gradient[axis] = organ.shape->distance_mm(place + step) - d;
-      }
+      const glm::dvec3 gradient = here.gradient(place, d);
       const double steep = glm::length(gradient);
       if (!(steep > 0.0)) continue;
       const glm::dvec3 normal = gradient / steep;
-      const glm::dvec3 foot = place - normal * (d * kNormalStep_mm / steep);
-      if (patient_.skin->distance_mm(foot) > kCoincident_mm || hidden(foot, near, n)) continue;
+      const glm::dvec3 foot = place - normal * (d / steep);
+      if (hidden(foot, n) || patient_.skin->distance_mm(foot) > kCoincident_mm) continue;
 
       double mirror = 0.0, rough_db = kSmoothRough_db;
       bool frontOnly = false;
       if (organ.border) {
-        if (organ.border->shine == Shine::allRound) continue;
         mirror = amplitudeAt(organ.border->echoLevel);
         frontOnly = organ.border->shine == Shine::front;
         if (frontOnly) rough_db = kRough_db;
       } else {
-        const auto outside = impedanceAt(foot + 2.0 * kCoincident_mm * normal, near);
+        const auto outside = impedanceAt(foot + 2.0 * kCoincident_mm * normal);
         if (!outside) continue;
         const double inside = patient_.tissues[organ.tissue].impedance_mrayl;
         const double reflection = std::abs(inside - *outside) / (inside + *outside);
@@ -230,11 +298,11 @@ class ScattererField::Filler {
   }
 
   /// Whether an organ of higher priority covers this point of organ n's surface, or has drawn the same surface already.
-  [[nodiscard]] static bool hidden(const glm::dvec3& foot, const std::vector<const Organ*>& near, std::size_t n) {
+  [[nodiscard]] bool hidden(const glm::dvec3& foot, std::size_t n) const {
     for (std::size_t m = 0; m < n; ++m) {
-      const double d = near[m]->shape->distance_mm(foot);
+      const double d = near_[m].distance_mm(foot);
       if (d < -kCoincident_mm) return true;
-      if (d <= kCoincident_mm && (near[m]->border || !near[n]->border)) return true;
+      if (d <= kCoincident_mm && (near_[m].organ->border || !near_[n].organ->border)) return true;
     }
     return false;
   }
@@ -247,6 +315,8 @@ class ScattererField::Filler {
   double volume_ = 0.0;
   ScattererBlock block_;
   std::vector<std::uint8_t> tissues_;
+  std::vector<Corners> corners_;
+  std::vector<Near> near_;
 };
 
 ScattererField::ScattererField(std::shared_ptr<const Patient> patient, double pitch_mm, std::uint64_t seed, std::size_t maxBytes)

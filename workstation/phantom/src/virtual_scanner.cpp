@@ -74,6 +74,9 @@ struct FrameScratch final : VirtualScanner::Scratch {
   PointBatch batch;
 };
 
+/// Of an amplitude.
+double factorOf(double loss_db) { return std::pow(10.0, -0.05 * loss_db); }
+
 double gainAt(const std::vector<DepthGain>& curve, double depth_mm) {
   const auto after = std::find_if(curve.begin(), curve.end(), [&](const DepthGain& g) { return g.depth_mm > depth_mm; });
   if (after == curve.begin()) return after->gain_db;
@@ -225,9 +228,9 @@ class Scanner final : public VirtualScanner {
     step_mm_ = kRowStepPerPitch * field_.pitch_mm();
     steps_ = static_cast<int>(std::ceil(fan_.depth_mm / step_mm_)) + 1;
     step_mm_ = fan_.depth_mm / (steps_ - 1);
-    lossPerStep_db_.clear();
     for (const Tissue& tissue : patient_->tissues) {
-      lossPerStep_db_.push_back(2.0 * tissue.attenuation_dbPerCmMhz * options_.carrier_hz * 1e-6 * step_mm_ * 0.1);
+      keptPerStep_.push_back(factorOf(2.0 * tissue.attenuation_dbPerCmMhz * options_.carrier_hz * 1e-6 * step_mm_ * 0.1));
+      keptAtSurface_.push_back(factorOf(tissue.reflection_db));
       delayPerStep_mm_.push_back((options_.assumedSpeed_mPerS / tissue.speed_mPerS - 1.0) * step_mm_);
     }
   }
@@ -341,9 +344,9 @@ class Scanner final : public VirtualScanner {
     constexpr std::array<double, 3> kPlanes{0.0, -0.75, 0.75}, kWeights{0.5, 0.25, 0.25};
     for (std::size_t plane = 0; plane < kPlanes.size(); ++plane) {
       for (std::size_t l = 0; l < lines; ++l) {
-        double loss_db = 0.0, delay_mm = 0.0, gap_mm = 0.0;
+        double left = 1.0, delay_mm = 0.0, gap_mm = 0.0;  // share of the amplitude that is left
         std::uint8_t last = ScattererBlock::kOutside, reflected = ScattererBlock::kOutside;
-        double left_mm = -1e9;  // where the line last left the tissue it was reflected by
+        double reflected_mm = -1e9;  // where the line last was in the tissue that reflected it
         bool entered = false;
         for (std::size_t s = 0; s < steps; ++s) {
           if (s > 0) {
@@ -361,27 +364,25 @@ class Scanner final : public VirtualScanner {
             const std::uint8_t tissue = tissueAt(at, work);
             if (tissue == ScattererBlock::kOutside) {
               if (entered) {
-                loss_db += kAir_db;
+                left *= air_;
               } else {
                 gap_mm = depth;
               }
             } else {
-              if (!entered) loss_db += std::clamp((gap_mm - kGelGap_mm) * kAirPerGap_dbPerMm, 0.0, kAir_db);
+              if (!entered && gap_mm > kGelGap_mm) left *= factorOf(std::min((gap_mm - kGelGap_mm) * kAirPerGap_dbPerMm, kAir_db));
               entered = true;
-              loss_db += lossPerStep_db_[tissue];
+              left *= keptPerStep_[tissue];
               delay_mm += delayPerStep_mm_[tissue];
-              const double reflection_db = patient_->tissues[tissue].reflection_db;
-              if (tissue != last && reflection_db > 0.0 && !(tissue == reflected && depth - left_mm < kSameThing_mm))
-                loss_db += reflection_db;
-              if (reflection_db > 0.0) {
+              if (keptAtSurface_[tissue] < 1.0) {
+                if (tissue != last && !(tissue == reflected && depth - reflected_mm < kSameThing_mm)) left *= keptAtSurface_[tissue];
                 reflected = tissue;
-                left_mm = depth;
+                reflected_mm = depth;
               }
             }
             last = tissue;
           }
           const std::size_t at = l * steps + s;
-          if (options_.attenuation) work.gain[at] += static_cast<float>(kWeights[plane] * std::pow(10.0, -0.05 * loss_db));
+          if (options_.attenuation) work.gain[at] += static_cast<float>(kWeights[plane] * left);
           if (options_.speedOfSound) work.delay_mm[at] += static_cast<float>(kWeights[plane] * delay_mm);
         }
       }
@@ -611,7 +612,9 @@ class Scanner final : public VirtualScanner {
   std::vector<float> ring_;
   double step_mm_ = 0.5;
   int steps_ = 0;
-  std::vector<double> lossPerStep_db_;
+  std::vector<double> keptPerStep_;    ///< by tissue, both ways
+  std::vector<double> keptAtSurface_;  ///< by tissue that is entered
+  double air_ = factorOf(kAir_db);
   std::vector<double> delayPerStep_mm_;
 };
 

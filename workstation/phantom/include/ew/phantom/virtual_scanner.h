@@ -31,7 +31,7 @@ struct FormationOptions {
   bool attenuation = true;           ///< tissue attenuation, losses at interfaces, and so shadows
   bool specular = true;              ///< bright interfaces by angle and impedance
   bool speedOfSound = false;         ///< tissue speeds displace echoes along the line
-  double noise_db = -80.0;           ///< electronic noise below full white, before depth gain; -200 and below: none
+  double noise_db = -92.0;           ///< electronic noise below full white, before depth gain; -200 and below: none
   double dynamicRange_db = 60.0;     ///< what grey levels 0..255 span, 20..120
   double gain_db = 0.0;              ///< of the whole image
   std::vector<DepthGain> tgc = {};   ///< gain over depth; empty: what `expected_dbPerCmMhz` loses on both ways, up to `largestTgc_db`
