@@ -268,7 +268,7 @@ TEST(PhaseVolumes, KeepTheDiameterOfABeatingTubeWhereUngatedOnesLoseIt) {
   constexpr int kPhases = 5;
   const auto lists = framesOfPhase(phasesOf(*byEcg, all.times_s), kPhases);
   ASSERT_TRUE(lists.has_value()) << lists.error();
-  const ReconstructOptions options{.spacing_mm = 0.5, .fillReach_voxels = 6};
+  const ReconstructOptions options{.spacing_mm = 0.5, .fillReach_mm = 3.0};
   std::vector<double> diameters_mm;
   std::vector<Grid> grids;
   const auto grid = reconstructPhases(
