@@ -112,6 +112,18 @@ TEST(GravidMannequin, IsTheAdultWithABellyAndStillOneClosedSolid) {
     EXPECT_EQ((*gravid)->signedDistance_mm(elsewhere), adult().signedDistance_mm(elsewhere));
 }
 
+TEST(NeckMannequin, IsTheAdultWithItsChinUpAndStillOneClosedSolid) {
+  const auto stretched = readBodyShape(testing::shippedMannequin().parent_path() / "neck-extended.json");
+  ASSERT_TRUE(stretched) << stretched.error();
+  std::vector<float> distances;
+  ASSERT_TRUE(sampleDistance(**stretched, gridAround(**stretched, 12.0), distances, 2, noProgress()));
+  expectClosedSolid(gridAround(**stretched, 12.0), distances);
+  EXPECT_GT((*stretched)->signedDistance_mm({0, -70, 290}), 5.0) << "below the chin";
+  EXPECT_LT(adult().signedDistance_mm({0, -70, 290}), 0.0);
+  for (const glm::dvec3& elsewhere : {glm::dvec3(0, -100, -100), glm::dvec3(101, 10, -1270), glm::dvec3(380, -40, -560)})
+    EXPECT_NEAR((*stretched)->signedDistance_mm(elsewhere), adult().signedDistance_mm(elsewhere), 0.1);
+}
+
 TEST(SampleDistance, KeepsTheSignOfEveryVoxelWhereItSkipsBlocks) {
   const Grid grid = gridAround(adult(), 12.0);
   const std::vector<float>& d = sampledAt12mm();

@@ -1,0 +1,74 @@
+#include "drawn_anatomy.h"
+
+namespace ew {
+namespace {
+
+using testing::in;
+using testing::inOrder;
+
+const testing::DrawnPatient& neck() {
+  static const testing::DrawnPatient patient("neck-carotid-thyroid");
+  return patient;
+}
+
+TEST(Neck, HasTheNoduleOfTheStatedSizeInTheRightLobe) {
+  const glm::dvec3 centre(-19.3, -15.4, 231);
+  EXPECT_EQ(neck().organAt(centre), "thyroid nodule");
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 0, 1}, 20), 14.0, 0.01);
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {1, 0, 0}, 20), 11.0, 0.01);
+  EXPECT_NEAR(neck().diameter_mm("thyroid nodule", centre, {0, 1, 0}, 20), 10.0, 0.01);
+  for (double angle = 0.0; angle < 6.28; angle += 0.2)
+    EXPECT_EQ(neck().organAt(centre + 5.9 * glm::dvec3(std::cos(angle), std::sin(angle), 0.0)), "thyroid") << "at " << angle;
+  EXPECT_EQ(neck().organAt(centre * glm::dvec3(-1, 1, 1)), "thyroid") << "the left lobe has none";
+}
+
+TEST(Neck, HasACarotidOf6MillimetresWithAThinWallBelowTheFork) {
+  for (const char* side : {"left carotid", "right carotid"}) {
+    const glm::dmat4 frame = neck().frame(side);
+    const glm::dvec3 below = in(frame, {0, 0, -16});
+    EXPECT_NEAR(neck().diameter_mm("carotid arteries", below, glm::dvec3(frame[0]), 10), 6.0, 0.02) << side;
+    EXPECT_NEAR(neck().diameter_mm("carotid arteries", below, glm::dvec3(frame[1]), 10), 6.0, 0.02) << side;
+    EXPECT_NEAR(neck().diameter_mm("intima and media", below, glm::dvec3(frame[0]), 10), 6.0 + 2 * 0.7, 0.02) << side;
+    EXPECT_TRUE(inOrder(neck().organsAlong(in(frame, {60, 0, -16}), in(frame, {-10, 0, -16})),
+                        {"skin", "platysma", "sternocleidomastoid muscles", "adventitia", "intima and media", "carotid arteries",
+                         "intima and media", "adventitia"}))
+        << side;
+  }
+}
+
+TEST(Neck, HasAForkWithTheWiderBranchOutsideAndOnlyTheRightOneNarrowed) {
+  const auto lumensAcross = [&](const char* side, double z) {
+    const glm::dmat4 frame = neck().frame(side);
+    const auto met = neck().organsAlong(in(frame, {14, 0, z}), in(frame, {-14, 0, z}));
+    return std::count(met.begin(), met.end(), "carotid arteries");
+  };
+  for (const char* side : {"left carotid", "right carotid"}) {
+    EXPECT_EQ(lumensAcross(side, -10), 1) << side;
+    EXPECT_EQ(lumensAcross(side, 2), 1) << side;
+    EXPECT_EQ(lumensAcross(side, 18), 2) << side;
+    EXPECT_EQ(neck().organAt(in(neck().frame(side), {5.3, 0, 21})), "carotid arteries") << "internal, " << side;
+    EXPECT_EQ(neck().organAt(in(neck().frame(side), {-6.2, 0, 21})), "carotid arteries") << "external, " << side;
+  }
+  EXPECT_EQ(neck().organAt(in(neck().frame("right carotid"), {5.9, 0, 9.6})), "plaque");
+  EXPECT_EQ(neck().organAt(in(neck().frame("left carotid"), {5.9, 0, 9.6})), "carotid arteries");
+}
+
+TEST(Neck, ShowsTheLayersOverTheThyroidInTheRightOrder) {
+  EXPECT_TRUE(inOrder(neck().organsAlong({-15, -56, 231}, {-15, 30, 231}),
+                      {"", "skin", "subcutaneous fat", "platysma", "strap muscles", "thyroid", "thyroid nodule", "thyroid",
+                       "long muscles of the neck", "cervical spine"}));
+  EXPECT_TRUE(inOrder(neck().organsAlong({0, -56, 219}, {0, 30, 219}), {"skin", "platysma", "thyroid", "rings of the windpipe",
+                                                                        "air of the windpipe", "wall of the windpipe", "cervical spine"}));
+  EXPECT_TRUE(
+      inOrder(neck().organsAlong({8.5, -10, 205}, {8.5, 30, 205}), {"wall of the windpipe", "gullet", "lumen of the gullet", "gullet"}));
+}
+
+TEST(Neck, KeepsVesselsAndNoduleClearOfAirAndBone) {
+  const glm::dmat4 frame = neck().frame("right carotid");
+  for (double z = -70; z < 30; z += 2.0)
+    for (const std::string obstacle : {"wall of the windpipe", "cervical spine", "transverse processes", "larynx", "jugular veins"})
+      EXPECT_LT(neck().depthIn_mm(obstacle, in(frame, {0, 0, z})), -3.5) << obstacle << " at " << z;
+}
+
+}  // namespace
+}  // namespace ew
