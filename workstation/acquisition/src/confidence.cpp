@@ -13,6 +13,8 @@ namespace {
 
 /// The share of lines that may lie in shadow before the row itself counts as dark.
 constexpr double kReferenceShare = 0.8;
+/// The same for the walkers' probabilities, whose upper end is ragged.
+constexpr double kWalkReferenceShare = 0.6;
 /// Length of the average along a line, of the depth: longer than speckle, shorter than most shadows.
 constexpr double kAlongShare = 0.05;
 /// A row whose upper fifth is darker than this tells nothing about single lines.
@@ -157,7 +159,7 @@ Result<void> randomWalk(ImageView<const std::uint8_t> lines, const ConfidenceOpt
     return failure(ErrorCode::internal, "The confidence of a frame could not be computed; use the beam-wise estimate.");
   memory.references.resize(static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y)
-    memory.references[static_cast<std::size_t>(y)] = quantileOfRow(memory.probability, y, kReferenceShare, memory.sorted);
+    memory.references[static_cast<std::size_t>(y)] = quantileOfRow(memory.probability, y, kWalkReferenceShare, memory.sorted);
   const auto relative = [&](int x, int y) {
     const float reference = memory.references[static_cast<std::size_t>(y)];
     const float share = reference > 1e-6f ? std::min(1.0f, memory.probability.pixels[indexOf(x, y, width)] / reference) : 1.0f;

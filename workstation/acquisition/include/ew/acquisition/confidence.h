@@ -23,9 +23,9 @@ struct ConfidenceOptions {
   double dynamicRange_db = 60.0;  ///< what grey levels 0..255 span
   double shadow_db = 10.0;  ///< beamwise: how much less than its neighbours a line brings from everywhere below for a confidence of 1/2
   int lines = 96;           ///< randomWalk: the graph has at most so many columns, 8..1024
-  int samples = 192;        ///< and at most so many rows, 8..4096: block means tame the speckle that holds walkers up
+  int samples = 128;        ///< and at most so many rows, 8..4096: block means tame the speckle that holds walkers up
   double alpha = 0.5;       ///< randomWalk: attenuation over the whole depth, 0..20
-  double beta = 90.0;       ///< randomWalk: how much an edge holds a walker up, 1..1000
+  double beta = 80.0;       ///< randomWalk: how much an edge holds a walker up, 1..1000
   double gamma = 0.05;      ///< randomWalk: what it costs to leave the beam, 0..1
 };
 
@@ -51,11 +51,11 @@ class ConfidenceScratch {
 /// that this would leave nothing, half of the row's level. A vessel, behind which the line recovers, keeps its confidence.
 /// randomWalk: probability that a walker from a pixel reaches the face before the end of the depth, on an 8-connected graph whose weights
 /// are exp(-beta d) along the beam, exp(-beta (d + gamma)) across and exp(-beta (d + sqrt 2 gamma)) between, d being the difference of the
-/// levels times exp(-alpha depth). With p that probability over the upper fifth of its row, since it falls with depth everywhere, the
+/// levels times exp(-alpha depth). With p that probability over the upper two fifths of its row, since it falls with depth everywhere, the
 /// confidence is p^2 / (p^2 + (1 - p)^2).
 /// A frame with less than 1 % of its samples above level 8 gets 0 throughout: the probe is off the body.
 /// Source: Karamalis et al., Med. Image Anal. 16(6), 2012, sections 2.2-2.4. Ours differs: block means on a coarser graph, alpha 0.5 in
-/// place of 2, and what is done with the probability.
+/// place of 2 and beta 80 in place of 90, and what is done with the probability.
 /// @param lines      (samples x lines) grey levels: a column is a scan line, row 0 lies at the face; at least 2 x 2
 /// @param confidence resized to the same size, 0..1
 /// @error badField (an option out of range, a size below 2 x 2)
