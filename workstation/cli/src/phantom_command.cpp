@@ -5,9 +5,11 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/phantom/patient.h"
+#include "ew/phantom/truth.h"
 
 namespace ew::cli {
 namespace {
@@ -20,6 +22,10 @@ struct PhantomArguments {
   std::uint64_t seed = 1;
   int threads = 0;
   std::vector<std::string> set;
+  std::string truth;
+  BodyState state;
+  std::vector<std::string> surfaces;
+  double edge_mm = 1.0;
 };
 
 /// The words of --set: NAME=VALUE.
@@ -35,13 +41,73 @@ Result<ParameterValues> parameterValues(const std::vector<std::string>& words) {
   return values;
 }
 
+nlohmann::json jsonOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+/// What the anatomy has exactly, for lessons and for the judging of algorithms.
+Result<nlohmann::json> truthOf(const Patient& patient, const BodyState& state) {
+  const auto measurements = measurementsOf(patient, state);
+  if (!measurements) return passOn(measurements.error());
+  nlohmann::json truth = {{"format", 1}, {"state", {{"breath", state.breath}, {"pulse", state.pulse}}}};
+  truth["parameters"] = nlohmann::json::object();
+  for (const PatientParameter& each : parametersOf(patient))
+    truth["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}, {"lowest", each.lowest}, {"highest", each.highest}};
+  truth["organs"] = nlohmann::json::array();
+  for (const OrganName& each : organsOf(patient)) truth["organs"].push_back({{"label", each.label}, {"name", each.name}});
+  truth["measurements"] = nlohmann::json::array();
+  for (const TrueMeasurement& each : *measurements) {
+    nlohmann::json entry = {{"name", each.name}, {"kind", each.kind}, {"value", each.value}, {"unit", each.unit}};
+    if (!each.plane.empty()) entry["plane"] = each.plane;
+    for (const glm::dvec3& point : each.points_mm) entry["points_mm"].push_back(jsonOf(point));
+    truth["measurements"].push_back(std::move(entry));
+  }
+  truth["planes"] = nlohmann::json::array();
+  for (const StandardPlane& each : planesOf(patient))
+    truth["planes"].push_back({{"name", each.name},
+                               {"probe_to_world", rowsOf(each.probeToWorld.matrix)},
+                               {"position_tolerance_mm", each.positionTolerance_mm},
+                               {"angle_tolerance_deg", each.angleTolerance_deg},
+                               {"shows", each.shows}});
+  return truth;
+}
+
+Result<void> writeTruth(const PhantomArguments& arguments, const Patient& patient, Run& run) {
+  const StepClock clock(run.report, "truth");
+  auto truth = truthOf(patient, arguments.state);
+  if (!truth) return passOn(truth.error());
+  for (const auto& each : (*truth)["measurements"])
+    run.say(each["name"].get<std::string>() + ": " + rounded(each["value"].get<double>(), 2) + " " + each["unit"].get<std::string>());
+  if (auto written = writeFileSafely(run.outputs.staged(arguments.truth), truth->dump(2) + "\n"); !written) return written;
+  run.say("Wrote " + arguments.truth + ".");
+  return {};
+}
+
+/// The words of --surface: ORGAN=FILE.
+Result<std::vector<std::pair<std::string, std::string>>> wantedSurfaces(const std::vector<std::string>& words) {
+  std::vector<std::pair<std::string, std::string>> wanted;
+  for (const std::string& word : words) {
+    const auto sign = word.find('=');
+    if (sign == std::string::npos || sign == 0 || sign + 1 == word.size())
+      return failure(ErrorCode::badUsage, "--surface takes ORGAN=FILE, as in --surface liver=liver.stl; found \"" + word + "\".");
+    wanted.emplace_back(word.substr(0, sign), word.substr(sign + 1));
+  }
+  return wanted;
+}
+
 Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
-  if (arguments.volume.empty() && arguments.labels.empty())
-    return failure(ErrorCode::badUsage, "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, or both.");
+  const bool voxelsWanted = !arguments.volume.empty() || !arguments.labels.empty();
+  if (!voxelsWanted && arguments.truth.empty() && arguments.surfaces.empty())
+    return failure(ErrorCode::badUsage,
+                   "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface ORGAN=FILE, or several.");
+  const auto surfaces = wantedSurfaces(arguments.surfaces);
+  if (!surfaces) return passOn(surfaces.error());
   run.input(arguments.patient);
   for (const auto& file : {arguments.volume, arguments.labels})
     if (!file.empty())
       if (auto announced = run.output(file, ".mha .mhd"); !announced) return passOn(announced.error());
+  if (!arguments.truth.empty())
+    if (auto announced = run.output(arguments.truth, ".json"); !announced) return passOn(announced.error());
+  for (const auto& [organ, file] : *surfaces)
+    if (auto announced = run.output(file, ".stl .ply"); !announced) return passOn(announced.error());
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 
@@ -52,6 +118,16 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   if (!patient) return passOn(patient.error());
   for (const PatientParameter& each : parametersOf(**patient))
     run.report.details["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}};
+  if (!arguments.truth.empty())
+    if (auto written = writeTruth(arguments, **patient, run); !written) return passOn(written.error());
+  for (const auto& [organ, file] : *surfaces) {
+    const StepClock clock(run.report, "surface");
+    const auto mesh = surfaceOf(**patient, organ, arguments.edge_mm, run.progress);
+    if (!mesh) return passOn(mesh.error());
+    if (auto written = writeSurface(*mesh, run.outputs.staged(file)); !written) return passOn(written.error());
+    run.say("Wrote " + file + " with " + counted(mesh->triangles.size(), "triangle") + ".");
+  }
+  if (!voxelsWanted) return kDone;
   VoxeliseOptions options;
   options.spacing_mm = arguments.spacing_mm;
   options.seed = arguments.seed;
@@ -109,6 +185,13 @@ void addPhantom(CLI::App& root, Selection& selection) {
   app.add_option("--set", arguments->set, "A parameter of the recipe, such as the size of a finding; may be given several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--truth", arguments->truth, "The recipe's measurements and standard planes, exactly: .json")->type_name("TRUTH.json");
+  addNumber(app, "--breath", arguments->state.breath, {0.0, 1.0}, "Of --truth: 0 breathed out, 1 breathed in (0)");
+  addNumber(app, "--pulse", arguments->state.pulse, {0.0, 1.0}, "Of --truth: 0 vessels narrow, 1 wide (0)");
+  app.add_option("--surface", arguments->surfaces, "An organ's surface as triangles: .stl or .ply; may be given several times")
+      ->type_name("ORGAN=FILE")
+      ->allow_extra_args(false);
+  addNumber(app, "--edge", arguments->edge_mm, {0.01, 100.0}, "Of --surface: size of its cells in mm (1)");
   addNumber(app, "--spacing", arguments->spacing_mm, {0.01, 100.0}, "Size of a voxel in mm (1)");
   addSeed(app, "--seed", arguments->seed, "Of the speckle; the same seed gives the same voxels everywhere (1)");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");

@@ -9,6 +9,7 @@
 #include "ew/phantom/patient.h"
 #include "motion_recipe.h"
 #include "shape.h"
+#include "truth_recipe.h"
 
 namespace ew {
 
@@ -49,6 +50,8 @@ class Patient {
   std::vector<PatientParameter> parameters;
   phantom::NamedShapes shapes;  ///< every shape and organ by name, as drawn
   phantom::Motion motion;
+  std::vector<phantom::MeasurementRequest> measurements;
+  std::vector<StandardPlane> planes;
   double scattererPitch_mm = 0.5;  ///< of the lattice of scatterers, one in a cell where they are dense: 1 / pitch^3 to the mm3
 };
 

@@ -149,9 +149,9 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   FieldReader reader(file.string());
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
-  reader.allow(
-      *recipe, "patient",
-      {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion"});
+  reader.allow(*recipe, "patient",
+               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion",
+                "measurements", "planes"});
   patient->name = reader.text(*recipe, "patient", "name");
 
   const auto box = recipe->find("box");
@@ -188,6 +188,8 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
   if (const auto motion = recipe->find("motion"); motion != recipe->end() && !reader.problem())
     patient->motion = phantom::readMotion(reader, *motion, patient->box, patient->skin, patient->shapes);
+  patient->planes = phantom::readPlanes(reader, *recipe, patient->skin, patient->shapes);
+  patient->measurements = phantom::readMeasurements(reader, *recipe, patient->shapes, patient->planes);
   if (reader.problem()) return passOn(*reader.problem());
   return patient;
 }
