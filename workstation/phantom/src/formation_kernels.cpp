@@ -95,7 +95,7 @@ EW_WIDE_VECTORS
 void weigh(const Gridding& grid, std::size_t count, PointBatch& batch) {
   const float focus = grid.lensFocus_mm, near = grid.nearPerMm, far = grid.farPerMm, waist = grid.waistPerMm2, cut = grid.cut;
   const float strength = grid.weight, perMm = grid.columnsPerMm, first = grid.firstColumn, turnsPerMm = grid.turnsPerMm;
-  const float lastRow = static_cast<float>(grid.rows) - 0.6F, lastColumn = static_cast<float>(grid.columns) - 0.6F;
+  const float lastRow = static_cast<float>(grid.rows) - 0.6F, lastColumn = static_cast<float>(grid.columns) - 2.1F;
   const std::int32_t columns = grid.columns, outside = grid.rows * grid.columns;
   for (std::size_t n = 0; n < count; ++n) {
     const float off = batch.range_mm[n] - focus;
@@ -107,9 +107,11 @@ void weigh(const Gridding& grid, std::size_t count, PointBatch& batch) {
     // Range with the lens' wavefront: r + z^2 / 2R, R = (off^2 + range^2) / off.
     const float range = batch.range_mm[n] + 0.5F * z2 * q * perRange / widening;
     const float row = batch.row[n], column = first + perMm * range;
-    const bool inside = (exponent < cut) & (row > -0.4F) & (row < lastRow) & (column > -0.4F) & (column < lastColumn);
-    const float wholeRow = nearestWhole(inside ? row : 0.0F), wholeColumn = nearestWhole(inside ? column : 0.0F);
+    const bool inside = (exponent < cut) & (row > -0.4F) & (row < lastRow) & (column > 1.1F) & (column < lastColumn);
+    const float wholeRow = nearestWhole(inside ? row : 0.0F), wholeColumn = nearestWhole(inside ? column - 0.5F : 0.0F);
     batch.cell[n] = inside ? static_cast<std::int32_t>(wholeRow) * columns + static_cast<std::int32_t>(wholeColumn) : outside;
+
+    batch.part[n] = inside ? column - wholeColumn : 0.0F;
 
     const float limited = inside ? exponent : 0.0F;
     const float weight = strength * batch.amplitude[n] * exponential(limited) / std::sqrt(std::sqrt(widening));
@@ -139,8 +141,11 @@ void weigh(const Gridding& grid, std::size_t count, PointBatch& batch) {
 void deposit(std::size_t count, const PointBatch& batch, float* grid) {
   for (std::size_t n = 0; n < count; ++n) {
     float* cell = grid + 2 * static_cast<std::size_t>(batch.cell[n]);
-    cell[0] += batch.re[n];
-    cell[1] += batch.im[n];
+    const float re = batch.re[n] * batch.part[n], im = batch.im[n] * batch.part[n];
+    cell[0] += batch.re[n] - re;
+    cell[1] += batch.im[n] - im;
+    cell[2] += re;
+    cell[3] += im;
   }
 }
 

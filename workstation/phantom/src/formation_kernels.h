@@ -35,7 +35,7 @@ struct PointBatch {
   static constexpr std::size_t kMost = 512;
   alignas(64) std::array<float, kMost> x, y, z, amplitude, row, range_mm;
   alignas(64) std::array<std::int32_t, kMost> cell;
-  alignas(64) std::array<float, kMost> re, im;
+  alignas(64) std::array<float, kMost> re, im, part;
 };
 
 /// x, y, z of `batch` from coordinates in a block; with `bent` the terms of second and third order too.
@@ -45,10 +45,11 @@ void moveTrilinear(const float* x, const float* y, const float* z, std::size_t c
 /// row and range_mm from x and y.
 void placeOnLines(const Gridding& grid, std::size_t count, PointBatch& batch);
 
-/// cell, re and im from row, range_mm, z and amplitude; points off the grid get the cell rows * columns and the weight 0.
+/// cell, part (of the next column), re and im from row, range_mm, z and amplitude; points off the grid get the cell rows * columns and the
+/// weight 0.
 void weigh(const Gridding& grid, std::size_t count, PointBatch& batch);
 
-/// Adds the batch to a grid of rows * columns + 1 complex numbers.
+/// Adds the batch to a grid of rows * columns + 2 complex numbers: on the nearest row, shared by the two nearest columns.
 void deposit(std::size_t count, const PointBatch& batch, float* grid);
 
 /// out[n] += weight[n] * in[n]

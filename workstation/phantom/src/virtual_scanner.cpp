@@ -55,7 +55,7 @@ struct Fan {
 class Scanner;
 
 struct FrameScratch final : VirtualScanner::Scratch {
-  std::vector<float> fine;  ///< rows x columns complex numbers, and one that takes what misses
+  std::vector<float> fine;  ///< rows x columns complex numbers, and two that take what misses
   std::vector<float> line;  ///< columns complex numbers
   std::vector<float> pulsed;
   std::vector<float> gain;  ///< lines x steps
@@ -115,7 +115,7 @@ class Scanner final : public VirtualScanner {
     const View view{probeToWorld, inverse(probeToWorld), deformation, deformation.reach_mm() > 0.0};
     findBlocks(view, work);
     walkLines(view, work);
-    work.fine.assign(2 * (static_cast<std::size_t>(gridding_.rows) * columns_ + 1), 0.0F);
+    work.fine.assign(2 * (static_cast<std::size_t>(gridding_.rows) * columns_ + 2), 0.0F);
     for (const FrameScratch::Block& block : work.blocks) addBlock(view, block, work);
     formLines(frame, work, envelope);
   }
@@ -173,14 +173,12 @@ class Scanner final : public VirtualScanner {
   }
 
   void layOutBeams() {
-    // Points are put on the nearest row and column; that adds a twelfth of a step's square to the variance, which the kernels leave out.
-    const auto narrowed = [](double sigma) { return std::sqrt(std::max(sigma * sigma - 1.0 / 12.0, 0.05 * sigma * sigma)); };
     lateral_.assign(static_cast<std::size_t>(rowPadding_ + 1), std::vector<float>(2 * columns_, 0.0F));
     reachOfChunk_.assign((columns_ + kChunk - 1) / kChunk, 0);
     mirrorScale_.resize(columns_);
     for (std::size_t column = 0; column < columns_; ++column) {
       const double depth = std::clamp((static_cast<double>(column) - columnPadding_) * grid_.sampleSpacing_mm, 0.0, fan_.depth_mm);
-      const double sigma = narrowed(rowSigma(depth));
+      const double sigma = rowSigma(depth);
       const int reach = std::clamp(static_cast<int>(std::ceil(kLateralReach * sigma)), 1, rowPadding_);
       int& reachOfChunk = reachOfChunk_[column / kChunk];
       reachOfChunk = std::max(reachOfChunk, reach);
@@ -194,7 +192,8 @@ class Scanner final : public VirtualScanner {
       }
       mirrorScale_[column] = static_cast<float>(1.0 / planeEcho(depth));
     }
-    const double sigma = narrowed(beams_.axialSigma_mm / grid_.sampleSpacing_mm);
+    // Points are shared by two columns; that adds a sixth of a step's square to the variance, which the pulse leaves out.
+    const double columns = beams_.axialSigma_mm / grid_.sampleSpacing_mm, sigma = std::sqrt(columns * columns - 1.0 / 6.0);
     const int reach = columnPadding_ - 1;
     double power = 0.0;
     for (int t = -reach; t <= reach; ++t) power += std::exp(-(t * t) / (sigma * sigma));
