@@ -400,6 +400,29 @@ TEST(DicomCine, PromisesTheFileCannotKeepAreRefusedBeforeMemoryIsTaken) {
       failedWith(readDicomCine(folder.put("t.dcm", "a text, not a picture, but long enough to be looked at")), ErrorCode::badHeader));
 }
 
+TEST(DicomCine, AStreamThatStopsTheDecoderCostsTheFrameAndNotTheProgram) {
+  // Found by fuzzing: GDCM's assertion in its JPEG decoder ends the process on component ids it does not know.
+  const TempFolder folder;
+  CineOf of;
+  of.syntax = kJpegLossless;
+  of.columns = of.rows = 16;
+  of.frames = 1;
+  of.regions = {{0, 0, 15, 15}};
+  of.samples = 3;
+  of.photometric = "RGB";
+  const std::string whole = packedBy<gdcm::JPEGCodec>(ramps(16 * 16 * 3), 16, 16, 3, 8);
+  int refused = 0;
+  for (std::size_t at = 2; at < whole.size(); at += 3) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x41);
+    of.packed = {damaged};
+    const auto read = readDicomCine(folder.put("a.dcm", cineFile(of)),
+                                    {.region = 1, .pixel_mm = {}, .colour = ColourRule::keepGrey, .blank = {}, .keepText = false});
+    if (!read) ++refused;
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(DicomCine, TheCallerCanStopTheReading) {
   const TempFolder folder;
   StopAfter stop(1);

@@ -203,23 +203,6 @@ class Parser {
   bool short_read_ = false;
 };
 
-Result<std::vector<std::uint8_t>> wholeFile(const fs::path& file, std::uint64_t maxBytes) {
-  if (const auto status = checkIsFile(file); !status) return passOn(status.error());
-  std::error_code ec;
-  const auto size = fs::file_size(file, ec);
-  if (ec) return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
-  if (size > maxBytes)
-    return failure(
-        ErrorCode::tooLarge,
-        quoted(file) + " has " + std::to_string(size) + " bytes, but the limit is " + std::to_string(maxBytes) + "; cut it into parts.",
-        {{"file", file.string()}, {"bytes", std::to_string(size)}, {"limit", std::to_string(maxBytes)}});
-  std::ifstream in(file, std::ios::binary);
-  std::vector<std::uint8_t> bytes(size);
-  if (!in || (size > 0 && !in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))))
-    return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
-  return bytes;
-}
-
 /// Unpacks a raw deflate stream.
 Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file, std::uint64_t maxBytes) {
   std::vector<std::uint8_t> out;
@@ -254,7 +237,7 @@ tl::unexpected<Error> refused(const fs::path& file, const Parser& parser) {
 }
 
 Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes) {
-  auto bytes = wholeFile(file, maxBytes);
+  auto bytes = readWholeFile(file, maxBytes);
   if (!bytes) return passOn(bytes.error());
   DicomFile dicom;
   dicom.file = file;
@@ -287,6 +270,23 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes) {
 }
 
 }  // namespace
+
+Result<std::vector<std::uint8_t>> readWholeFile(const fs::path& file, std::uint64_t maxBytes) {
+  if (const auto status = checkIsFile(file); !status) return passOn(status.error());
+  std::error_code ec;
+  const auto size = fs::file_size(file, ec);
+  if (ec) return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
+  if (size > maxBytes)
+    return failure(
+        ErrorCode::tooLarge,
+        quoted(file) + " has " + std::to_string(size) + " bytes, but the limit is " + std::to_string(maxBytes) + "; cut it into parts.",
+        {{"file", file.string()}, {"bytes", std::to_string(size)}, {"limit", std::to_string(maxBytes)}});
+  std::ifstream in(file, std::ios::binary);
+  std::vector<std::uint8_t> bytes(size);
+  if (!in || (size > 0 && !in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))))
+    return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
+  return bytes;
+}
 
 const DicomElement* DicomItem::find(DicomTag tag) const {
   const auto found = std::find_if(elements.begin(), elements.end(), [&](const DicomElement& element) { return element.tag == tag; });

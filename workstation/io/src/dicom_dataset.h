@@ -55,6 +55,9 @@ struct DicomFile {
   std::string transferSyntax;
 };
 
+/// @error notFound, notReadable, tooLarge
+[[nodiscard]] Result<std::vector<std::uint8_t>> readWholeFile(const std::filesystem::path& file, std::uint64_t maxBytes);
+
 /// Whether the file begins as DICOM does (preamble and "DICM", or a data set without them).
 [[nodiscard]] bool looksLikeDicom(Bytes beginning);
 

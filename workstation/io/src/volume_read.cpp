@@ -7,13 +7,43 @@ namespace ew {
 using namespace detail;
 namespace fs = std::filesystem;
 
-Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+namespace {
+
+/// Lets the header begin at a later one of its volumes.
+Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& extent, std::vector<std::string>& notes) {
+  const std::uint64_t steps = extent.promised / extent.voxels;
+  if (timeStep < 1 || timeStep > steps)
+    return failure(ErrorCode::badUsage,
+                   quoted(header.file) + " holds " + counted(steps, "volume", "volumes") + ", no number " + std::to_string(timeStep) +
+                       "; choose one that is there.",
+                   {{"file", header.file.string()}, {"ask", "time-step"}});
+  if (timeStep == 1) return {};
+  if (header.packing == Packing::text || header.dataAtEnd)
+    return failure(
+        ErrorCode::unsupported,
+        "Of " + quoted(header.file) + " the first volume alone can be read, because of how it is stored; convert it to .nii or .mha.",
+        {{"file", header.file.string()}});
+  const std::uint64_t skipped = (timeStep - 1) * extent.voxels;
+  (header.packing == Packing::deflated ? header.skipUnpacked : header.dataOffset) += skipped * header.channels * bytesOf(header.type);
+  extent.promised -= skipped;
+  std::erase_if(notes, [](const std::string& note) { return note.ends_with("the first was read."); });
+  notes.push_back(quoted(header.file) + " holds " + std::to_string(steps) + " volumes one after the other; number " +
+                  std::to_string(timeStep) + " was read.");
+  return {};
+}
+
+}  // namespace
+
+Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const ReadLimits& limits, const VolumeReadOptions& options) {
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   LoadedVolume loaded;
   loaded.notes = header->notes;
   auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
+  loaded.spacingKnown = header->hasGeometry;
+  loaded.timeSteps = extent->promised / extent->voxels;
+  if (auto there = skipTo(options.timeStep, *header, *extent, loaded.notes); !there) return passOn(there.error());
   auto echo =
       readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = "Reading voxels"}, limits, progress, loaded.notes);
   if (!echo) return passOn(echo.error());

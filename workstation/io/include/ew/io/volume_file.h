@@ -20,13 +20,20 @@ struct ReadLimits {
 struct LoadedVolume {
   Volume volume;
   std::vector<std::string> notes;
+  bool spacingKnown = true;     ///< false: 1 x 1 x 1 mm at 0 without rotation, which converters write when they know no better
+  std::uint64_t timeSteps = 1;  ///< volumes one after the other in the file
+};
+
+struct VolumeReadOptions {
+  std::uint64_t timeStep = 1;  ///< which of several volumes in the file, from 1
 };
 
 /// Reads .mha, .mhd (+ raw), .nrrd, .nhdr, .nii, .nii.gz into 8 bit echo levels with LPS directions. Other sample types are mapped
 /// linearly from their smallest..largest value to 0..255, and a note says so.
-/// @error notFound, notReadable, badHeader, badField (name, found, expected), truncated, tooLarge, unsupported, emptyVolume, cancelled
+/// @error notFound, notReadable, badHeader, badField (name, found, expected), truncated, tooLarge, unsupported, emptyVolume, cancelled,
+///        badUsage (a time step that is not there)
 [[nodiscard]] Result<LoadedVolume> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                              const ReadLimits& limits = {});
+                                              const ReadLimits& limits = {}, const VolumeReadOptions& options = {});
 
 /// Reads a volume of labels: each sample stands for itself, so nothing but one 8 bit unsigned value a voxel is taken.
 /// @error as readVolume; unsupported (another sample type, colours, a header that rescales)

@@ -1,0 +1,209 @@
+// Writes a small starting corpus, one folder per reader, from the writers that the tests use.
+#include <gdcmDataElement.h>
+#include <gdcmJPEG2000Codec.h>
+#include <gdcmJPEGCodec.h>
+#include <gdcmJPEGLSCodec.h>
+#include <gdcmSequenceOfFragments.h>
+
+#include <iostream>
+
+#include "dicom_files.h"
+#include "ew/io/image_file.h"
+#include "ew/io/sequence.h"
+#include "kretz_files.h"
+
+namespace {
+using namespace ew::test;
+namespace fs = std::filesystem;
+
+void put(const fs::path& folder, const std::string& name, const std::string& bytes) {
+  fs::create_directories(folder);
+  std::ofstream(folder / name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+template <class Codec>
+std::string packed(const std::string& picture, unsigned columns, unsigned rows, int samples) {
+  Codec codec;
+  const std::array<unsigned, 3> dims{columns, rows, 1};
+  codec.SetNumberOfDimensions(2);
+  codec.SetDimensions(dims.data());
+  codec.SetPlanarConfiguration(0);
+  codec.SetPhotometricInterpretation(
+      gdcm::PhotometricInterpretation(samples == 3 ? gdcm::PhotometricInterpretation::RGB : gdcm::PhotometricInterpretation::MONOCHROME2));
+  codec.SetPixelFormat(gdcm::PixelFormat(static_cast<unsigned short>(samples), 8, 8, 7, 0));
+  gdcm::DataElement in(gdcm::Tag(0x7fe0, 0x0010)), out;
+  in.SetByteValue(picture.data(), gdcm::VL(static_cast<std::uint32_t>(picture.size())));
+  if (!codec.Code(in, out)) return {};
+  const gdcm::SequenceOfFragments* const all = out.GetSequenceOfFragments();
+  const gdcm::ByteValue* const bytes = all != nullptr ? all->GetFragment(0).GetByteValue() : out.GetByteValue();
+  return bytes == nullptr ? std::string() : std::string(bytes->GetPointer(), bytes->GetLength());
+}
+
+void dicom(const fs::path& folder) {
+  CineOf cine;
+  cine.pixels = ramp(144);
+  for (const char* syntax : {kImplicitLittle, kExplicitLittle, kExplicitBig, kDeflated}) {
+    cine.syntax = syntax;
+    put(folder, std::string("plain-") + syntax, cineFile(cine));
+  }
+  cine = {};
+  cine.undefinedLengths = true;
+  cine.regions = {{0, 0, 3, 5}, {4, 0, 7, 5}};
+  cine.pixels = ramp(144);
+  cine.burnedIn = "YES";
+  put(folder, "regions", cineFile(cine));
+  cine.samples = 3;
+  cine.regions = {{}};
+  for (const char* colours : {"RGB", "YBR_FULL", "YBR_FULL_422"}) {
+    cine.photometric = colours;
+    cine.pixels = ramp(432);
+    put(folder, colours, cineFile(cine));
+  }
+  cine = {};
+  cine.syntax = kRle;
+  cine.frames = 1;
+  cine.packed = {rleOf({ramp(48)})};
+  put(folder, "rle", cineFile(cine));
+  cine.columns = cine.rows = 16;
+  for (const int samples : {1, 3}) {
+    cine.samples = static_cast<std::uint16_t>(samples);
+    cine.photometric = samples == 1 ? "MONOCHROME2" : "RGB";
+    const std::string picture = ramp(256u * static_cast<std::size_t>(samples));
+    const std::string s = std::to_string(samples);
+    cine.syntax = kJpegLossless;
+    cine.packed = {packed<gdcm::JPEGCodec>(picture, 16, 16, samples)};
+    put(folder, "jpeg-" + s, cineFile(cine));
+    cine.syntax = kJpegLs;
+    cine.packed = {packed<gdcm::JPEGLSCodec>(picture, 16, 16, samples)};
+    put(folder, "jpegls-" + s, cineFile(cine));
+    cine.syntax = kJpeg2000;
+    cine.packed = {packed<gdcm::JPEG2000Codec>(picture, 16, 16, samples)};
+    put(folder, "j2k-" + s, cineFile(cine));
+  }
+  cine = {};
+  cine.photometric = "PALETTE COLOR";
+  cine.pixels = ramp(144);
+  DicomWriter tables;
+  for (std::uint32_t c = 0; c < 3; ++c) tables.raw(0x00281101u + c, "US", bytesOf(std::vector<std::uint16_t>{4, 0, 16}));
+  for (std::uint32_t c = 0; c < 3; ++c)
+    tables.raw(0x00281221u + c, "OW", bytesOf(std::vector<std::uint16_t>{0, 1, 0x1000, 1, 2, 0x4000, 2, 1, 0, 0}));
+  cine.extra = tables.bytes();
+  put(folder, "palette", cineFile(cine));
+}
+
+void enhanced(const fs::path& folder) {
+  EnhancedOf volume;
+  volume.pixels = ramp(60);
+  put(folder, "even", enhancedFile(volume));
+  volume.positions[2] = {1, 2, 8};
+  put(folder, "uneven", enhancedFile(volume));
+  volume.times = {0, 0, 1};
+  volume.types = {"TISSUE_INTENSITY", "FLOW_VELOCITY", "TISSUE_INTENSITY"};
+  put(folder, "times", enhancedFile(volume));
+}
+
+std::string nifti(std::int16_t type, std::size_t bytes) {
+  std::string head(352, '\0');
+  const auto set = [&](std::size_t at, auto value) { std::memcpy(head.data() + at, &value, sizeof value); };
+  set(0, std::int32_t{348});
+  const std::array<std::int16_t, 5> dim{4, 3, 2, 2, 2};
+  std::memcpy(head.data() + 40, dim.data(), sizeof dim);
+  set(70, type);
+  for (std::size_t n = 0; n < 5; ++n) set(76 + 4 * n, 0.5f);
+  set(108, 352.0f);
+  set(112, 1.0f);
+  head[123] = 2;
+  set(254, std::int16_t{1});
+  for (std::size_t n = 0; n < 3; ++n) set(280 + 20 * n, 0.5f);
+  std::memcpy(head.data() + 344, "n+1", 4);
+  return head + ramp(24 * bytes);
+}
+
+void volumes(const fs::path& folder) {
+  const std::string meta =
+      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nTransformMatrix = 0 1 0 1 0 0 0 0 1\n"
+      "Offset = 1 2 3\nElementSpacing = 0.5 0.5 1\nDimSize = 4 3 2\nElementType = ";
+  put(folder / "meta", "plain", meta + "MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(24));
+  put(folder / "meta", "short", meta + "MET_SHORT\nElementDataFile = LOCAL\n" + ramp(48));
+  put(folder / "meta", "colour", meta + "MET_UCHAR\nElementNumberOfChannels = 3\nElementDataFile = LOCAL\n" + ramp(72));
+  const std::string packed = deflated(ramp(24));
+  put(folder / "meta", "packed",
+      meta + "MET_UCHAR\nCompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) + "\nElementDataFile = LOCAL\n" +
+          packed);
+  const std::string nrrd =
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nspace: left-posterior-superior\n"
+      "space directions: (1,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\nendian: little\nencoding: ";
+  put(folder / "nrrd", "raw", nrrd + "raw\n\n" + ramp(24));
+  put(folder / "nrrd", "gzip", nrrd + "gzip\n\n" + deflated(ramp(24), true));
+  put(folder / "nrrd", "text", nrrd + "ascii\n\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24\n");
+  put(folder / "nifti", "u8", nifti(2, 1));
+  put(folder / "nifti", "f32", nifti(16, 4));
+  put(folder / "nifti", "packed", deflated(nifti(4, 2), true));
+}
+
+void sequences(const fs::path& folder) {
+  ew::Sequence sequence;
+  sequence.width = 4;
+  sequence.height = 3;
+  sequence.orientation = "MF";
+  sequence.imageType = "BRIGHTNESS";
+  for (int n = 0; n < 2; ++n) {
+    ew::SequenceFrame frame;
+    frame.time_s = 0.1 * n;
+    frame.transforms = {{"Image", "Probe", glm::dmat4(1.0), ew::PoseStatus::ok},
+                        {"Probe", "Reference", glm::dmat4(1.0), ew::PoseStatus::ok}};
+    sequence.frames.push_back(frame);
+  }
+  const std::string pixels = ramp(24);
+  sequence.pixels.assign(pixels.begin(), pixels.end());
+  fs::create_directories(folder / "plus");
+  static_cast<void>(ew::writeSequence(sequence, folder / "plus" / "s.igs.mha"));
+  put(folder / "plus", "nrrd",
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 2 2\nkinds: domain domain list\nencoding: raw\nSeq_Frame0000_Status:=OK\n"
+      "Seq_Frame0001_ImageToReferenceTransform:=1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n\n" +
+          ramp(12));
+  put(folder / "device_set", "a.xml",
+      "<PlusConfiguration><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" Matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\"/>"
+      "</CoordinateDefinitions><DataCollection><Device><VolumeReconstruction OutputSpacing=\"0.5 0.5 0.5\" ClipRectangleOrigin=\"1 2\" "
+      "ClipRectangleSize=\"3 4\" FanAnglesDeg=\"-30 30\" Interpolation=\"LINEAR\"/></Device></DataCollection></PlusConfiguration>");
+}
+
+void others(const fs::path& folder) {
+  KretzOf kretz;
+  kretz.samples = 6;
+  kretz.beams = 5;
+  kretz.planes = 4;
+  kretz.step_mm = 3.0;
+  kretz.fill([](double, double, double) { return 100.0; });
+  put(folder / "kretz", "beams", kretzFile(kretz));
+  kretz.several = kretz.data + kretz.data;
+  kretz.data.clear();
+  put(folder / "kretz", "several", kretzFile(kretz));
+  kretz.several.clear();
+  kretz.data = ramp(120);
+  kretz.cartesian = true;
+  put(folder / "kretz", "cartesian", kretzFile(kretz));
+  put(folder / "raw", "u8", "4x3x2:u8:0.5\n" + ramp(24));
+  put(folder / "raw", "i16", "4x3x2:i16be:0.5,0.5,1.2:3\n" + ramp(60));
+  put(folder / "raw", "f64", "1x1x2:f64:1e-3:0\n" + ramp(16));
+  put(folder / "picture", "jpeg", packed<gdcm::JPEGCodec>(ramp(256), 16, 16, 1));
+  put(folder / "picture", "pgm", "P5\n# note\n4 3\n255\n" + ramp(12));
+  const ew::GreyImage picture(8, 8, 77);
+  static_cast<void>(ew::writeImage(viewOf(picture), 1.0, folder / "picture" / "a.png"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: fuzz_seeds FOLDER\n";
+    return 2;
+  }
+  const fs::path folder = argv[1];
+  dicom(folder / "dicom");
+  enhanced(folder / "enhanced");
+  volumes(folder);
+  sequences(folder);
+  others(folder);
+  return 0;
+}

@@ -1,0 +1,228 @@
+#include "ew/io/image_stack.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include "dicom_pixels.h"
+#include "ew/core/numbers.h"
+#include "grey_samples.h"
+#include "image_header.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostPixels = 1ull << 28;
+constexpr std::uint64_t kLargestFile = 256u << 20;
+
+bool isPicture(const fs::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm";
+}
+
+/// A name taken apart at its last number.
+struct Numbered {
+  std::string before;
+  std::string digits;
+  std::string after;
+};
+Numbered numbered(const std::string& name) {
+  const std::size_t last = name.find_last_of("0123456789");
+  if (last == std::string::npos) return {name, "", ""};
+  const std::size_t before = name.find_last_not_of("0123456789", last);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return {name.substr(0, first), name.substr(first, last - first + 1), name.substr(last + 1)};
+}
+
+/// By their numbers, "2" before "10", then by name.
+bool earlier(const fs::path& a, const fs::path& b) {
+  const Numbered x = numbered(a.filename().string()), y = numbered(b.filename().string());
+  if (x.before != y.before) return x.before < y.before;
+  const auto significant = [](const std::string& digits) {
+    const std::size_t first = digits.find_first_not_of('0');
+    return first == std::string::npos ? std::string() : digits.substr(first);
+  };
+  const std::string n = significant(x.digits), m = significant(y.digits);
+  if (n.size() != m.size()) return n.size() < m.size();
+  if (n != m) return n < m;
+  return a.filename() < b.filename();
+}
+
+tl::unexpected<Error> damaged(const fs::path& file, const std::string& why) {
+  return failure(ErrorCode::badHeader, quoted(file) + " is not a picture that can be read (" + why + "); save it again.",
+                 {{"file", file.string()}});
+}
+
+Result<JpegGrey> readPngPicture(Bytes bytes, const fs::path& file) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const auto refuse = [&] {
+    const std::string why = png.message;
+    png_image_free(&png);
+    return damaged(file, why);
+  };
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return refuse();
+  if (std::uint64_t{png.width} * png.height > kMostPixels) {
+    png_image_free(&png);
+    return failure(ErrorCode::tooLarge,
+                   quoted(file) + " is larger than " + std::to_string(kMostPixels) + " pixels; save a smaller picture.",
+                   {{"file", file.string()}});
+  }
+  JpegGrey picture;
+  picture.width = static_cast<int>(png.width);
+  picture.height = static_cast<int>(png.height);
+  const bool colours = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
+  const std::size_t pixels = std::size_t{png.width} * png.height;
+  png.format = colours ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  std::vector<std::uint8_t> samples(pixels * (colours ? 3 : 1));
+  const png_color black{0, 0, 0};
+  if (png_image_finish_read(&png, &black, samples.data(), 0, nullptr) == 0) return refuse();
+  if (!colours) {
+    picture.level = std::move(samples);
+    return picture;
+  }
+  picture.level.resize(pixels);
+  picture.coloured.resize(pixels);
+  for (std::size_t n = 0; n < pixels; ++n) {
+    const int r = samples[3 * n], g = samples[3 * n + 1], b = samples[3 * n + 2];
+    picture.level[n] = static_cast<std::uint8_t>(std::lround(0.299 * r + 0.587 * g + 0.114 * b));
+    picture.coloured[n] = std::max({r, g, b}) - std::min({r, g, b}) > FrameReader::kColourStep ? 1 : 0;
+  }
+  return picture;
+}
+
+/// Portable grey map, binary, 8 bits.
+Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
+  std::size_t at = 2;
+  const auto number = [&]() -> std::optional<std::uint64_t> {
+    while (at < bytes.size() && (bytes[at] == ' ' || (bytes[at] >= '\t' && bytes[at] <= '\r') || bytes[at] == '#')) {
+      if (bytes[at] == '#')
+        while (at < bytes.size() && bytes[at] != '\n') ++at;
+      else
+        ++at;
+    }
+    std::uint64_t value = 0;
+    const std::size_t first = at;
+    while (at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9' && at - first < 9) value = value * 10 + (bytes[at++] - '0');
+    return at == first ? std::nullopt : std::optional(value);
+  };
+  if (bytes.size() < 8 || bytes[0] != 'P' || bytes[1] != '5') return damaged(file, "no binary PGM");
+  const auto width = number(), height = number(), largest = number();
+  if (!width || !height || !largest || *width < 1 || *height < 1 || *largest != 255 || *width * *height > kMostPixels)
+    return damaged(file, "no 8 bit PGM");
+  ++at;
+  const std::size_t pixels = *width * *height;
+  if (at > bytes.size() || bytes.size() - at < pixels) return damaged(file, "it ends early");
+  JpegGrey picture;
+  picture.width = static_cast<int>(*width);
+  picture.height = static_cast<int>(*height);
+  const Bytes samples = bytes.subspan(at, pixels);
+  picture.level.assign(samples.begin(), samples.end());
+  return picture;
+}
+
+Result<JpegGrey> readPicture(const fs::path& file) {
+  const auto bytes = readWholeFile(file, kLargestFile);
+  if (!bytes) return passOn(bytes.error());
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending == ".png") return readPngPicture(*bytes, file);
+  if (ending == ".pgm") return readPgm(*bytes, file);
+  return readJpeg(*bytes, file, kMostPixels);
+}
+
+}  // namespace
+
+Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
+  std::error_code ec;
+  const bool folder = fs::is_directory(folderOrPicture, ec);
+  if (!folder)
+    if (const auto status = checkIsFile(folderOrPicture); !status) return passOn(status.error());
+  const fs::path where = folder ? folderOrPicture : folderOrPicture.has_parent_path() ? folderOrPicture.parent_path() : fs::path(".");
+  const Numbered like = numbered(folderOrPicture.filename().string());
+  std::vector<fs::path> files;
+  fs::directory_iterator entries(where, ec);
+  if (ec) return failure(ErrorCode::notReadable, quoted(where) + " cannot be listed; check its permissions.", {{"file", where.string()}});
+  for (const auto& entry : entries) {
+    if (!isPicture(entry.path()) || !entry.is_regular_file(ec)) continue;
+    const Numbered here = numbered(entry.path().filename().string());
+    if (folder || (!like.digits.empty() ? here.before == like.before && here.after == like.after && !here.digits.empty()
+                                        : entry.path().filename() == folderOrPicture.filename()))
+      files.push_back(entry.path());
+  }
+  if (files.empty())
+    return failure(ErrorCode::unsupported, quoted(folderOrPicture) + " holds no pictures (.png, .jpg, .pgm); choose a folder that does.",
+                   {{"file", folderOrPicture.string()}});
+  std::sort(files.begin(), files.end(), earlier);
+  return files;
+}
+
+Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackOptions& options, Progress& progress,
+                                   const ReadLimits& limits) try {
+  const auto files = stackFiles(folderOrPicture);
+  if (!files) return passOn(files.error());
+  if (!options.spacing_mm)
+    return failure(ErrorCode::missingCalibration,
+                   "Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.",
+                   {{"file", folderOrPicture.string()}, {"ask", "spacing"}});
+  StackVolume made;
+  Volume& volume = made.volume;
+  std::uint64_t colouredPixels = 0;
+  for (std::size_t n = 0; n < files->size(); ++n) {
+    if (progress.cancelRequested()) return stopped(folderOrPicture);
+    auto picture = readPicture((*files)[n]);
+    if (!picture) return passOn(picture.error());
+    if (n == 0) {
+      volume.grid.dims = {picture->width, picture->height, static_cast<int>(files->size())};
+      volume.grid.spacing_mm = *options.spacing_mm;
+      if (auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
+      if (volume.grid.voxelCount() > limits.maxBytes)
+        return failure(ErrorCode::tooLarge,
+                       "The pictures would need " + std::to_string(volume.grid.voxelCount()) + " bytes of memory, but the limit is " +
+                           std::to_string(limits.maxBytes) + "; take fewer or smaller ones.",
+                       {{"file", folderOrPicture.string()}});
+      volume.echo.reserve(volume.grid.voxelCount());
+    } else if (picture->width != volume.grid.dims.x || picture->height != volume.grid.dims.y) {
+      return failure(ErrorCode::badField,
+                     quoted((*files)[n]) + " has " + std::to_string(picture->width) + " x " + std::to_string(picture->height) +
+                         " pixels, the first picture " + std::to_string(volume.grid.dims.x) + " x " + std::to_string(volume.grid.dims.y) +
+                         "; put pictures of one size into the folder.",
+                     {{"file", (*files)[n].string()}});
+    }
+    blank(picture->coloured, picture->width, picture->height, options.blank);
+    made.removed.pixelsPerFrame = blank(picture->level, picture->width, picture->height, options.blank);
+    colouredPixels += static_cast<std::uint64_t>(std::count(picture->coloured.begin(), picture->coloured.end(), 1));
+    if (options.colour == ColourRule::dropColour)
+      for (std::size_t p = 0; p < picture->coloured.size(); ++p)
+        if (picture->coloured[p] != 0) picture->level[p] = 0;
+    volume.echo.insert(volume.echo.end(), picture->level.begin(), picture->level.end());
+    progress.report("Reading pictures", static_cast<double>(n + 1) / static_cast<double>(files->size()));
+  }
+  made.removed.blanked = options.blank;
+  const double share = static_cast<double>(colouredPixels) / static_cast<double>(volume.echo.size());
+  const std::string coloured = textOf(std::round(share * 10000.0) / 100.0) + " % of the pixels are coloured";
+  if (share > 0.0005 && options.colour == ColourRule::ask)
+    return failure(ErrorCode::unsupported,
+                   "In " + quoted(folderOrPicture) + " " + coloured +
+                       ", as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.",
+                   {{"file", folderOrPicture.string()}, {"ask", "colour"}});
+  if (colouredPixels > 0)
+    made.notes.push_back(
+        coloured + (options.colour == ColourRule::dropColour ? "; they were made black." : "; their luminance became the echo level."));
+  made.notes.push_back(
+      std::to_string(files->size()) +
+      " pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the origin in "
+      "the first pixel of the first; which way they lie in the patient is not known.");
+  made.notes.push_back("Pictures may have text burned in; check that they name nobody.");
+  return made;
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge,
+                 "There is not enough memory for the pictures of " + quoted(folderOrPicture) + "; close other programs.",
+                 {{"file", folderOrPicture.string()}});
+}
+
+}  // namespace ew
