@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "ew/phantom/truth.h"
 #include "recipes.h"
 
 namespace ew::testing {
@@ -98,7 +101,47 @@ class DrawnPatient {
     return met;
   }
 
+  /// How many places of a plane, 0.5 mm apart from the face down, each organ owns.
+  [[nodiscard]] std::map<std::string, int> organsIn(const StandardPlane& plane, double halfWidth_mm, double depth_mm) const {
+    constexpr double kStep_mm = 0.5;
+    std::map<std::string, int> owned;
+    for (double y = 0.0; y < depth_mm; y += kStep_mm)
+      for (double x = -halfWidth_mm; x < halfWidth_mm; x += kStep_mm) ++owned[organAt(in(plane.probeToWorld.matrix, {x, y, 0.0}))];
+    return owned;
+  }
+  /// The named plane of the recipe; an empty one when it has none.
+  [[nodiscard]] StandardPlane plane(const std::string& name) const {
+    for (const StandardPlane& each : planesOf(*patient_))
+      if (each.name == name) return each;
+    ADD_FAILURE() << "no plane " << name;
+    return {};
+  }
+  /// Expects every standard plane to begin on the skin and to cut what it says within a picture.
+  void expectPlanesShowWhatTheySay(double halfWidth_mm, double depth_mm) const {
+    const auto planes = planesOf(*patient_);
+    EXPECT_FALSE(planes.empty());
+    for (const StandardPlane& plane : planes) {
+      EXPECT_NEAR(signedDistance_mm(*patient_, "skin surface", glm::dvec3(plane.probeToWorld.matrix[3])).value(), 0.0, 0.2) << plane.name;
+      const auto owned = organsIn(plane, halfWidth_mm, depth_mm);
+      EXPECT_FALSE(plane.shows.empty()) << plane.name;
+      for (const std::string& organ : plane.shows)
+        EXPECT_GE(owned.count(organ) > 0 ? owned.at(organ) : 0, 3) << plane.name << ": " << organ;
+    }
+  }
+  /// The value of a measurement that the recipe asks for.
+  [[nodiscard]] double measured(const std::string& name, const BodyState& state = {}) const {
+    const auto all = measurementsOf(*patient_, state);
+    EXPECT_TRUE(all) << all.error();
+    if (!all) return std::nan("");
+    for (const TrueMeasurement& each : *all)
+      if (each.name == name) return each.value;
+    ADD_FAILURE() << "no measurement " << name;
+    return std::nan("");
+  }
+
  private:
+  [[nodiscard]] static glm::dvec3 in(const glm::dmat4& frame, const glm::dvec3& p_mm) { return {frame * glm::dvec4(p_mm, 1.0)}; }
+
   std::filesystem::path recipe_;
   std::shared_ptr<const Patient> patient_;
   std::vector<OrganName> organs_;

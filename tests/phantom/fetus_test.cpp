@@ -81,5 +81,27 @@ TEST(Fetus, SwimsInsideTheWombWithoutGapsAroundIt) {
   EXPECT_NEAR(volume_ml, 350.0, 100.0) << "about 360 g at this age (Hadlock et al., Radiology 181, 1991)";
 }
 
+TEST(Fetus, HasMeasurementsThatAgreeWithCalipersOnItsShapes) {
+  EXPECT_NEAR(pregnant().measured("biparietal diameter, outer to inner"), biometry().biparietal_mm, 0.06);
+  EXPECT_NEAR(pregnant().measured("occipitofrontal diameter"), biometry().occipitofrontal_mm, 0.06);
+  EXPECT_NEAR(pregnant().measured("head circumference"), biometry().head_mm, 0.2);
+  EXPECT_NEAR(pregnant().measured("abdominal circumference"), biometry().abdomen_mm, 0.2);
+  EXPECT_NEAR(pregnant().measured("femur length"), biometry().femur_mm, 0.06);
+  EXPECT_NEAR(pregnant().measured("transverse diameter of the cerebellum"), 21.0, 0.5);
+  EXPECT_LT(pregnant().measured("atrium of the lateral ventricle"), 10.0) << "no wider than normal";
+  EXPECT_GT(pregnant().measured("atrium of the lateral ventricle"), 5.0);
+}
+
+TEST(Fetus, IsShownByItsStandardPlanesAndEachLeavesOutWhatItMust) {
+  pregnant().expectPlanesShowWhatTheySay(50.0, 110.0);
+  const auto leavesOut = [](const std::string& plane, const std::vector<std::string>& organs) {
+    const auto owned = pregnant().organsIn(pregnant().plane(plane), 50.0, 110.0);
+    for (const auto& organ : organs) EXPECT_EQ(owned.count(organ), 0u) << plane << ": " << organ;
+  };
+  leavesOut("transthalamic", {"cerebellum", "eyes"});
+  leavesOut("abdominal circumference", {"fetal kidneys", "left ventricle", "right ventricle", "fetal bladder", "fetal lungs"});
+  leavesOut("four chambers", {"fetal stomach", "fetal liver"});
+}
+
 }  // namespace
 }  // namespace ew
