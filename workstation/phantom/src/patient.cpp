@@ -251,7 +251,8 @@ Result<double> signedDistance_mm(const Patient& patient, const std::string& orga
 int labelAt(const Patient& patient, const glm::dvec3& p_world_mm) {
   if (patient.skin->distance_mm(p_world_mm) >= 0.0) return 0;
   for (std::size_t n = 0; n < patient.organs.size(); ++n) {
-    if (patient.organs[n].shape->distance_mm(p_world_mm) < 0.0) return static_cast<int>(n) + 1;
+    const phantom::Shape& shape = *patient.organs[n].shape;
+    if (shape.atLeast_mm(p_world_mm) <= 0.0 && shape.distance_mm(p_world_mm) < 0.0) return static_cast<int>(n) + 1;
   }
   return 0;
 }
