@@ -39,6 +39,22 @@ TEST_P(Speckle, HasASignalToNoiseRatioOf1p91AndTheTissuesMeanLevelAtEveryDepth) 
 INSTANTIATE_TEST_SUITE_P(OfProbes, Speckle,
                          ::testing::Values(Setting{"linear-7.5", 40.0}, Setting{"convex-3.5", 120.0}, Setting{"phased-2.5", 120.0}));
 
+TEST(Speckle, LosesGrainWithTheRootOfItsLooksAndKeepsItsLevel) {
+  FormationOptions options = onlySpeckle(40.0);
+  options.looks = 3;
+  const auto scanner = scannerOf(blockOfTissue(), shippedProbe("linear-7.5"), options);
+  std::vector<double> values;
+  for (int n = 0; n < 4; ++n) {
+    const auto more = band(*scanner, envelopeOf(*scanner, held(12.0 * (n - 1.5))), 8.0, 36.0);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  const Moments moments = momentsOf(values);
+  // Three looks whose neighbours correlate by 1/e^2 in intensity are worth 2.54 independent ones.
+  EXPECT_NEAR(moments.mean / moments.deviation, 1.9131 * std::sqrt(9.0 / (3.0 + 4.0 * std::exp(-2.0))), 0.15);
+  EXPECT_NEAR(meanLevel(values), 150.0, 2.0);
+  EXPECT_NEAR(scanner->pointSpreadAt(20.0).axial_mm, 2.0 * 1540.0 / 7.5e3, 1e-6);  // twice two half wavelengths
+}
+
 TEST(Speckle, IsTheSameForEveryThreadAndOrderOfCalls) {
   Probe probe = shippedProbe("linear-7.5");
   FormationOptions options;

@@ -40,7 +40,7 @@ double Beams::elevationalCurvature_perMm(double depth_mm) const {
 Beams beamsOf(const Probe& probe, const FormationOptions& options) {
   Beams beams;
   beams.wavelength_mm = options.assumedSpeed_mPerS * 1e3 / options.carrier_hz;
-  beams.axialSigma_mm = 0.5 * options.pulseCycles * beams.wavelength_mm / kFwhmOfSigma;
+  beams.axialSigma_mm = 0.25 * (options.looks + 1) * options.pulseCycles * beams.wavelength_mm / kFwhmOfSigma;
 
   const double width = kApodisedWidth * beams.wavelength_mm / kFwhmOfSigma;
   beams.receivesAsItSends = probe.kind == ProbeKind::sweptSector;

@@ -9,7 +9,9 @@ namespace ew::phantom {
 /// See resources/docs/forward-model.md for the equations.
 struct Beams {
   double wavelength_mm = 0.5;  ///< at the assumed speed
-  double axialSigma_mm = 0.2;
+  double axialSigma_mm = 0.2;  ///< of each look
+  /// Looks are taken at wave numbers (both ways) this far apart: fields of neighbours correlate by 1/e, intensities by 1/e^2.
+  [[nodiscard]] double lookStep_radPerMm() const { return 2.0 / axialSigma_mm; }
 
   // Lateral: a transmit beam with one focus times a receive beam focused at every depth.
   double transmitFocus_mm = 80.0;

@@ -28,6 +28,7 @@ using phantom::ScattererField;
 
 constexpr std::size_t kCacheBytes = 400u << 20;
 constexpr double kSamplesPerPulse = 4.0;   // within the full width at half maximum
+constexpr double kSamplesPerLook = 6.0;    // the same with several looks: their carriers lie off the middle
 constexpr double kRowsPerSigma = 2.0;      // of the fine grid, at the narrowest place of the beam
 constexpr double kLateralReach = 3.0;      // standard deviations
 constexpr double kElevationalReach = 2.2;  // standard deviations: what is left out has less than a hundredth of the power
@@ -57,6 +58,7 @@ class Scanner;
 struct FrameScratch final : VirtualScanner::Scratch {
   std::vector<float> fine;  ///< rows x columns complex numbers, and two that take what misses
   std::vector<float> line;  ///< columns complex numbers
+  std::vector<float> turned;
   std::vector<float> pulsed;
   std::vector<float> gain;  ///< lines x steps
   std::vector<float> smooth;
@@ -96,6 +98,7 @@ class Scanner final : public VirtualScanner {
         beams_(phantom::beamsOf(probe, options)),
         field_(std::move(patient), pitch_mm, seed, kCacheBytes) {
     layOutGrid();
+    layOutLooks();
     layOutBeams();
     layOutGains();
   }
@@ -190,7 +193,7 @@ class Scanner final : public VirtualScanner {
         lateral_[static_cast<std::size_t>(t)][2 * column] = weight;
         lateral_[static_cast<std::size_t>(t)][2 * column + 1] = weight;
       }
-      mirrorScale_[column] = static_cast<float>(1.0 / planeEcho(depth));
+      mirrorScale_[column] = static_cast<float>(1.0 / (planeEcho(depth) * lookScale_));
     }
     // Points are shared by two columns; that adds a sixth of a step's square to the variance, which the pulse leaves out.
     const double columns = beams_.axialSigma_mm / grid_.sampleSpacing_mm, sigma = std::sqrt(columns * columns - 1.0 / 6.0);
@@ -210,6 +213,25 @@ class Scanner final : public VirtualScanner {
     const double bend = 4.0 * std::numbers::pi / beams_.wavelength_mm * beams_.elevationalCurvature_perMm(depth_mm);
     const double elevational = rootPi / std::sqrt(sigma * rootPi) / std::pow(0.25 / std::pow(sigma, 4) + bend * bend, 0.25);
     return lateral * elevational / std::sqrt(beams_.axialSigma_mm * rootPi);
+  }
+
+  void layOutLooks() {
+    const int looks = options_.looks;
+    for (int look = 0; look < looks; ++look) {
+      const double step = (look - 0.5 * (looks - 1)) * beams_.lookStep_radPerMm() * grid_.sampleSpacing_mm;
+      std::vector<float>& turn = turns_.emplace_back();
+      for (std::size_t column = 0; column < columns_; ++column) {
+        turn.push_back(static_cast<float>(std::cos(step * static_cast<double>(column))));
+        turn.push_back(static_cast<float>(-std::sin(step * static_cast<double>(column))));
+      }
+    }
+    if (looks == 1) return;
+    // The mean of the logarithm rises with the number of looks: their averaged amplitude has the mean sqrt(pi) / 2 and the squared
+    // coefficient of variation 4 / pi - 1 over the independent looks among them. Scaled back to that of a single look, so that a tissue
+    // keeps its level.
+    const double independent = looks * looks / (looks + 2.0 * (looks - 1) * std::exp(-2.0));
+    const double mean_db = 10.0 * std::log10(0.25 * std::numbers::pi) - 0.5 * 8.685889638 * (4.0 / std::numbers::pi - 1.0) / independent;
+    lookScale_ = factorOf(mean_db + 2.507);
   }
 
   void layOutGains() {
@@ -547,18 +569,35 @@ class Scanner final : public VirtualScanner {
       }
       weaken(l, work);
       addNoise(frame, l, work);
-      // Pulse.
-      const std::size_t margin = 2 * static_cast<std::size_t>(columnPadding_), count = 2 * samples;
-      std::fill(work.pulsed.begin(), work.pulsed.begin() + static_cast<std::ptrdiff_t>(count), 0.0F);
-      phantom::accumulate(work.line.data() + margin, pulse_[0], count, work.pulsed.data());
-      for (std::size_t t = 1; t < pulse_.size(); ++t) {
-        phantom::accumulate(work.line.data() + margin - 2 * t, pulse_[t], count, work.pulsed.data());
-        phantom::accumulate(work.line.data() + margin + 2 * t, pulse_[t], count, work.pulsed.data());
+      for (std::size_t s = 0; s < samples; ++s) envelope.pixels[s * lines + l] = 0.0F;
+      for (std::size_t look = 0; look < turns_.size(); ++look) addLook(look, l, work, envelope);
+    }
+  }
+
+  /// The pulse's filter about one carrier, and its envelope.
+  void addLook(std::size_t look, std::size_t l, FrameScratch& work, Image<float>& envelope) const {
+    const std::size_t lines = grid_.lines.size(), samples = static_cast<std::size_t>(grid_.samples);
+    const std::size_t margin = 2 * static_cast<std::size_t>(columnPadding_), count = 2 * samples;
+    const float* in = work.line.data();
+    if (turns_.size() > 1) {
+      const std::vector<float>& turn = turns_[look];
+      work.turned.resize(work.line.size());
+      for (std::size_t n = 0; n < work.line.size(); n += 2) {
+        work.turned[n] = work.line[n] * turn[n] - work.line[n + 1] * turn[n + 1];
+        work.turned[n + 1] = work.line[n] * turn[n + 1] + work.line[n + 1] * turn[n];
       }
-      for (std::size_t s = 0; s < samples; ++s) {
-        const float re = work.pulsed[2 * s] + ring_[s], im = work.pulsed[2 * s + 1];
-        envelope.pixels[s * lines + l] = depthGain_[s] * std::sqrt(re * re + im * im);
-      }
+      in = work.turned.data();
+    }
+    std::fill(work.pulsed.begin(), work.pulsed.begin() + static_cast<std::ptrdiff_t>(count), 0.0F);
+    phantom::accumulate(in + margin, pulse_[0], count, work.pulsed.data());
+    for (std::size_t t = 1; t < pulse_.size(); ++t) {
+      phantom::accumulate(in + margin - 2 * t, pulse_[t], count, work.pulsed.data());
+      phantom::accumulate(in + margin + 2 * t, pulse_[t], count, work.pulsed.data());
+    }
+    const auto share = static_cast<float>(lookScale_ / static_cast<double>(turns_.size()));
+    for (std::size_t s = 0; s < samples; ++s) {
+      const float re = work.pulsed[2 * s] + ring_[s], im = work.pulsed[2 * s + 1];
+      envelope.pixels[s * lines + l] += share * depthGain_[s] * std::sqrt(re * re + im * im);
     }
   }
 
@@ -606,6 +645,8 @@ class Scanner final : public VirtualScanner {
   std::vector<std::vector<float>> lateral_;  ///< by distance in rows: a weight per column, twice
   std::vector<int> reachOfChunk_;
   std::vector<float> pulse_;
+  std::vector<std::vector<float>> turns_;  ///< by look: the phase that brings its carrier to the middle, per column
+  double lookScale_ = 1.0;
   std::vector<float> mirrorScale_;
   std::vector<float> depthGain_;
   std::vector<float> ring_;
@@ -638,6 +679,7 @@ Result<std::unique_ptr<VirtualScanner>> makeVirtualScanner(std::shared_ptr<const
   check("focus_mm", resolved.focus_mm, 1.0, 1000.0);
   check("carrier_hz", resolved.carrier_hz, 0.5e6, 30e6);
   check("pulseCycles", resolved.pulseCycles, 0.5, 10.0);
+  check("looks", resolved.looks, 1, 5);
   check("assumedSpeed_mPerS", resolved.assumedSpeed_mPerS, 500.0, 4000.0);
   check("noise_db", resolved.noise_db, -1000.0, 0.0);
   check("dynamicRange_db", resolved.dynamicRange_db, 20.0, 120.0);
@@ -658,7 +700,8 @@ Result<std::unique_ptr<VirtualScanner>> makeVirtualScanner(std::shared_ptr<const
 
   const Beams beams = phantom::beamsOf(probe, resolved);
   const double pulse_mm = phantom::kFwhmOfSigma * beams.axialSigma_mm;
-  BeamGrid grid = makeBeamGrid(probe, Knobs{}, resolved.depth_mm, pulse_mm / kSamplesPerPulse);
+  const double samplesPerPulse = resolved.looks > 1 ? kSamplesPerLook : kSamplesPerPulse;
+  BeamGrid grid = makeBeamGrid(probe, Knobs{}, resolved.depth_mm, pulse_mm / samplesPerPulse);
 
   // As few scatterers as the smallest resolution cell needs. The patient's pitch times powers of the root of two: probes of nearly the same
   // resolution see the same scatterers.

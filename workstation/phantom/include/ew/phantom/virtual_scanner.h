@@ -23,10 +23,11 @@ struct DepthGain {
 
 /// How the virtual machine forms its image. Neutral settings leave an effect out.
 struct FormationOptions {
-  double depth_mm = 0.0;             ///< 0: the probe's default
-  double focus_mm = 0.0;             ///< transmit focus; 0: half of the depth. Receive focus follows the depth
-  double carrier_hz = 0.0;           ///< 0: the probe's
-  double pulseCycles = 2.0;          ///< length of the pulse's envelope (full width at half maximum of the amplitude), in periods, 0.5..10
+  double depth_mm = 0.0;     ///< 0: the probe's default
+  double focus_mm = 0.0;     ///< transmit focus; 0: half of the depth. Receive focus follows the depth
+  double carrier_hz = 0.0;   ///< 0: the probe's
+  double pulseCycles = 2.0;  ///< length of the pulse's envelope (full width at half maximum of the amplitude), in periods, 0.5..10
+  int looks = 1;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
   double assumedSpeed_mPerS = 1540;  ///< turns time into depth
   bool attenuation = true;           ///< tissue attenuation, losses at interfaces, and so shadows
   bool specular = true;              ///< bright interfaces by angle and impedance
