@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "ew/core/numbers.h"
 #include "ew/phantom/virtual_sweep.h"
 #include "recipe.h"
 
@@ -41,10 +42,10 @@ nlohmann::json partOf(FieldReader& reader, const nlohmann::json& sweep, const st
 }
 
 void readMachine(FieldReader& reader, const nlohmann::json& sweep, FormationOptions& options) {
-  const auto machine =
-      partOf(reader, sweep, "machine",
-             {"depth_mm", "focus_mm", "carrier_hz", "pulse_cycles", "assumed_speed_m_per_s", "attenuation", "specular", "speed_of_sound",
-              "noise_db", "dynamic_range_db", "gain_db", "tgc", "expected_db_per_cm_mhz", "largest_tgc_db", "noise_seed"});
+  const auto machine = partOf(
+      reader, sweep, "machine",
+      {"depth_mm", "focus_mm", "carrier_hz", "pulse_cycles", "looks", "assumed_speed_m_per_s", "attenuation", "specular", "speed_of_sound",
+       "noise_db", "dynamic_range_db", "gain_db", "tgc", "expected_db_per_cm_mhz", "largest_tgc_db", "noise_seed"});
   const auto number = [&](const char* name, double lowest, double highest, double& target) {
     target = reader.number(machine, "machine", name, lowest, highest, target);
   };
@@ -52,6 +53,10 @@ void readMachine(FieldReader& reader, const nlohmann::json& sweep, FormationOpti
   number("focus_mm", 0.0, 1000.0, options.focus_mm);
   number("carrier_hz", 0.0, 1e8, options.carrier_hz);
   number("pulse_cycles", 0.5, 10.0, options.pulseCycles);
+  double looks = options.looks;
+  number("looks", 1.0, 5.0, looks);
+  if (looks != std::floor(looks)) reader.refuse("machine.looks", textOf(looks), "a whole number from 1 to 5");
+  options.looks = static_cast<int>(looks);
   number("assumed_speed_m_per_s", 1000.0, 2000.0, options.assumedSpeed_mPerS);
   options.attenuation = reader.flag(machine, "machine", "attenuation", options.attenuation);
   options.specular = reader.flag(machine, "machine", "specular", options.specular);
