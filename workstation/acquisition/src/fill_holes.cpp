@@ -119,6 +119,12 @@ struct Sums {
   double weight = 0.0;
 };
 
+/// The end of the shortest bridge so far; of two as short, that of the earlier direction.
+struct BestEnd {
+  double weight = 0.0;
+  std::uint16_t source = 0;
+};
+
 /// A tile of rows: all i, j in [jBegin, jEnd), k in [kBegin, kEnd).
 struct Tile {
   int jBegin = 0, jEnd = 0, kBegin = 0, kEnd = 0;
@@ -146,6 +152,7 @@ class Filler {
  public:
   Filler(Volume& volume, const FillOptions& options)
       : volume_(volume),
+        source_(options.source),
         directions_(directionsFor(volume.grid, options.reach_mm)),
         tiles_(tilesFor(volume.grid)),
         bits_(volume.grid, farthestSteps(volume.grid, options.reach_mm)),
@@ -156,6 +163,7 @@ class Filler {
     for (Scratch& scratch : scratch_) {
       scratch.sums.resize(cells);
       scratch.reached.resize((cells + kWordBits - 1) / kWordBits);
+      if (!source_.empty()) scratch.best.resize(cells);
     }
   }
 
@@ -179,6 +187,7 @@ class Filler {
   struct Scratch {
     std::vector<Sums> sums;
     std::vector<std::uint64_t> reached;  ///< one bit per voxel of the tile that has sums
+    std::vector<BestEnd> best;           ///< empty without sources
   };
 
   template <class Stopped>
@@ -242,6 +251,7 @@ class Filler {
     const glm::ivec3 end = begin + steps * direction.step;
     const std::uint8_t* const firstRow = volume_.echo.data() + volume_.grid.indexOf(0, begin.y, begin.z);
     const std::uint8_t* const lastRow = volume_.echo.data() + volume_.grid.indexOf(0, end.y, end.z);
+    const std::size_t firstSource = volume_.grid.indexOf(begin.x, begin.y, begin.z), lastSource = volume_.grid.indexOf(end.x, end.y, end.z);
     const double weight = direction.weights[static_cast<std::size_t>(steps)];
     const double perEcho = weight / steps;
     const std::ptrdiff_t width = volume_.grid.dims.x;
@@ -257,6 +267,9 @@ class Filler {
         sums.total += first * (steps - n) + last * n;
         sums.weight += weight;
         scratch.reached[cell / kWordBits] |= std::uint64_t{1} << (cell % kWordBits);
+        if (!scratch.best.empty() && weight > scratch.best[cell].weight)
+          scratch.best[cell] = {
+              weight, source_[2 * n <= steps ? firstSource + static_cast<std::size_t>(i) : lastSource + static_cast<std::size_t>(i)]};
       }
     }
   }
@@ -276,8 +289,10 @@ class Filler {
         if (volume_.coverage[index] == static_cast<std::uint8_t>(Coverage::absent)) {
           volume_.echo[index] = static_cast<std::uint8_t>(std::min(sums.total / sums.weight + 0.5, 255.0));
           volume_.coverage[index] = static_cast<std::uint8_t>(Coverage::interpolated);
+          if (!scratch.best.empty()) source_[index] = scratch.best[cell].source;
           ++filled;
         }
+        if (!scratch.best.empty()) scratch.best[cell] = {};
         sums = {};
       }
       scratch.reached[word] = 0;
@@ -286,6 +301,7 @@ class Filler {
   }
 
   Volume& volume_;
+  std::span<std::uint16_t> source_;
   std::vector<Direction13> directions_;
   TilePlan tiles_;
   MeasuredBits bits_;
@@ -318,6 +334,8 @@ Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progre
   const std::size_t voxels = volume.grid.voxelCount();
   if (volume.echo.size() != voxels || (!volume.coverage.empty() && volume.coverage.size() != voxels))
     return failure(ErrorCode::badField, "The volume's voxels do not fit its grid; read it again.", {{"field", "voxels"}});
+  if (!options.source.empty() && options.source.size() != voxels)
+    return failure(ErrorCode::badField, "The sources of the voxels do not fit the grid; give one for each voxel.", {{"field", "source"}});
   if (volume.coverage.empty() || farthestSteps(volume.grid, options.reach_mm) < 2) return FilledVolume{std::move(volume), 0};
   try {
     Filler filler(volume, options);
@@ -338,7 +356,7 @@ std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options) {
   const auto workers = static_cast<std::uint64_t>(std::min(threadCount(options.threads), tiles.tilesY * tiles.tilesZ));
   const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, farthest)) *
                              static_cast<std::uint64_t>(grid.dims.y) * static_cast<std::uint64_t>(grid.dims.z) * sizeof(std::uint64_t);
-  return bits + workers * (cells * sizeof(Sums) + cells / kWordBits * sizeof(std::uint64_t));
+  return bits + workers * (cells * (sizeof(Sums) + sizeof(BestEnd)) + cells / kWordBits * sizeof(std::uint64_t));
 }
 
 }  // namespace ew

@@ -195,17 +195,19 @@ class Paster {
   template <class Stopped>
   void pasteBrick(const Brick& brick, Scratch& scratch, const Stopped& stopped) {
     std::uint64_t pasted = 0;
-    for (const FrameMap& frame : frames_) {
+    for (std::size_t n = 0; n < frames_.size(); ++n) {
       if (stopped()) return;
-      if (mayTouch(frame, brick)) pasted += pasteFrame(frame, brick, scratch);
+      if (mayTouch(frames_[n], brick)) pasted += pasteFrame(n, brick, scratch);
     }
     if (pasted > 0) finish(brick, scratch, pasted);
   }
 
-  std::uint64_t pasteFrame(const FrameMap& frame, const Brick& brick, Scratch& scratch) {
+  std::uint64_t pasteFrame(std::size_t number, const Brick& brick, Scratch& scratch) {
+    const FrameMap& frame = frames_[number];
     const paste::Cells<Cell> cells{scratch.cells.data(), scratch.touched.data(), plan_.rowStride, plan_.layerStride};
     std::uint64_t pasted = 0;
     paste::Walk walk{};
+    walk.source = static_cast<std::uint16_t>(number + 1);
     std::array<std::int64_t, 3> limit{}, toBrick{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
@@ -251,14 +253,18 @@ class Paster {
           if (jGrid >= brick.low.y && jGrid < brick.high.y && kGrid >= brick.low.z && kGrid < brick.high.z) {
             const int begin = std::max(brick.low.x - iGrid, 0), end = std::min(brick.high.x - iGrid, kBlock);
             for (int n = begin; n < end; ++n) {
-              const paste::Voxel voxel = Mode::voxelOf(first[n]);
-              if (!voxel.measured) continue;
               const std::size_t index = target_.grid.indexOf(iGrid + n, jGrid, kGrid);
-              target_.echo[index] = voxel.echo;
-              target_.coverage[index] = static_cast<std::uint8_t>(Coverage::measured);
-              if (target_.weights != nullptr) target_.weights[index] = static_cast<float>(voxel.weight);
-              ++measured;
-              counted += static_cast<std::uint64_t>(voxel.weight);
+              if constexpr (std::is_same_v<Mode, paste::NearestSource>) {
+                if (target_.coverage[index] != 0) target_.source[index] = first[n].source;
+              } else {
+                const paste::Voxel voxel = Mode::voxelOf(first[n]);
+                if (!voxel.measured) continue;
+                target_.echo[index] = voxel.echo;
+                target_.coverage[index] = static_cast<std::uint8_t>(Coverage::measured);
+                if (target_.weights != nullptr) target_.weights[index] = static_cast<float>(voxel.weight);
+                ++measured;
+                counted += static_cast<std::uint64_t>(voxel.weight);
+              }
             }
           }
           std::fill(first, first + kBlock, Cell{});
@@ -297,7 +303,7 @@ class Paster {
 /// Calls use(Mode{}) for the mode the options ask for.
 template <class Use>
 auto withMode(const ReconstructOptions& options, const Use& use) {
-  const bool nearest = options.interpolation == Interpolation::nearest;
+  const bool nearest = options.interpolation != Interpolation::linear;
   switch (options.compounding) {
     case Compounding::maximum:
       return nearest ? use(paste::NearestMaximum{}) : use(paste::LinearMaximum{});
@@ -315,14 +321,17 @@ auto withMode(const ReconstructOptions& options, const Use& use) {
 
 Result<std::size_t> pasteFrames(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
                                 const PasteTarget& target, Progress& progress) {
-  return withMode(options, [&]<class Mode>(Mode) -> Result<std::size_t> {
-    try {
-      Paster<Mode> paster(frames, clip, options, target);
-      return paster.run(progress);
-    } catch (const std::bad_alloc&) {
-      return failure(ErrorCode::tooLarge, "There is not enough memory for the sums of the reconstruction; use fewer threads.");
-    }
-  });
+  const double pastedTo = target.source == nullptr ? 1.0 : 0.5;
+  PartOfProgress pasting(progress, 0.0, pastedTo), tracing(progress, pastedTo, 1.0);
+  try {
+    auto measured = withMode(options, [&]<class Mode>(Mode) { return Paster<Mode>(frames, clip, options, target).run(pasting); });
+    if (!measured || target.source == nullptr) return measured;
+    if (const auto traced = Paster<paste::NearestSource>(frames, clip, options, target).run(tracing); !traced)
+      return passOn(traced.error());
+    return measured;
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge, "There is not enough memory for the sums of the reconstruction; use fewer threads.");
+  }
 }
 
 std::uint64_t pasteScratchBytes(const Grid& grid, const ReconstructOptions& options) {

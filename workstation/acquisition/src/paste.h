@@ -9,12 +9,13 @@
 
 namespace ew {
 
-/// Where the pasted voxels go: voxelCount() values each, zero before; weights may be null.
+/// Where the pasted voxels go: voxelCount() values each, zero before; weights and source may be null.
 struct PasteTarget {
   Grid grid;
   std::uint8_t* echo = nullptr;
   std::uint8_t* coverage = nullptr;
   float* weights = nullptr;
+  std::uint16_t* source = nullptr;
 };
 
 /// Pastes every frame into the target. The grid is aligned with the world, of one spacing, and at most kMaxPasteDim voxels along each axis.

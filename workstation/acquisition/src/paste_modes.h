@@ -21,6 +21,7 @@ struct Walk {
   const std::uint8_t* pixels;
   const std::uint8_t* weights;  ///< null: all are 255
   int count;
+  std::uint16_t source;  ///< 1 + number of the frame
 };
 
 /// Cells of a brick: the sums of its voxels, a guard of one cell around it for the linear modes, rows padded to whole blocks.
@@ -217,6 +218,28 @@ struct LinearLatest {
     });
   }
   static Voxel voxelOf(Cell cell) { return voxelOfKept(cell); }
+};
+
+/// Which frame has the pixel nearest to a voxel's centre, among the pixels less than one voxel from it along each axis.
+struct NearestSource {
+  struct Cell {
+    float distance2_voxel = 0.0f;  ///< 0 and no source: nothing yet
+    std::uint16_t source = 0;
+  };
+  static constexpr int kGuard = 1;
+  static void walk(const Walk& row, const Cells<Cell>& brick) {
+    walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int) {
+      const double x2[2] = {fx * fx, (1.0 - fx) * (1.0 - fx)}, y2[2] = {fy * fy, (1.0 - fy) * (1.0 - fy)};
+      const double z2[2] = {fz * fz, (1.0 - fz) * (1.0 - fz)};
+      Cell* const rows[4] = {near, near + rowStride, far, far + rowStride};
+      for (int line = 0; line < 4; ++line)
+        for (int side = 0; side < 2; ++side) {
+          Cell& cell = rows[line][side];
+          const auto distance2 = static_cast<float>(x2[side] + y2[line & 1] + z2[line >> 1]);
+          if (cell.source == 0 || distance2 < cell.distance2_voxel) cell = {distance2, row.source};
+        }
+    });
+  }
 };
 
 }  // namespace ew::paste

@@ -9,6 +9,7 @@
 #include "clip_spans.h"
 #include "ew/acquisition/fill_holes.h"
 #include "ew/core/numbers.h"
+#include "fill_sweep.h"
 #include "paste.h"
 
 namespace ew {
@@ -157,6 +158,8 @@ Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, c
   return checkedGrid({grid.origin_mm, glm::dvec3(grid.dims)}, options);
 }
 
+constexpr std::size_t kMostSources = 65534;
+
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -176,14 +179,21 @@ bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
 }  // namespace
 
 std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options) {
-  const std::uint64_t volume = grid.voxelCount() * (2 + (options.keepWeights ? sizeof(float) : 0));
-  const std::uint64_t filling = forecastFillBytes(grid, {options.fillReach_mm, options.threads});
-  return volume + std::max(pasteScratchBytes(grid, options), filling);
+  const std::uint64_t perVoxel = 2 + (options.keepWeights ? sizeof(float) : 0) + (options.keepSource ? sizeof(std::uint16_t) : 0);
+  std::uint64_t most = std::max(pasteScratchBytes(grid, options), forecastFillBytes(grid, {options.fillReach_mm, options.threads}));
+  const bool along = options.fillReach_mm > 0.0 && options.fillMethod == FillMethod::sweep;
+  if (along || options.interpolation == Interpolation::centred) most = std::max(most, forecastSweepBytes(grid, options));
+  return grid.voxelCount() * perVoxel + most;
 }
 
 Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options) {
   if (const auto checked = checkFrames(frames); !checked) return passOn(checked.error());
   if (const auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  if (options.keepSource && frames.size() > kMostSources)
+    return failure(ErrorCode::badField,
+                   "Sources can be kept for at most " + std::to_string(kMostSources) + " frames, the sweep has " +
+                       std::to_string(frames.size()) + "; reconstruct it in parts or without sources.",
+                   {{"field", "source"}});
   const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!rectangle) return passOn(rectangle.error());
   const auto grid = checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
@@ -212,17 +222,23 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
     result.volume.grid = *grid;
     const std::size_t voxels = grid->voxelCount();
     if (!grow(result.volume.echo, voxels, progress) || !grow(result.volume.coverage, voxels, progress) ||
-        (options.keepWeights && !grow(result.weights, voxels, progress)))
+        (options.keepWeights && !grow(result.weights, voxels, progress)) || (options.keepSource && !grow(result.source, voxels, progress)))
       return failure(ErrorCode::cancelled, "The reconstruction was stopped before it was complete.");
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
                    "There is not enough memory for a volume of " + gibibytes(forecastBytes(*grid, options)) + "; use a coarser spacing.");
   }
   PartOfProgress pasting(progress, 0.0, filledFrom);
-  const auto measured = pasteFrames(
-      frames, *clip, options,
-      {*grid, result.volume.echo.data(), result.volume.coverage.data(), options.keepWeights ? result.weights.data() : nullptr}, pasting);
+  const PasteTarget pasted{*grid, result.volume.echo.data(), result.volume.coverage.data(),
+                           options.keepWeights ? result.weights.data() : nullptr, options.keepSource ? result.source.data() : nullptr};
+  const auto measured = pasteFrames(frames, *clip, options, pasted, pasting);
   if (!measured) return passOn(measured.error());
+  const SweepTarget target{*grid, pasted.echo, pasted.coverage, pasted.source};
+  if (options.interpolation == Interpolation::centred &&
+      (options.compounding == Compounding::mean || options.compounding == Compounding::weighted)) {
+    PartOfProgress centring(progress, 0.5 * filledFrom, filledFrom);
+    if (const auto centred = centreMeasured(frames, *clip, options, target, centring); !centred) return passOn(centred.error());
+  }
   result.measuredVoxels = *measured;
   result.framesUsed = frames.size();
   result.pixelsPasted = frames.size() * clip->pixelCount();
@@ -230,14 +246,35 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
 
   if (options.fillReach_mm > 0.0) {
     const auto fillStarted = std::chrono::steady_clock::now();
-    PartOfProgress filling(progress, filledFrom, 1.0);
-    auto filled = fillHoles(std::move(result.volume), {options.fillReach_mm, options.threads}, filling);
+    PartOfProgress along(progress, filledFrom, filledFrom + 0.5 * (1.0 - filledFrom)),
+        bridging(progress, filledFrom + 0.5 * (1.0 - filledFrom), 1.0);
+    if (options.fillMethod == FillMethod::sweep) {
+      const auto filled = fillBetweenFrames(frames, *clip, options, target, along);
+      if (!filled) return passOn(filled.error());
+      result.interpolatedVoxels = *filled;
+    }
+    auto filled = fillHoles(std::move(result.volume), {options.fillReach_mm, options.threads, result.source}, bridging);
     if (!filled) return passOn(filled.error());
     result.volume = std::move(filled->volume);
-    result.interpolatedVoxels = filled->filledVoxels;
+    result.interpolatedVoxels += filled->filledVoxels;
     result.fillSeconds = secondsSince(fillStarted);
   }
   return result;
+}
+
+std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source, std::span<const PosedFrame> frames,
+                                         const Point<frame::World>& at) {
+  EW_EXPECTS(source.size() == grid.voxelCount());
+  const glm::dvec3 voxel = glm::floor((grid.worldToVoxel() * at).at + 0.5);
+  // Also false for what is not a number.
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(voxel[axis] >= 0.0 && voxel[axis] < grid.dims[axis])) return std::nullopt;
+  const std::uint16_t found = source[grid.indexOf(static_cast<int>(voxel.x), static_cast<int>(voxel.y), static_cast<int>(voxel.z))];
+  if (found == 0 || found > frames.size()) return std::nullopt;
+  const glm::dmat4& m = frames[found - 1u].imageToWorld.matrix;
+  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])));
+  const glm::dvec3 image = glm::inverse(glm::dmat3(glm::dvec3(m[0]), glm::dvec3(m[1]), normal)) * (at.at - glm::dvec3(m[3]));
+  return SourceFrame{found - 1u, {image.x, image.y}, std::abs(image.z)};
 }
 
 }  // namespace ew

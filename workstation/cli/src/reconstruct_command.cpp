@@ -21,13 +21,26 @@ struct ReconstructArguments {
   std::string compounding;    // empty: the calibration file's, else mean
   std::optional<double> fillReach_mm;
   std::optional<int> fillReach_voxels;
+  std::string fillMethod = "sweep";
   int threads = 0;
   std::optional<std::vector<double>> clip_px;  // x y width height
   std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
   bool noClip = false;
 };
 
-const char* nameOf(Interpolation interpolation) { return interpolation == Interpolation::nearest ? "nearest" : "linear"; }
+const char* nameOf(Interpolation interpolation) {
+  switch (interpolation) {
+    case Interpolation::nearest:
+      return "nearest";
+    case Interpolation::centred:
+      return "centred";
+    case Interpolation::linear:
+      return "linear";
+  }
+  return "linear";
+}
+
+const char* nameOf(FillMethod method) { return method == FillMethod::sweep ? "sweep" : "bridges"; }
 
 const char* nameOf(Compounding compounding) {
   switch (compounding) {
@@ -43,7 +56,10 @@ const char* nameOf(Compounding compounding) {
   return "mean";
 }
 
-Interpolation interpolationOf(const std::string& word) { return word == "nearest" ? Interpolation::nearest : Interpolation::linear; }
+Interpolation interpolationOf(const std::string& word) {
+  if (word == "centred") return Interpolation::centred;
+  return word == "nearest" ? Interpolation::nearest : Interpolation::linear;
+}
 
 Compounding compoundingOf(const std::string& word) {
   if (word == "maximum") return Compounding::maximum;
@@ -94,6 +110,7 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   if (!arguments.compounding.empty()) reconstruction.compounding = compoundingOf(arguments.compounding);
   reconstruction.fillReach_mm = arguments.fillReach_mm.value_or(0.0);
   options.fillReach_voxels = arguments.fillReach_voxels;
+  reconstruction.fillMethod = arguments.fillMethod == "bridges" ? FillMethod::bridges : FillMethod::sweep;
   reconstruction.threads = arguments.threads;
   reconstruction.clip = clipOf(arguments);
   return options;
@@ -107,6 +124,7 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
           {"interpolation", nameOf(done.interpolation)},
           {"compounding", nameOf(done.compounding)},
           {"fill_reach_mm", done.fillReach_mm},
+          {"fill_method", nameOf(done.fillMethod)},
           {"threads", done.threads},
           {"clip", toJson(done.clip)}};
 }
@@ -195,10 +213,11 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
       ->type_name("FRAME");
   addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6}, "Size of a voxel in mm (the calibration file's, else 0.5)");
-  app.add_option("--interpolation", arguments->interpolation,
-                 "nearest: a pixel goes into one voxel; linear: it is shared among eight, smoother and slower (the calibration file's, "
-                 "else linear)")
-      ->check(CLI::IsMember({"nearest", "linear"}))
+  app.add_option(
+         "--interpolation", arguments->interpolation,
+         "nearest: a pixel goes into one voxel; linear: it is shared among eight, smoother and slower; centred: as nearest, then each "
+         "measured voxel is read from the frames at its centre (the calibration file's, else linear)")
+      ->check(CLI::IsMember({"nearest", "linear", "centred"}))
       ->type_name("KIND");
   app.add_option("--compounding", arguments->compounding,
                  "What a voxel takes from several pixels: mean, maximum or latest (the calibration file's, else mean)")
@@ -207,6 +226,11 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   addNumber(app, "--fill-reach-mm", arguments->fillReach_mm, {0.0, 1e6},
             "Fill holes between measured voxels that are at most so many mm apart, whatever the spacing; 0: none (0)");
   addCount(app, "--fill-reach", arguments->fillReach_voxels, 0, 1000, "The same, counted in voxels of the spacing");
+  app.add_option("--fill-method", arguments->fillMethod,
+                 "sweep: between successive frames along the way of the probe, then bridges for what is left; bridges: between measured "
+                 "voxels in 13 directions (sweep)")
+      ->check(CLI::IsMember({"sweep", "bridges"}))
+      ->type_name("KIND");
   app.add_option("--coverage", arguments->coverage, "Also write what is known of each voxel: 0 absent, 1 interpolated, 2 measured")
       ->type_name("OUT.mha");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");

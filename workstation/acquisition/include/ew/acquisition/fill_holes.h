@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
@@ -10,8 +11,9 @@
 namespace ew {
 
 struct FillOptions {
-  double reach_mm = 4.0;  ///< longest distance between the centres of the two measured voxels a hole lies between
-  int threads = 0;        ///< 0: all cores; the voxels do not depend on it
+  double reach_mm = 4.0;                 ///< longest distance between the centres of the two measured voxels a hole lies between
+  int threads = 0;                       ///< 0: all cores; the voxels do not depend on it
+  std::span<std::uint16_t> source = {};  ///< of every voxel, or empty: a filled one takes that of the nearer end of its shortest bridge
 };
 inline constexpr int kMaxFillReach_voxels = 256;  ///< along the axis of the finest spacing
 

@@ -15,7 +15,23 @@ namespace ew {
 
 /// nearest: a pixel goes into the voxel whose centre is nearest, floor(at + 0.5) along each axis.
 /// linear: a pixel is shared among the 8 voxels around it, by trilinear weights.
-enum class Interpolation { nearest, linear };
+/// centred: measured are the voxels of `nearest`, and each takes what the frames that pass through it show at its centre, not somewhere in
+///          it: read between pixels, over an area as large as a voxel, averaged over the frames by 1 - distance of the plane / half the
+///          voxel's extent. For the mean and the weighted mean; with maximum and latest it is `nearest`.
+enum class Interpolation { nearest, linear, centred };
+
+/// How holes are filled; both only between what was measured, at most `fillReach_mm` apart.
+/// bridges: between measured voxels along 13 directions (fill_holes.h).
+/// sweep:   first between successive frames, along the way the probe took: a voxel between their planes has a place in the image, (1 - t)
+/// of
+///          its projection on the one and t of that on the other, t being the distance from the first plane over the sum of both. It takes
+///          (1 - t) of the one frame there and t of the other, read over an area as large as a voxel. Its ends are the two points of the
+///          frames at that place; both must lie in the clip. Several such pairs are averaged by 1 / distance^2 of their ends. What is then
+///          left is bridged. Frames that follow each other at more than a right angle are not joined. Source: Coupe et al., "3D freehand
+///          ultrasound reconstruction based on probe trajectory", MICCAI 2005, section 2: the probe trajectory method. Ours differs: place
+///          and t come from the two projections in closed form, exact for shifted frames and within angle^2 / 8 of the radius for turned
+///          ones, and measured voxels keep what was pasted.
+enum class FillMethod { bridges, sweep };
 
 /// What a voxel takes from the pixels that reach it.
 /// mean:    floor(sum of weight * value / sum of weight + 0.5). With linear, a voxel is measured when its weight exceeds 1e-9 pixels.
@@ -47,10 +63,12 @@ struct ReconstructOptions {
   double spacing_mm = 0.5;
   Interpolation interpolation = Interpolation::linear;
   Compounding compounding = Compounding::mean;
-  double fillReach_mm = 0.0;  ///< holes between measured voxels at most this far apart are filled (see fill_holes.h); 0: none
+  double fillReach_mm = 0.0;  ///< holes between measured ends at most this far apart are filled and marked interpolated; 0: none
+  FillMethod fillMethod = FillMethod::sweep;
   Clip clip = {};
   int threads = 0;           ///< 0: all cores; the voxels do not depend on it
   bool keepWeights = false;  ///< also return each voxel's weight; compounding mean and weighted only
+  bool keepSource = false;   ///< also return which frame each voxel came from: 2 bytes a voxel more; at most 65534 frames
   std::uint64_t maxBytes = 16ull << 30;
 };
 
@@ -64,6 +82,10 @@ struct PosedFrame {
 struct ReconstructResult {
   Volume volume;               ///< with coverage
   std::vector<float> weights;  ///< with keepWeights: pixels that went into each voxel, before hole filling; else empty
+  /// With keepSource: 1 + the number of the frame a voxel came from, 0 for none; else empty. A measured voxel's is the frame of the pixel
+  /// nearest to its centre, the earlier of two; a filled one's the nearer of the two frames it was read from, or that of the nearer end of
+  /// its shortest bridge.
+  std::vector<std::uint16_t> source;
   std::size_t framesUsed = 0;
   std::size_t pixelsPasted = 0;  ///< clipped pixels of all frames
   std::size_t measuredVoxels = 0;
@@ -73,7 +95,8 @@ struct ReconstructResult {
 };
 
 /// Bytes the reconstruction will need at its peak beside the frames, for the forecast shown before it starts: the volume and its coverage
-/// (2 bytes a voxel), the weights when they are kept, the hole filling's marks (1 bit a voxel) and the sums of the bricks in work.
+/// (2 bytes a voxel), weights (4) and sources (2) when they are kept, the hole filling's marks (1 bit a voxel) and the sums of the bricks
+/// in work.
 [[nodiscard]] std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options);
 
 /// The grid that holds every clipped pixel: aligned with the world, origin at the smallest corner coordinate over all frames, samples per
@@ -96,5 +119,17 @@ struct ReconstructResult {
 /// @error as reconstruct; badField (a grid that is oblique, is not of options.spacing_mm, or does not hold every clipped pixel)
 [[nodiscard]] Result<ReconstructResult> reconstructOnto(const Grid& grid, std::span<const PosedFrame> frames,
                                                         const ReconstructOptions& options, Progress& progress);
+
+/// Where in the sweep a point of the volume came from.
+struct SourceFrame {
+  std::size_t frame = 0;     ///< index into the frames that were reconstructed
+  glm::dvec2 at_px{0.0};     ///< the point's projection onto that frame
+  double distance_mm = 0.0;  ///< of the point from the frame's plane
+};
+
+/// The source of the voxel nearest to a point, as a click in the volume asks for it; nothing outside the grid and for absent voxels.
+/// @param source as ReconstructResult::source, voxelCount() values
+[[nodiscard]] std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source,
+                                                       std::span<const PosedFrame> frames, const Point<frame::World>& at);
 
 }  // namespace ew
