@@ -16,8 +16,8 @@ namespace ew::testing {
 /// A shipped patient as it is drawn, for asking along beams and around organs.
 class DrawnPatient {
  public:
-  explicit DrawnPatient(const std::string& id) : recipe_(shippedPatient(id)) {
-    auto patient = readPatient(recipe_);
+  explicit DrawnPatient(const std::string& id, const ParameterValues& parameters = {}) : recipe_(shippedPatient(id)) {
+    auto patient = readPatient(recipe_, {}, parameters);
     if (!patient) {
       ADD_FAILURE() << patient.error();
       std::abort();

@@ -84,6 +84,16 @@ TEST(Neck, HasMeasurementsThatAgreeWithItsShapes) {
   EXPECT_NEAR(1.0 - free / walls, 0.36, 0.03) << "degree of stenosis by diameter (ECST)";
 }
 
+TEST(Neck, GrowsPlaqueAndNoduleWithItsParameters) {
+  const testing::DrawnPatient changed("neck-carotid-thyroid", {{"plaque_mm", 4.5}, {"nodule_length_mm", 7.0}});
+  const auto before = neck().measured(), after = changed.measured();
+  EXPECT_NEAR(before.at("right carotid bulb, free lumen at the plaque") - after.at("right carotid bulb, free lumen at the plaque"), 1.9,
+              0.06);
+  EXPECT_NEAR(after.at("nodule, length"), 7.0, 0.06);
+  EXPECT_NEAR(after.at("nodule, width"), 5.5, 0.06);
+  EXPECT_NEAR(after.at("nodule, depth"), 5.0, 0.06);
+}
+
 TEST(Neck, WidensTheCarotidsWithThePulse) {
   const std::string lumen = "right common carotid artery, lumen 10 mm below the fork";
   EXPECT_NEAR(neck().measured({.pulse = 1.0}).at(lumen) - neck().measured().at(lumen), 0.5, 0.06);
