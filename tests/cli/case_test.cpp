@@ -107,6 +107,8 @@ TEST(CaseCommand, PrepareMakesAVolumeOnceAndThenHasNothingToDo) {
   std::filesystem::copy(home, folder.path() / "coarse", std::filesystem::copy_options::recursive);
   auto manifest = readJson(folder / "coarse/case.json");
   manifest["volume"]["recipe_spacing_mm"] = 6;
+  manifest["volume"].erase("sweeps");
+  manifest["volume"].erase("reconstruct");
   writeText(folder / "coarse/case.json", manifest.dump());
 
   const auto first = run({"case", "prepare", folder / "coarse", "--report", folder / "1.json"});

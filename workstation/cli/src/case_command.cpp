@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/library/preparation.h"
 #include "volume_input.h"
 
 namespace ew::cli {
@@ -16,6 +17,9 @@ struct CaseArguments {
   std::string chosen;
   std::vector<std::string> several;
   bool all = false;
+  bool first = false;
+  std::string keepSweeps;
+  int threads = 0;
   bool asJson = false;
 };
 
@@ -29,6 +33,9 @@ std::string dumped(const json& value) { return value.dump(2, ' ', false, json::e
 
 std::string volumeText(const CaseVolume& volume) {
   if (!volume.file.empty()) return volume.file;
+  if (!volume.sweeps.empty())
+    return "made from " + counted(volume.sweeps.size(), "sweep") + " of " + volume.recipe + " at " + textOf(volume.reconstruct.spacing_mm) +
+           " mm";
   if (!volume.recipe.empty()) return "made from " + volume.recipe + " at " + textOf(volume.recipeSpacing_mm) + " mm";
   return "none";
 }
@@ -135,12 +142,13 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
                  {{"case", place.string()}});
 }
 
-Result<int> prepare(const CaseArguments& arguments, Run& run) {
-  if (arguments.all != arguments.several.empty())
+Result<std::vector<Case>> casesToPrepare(const CaseArguments& arguments, Run& run) {
+  if ((arguments.all || arguments.first) != arguments.several.empty() || (arguments.all && arguments.first))
     return failure(ErrorCode::badUsage,
-                   arguments.all ? "Give either cases or --all, not both." : "Say which cases to prepare, or --all for the shipped ones.");
+                   "Say which cases to prepare, or --all for the shipped ones, or --first for the one that is ready "
+                   "soonest; one of the three.");
   std::vector<Case> cases;
-  if (arguments.all) {
+  if (arguments.several.empty()) {
     const auto shipped = shippedCasesFolder();
     if (!shipped) return passOn(shipped.error());
     auto list = listCases(*shipped);
@@ -152,21 +160,42 @@ Result<int> prepare(const CaseArguments& arguments, Run& run) {
     if (!found) return passOn(found.error());
     cases.push_back(std::move(*found));
   }
-  std::vector<const Case*> waiting;
-  for (const auto& each : cases) {
-    run.input(each.folder / "case.json");
-    if (caseNeedsPreparation(each)) waiting.push_back(&each);
+  return cases;
+}
+
+Result<int> prepare(const CaseArguments& arguments, Run& run) {
+  auto cases = casesToPrepare(arguments, run);
+  if (!cases) return passOn(cases.error());
+  for (const auto& each : *cases) run.input(each.folder / "case.json");
+  std::vector<Case> waiting = preparationOrder(*cases);
+  // With one case ready there is something to scan.
+  if (arguments.first && !waiting.empty()) waiting.resize(waiting.size() == cases->size() ? 1 : 0);
+  std::vector<double> seconds;
+  double total_s = 0.0;
+  bool measured = true;
+  for (const Case& each : waiting) {
+    const auto estimate = estimatePreparation(each);
+    if (!estimate) return passOn(estimate.error());
+    seconds.push_back(std::max(estimate->seconds, 0.1));
+    total_s += seconds.back();
+    measured = measured && estimate->measured;
   }
+  if (!waiting.empty())
+    run.say("Preparing " + counted(waiting.size(), "case") + ", about " + rounded(total_s, 0) + " s" +
+            (measured ? "." : " on the machine this was written on; the time left is corrected as it runs."));
+  const PreparationOptions options{.threads = arguments.threads, .keepSweeps = arguments.keepSweeps};
+  run.report.options = {{"threads", arguments.threads}, {"keep_sweeps", arguments.keepSweeps}};
+  double done_s = 0.0;
   for (std::size_t n = 0; n < waiting.size(); ++n) {
-    const double count = static_cast<double>(waiting.size());
-    PartOfProgress part(run.progress, static_cast<double>(n) / count, static_cast<double>(n + 1) / count);
+    PartOfProgress part(run.progress, done_s / total_s, (done_s + seconds[n]) / total_s);
+    done_s += seconds[n];
     const StepClock clock(run.report, "prepare");
-    auto made = loadCaseVolume(*waiting[n], part);
+    const auto made = prepareCase(waiting[n], options, part);
     if (!made) return passOn(made.error());
-    for (const auto& note : made->notes) run.remark(note);
-    run.say("Prepared " + waiting[n]->title + ".");
+    for (const auto& note : *made) run.remark(note);
+    run.say("Prepared " + waiting[n].title + ".");
   }
-  run.report.quality = {{"cases", cases.size()}, {"prepared_now", waiting.size()}};
+  run.report.quality = {{"cases", cases->size()}, {"prepared_now", waiting.size()}, {"estimated_s", total_s}};
   return kDone;
 }
 
@@ -194,10 +223,16 @@ void addCase(CLI::App& root, Selection& selection) {
   checked.add_flag("--json", arguments->asJson, "As JSON");
 
   auto& prepared = addCommand(group, selection, "prepare", "Make the volumes of cases that come as recipes, so that they open at once",
-                              {"case prepare --all", "case prepare upper-abdomen-gall-stone"},
+                              {"case prepare --all", "case prepare upper-abdomen-gall-stone --keep-sweeps recordings"},
                               [arguments](Run& run) { return prepare(*arguments, run); });
   prepared.add_option("CASES", arguments->several, "Case folders, case.json files or ids of shipped cases")->type_name("");
-  prepared.add_flag("--all", arguments->all, "All shipped cases");
+  prepared.add_flag("--all", arguments->all, "All shipped cases, the one that is ready soonest first");
+  prepared.add_flag("--first", arguments->first, "The shipped case that is ready soonest, unless one is ready already");
+  prepared
+      .add_option("--keep-sweeps", arguments->keepSweeps,
+                  "Also write the recordings of the sweeps that are made now, NAME.igs.mha with NAME.xml")
+      ->type_name("DIR");
+  addCount(prepared, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
 }
 
 }  // namespace ew::cli

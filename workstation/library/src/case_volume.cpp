@@ -1,14 +1,9 @@
-#include <xxhash.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
-#include "ew/core/numbers.h"
-#include "ew/io/safe_file.h"
+#include "case_pipeline.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
-#include "ew/library/schema.h"
+#include "ew/library/preparation.h"
 #include "ew/phantom/patient.h"
 
 namespace ew {
@@ -16,94 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Part of every cache name: raise it when the cache's own files change.
-constexpr int kRecipeCacheFormat = 2;
-
-std::string hex(std::uint64_t value) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-  return text.data();
-}
-
-std::string hashOf(const std::vector<std::uint8_t>& values) { return hex(XXH3_64bits(values.data(), values.size())); }
-
-/// The four files that hold one voxelised recipe. `ready` is written last and carries the hashes of what the others hold.
-struct CacheEntry {
-  fs::path echo;
-  fs::path coverage;
-  fs::path labels;
-  fs::path ready;
-};
-
-/// Where a recipe finds the mannequin it names, wherever the case folder itself lies.
-fs::path mannequinFolder() {
-  const auto resources = resourceFolder();
-  return resources ? *resources / "mannequin" : fs::path();
-}
-
-Result<CacheEntry> cacheEntryOf(const Case& opened) {
-  auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
-  if (!recipe) return passOn(recipe.error());
-  // The phantom library answers for everything that shapes the voxels but the spacing: recipe, mannequin and its own way of making them.
-  auto fingerprint = fingerprintOfPatient(*recipe, mannequinFolder());
-  if (!fingerprint) return passOn(fingerprint.error());
-  const std::string name = hex(*fingerprint) + "-" + textOf(opened.volume.recipeSpacing_mm) + "mm-" + std::to_string(kRecipeCacheFormat);
-  const fs::path folder = cacheFolder() / "recipes";
-  return CacheEntry{folder / (name + ".mha"), folder / (name + ".coverage.mha"), folder / (name + ".labels.mha"),
-                    folder / (name + ".json")};
-}
-
-struct Prepared {
-  Volume volume;
-  Volume labels;
-};
-
-/// What the cache holds, or why it has to be made again.
-Result<Prepared> readCached(const CacheEntry& entry, Progress& progress) {
-  auto text = readTextFile(entry.ready, 1u << 16);
-  if (!text) return passOn(text.error());
-  auto ready = parseJson(*text, entry.ready.filename().string());
-  if (!ready) return passOn(ready.error());
-  auto loaded = readVolume(entry.echo, progress);
-  if (!loaded) return passOn(loaded.error());
-  Prepared found{std::move(loaded->volume), {}};
-  if (auto read = readCoverageInto(found.volume, entry.coverage, progress); !read) return passOn(read.error());
-  auto labels = readLabelVolume(entry.labels, progress);
-  if (!labels) return passOn(labels.error());
-  found.labels = std::move(labels->volume);
-  const auto promised = [&](const char* field) {
-    return ready->is_object() && ready->contains(field) && (*ready)[field].is_string() ? (*ready)[field].get<std::string>() : std::string();
-  };
-  if (promised("echo") != hashOf(found.volume.echo) || promised("coverage") != hashOf(found.volume.coverage) ||
-      promised("labels") != hashOf(found.labels.echo) || found.labels.grid != found.volume.grid)
-    return failure(ErrorCode::badHeader, "A prepared volume in the cache was damaged; it is made again.", {{"file", entry.echo.string()}});
-  return found;
-}
-
-Result<void> writeCached(const CacheEntry& entry, const Prepared& made, Progress& progress) {
-  std::error_code error;
-  fs::create_directories(entry.ready.parent_path(), error);
-  if (error)
-    return failure(ErrorCode::notWritable,
-                   "The cache folder cannot be made (" + error.message() +
-                       "); set ECHOWEAVE_CACHE to a folder you may "
-                       "write to.",
-                   {{"file", entry.ready.parent_path().string()}});
-  // Speckle hardly compresses, and an uncompressed file opens several times faster.
-  const WriteOptions plain{.compress = false};
-  PartOfProgress first(progress, 0.0, 0.33);
-  PartOfProgress second(progress, 0.33, 0.67);
-  PartOfProgress third(progress, 0.67, 1.0);
-  if (auto written = writeVolume(made.volume, entry.echo, first, plain); !written) return written;
-  if (auto written = writeCoverage(made.volume, entry.coverage, second, plain); !written) return written;
-  if (auto written = writeVolume(made.labels, entry.labels, third, plain); !written) return written;
-  const nlohmann::json ready = {
-      {"echo", hashOf(made.volume.echo)}, {"coverage", hashOf(made.volume.coverage)}, {"labels", hashOf(made.labels.echo)}};
-  return writeFileSafely(entry.ready, ready.dump(2) + "\n");
-}
-
-Result<std::vector<TissueAcoustics>> acousticsOf(const fs::path& recipe) {
-  const auto tissues = readLabelTissues(recipe, mannequinFolder());
+Result<std::vector<TissueAcoustics>> acousticsOf(const CasePlan& plan) {
+  const auto tissues = readLabelTissues(plan.patientFile, plan.mannequins);
   if (!tissues) return passOn(tissues.error());
   std::vector<TissueAcoustics> acoustics;
   for (const LabelTissue& each : *tissues)
@@ -112,50 +21,25 @@ Result<std::vector<TissueAcoustics>> acousticsOf(const fs::path& recipe) {
   return acoustics;
 }
 
-Result<CaseEcho> fromRecipe(const Case& opened, Progress& progress) {
-  auto entry = cacheEntryOf(opened);
-  if (!entry) return passOn(entry.error());
-  auto recipe = fileOfCase(opened.folder, opened.volume.recipe, "volume.recipe");
-  if (!recipe) return passOn(recipe.error());
-  auto tissues = acousticsOf(*recipe);
+Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& options, Progress& progress) {
+  const auto plan = planOf(opened);
+  if (!plan) return passOn(plan.error());
+  auto tissues = acousticsOf(*plan);
   if (!tissues) return passOn(tissues.error());
   CaseEcho found;
+  auto made = makePrepared(opened, *plan, options, progress, found.notes);
+  if (!made) return passOn(made.error());
+  found.volume = std::move(made->volume);
+  found.labels = std::move(made->labels);
   found.tissues = std::move(*tissues);
-  std::error_code ignored;
-  if (fs::exists(entry->ready, ignored)) {
-    auto cached = readCached(*entry, progress);
-    if (cached) {
-      found.volume = std::move(cached->volume);
-      found.labels = std::move(cached->labels);
-      return found;
-    }
-    if (cached.error().code == ErrorCode::cancelled) return passOn(cached.error());
-    found.notes.emplace_back("The prepared volume in the cache could not be used and was made again. " + cached.error().sentence);
-  }
-  auto patient = readPatient(*recipe, mannequinFolder());
-  if (!patient) return passOn(patient.error());
-  PartOfProgress making(progress, 0.0, 0.9);
-  auto voxels = voxelise(**patient, {.spacing_mm = opened.volume.recipeSpacing_mm}, making);
-  if (!voxels) return passOn(voxels.error());
-  Prepared made{std::move(voxels->volume), {}};
-  made.labels = {made.volume.grid, std::move(voxels->labels), {}};
-  PartOfProgress saving(progress, 0.9, 1.0);
-  saving.report("Saving the prepared volume", 0.0);
-  // Without a cache the case still opens; it is only made anew next time, and the user is told why. A cancel, though, is a cancel.
-  if (auto written = writeCached(*entry, made, saving); !written) {
-    if (written.error().code == ErrorCode::cancelled) return passOn(written.error());
-    found.notes.push_back("The prepared volume could not be kept for the next start. " + written.error().sentence);
-  }
-  found.volume = std::move(made.volume);
-  found.labels = std::move(made.labels);
   return found;
 }
 
 }  // namespace
 
-Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress) {
+Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {
   Result<CaseEcho> found = [&]() -> Result<CaseEcho> {
-    if (!opened.volume.recipe.empty()) return fromRecipe(opened, progress);
+    if (!opened.volume.recipe.empty()) return fromRecipe(opened, options, progress);
     auto file = fileOfCase(opened.folder, opened.volume.file, "volume.file");
     if (!file) return passOn(file.error());
     PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
@@ -191,9 +75,39 @@ Scene sceneWithTissues(const Scene& manifest, const std::vector<TissueAcoustics>
 
 bool caseNeedsPreparation(const Case& opened) {
   if (opened.volume.recipe.empty()) return false;
-  const auto entry = cacheEntryOf(opened);
-  std::error_code ignored;
-  return entry && !fs::exists(entry->ready, ignored);
+  const auto plan = planOf(opened);
+  return plan && !plan->isDone();
+}
+
+Result<PreparationEstimate> estimatePreparation(const Case& opened) {
+  if (opened.volume.recipe.empty()) return PreparationEstimate{0.0, true};
+  const auto plan = planOf(opened);
+  if (!plan) return passOn(plan.error());
+  return estimateOf(opened, *plan);
+}
+
+Result<std::vector<std::string>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress) {
+  if (opened.volume.recipe.empty()) return std::vector<std::string>{};
+  const auto plan = planOf(opened);
+  if (!plan) return passOn(plan.error());
+  std::vector<std::string> notes;
+  if (plan->isDone()) return notes;
+  const auto made = makePrepared(opened, *plan, options, progress, notes);
+  if (!made) return passOn(made.error());
+  return notes;
+}
+
+std::vector<Case> preparationOrder(const std::vector<Case>& cases) {
+  std::vector<std::pair<double, const Case*>> waiting;
+  for (const Case& each : cases) {
+    if (!caseNeedsPreparation(each)) continue;
+    const auto estimate = estimatePreparation(each);
+    waiting.emplace_back(estimate ? estimate->seconds : 1e9, &each);
+  }
+  std::stable_sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Case> order;
+  for (const auto& [seconds, each] : waiting) order.push_back(*each);
+  return order;
 }
 
 }  // namespace ew

@@ -148,15 +148,23 @@ struct CaseEcho {
   std::vector<std::string> notes;
 };
 
+struct PreparationOptions {
+  int threads = 0;                        ///< 0: all cores; the voxels do not depend on it
+  std::uint64_t maxBytes = 8ull << 30;    ///< that a step may hold
+  std::filesystem::path keepSweeps = {};  ///< a folder for the recordings (NAME.igs.mha) of the sweeps that are made; empty: not kept
+};
+
 /// Echo and labels of a case, both placed in the world: from its files, or from its recipe by way of the cache, making them when they
-/// are not there.
-/// @error as readVolume, readLabelVolume, readPatient, voxelise; notWritable for the cache is recovered (noted), not an error
-[[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress);
+/// are not there (see preparation.h).
+/// @error as readVolume, readLabelVolume, readPatient, voxelise, readSweepRecipe, recordSweep, importSweep, stitch; cancelled (within 0.5
+/// s);
+///        notWritable for the cache is recovered (noted), not an error
+[[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options = {});
 
 /// The scene a case is scanned with: what its manifest says, and of each label the recipe's tissue unless the manifest has its own.
 [[nodiscard]] Scene sceneWithTissues(const Scene& manifest, const std::vector<TissueAcoustics>& recipe);
 
-/// Whether loadCaseVolume will have to make the volume first (and how long that takes is for the progress to say).
+/// Whether loadCaseVolume will have to make the volume first; estimatePreparation says how long that takes.
 [[nodiscard]] bool caseNeedsPreparation(const Case& opened);
 
 /// Where the program's own data are: $ECHOWEAVE_RESOURCES, beside the program, the source tree it was built from, or the installed place.

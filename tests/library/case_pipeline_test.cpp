@@ -1,0 +1,403 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <thread>
+
+#include "ew/io/sequence.h"
+#include "ew/io/volume_file.h"
+#include "ew/library/case.h"
+#include "ew/library/case_truth.h"
+#include "ew/library/preparation.h"
+#include "library/temporary_folder.h"
+#include "time_limit.h"
+
+namespace ew {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::EnvironmentValue;
+using test::TemporaryFolder;
+using test::textOf;
+using test::writeText;
+
+/// A ball of skin of 60 mm with a ball of 20 mm in it, swept twice with few frames and a coarse volume: a whole preparation in a second.
+void makeSmallCase(const fs::path& folder) {
+  writeText(folder / "ball.json",
+            R"({"format": 1, "name": "ball", "body": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [60, 60, 60]}}})");
+  writeText(folder / "patient.json", R"({"format": 1, "name": "ball", "mannequin": "ball.json",
+    "box": {"lowest_mm": [-70, -70, -70], "highest_mm": [70, 70, 70]},
+    "tissues": [{"name": "even", "echo_level": 110, "speckle": 1}, {"name": "dark", "echo_level": 20, "speckle": 0.2}],
+    "background": "even",
+    "organs": [{"name": "cyst", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, -20, 0], "radii_mm": [12, 12, 12]}}}],
+    "planes": [{"name": "across", "near_mm": [0, -60, 0], "towards_mm": [0, 0, 0], "lateral": [-1, 0, 0], "shows": ["cyst"]}],
+    "measurements": [{"name": "cyst, across", "kind": "extent", "of": "cyst", "direction": [1, 0, 0], "plane": "across"}]})");
+  for (const auto& [name, z] : {std::pair{"upper", 1.0}, std::pair{"lower", -1.0}}) {
+    const json sweep = {{"format", 1},
+                        {"name", name},
+                        {"probe", "linear-7.5"},
+                        {"kind", "freehand"},
+                        {"frames", 10},
+                        {"machine", {{"depth_mm", 45}}},
+                        {"stations",
+                         {{{"near_mm", {0, -60, 10 * z}}, {"lateral", {-1, 0, 0}}, {"towards_mm", {0, 0, 10 * z}}},
+                          {{"near_mm", {0, -60, -4 * z}}, {"lateral", {-1, 0, 0}}, {"towards_mm", {0, 0, -4 * z}}}}},
+                        {"pixel_mm", 0.5}};
+    writeText(folder / "sweeps" / (std::string(name) + ".json"), sweep.dump(2));
+  }
+  const json manifest = {
+      {"format", 1},
+      {"id", "small"},
+      {"title", "Small"},
+      {"volume",
+       {{"recipe", "patient.json"},
+        {"sweeps", {"sweeps/upper.json", "sweeps/lower.json"}},
+        {"reconstruct", {{"spacing_mm", 1.0}, {"fill_reach_mm", 4}, {"feather_mm", 6}, {"labels_spacing_mm", 2}}}}},
+      {"targets", {{{"kind", "plane"}, {"name", "across"}}, {{"kind", "structure"}, {"name", "the cyst"}, {"organ", "cyst"}}}},
+      {"measurements", {{{"name", "cyst, across"}, {"tolerance", 2}}}}};
+  writeText(folder / "case.json", manifest.dump(2));
+}
+
+Case opened(const fs::path& folder) {
+  auto found = loadCase(folder);
+  EXPECT_TRUE(found) << found.error();
+  return found ? *found : Case{};
+}
+
+/// Counts reports and cancels at one of them.
+class CancelAt final : public Progress {
+ public:
+  explicit CancelAt(int report = 1 << 30) : at_(report) {}
+  void report(std::string_view what, double fraction) override {
+    steps.insert(std::string(what.substr(0, what.find(','))));
+    backwards = backwards || fraction < furthest;
+    furthest = fraction;
+    if (++reports == at_) cancelledAt_ = std::chrono::steady_clock::now();
+  }
+  [[nodiscard]] bool cancelRequested() const override { return reports >= at_; }
+  [[nodiscard]] double sinceCancel_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - cancelledAt_).count();
+  }
+  int reports = 0;
+  double furthest = 0.0;
+  bool backwards = false;
+  std::set<std::string> steps;
+
+ private:
+  int at_;
+  std::chrono::steady_clock::time_point cancelledAt_;
+};
+
+class CasePipeline : public testing::Test {
+ protected:
+  void SetUp() override { makeSmallCase(folder / "case"); }
+  TemporaryFolder folder;
+  EnvironmentValue cache{"ECHOWEAVE_CACHE", folder / "cache"};
+};
+
+TEST_F(CasePipeline, MakesAVolumeThatShowsThePatientWhereHeIs) {
+  const Case small = opened(folder / "case");
+  EXPECT_TRUE(caseNeedsPreparation(small));
+  CancelAt watched;
+  const auto echo = loadCaseVolume(small, watched, {.keepSweeps = folder / "sweeps"});
+  ASSERT_TRUE(echo) << echo.error();
+  EXPECT_TRUE(echo->notes.empty()) << echo->notes.front();
+  EXPECT_FALSE(watched.backwards);
+  for (const char* step : {"Recording the sweep 'upper'", "Recording the sweep 'lower'", "Reconstructing the sweep 'upper'", "Stitching"})
+    EXPECT_TRUE(watched.steps.count(step)) << step;
+  EXPECT_FALSE(caseNeedsPreparation(small));
+  const auto meanAround = [&](const glm::dvec3& p_mm) {
+    const auto p = glm::ivec3(glm::round((echo->volume.grid.worldToVoxel() * Point<frame::World>{p_mm}).at));
+    double sum = 0.0, count = 0.0;
+    for (int k = -3; k <= 3; ++k)
+      for (int j = -3; j <= 3; ++j)
+        for (int i = -3; i <= 3; ++i) {
+          const std::size_t at = echo->volume.grid.indexOf(p.x + i, p.y + j, p.z + k);
+          if (echo->volume.coverageAt(at) == Coverage::absent) continue;
+          sum += echo->volume.echo[at];
+          count += 1.0;
+        }
+    EXPECT_GT(count, 100.0);
+    return sum / count;
+  };
+  const double cyst = meanAround({0, -20, 0});
+  EXPECT_LT(cyst + 40.0, meanAround({-15, -35, 0}));
+  EXPECT_LT(cyst + 40.0, meanAround({15, -35, 3}));
+  ASSERT_TRUE(echo->labels);
+  EXPECT_EQ(echo->labels->grid.spacing_mm.x, 2.0);
+  const auto p = glm::ivec3(glm::round((echo->labels->grid.worldToVoxel() * Point<frame::World>{{0, -20, 0}}).at));
+  EXPECT_EQ(echo->labels->echo[echo->labels->grid.indexOf(p.x, p.y, p.z)], 1);
+  for (const char* name : {"upper.igs.mha", "lower.igs.mha", "upper.xml", "lower.xml"})
+    EXPECT_TRUE(fs::exists(folder / "sweeps" / name)) << name;
+  const auto recording = readSequence(folder / "sweeps/upper.igs.mha");
+  ASSERT_TRUE(recording) << recording.error();
+  EXPECT_EQ(recording->frames.size(), 10u);
+}
+
+TEST_F(CasePipeline, GivesTheSameVolumeWhateverStoppedItAndWhenever) {
+  const Case small = opened(folder / "case");
+  const auto whole = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(whole) << whole.error();
+  CancelAt counting;
+  {
+    const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "counting");
+    ASSERT_TRUE(loadCaseVolume(small, counting));
+  }
+  ASSERT_GT(counting.reports, 20);
+  const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "interrupted");
+  int cancelled = 0;
+  double slowest_s = 0.0;
+  for (int report = 1; report < counting.reports; report += std::max(1, counting.reports / 12)) {
+    CancelAt cancel(report);
+    const auto stopped = loadCaseVolume(small, cancel);
+    if (stopped) break;  // so much was kept that there was less left to do than this
+    ASSERT_EQ(stopped.error().code, ErrorCode::cancelled) << stopped.error();
+    slowest_s = std::max(slowest_s, cancel.sinceCancel_s());
+    ++cancelled;
+  }
+  EXPECT_GE(cancelled, 3);
+  EXPECT_LT(slowest_s, 0.5 * test::kSlowdown);
+  const auto resumed = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(resumed) << resumed.error();
+  EXPECT_EQ(resumed->volume, whole->volume);
+  EXPECT_EQ(resumed->labels->echo, whole->labels->echo);
+  EXPECT_TRUE(resumed->notes.empty()) << resumed->notes.front();
+}
+
+TEST_F(CasePipeline, GoesOnWhereAKilledProgramWas) {
+  const Case small = opened(folder / "case");
+  CancelAt counting;
+  const auto whole = loadCaseVolume(small, counting);
+  ASSERT_TRUE(whole) << whole.error();
+  const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "killed");
+  int killed = 0;
+  for (int n = 1; n <= 6; ++n) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      /// Dies in the middle, without a chance to tidy up.
+      class KillAt final : public Progress {
+       public:
+        explicit KillAt(int report) : left_(report) {}
+        void report(std::string_view, double) override {
+          if (--left_ <= 0) ::kill(::getpid(), SIGKILL);
+        }
+        [[nodiscard]] bool cancelRequested() const override { return false; }
+
+       private:
+        std::atomic<int> left_;
+      } kill(n * counting.reports / 7);
+      const auto made = loadCaseVolume(small, kill);
+      ::_exit(made ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    if (WIFSIGNALED(status)) ++killed;
+  }
+  EXPECT_GE(killed, 2);
+  CancelAt watched;
+  const auto resumed = loadCaseVolume(small, watched);
+  ASSERT_TRUE(resumed) << resumed.error();
+  EXPECT_EQ(resumed->volume, whole->volume);
+  EXPECT_EQ(resumed->labels->echo, whole->labels->echo);
+}
+
+TEST_F(CasePipeline, MakesAgainOnlyWhatDependsOnAChangedSweep) {
+  ASSERT_TRUE(loadCaseVolume(opened(folder / "case"), noProgress()));
+  json sweep = json::parse(textOf(folder / "case/sweeps/lower.json"));
+  sweep["frames"] = 11;
+  writeText(folder / "case/sweeps/lower.json", sweep.dump());
+  const Case changed = opened(folder / "case");
+  EXPECT_TRUE(caseNeedsPreparation(changed));
+  CancelAt watched;
+  ASSERT_TRUE(loadCaseVolume(changed, watched));
+  EXPECT_FALSE(watched.steps.count("Recording the sweep 'upper'"));
+  EXPECT_FALSE(watched.steps.count("Reconstructing the sweep 'upper'"));
+  EXPECT_TRUE(watched.steps.count("Recording the sweep 'lower'"));
+
+  json manifest = json::parse(textOf(folder / "case/case.json"));
+  manifest["volume"]["reconstruct"]["feather_mm"] = 3;
+  writeText(folder / "case/case.json", manifest.dump());
+  CancelAt again;
+  ASSERT_TRUE(loadCaseVolume(opened(folder / "case"), again));
+  EXPECT_FALSE(again.steps.count("Recording the sweep 'lower'")) << "another seam needs no other recording";
+  EXPECT_TRUE(again.steps.count("Stitching"));
+  manifest["history"] = "Something else.";
+  writeText(folder / "case/case.json", manifest.dump());
+  EXPECT_FALSE(caseNeedsPreparation(opened(folder / "case"))) << "words shape no voxel";
+}
+
+TEST_F(CasePipeline, MakesAgainWhatWasDamagedInTheCache) {
+  const Case small = opened(folder / "case");
+  const auto first = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(first) << first.error();
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "cache"))
+    if (entry.is_regular_file() && entry.path().extension() != ".lock" && entry.path().filename() != "speed.json")
+      files.push_back(entry.path());
+  EXPECT_GE(files.size(), 10u) << "two sweeps, the volume, its labels and the truth";
+  for (const auto& file : files) {
+    const std::string kept = textOf(file);
+    std::string flipped = kept;
+    flipped[flipped.size() / 2 + flipped.size() / 3] = static_cast<char>(flipped[flipped.size() / 2 + flipped.size() / 3] ^ 1);
+    writeText(file, flipped);
+    const auto again = loadCaseVolume(small, noProgress());
+    ASSERT_TRUE(again) << file << again.error();
+    EXPECT_EQ(again->volume, first->volume) << file;
+    EXPECT_EQ(again->labels->echo, first->labels->echo) << file;
+    writeText(file, kept);
+  }
+}
+
+TEST_F(CasePipeline, OpensTheCaseWhenTheCacheCannotBeWrittenAndSaysSoOnce) {
+  writeText(folder / "file", "where the cache folder would have to be");
+  const EnvironmentValue blocked("ECHOWEAVE_CACHE", folder / "file");
+  const auto echo = loadCaseVolume(opened(folder / "case"), noProgress());
+  ASSERT_TRUE(echo) << echo.error();
+  EXPECT_GT(echo->volume.echo.size(), 0u);
+  ASSERT_EQ(echo->notes.size(), 1u);
+  EXPECT_NE(echo->notes[0].find("ECHOWEAVE_CACHE"), std::string::npos) << echo->notes[0];
+}
+
+TEST_F(CasePipeline, TwoProgramsAtOnceMakeItOnceAndTheSame) {
+  const Case small = opened(folder / "case");
+  std::vector<pid_t> children;
+  for (int n = 0; n < 2; ++n) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      CancelAt watched;
+      const auto made = loadCaseVolume(small, watched);
+      ::_exit(!made || !made->notes.empty() ? 3 : watched.steps.count("Stitching") != 0 ? 1 : 2);
+    }
+    children.push_back(child);
+  }
+  std::multiset<int> outcomes;
+  for (const pid_t child : children) {
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    outcomes.insert(WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+  }
+  EXPECT_EQ(outcomes, (std::multiset<int>{1, 2})) << "one makes it, the other waits and reads";
+}
+
+TEST_F(CasePipeline, DoesNotDependOnTheNumberOfThreads) {
+  const Case small = opened(folder / "case");
+  const auto two = loadCaseVolume(small, noProgress(), {.threads = 2});
+  ASSERT_TRUE(two) << two.error();
+  const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "one");
+  const auto one = loadCaseVolume(small, noProgress(), {.threads = 1});
+  ASSERT_TRUE(one) << one.error();
+  EXPECT_EQ(one->volume, two->volume);
+  EXPECT_EQ(one->labels->echo, two->labels->echo);
+}
+
+TEST_F(CasePipeline, EstimatesTheTimeWithinAFactorOfOneAndAHalfOnceTheMachineIsKnown) {
+  const Case small = opened(folder / "case");
+  ASSERT_TRUE(prepareCase(small, {}, noProgress()));
+  double best = 1e9;
+  for (int attempt = 0; attempt < 5 && best > 1.5; ++attempt) {  // the load of a shared machine changes from second to second
+    json manifest = json::parse(textOf(folder / "case/sweeps/upper.json"));
+    manifest["frames"] = 30 + attempt;
+    writeText(folder / "case/sweeps/upper.json", manifest.dump());
+    const Case longer = opened(folder / "case");
+    const auto estimate = estimatePreparation(longer);
+    ASSERT_TRUE(estimate) << estimate.error();
+    EXPECT_TRUE(estimate->measured);
+    EXPECT_GT(estimate->seconds, 0.0);
+    const auto started = std::chrono::steady_clock::now();
+    ASSERT_TRUE(prepareCase(longer, {}, noProgress()));
+    const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    best = std::min(best, std::max(took_s / estimate->seconds, estimate->seconds / took_s));
+    EXPECT_EQ(estimatePreparation(longer)->seconds, 0.0);
+  }
+  EXPECT_LT(best, 1.5);
+}
+
+TEST_F(CasePipeline, ReportsTheTimeThatIsLeft) {
+  CancelAt unused;
+  /// Remembers when which fraction was reported.
+  class Timed final : public Progress {
+   public:
+    void report(std::string_view, double fraction) override {
+      at.emplace_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(), fraction);
+    }
+    [[nodiscard]] bool cancelRequested() const override { return false; }
+    std::vector<std::pair<double, double>> at;
+
+   private:
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  };
+  const Case small = opened(folder / "case");
+  ASSERT_TRUE(prepareCase(small, {}, noProgress()));
+  json manifest = json::parse(textOf(folder / "case/sweeps/upper.json"));
+  manifest["frames"] = 40;
+  writeText(folder / "case/sweeps/upper.json", manifest.dump());
+  Timed timed;
+  ASSERT_TRUE(prepareCase(opened(folder / "case"), {}, timed));
+  const double total_s = timed.at.back().first;
+  double worst = 0.0;
+  for (const auto& [passed_s, fraction] : timed.at)
+    if (passed_s > 0.5 * total_s && passed_s < 0.8 * total_s) worst = std::max(worst, std::abs(fraction - passed_s / total_s));
+  EXPECT_LT(worst, 0.35) << "of the time, in the middle of the work";
+}
+
+TEST_F(CasePipeline, NamesTheSweepOrProbeThatCannotBeUsed) {
+  json sweep = json::parse(textOf(folder / "case/sweeps/lower.json"));
+  sweep["probe"] = "no-such-probe";
+  writeText(folder / "case/sweeps/lower.json", sweep.dump());
+  const auto refused = loadCaseVolume(opened(folder / "case"), noProgress());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::badField);
+  EXPECT_NE(refused.error().sentence.find("no-such-probe"), std::string::npos) << refused.error();
+  sweep["probe"] = "linear-7.5";
+  sweep["kind"] = "wobble";
+  writeText(folder / "case/sweeps/lower.json", sweep.dump());
+  EXPECT_FALSE(loadCaseVolume(opened(folder / "case"), noProgress()));
+  EXPECT_FALSE(fs::exists(folder / "cache")) << "nothing is begun";
+}
+
+TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
+  json manifest = json::parse(textOf(folder / "case/case.json"));
+  const std::vector<double> place = {0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, 30, 0, 0, 0, 1};
+  manifest["volume"]["file_to_world"] = place;
+  writeText(folder / "case/case.json", manifest.dump());
+  const Case small = opened(folder / "case");
+  for (const bool fromCache : {false, true}) {
+    const auto truth = loadCaseTruth(small, noProgress());
+    ASSERT_TRUE(truth) << truth.error();
+    ASSERT_EQ(truth->measurements.size(), 1u) << fromCache;
+    EXPECT_NEAR(truth->measurements[0].value, 24.0, 0.1);
+    EXPECT_EQ(truth->measurements[0].unit, "mm");
+    EXPECT_EQ(truth->measurements[0].tolerance, 2.0);
+    ASSERT_EQ(truth->planes.size(), 1u);
+    EXPECT_LT(glm::length(glm::dvec3(truth->planes[0].probeToWorld[3]) - glm::dvec3(70, 20, 30)), 0.5) << "placed with the case";
+    ASSERT_EQ(truth->structures.size(), 1u);
+    EXPECT_EQ(truth->structures[0].label, 1);
+  }
+  manifest["measurements"][0]["name"] = "spleen";
+  writeText(folder / "case/case.json", manifest.dump());
+  const auto unknown = loadCaseTruth(opened(folder / "case"), noProgress());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::badField);
+  EXPECT_NE(unknown.error().sentence.find("cyst, across"), std::string::npos) << "says which there are: " << unknown.error();
+}
+
+TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
+  const TemporaryFolder folder;
+  const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    const auto truth = loadCaseTruth(each, noProgress());
+    EXPECT_TRUE(truth) << each.id << ": " << truth.error();
+    EXPECT_TRUE(estimatePreparation(each)) << each.id << ": " << estimatePreparation(each).error();
+  }
+}
+
+}  // namespace
+}  // namespace ew

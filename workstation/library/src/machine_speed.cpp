@@ -1,0 +1,66 @@
+#include "machine_speed.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ew/io/safe_file.h"
+#include "ew/library/schema.h"
+
+namespace ew {
+namespace {
+
+constexpr const char* kFile = "speed.json";
+constexpr double kNewShare = 0.5;  // of what was just measured: a machine's load changes
+// Two cores of 2.5 GHz: s a patient, s for a million voxels, s for a square metre of frames, the same, s for a million voxels times sweeps.
+constexpr std::array<double, kPreparationSteps.size()> kNominal = {1.5, 1.2, 4.0, 0.5, 0.3};
+
+nlohmann::json readKept(const std::filesystem::path& folder) {
+  const auto text = readTextFile(folder / kFile, 1u << 16);
+  if (!text) return nlohmann::json::object();
+  auto kept = parseJson(*text, kFile);
+  return kept && kept->is_object() ? *kept : nlohmann::json::object();
+}
+
+std::optional<double> keptRate(const nlohmann::json& kept, const char* name) {
+  if (!kept.contains(name) || !kept[name].is_number()) return std::nullopt;
+  const double rate = kept[name].get<double>();
+  if (!std::isfinite(rate) || rate <= 0.0) return std::nullopt;
+  return rate;
+}
+
+}  // namespace
+
+MachineSpeed readMachineSpeed(const std::filesystem::path& folder) {
+  MachineSpeed speed;
+  speed.secondsPerWork = kNominal;
+  const nlohmann::json kept = readKept(folder);
+  double slower = 0.0;
+  int known = 0;
+  for (std::size_t n = 0; n < kPreparationSteps.size(); ++n) {
+    const auto rate = keptRate(kept, kPreparationSteps[n]);
+    if (!rate) continue;
+    speed.secondsPerWork[n] = *rate;
+    slower += std::log(*rate / kNominal[n]);
+    ++known;
+  }
+  if (known == 0) return speed;
+  // What was never timed is taken to be as much slower as what was.
+  for (std::size_t n = 0; n < kPreparationSteps.size(); ++n)
+    if (!keptRate(kept, kPreparationSteps[n])) speed.secondsPerWork[n] *= std::exp(slower / known);
+  speed.measured = keptRate(kept, kPreparationSteps[static_cast<std::size_t>(PreparationStep::record)]).has_value();
+  return speed;
+}
+
+void keepMachineSpeed(const std::filesystem::path& folder, PreparationStep kind, double work, double seconds) {
+  if (!(work > 0.0) || !(seconds > 0.0)) return;
+  nlohmann::json kept = readKept(folder);
+  const char* name = kPreparationSteps[static_cast<std::size_t>(kind)];
+  const double rate = seconds / work;
+  const auto before = keptRate(kept, name);
+  kept[name] = before ? (1.0 - kNewShare) * *before + kNewShare * rate : rate;
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  static_cast<void>(writeFileSafely(folder / kFile, kept.dump(2) + "\n"));
+}
+
+}  // namespace ew

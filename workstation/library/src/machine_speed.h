@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+
+namespace ew {
+
+/// The kinds of steps of a preparation, each with a unit of work of its own.
+enum class PreparationStep { patient, voxelise, record, reconstruct, stitch };
+inline constexpr std::array<const char*, 5> kPreparationSteps = {"patient", "voxelise", "record", "reconstruct", "stitch"};
+
+/// Seconds per unit of work of each kind of step, as earlier preparations took them.
+struct MachineSpeed {
+  std::array<double, kPreparationSteps.size()> secondsPerWork{};
+  bool measured = false;
+  [[nodiscard]] double of(PreparationStep kind) const { return secondsPerWork[static_cast<std::size_t>(kind)]; }
+};
+
+/// The kept speed, or that of the machine the program was written on.
+[[nodiscard]] MachineSpeed readMachineSpeed(const std::filesystem::path& folder);
+
+/// Mixes a measured step into the kept speed. Best effort: without it only estimates are worse.
+void keepMachineSpeed(const std::filesystem::path& folder, PreparationStep kind, double work, double seconds);
+
+}  // namespace ew

@@ -1,0 +1,80 @@
+#include "preparation_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ew {
+namespace {
+
+double secondsBetween(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+/// In steps of five seconds: a console that prints each change would be full of them.
+std::string inWords(double left_s) {
+  if (left_s >= 120.0) return std::to_string(static_cast<int>(std::ceil(left_s / 60.0))) + " min left";
+  return std::to_string(5 * std::max(1, static_cast<int>(std::ceil(left_s / 5.0)))) + " s left";
+}
+
+}  // namespace
+
+double PreparationClock::total_s(double expected_s, double passed_s, double fraction) {
+  const double done = std::clamp(fraction, 0.0, 1.0);
+  const double atLeast_s = std::max(expected_s, passed_s);
+  if (done <= 0.0) return atLeast_s;
+  const double trust = std::min(1.0, 3.0 * done);
+  return (1.0 - trust) * atLeast_s + trust * passed_s / done;
+}
+
+double PreparationClock::correctionOf(int kind) const {
+  double expected_s = 0.0;
+  double took_s = 0.0;
+  for (const Finished& each : finished_) {
+    if (each.kind != kind) continue;
+    expected_s += each.expected_s;
+    took_s += each.took_s;
+  }
+  return expected_s > 0.0 ? took_s / expected_s : 1.0;
+}
+
+void PreparationClock::finishStep() {
+  if (!begun_ || at_ >= steps_.size()) return;
+  finished_.push_back({steps_[at_].kind, steps_[at_].expected_s, sinceBegin_s()});
+  ++at_;
+}
+
+void PreparationClock::begin(int kind, std::string what) {
+  {
+    const std::lock_guard lock(guard_);
+    finishStep();
+    const auto next =
+        std::find_if(steps_.begin() + static_cast<std::ptrdiff_t>(at_), steps_.end(), [&](const Step& s) { return s.kind == kind; });
+    if (next == steps_.end())
+      steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(at_), Step{kind, 0.0});
+    else
+      at_ = static_cast<std::size_t>(next - steps_.begin());
+    begun_ = true;
+    what_ = std::move(what);
+    stepStarted_ = Clock::now();
+  }
+  report({}, 0.0);
+}
+
+double PreparationClock::sinceBegin_s() const { return secondsBetween(stepStarted_, Clock::now()); }
+
+void PreparationClock::report(std::string_view, double fraction) {
+  const std::lock_guard lock(guard_);
+  const Step now = at_ < steps_.size() ? steps_[at_] : Step{};
+  const double inStep_s = sinceBegin_s();
+  const double expected_s = total_s(now.expected_s * correctionOf(now.kind), inStep_s, fraction);
+  // The step in work corrects those of its kind at once: the first recording tells how long the others will take.
+  finished_.push_back({now.kind, now.expected_s, expected_s});
+  double rest_s = std::max(0.0, expected_s - inStep_s);
+  for (std::size_t n = at_ + 1; n < steps_.size(); ++n) rest_s += steps_[n].expected_s * correctionOf(steps_[n].kind);
+  finished_.pop_back();
+  const double passed_s = secondsBetween(started_, Clock::now());
+  furthest_ = std::max(furthest_, passed_s + rest_s > 0.0 ? passed_s / (passed_s + rest_s) : 0.0);
+  whole_.report(what_ + ", " + inWords(rest_s), furthest_);
+}
+
+}  // namespace ew

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+
+namespace ew {
+
+/// Turns the progress of steps of very different length into one of time: the fraction is the time that passed over the time it will take,
+/// and the step's words end with the seconds left. What finished steps of a kind took corrects what is expected of the others.
+class PreparationClock final : public Progress {
+ public:
+  struct Step {
+    int kind = 0;
+    double expected_s = 0.0;
+  };
+  PreparationClock(Progress& whole, std::vector<Step> steps) : whole_(whole), steps_(std::move(steps)) {}
+
+  /// Begins the next step of that kind, ending the one before; one that nobody expected (damage in the cache) counts as taking no time.
+  void begin(int kind, std::string what);
+  /// Seconds the step that is under way has taken.
+  [[nodiscard]] double sinceBegin_s() const;
+  void report(std::string_view what, double fraction) override;
+  [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
+
+  /// Seconds that a step will take of which `fraction` is done after `passed_s`. The further it is, the more its own speed counts and the
+  /// less what was expected of it; from a third on nothing else counts.
+  [[nodiscard]] static double total_s(double expected_s, double passed_s, double fraction);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double correctionOf(int kind) const;
+  void finishStep();
+
+  Progress& whole_;
+  std::vector<Step> steps_;
+  std::mutex guard_;  // of what follows: steps report from their worker threads
+  std::size_t at_ = 0;
+  bool begun_ = false;
+  std::string what_;
+  Clock::time_point started_ = Clock::now();
+  Clock::time_point stepStarted_ = started_;
+  double furthest_ = 0.0;
+  struct Finished {
+    int kind = 0;
+    double expected_s = 0.0;
+    double took_s = 0.0;
+  };
+  std::vector<Finished> finished_;
+};
+
+}  // namespace ew
