@@ -23,10 +23,14 @@ constexpr double kPerfectMirror = 2.7;
 constexpr double kLeastReflection = 1e-4;
 constexpr double kCoincident_mm = 0.05;  // surfaces nearer than this are one
 constexpr double kNormalStep_mm = 0.05;
-constexpr double kStraight = 0.04;         // of the pitch: how far a distance may bend within a cell before it is asked exactly
-constexpr double kRough_db = -9.0;         // scattered by a bone's or gas' surface, below what it mirrors
-constexpr double kSmoothRough_db = -18.0;  // and by a capsule or vessel wall
-constexpr double kGlintScattered = 0.18;   // as voxelise: of a border's extra brightness, what comes from its layer of tissue
+constexpr double kStraight = 0.04;           // of the pitch: how far a distance may bend within a cell before it is asked exactly
+constexpr double kRough_db = -9.0;           // scattered by a bone's or gas' surface, below what it mirrors
+constexpr double kSmoothRough_db = -18.0;    // and by a capsule or vessel wall
+constexpr double kAllRoundScattered = 0.65;  // of a border that shines all round, half as wide as drawn: the beam widens it again
+constexpr double kAllRoundWidth = 0.6;
+constexpr double kFineGrain = 0.35;  // a texture's finer grains: size, and strength where they stand out (small vessels, septa)
+constexpr double kFineStrength = 2.2;
+constexpr double kGlintScattered = 0.18;  // as voxelise: of a border's extra brightness, what comes from its layer of tissue
 
 double unit16(std::uint64_t hash, int shift) { return (static_cast<double>((hash >> shift) & 0xFFFFu) + 0.5) / 65536.0; }
 
@@ -200,7 +204,9 @@ class ScattererField::Filler {
     double level = tissue.echoLevel;
     if (tissue.texture.level > 0.0) {
       const glm::dvec3 grain(place.x, tissue.texture.followsTheSkin ? patient_.skin->distance_mm(place) : place.y, place.z);
-      level += tissue.texture.level * valueNoise(1 + kTextureSeed * (number + 1), grain / tissue.texture.scale_mm);
+      const std::uint64_t seed = 1 + kTextureSeed * (number + 1);
+      const double fine = valueNoise(~seed, grain / (kFineGrain * tissue.texture.scale_mm));
+      level += tissue.texture.level * (valueNoise(seed, grain / tissue.texture.scale_mm) + kFineStrength * fine * std::abs(fine));
     }
     level = withBorders(level, place, near);
     const double kept = tissue.scatterers_perMm3 ? std::min(1.0, *tissue.scatterers_perMm3 * volume_) : 1.0;
@@ -226,8 +232,9 @@ class ScattererField::Filler {
       const Organ* organ = each.organ;
       const double d = each.distance_mm(place);
       if (organ->border) {
-        const double t = d / organ->border->width_mm;
-        const double share = organ->border->shine == Shine::allRound ? 1.0 : kGlintScattered;
+        const bool allRound = organ->border->shine == Shine::allRound;
+        const double t = d / (organ->border->width_mm * (allRound ? kAllRoundWidth : 1.0));
+        const double share = allRound ? kAllRoundScattered : kGlintScattered;
         if (t * t < 1.0) {
           const double weight = share * (1.0 - t * t) * (1.0 - t * t);
           if (weight * organ->border->echoLevel > strongest * towards) {
@@ -254,7 +261,6 @@ class ScattererField::Filler {
     const Near& here = near_[n];
     const Organ& organ = *here.organ;
     const double spacing = pitch_ / kFacetsPerCell;
-    if (organ.border && organ.border->shine == Shine::allRound) return;
     if (std::abs(here.atCentre_mm) > kReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
     for (int part = 0; part < kFacetsPerCell * kFacetsPerCell * kFacetsPerCell; ++part) {
       const glm::ivec3 sub = kFacetsPerCell * (first_ + cell) + glm::ivec3(part & 1, (part >> 1) & 1, part >> 2);
