@@ -81,6 +81,19 @@ TEST(GallStoneCase, StartsWithTheStoneAndTheLongGallBladderInThePicture) {
     EXPECT_LT(std::abs(inProbe(onAxis).z), 4.0) << "neck, body and fundus lie in one picture";
 }
 
+TEST(PatientSchema, HoldsForEveryRecipeOfTheCasesAndAnatomies) {
+  int recipes = 0;
+  const auto check = [&](const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) return;
+    ++recipes;
+    std::string why;
+    EXPECT_TRUE(conforms(jsonOf(file), &why)) << file << "\n" << why;
+  };
+  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/cases")) check(entry.path() / "patient.json");
+  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/resources/anatomy")) check(entry.path());
+  EXPECT_GE(recipes, 5);
+}
+
 TEST(PatientSchema, RefusesWhatTheReaderRefuses) {
   const std::string ball = R"({"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [5, 5, 5]}})";
   const auto recipeWith = [](const std::string& organ) { return nlohmann::json::parse(testing::patientRecipe(organ)); };

@@ -1,0 +1,146 @@
+// The abdomens that extend one anatomy: aneurysm, free fluid, gall stone.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ew/phantom/truth.h"
+#include "recipes.h"
+
+namespace ew {
+namespace {
+
+std::shared_ptr<const Patient> patientOfCase(const std::string& id, const ParameterValues& values = {}) {
+  auto patient = readPatient(testing::shippedPatient(id), {}, values);
+  if (!patient) {
+    ADD_FAILURE() << patient.error();
+    std::abort();
+  }
+  return *patient;
+}
+
+std::map<std::string, double> truthOf(const Patient& patient, const BodyState& state = {}) {
+  std::map<std::string, double> values;
+  const auto measured = measurementsOf(patient, state);
+  if (!measured) {
+    ADD_FAILURE() << measured.error();
+    return values;
+  }
+  for (const TrueMeasurement& each : *measured) values[each.name] = each.value;
+  return values;
+}
+
+std::string organAt(const Patient& patient, const glm::dvec3& p) {
+  const int label = labelAt(patient, p);
+  return label == 0 ? "" : organsOf(patient)[static_cast<std::size_t>(label - 1)].name;
+}
+
+class AbdomenCase : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(AbdomenCase, CutsWithEachStandardPlaneTheOrgansThePlaneIsFor) {
+  const auto patient = patientOfCase(GetParam());
+  ASSERT_FALSE(planesOf(*patient).empty());
+  for (const StandardPlane& plane : planesOf(*patient)) {
+    const glm::dmat4& pose = plane.probeToWorld.matrix;
+    EXPECT_NEAR(signedDistance_mm(*patient, "skin surface", glm::dvec3(pose[3])).value(), 0.0, 0.01) << plane.name;
+    std::map<std::string, int> squareMillimetres;
+    for (double depth = 1.0; depth < 180.0; depth += 3.0)
+      for (double aside = -20.0 - 0.55 * depth; aside < 20.0 + 0.55 * depth; aside += 3.0)
+        squareMillimetres[organAt(*patient, glm::dvec3(pose * glm::dvec4(aside, depth, 0.0, 1.0)))] += 9;
+    for (const std::string& organ : plane.shows) EXPECT_GT(squareMillimetres[organ], 20) << plane.name << " misses " << organ;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, AbdomenCase,
+                         ::testing::Values("upper-abdomen-normal", "upper-abdomen-gall-stone", "abdominal-aorta-aneurysm",
+                                           "focused-trauma"),
+                         [](const auto& found) {
+                           std::string name = found.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(AneurysmCase, HasTheDiametersItsParametersSay) {
+  for (const auto& [outer_mm, lumen_mm] : {std::pair{52.0, 29.0}, std::pair{65.0, 40.0}}) {
+    const auto patient = patientOfCase("abdominal-aorta-aneurysm", {{"aneurysm_diameter_mm", outer_mm}, {"lumen_diameter_mm", lumen_mm}});
+    auto truth = truthOf(*patient);
+    EXPECT_NEAR(truth["aneurysm, outer diameter front to back"], outer_mm, outer_mm > 60.0 ? 0.5 : 0.1) << "the widest sac leans";
+    EXPECT_NEAR(truth["aneurysm, outer diameter side to side"], outer_mm, 0.1);
+    EXPECT_NEAR(truth["aneurysm, lumen front to back"], lumen_mm, 0.1);
+    EXPECT_NEAR(truth["aorta above the aneurysm, outer diameter"], 21.6, 0.3);
+  }
+}
+
+TEST(AneurysmCase, WidensWithTheBeatByAboutAMillimetre) {
+  const auto patient = patientOfCase("abdominal-aorta-aneurysm");
+  const double narrow = truthOf(*patient)["aneurysm, outer diameter side to side"];
+  EXPECT_NEAR(truthOf(*patient, {0.0, 1.0})["aneurysm, outer diameter side to side"] - narrow, 1.1, 0.05);
+  EXPECT_NEAR(truthOf(*patient, {1.0, 1.0})["aneurysm, outer diameter side to side"] - narrow, 1.1, 0.3) << "breath shears it a little";
+}
+
+TEST(AneurysmCase, LiesInFrontOfTheSpineWithTheVenaCavaOnItsRight) {
+  for (const double diameter_mm : {30.0, 65.0}) {
+    const auto patient = patientOfCase("abdominal-aorta-aneurysm", {{"aneurysm_diameter_mm", diameter_mm}, {"lumen_diameter_mm", 18.0}});
+    for (double z = -160.0; z <= -40.0; z += 10.0) {
+      double aorta = 0.0, count = 0.0, cavaLeft = -1e9, back = -1e9, spineFront = 1e9;
+      for (double x = -60.0; x <= 70.0; x += 2.5)
+        for (double y = -70.0; y <= 70.0; y += 2.5) {
+          const std::string organ = organAt(*patient, {x, y, z});
+          if (organ == "aorta" || organ == "mural thrombus" || organ == "aortic wall") aorta += x, ++count, back = std::max(back, y);
+          if (organ == "inferior vena cava") cavaLeft = std::max(cavaLeft, x);
+          if (organ.rfind("vertebral body", 0) == 0 || organ == "intervertebral discs") spineFront = std::min(spineFront, y);
+        }
+      ASSERT_GT(count, 5.0) << z;
+      EXPECT_GT(aorta / count, 5.0) << z;
+      EXPECT_LT(cavaLeft, aorta / count) << z;
+      EXPECT_LE(back, spineFront + 6.0) << z << " at " << diameter_mm;
+    }
+  }
+}
+
+TEST(AneurysmCase, IsRefusedWhereItWouldNotFit) {
+  const auto file = testing::shippedPatient("abdominal-aorta-aneurysm");
+  const auto larger = readPatient(file, {}, {{"aneurysm_diameter_mm", 300.0}});
+  ASSERT_FALSE(larger);
+  EXPECT_NE(larger.error().sentence.find("a number from 30 to 65"), std::string::npos) << larger.error();
+  const auto wider = readPatient(file, {}, {{"aneurysm_diameter_mm", 40.0}, {"lumen_diameter_mm", 45.0}});
+  ASSERT_FALSE(wider) << "a lumen wider than its sac";
+  EXPECT_NE(wider.error().sentence.find("thrombus_mm"), std::string::npos) << wider.error();
+}
+
+TEST(TraumaCase, HasFluidBetweenLiverAndKidneyAsWideAsItsParameterSays) {
+  for (const double width_mm : {3.0, 11.0, 30.0}) {
+    const auto patient = patientOfCase("focused-trauma", {{"fluid_width_mm", width_mm}});
+    EXPECT_NEAR(truthOf(*patient)["free fluid in Morison's pouch, width"], width_mm, 0.05);
+    // Along the same line: kidney, its fat, fluid, liver.
+    const glm::dvec3 kidney(-66, 40, -76), way = glm::normalize(glm::dvec3(-0.36, -0.74, 0.568));
+    std::vector<std::string> met;
+    for (double along = 0.0; along < 75.0; along += 0.25) {
+      const std::string organ = organAt(*patient, kidney + way * along);
+      if (met.empty() || met.back() != organ) met.push_back(organ);
+    }
+    const auto fluid = std::find(met.begin(), met.end(), "free fluid in Morison's pouch");
+    ASSERT_NE(fluid, met.end()) << width_mm;
+    EXPECT_NE(std::find(met.begin(), fluid, "right kidney"), fluid);
+    ASSERT_NE(fluid + 1, met.end());
+    EXPECT_EQ(*(fluid + 1), width_mm < 6.0 ? "perirenal fat" : "liver") << width_mm;
+  }
+}
+
+TEST(TraumaCase, HasMoreFluidTheWiderItIs) {
+  double before = 0.0;
+  for (const double width_mm : {3.0, 8.0, 16.0}) {
+    const double volume =
+        truthOf(*patientOfCase("focused-trauma", {{"fluid_width_mm", width_mm}}))["free fluid in Morison's pouch, volume"];
+    EXPECT_GT(volume, before * 1.5);
+    before = volume;
+  }
+}
+
+TEST(NormalAbdomen, HasTheLengthsItsSourcesState) {
+  auto truth = truthOf(*patientOfCase("upper-abdomen-normal"));
+  EXPECT_NEAR(truth["right kidney, length"], 110.0, 0.1);
+  EXPECT_NEAR(truth["aorta, front to back"], 20.0, 0.5);
+}
+
+}  // namespace
+}  // namespace ew
