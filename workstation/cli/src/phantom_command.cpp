@@ -10,6 +10,7 @@
 #include "ew/library/case.h"
 #include "ew/phantom/patient.h"
 #include "ew/phantom/truth.h"
+#include "phantom_sweep.h"
 
 namespace ew::cli {
 namespace {
@@ -26,6 +27,7 @@ struct PhantomArguments {
   BodyState state;
   std::vector<std::string> surfaces;
   double edge_mm = 1.0;
+  SweepArguments sweep;
 };
 
 /// The words of --set: NAME=VALUE.
@@ -95,9 +97,7 @@ Result<std::vector<std::pair<std::string, std::string>>> wantedSurfaces(const st
 
 Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   const bool voxelsWanted = !arguments.volume.empty() || !arguments.labels.empty();
-  if (!voxelsWanted && arguments.truth.empty() && arguments.surfaces.empty())
-    return failure(ErrorCode::badUsage,
-                   "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface ORGAN=FILE, or several.");
+  const bool sweepWanted = !arguments.sweep.sweep.empty();
   const auto surfaces = wantedSurfaces(arguments.surfaces);
   if (!surfaces) return passOn(surfaces.error());
   run.input(arguments.patient);
@@ -108,6 +108,11 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
     if (auto announced = run.output(arguments.truth, ".json"); !announced) return passOn(announced.error());
   for (const auto& [organ, file] : *surfaces)
     if (auto announced = run.output(file, ".stl .ply"); !announced) return passOn(announced.error());
+  if (auto announced = announceSweep(arguments.sweep, run); !announced) return passOn(announced.error());
+  if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty())
+    return failure(ErrorCode::badUsage,
+                   "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface ORGAN=FILE, "
+                   "--sweep SWEEP.json -o SWEEP.igs.mha, or several.");
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 
@@ -127,12 +132,16 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
     if (auto written = writeSurface(*mesh, run.outputs.staged(file)); !written) return passOn(written.error());
     run.say("Wrote " + file + " with " + counted(mesh->triangles.size(), "triangle") + ".");
   }
+  if (sweepWanted) {
+    PartOfProgress sweeping(run.progress, 0.0, voxelsWanted ? 0.7 : 1.0);
+    if (auto made = makeSweep(arguments.sweep, *patient, arguments.threads, run, sweeping); !made) return passOn(made.error());
+  }
   if (!voxelsWanted) return kDone;
   VoxeliseOptions options;
   options.spacing_mm = arguments.spacing_mm;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
-  PartOfProgress voxelising(run.progress, 0.0, 0.9);
+  PartOfProgress voxelising(run.progress, sweepWanted ? 0.7 : 0.0, 0.9);
   auto made = [&] {
     const StepClock clock(run.report, "voxelise");
     return voxelise(**patient, options, voxelising);
@@ -175,13 +184,21 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
 void addPhantom(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<PhantomArguments>();
   auto& app = addCommand(
-      root, selection, "phantom", "Turn a virtual patient into a volume whose truth is known",
-      {"phantom patient.json --volume truth.mha --labels labels.mha", "phantom patient.json --volume fine.mha --spacing 0.5 --seed 7"},
+      root, selection, "phantom", "Turn a virtual patient into a volume or a sweep whose truth is known",
+      {"phantom patient.json --volume truth.mha --labels labels.mha", "phantom patient.json --volume fine.mha --spacing 0.5 --seed 7",
+       "phantom patient.json --sweep sweep.json -o sweep.igs.mha --truth-poses poses.txt --device-set sweep.xml"},
       [arguments](Run& run) { return makePhantom(*arguments, run); });
   app.add_option("PATIENT", arguments->patient, "The virtual patient: patient.json")->required()->type_name("");
   app.add_option("--volume", arguments->volume, "Echo levels with speckle: .mha or .mhd")->type_name("TRUTH.mha");
   app.add_option("--labels", arguments->labels, "Which organ owns a voxel (0: none); the numbers are listed when done")
       ->type_name("LABELS.mha");
+  app.add_option("--sweep", arguments->sweep.sweep, "Scan the patient as this file says: probe, path, machine, tracker")
+      ->type_name("SWEEP.json");
+  app.add_option("-o,--output", arguments->sweep.output, "The recording of the sweep: a tracked sequence")->type_name("SWEEP.igs.mha");
+  app.add_option("--truth-poses", arguments->sweep.truePoses, "Where the probe truly was, a pose a line, whatever the tracker saw")
+      ->type_name("POSES.txt");
+  app.add_option("--device-set", arguments->sweep.deviceSet, "Calibration and sector of the sweep, for reconstruct --calibration")
+      ->type_name("OUT.xml");
   app.add_option("--set", arguments->set, "A parameter of the recipe, such as the size of a finding; may be given several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
