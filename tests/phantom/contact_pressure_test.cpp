@@ -38,7 +38,13 @@ Press anyPress() {
 
 RC_GTEST_PROP(ContactPressure, IsOneToOneWithAnInverse, ()) {
   const Press press = anyPress();
-  const ContactPressure pressure(press.probe, somePose(), press.indentation_mm);
+  // Over a plane, or over skin that falls away somewhere, as under a leaning face.
+  std::vector<double> gaps_mm;
+  if (*rc::gen::arbitrary<bool>()) {
+    const double slope = number(-2, 2), sag_mm = number(0, 20);
+    for (int n = 0; n < 33; ++n) gaps_mm.push_back(std::max(0.0, slope * n + sag_mm * (n / 16.0 - 1.0) * (n / 16.0 - 1.0)));
+  }
+  const ContactPressure pressure(press.probe, somePose(), press.indentation_mm, gaps_mm);
   const glm::dvec3 rest = (somePose() * Point<frame::Probe>{press.p_probe_mm}).at;
   const glm::dvec3 moved = pressure.moved(rest);
   RC_ASSERT(glm::distance(pressure.rest(moved), rest) < 0.01);
@@ -74,6 +80,21 @@ TEST(ContactPressure, TakesTheSkinUnderTheFaceWithIt) {
     }
     EXPECT_NEAR(movedTo(faceHalfWidth_mm(probe) + 30, 0).y, -indentation_mm, 0.01) << probe.id;
   }
+}
+
+TEST(ContactPressure, OverSkinThatFallsAwayTheFacePushesWhereItTouches) {
+  // A straight face that leans: its -x end touches first, and at +x the skin stays 12 mm away.
+  const Probe probe = probeNamed("linear-12");
+  std::vector<double> gaps_mm;
+  for (int n = 0; n < 33; ++n) gaps_mm.push_back(12.0 * n / 32.0);
+  const ContactPressure pressure(probe, {}, 6.0, gaps_mm);
+  const auto movedSkin = [&](double x_mm) {
+    const double rest_y = -6.0 + 12.0 * (x_mm / probe.width_mm + 0.5);
+    return pressure.moved({x_mm, rest_y, 0}).y - rest_y;
+  };
+  EXPECT_NEAR(movedSkin(-0.5 * probe.width_mm), 6.0, 1e-6);
+  EXPECT_NEAR(movedSkin(-0.25 * probe.width_mm), 3.0, 0.05);
+  EXPECT_NEAR(movedSkin(0.25 * probe.width_mm), 0.0, 0.05);
 }
 
 TEST(ContactPressure, FadesWithDepthAsUnderAPunch) {

@@ -217,7 +217,7 @@ TEST(Tracker, WithoutErrorsSeesTheProbeWhereItIs) {
   const auto patient = ballPatient();
   auto recipe = onTheBall(SweepKind::fan);
   const auto trajectory = trajectoryOf(*patient, shippedProbe("linear-12"), recipe);
-  const auto tracked = track(trajectory, recipe);
+  const auto tracked = track(trajectory, recipe, 2, noProgress()).value();
   for (int n = 0; n < recipe.frames; ++n) {
     const auto& pose = tracked.poses[static_cast<std::size_t>(n)];
     EXPECT_EQ(pose.status, PoseStatus::ok);
@@ -232,7 +232,7 @@ TEST(Tracker, LagsByExactlyItsLatency) {
   auto recipe = onTheBall(SweepKind::parallel);
   recipe.tracker.latency_s = 0.13;
   const auto trajectory = trajectoryOf(*patient, shippedProbe("linear-12"), recipe);
-  const auto tracked = track(trajectory, recipe);
+  const auto tracked = track(trajectory, recipe, 2, noProgress()).value();
   for (int n = 0; n < recipe.frames; ++n)
     EXPECT_EQ(tracked.poses[static_cast<std::size_t>(n)].probeToWorld, trajectory.poseAt(n / 10.0 - 0.13)) << n;
 }
@@ -244,7 +244,7 @@ TEST(Tracker, ErrsByTheStatedAmounts) {
   recipe.tracker = {.noise_mm = 0.4, .noise_deg = 0.7, .jitter_s = 0.01, .dropOutShare = 0.2, .seed = 3};
   const auto trajectory = trajectoryOf(*patient, shippedProbe("linear-12"), recipe);
   const auto truth = trajectory.poseAt(0.0);
-  const auto tracked = track(trajectory, recipe);
+  const auto tracked = track(trajectory, recipe, 2, noProgress()).value();
   glm::dvec3 shift(0.0), shift2(0.0), turn2(0.0);
   double jitter2 = 0.0;
   int good = 0, lost = 0, runs = 0;
@@ -272,9 +272,9 @@ TEST(Tracker, ErrsByTheStatedAmounts) {
     EXPECT_NEAR(std::sqrt(turn2[axis] / good), 0.7, 0.03);
   }
   EXPECT_NEAR(std::sqrt(jitter2 / 4000.0), 0.01, 0.0005);
-  EXPECT_EQ(track(trajectory, recipe).poses, tracked.poses);
+  EXPECT_EQ(track(trajectory, recipe, 1, noProgress())->poses, tracked.poses);
   recipe.tracker.seed = 4;
-  EXPECT_NE(track(trajectory, recipe).poses, tracked.poses);
+  EXPECT_NE(track(trajectory, recipe, 1, noProgress())->poses, tracked.poses);
 }
 
 }  // namespace

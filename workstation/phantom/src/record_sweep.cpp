@@ -10,6 +10,7 @@
 #include "ew/imaging/scan_conversion.h"
 #include "ew/io/gating_fields.h"
 #include "ew/phantom/contact_pressure.h"
+#include "skin_contact.h"
 #include "tracker_errors.h"
 #include "trajectory.h"
 
@@ -146,6 +147,17 @@ SequenceFrame frameOf(const Patient& patient, const SweepRecipe& recipe, const T
   return frame;
 }
 
+/// The push of a face that was put on the skin and then pressed in along its central beam.
+ContactPressure pressureOf(const Patient& patient, const Probe& probe, const Transform<frame::World, frame::Probe>& probeToWorld,
+                           double indentation_mm) {
+  constexpr int kFacePoints = 33;
+  constexpr double kFarthestSkin_mm = 100.0;
+  if (indentation_mm <= 0.0) return {probe, probeToWorld, 0.0};
+  auto touching = probeToWorld;
+  touching.matrix[3] -= indentation_mm * touching.matrix[1];
+  return {probe, probeToWorld, indentation_mm, gapsToSkin_mm(*patient.skin, probe, touching, kFacePoints, kFarthestSkin_mm)};
+}
+
 /// What a worker needs for itself.
 struct Bench {
   std::unique_ptr<VirtualScanner::Scratch> scratch;
@@ -227,8 +239,14 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   const auto frames = static_cast<std::size_t>(recipe.frames);
   const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
   std::vector<Bench> benches(static_cast<std::size_t>(threadCount(threads)));
+  const auto stopped = [] { return failure(ErrorCode::cancelled, "Recording the sweep was stopped."); };
   try {
-    sequence.pixels.resize(frames * framePixels);
+    sequence.pixels.reserve(frames * framePixels);
+    // Fresh memory is slow to touch: bit by bit, so that the wish to cancel is heard.
+    for (std::size_t n = 0; n < frames; ++n) {
+      if (progress.cancelRequested()) return stopped();
+      sequence.pixels.resize((n + 1) * framePixels);
+    }
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.");
   }
@@ -236,18 +254,20 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   sweep.trueProbeToWorld.resize(frames);
   sweep.trueTime_s.resize(frames);
   sweep.trueState.resize(frames);
-  const TrackedPoses tracked = track(*trajectory, recipe);
+  PartOfProgress moving(progress, 0.0, 0.02), recording(progress, 0.02, 1.0);
+  const auto tracked = track(*trajectory, recipe, threads, moving);
+  if (!tracked) return stopped();
   Knobs knobs;
   knobs.depth_mm = picture.depth_mm;
   const ScanConversionTable conversion =
       recipe.scanLines ? ScanConversionTable{} : makeScanConversion(probe, knobs, scanner.grid(), picture);
 
   const bool finished =
-      forEachTask(recipe.frames, threads, progress, "Recording the sweep", [&](int task, int worker, const auto& /*stopped*/) {
+      forEachTask(recipe.frames, threads, recording, "Recording the sweep", [&](int task, int worker, const auto& /*isStopped*/) {
         const auto n = static_cast<std::size_t>(task);
         Bench& bench = benches[static_cast<std::size_t>(worker)];
         if (!bench.scratch) bench.scratch = scanner.makeScratch();
-        const double time_s = tracked.poses[n].time_s;
+        const double time_s = tracked->poses[n].time_s;
         const auto probeToWorld = trajectory->poseAt(time_s);
         sweep.trueTime_s[n] = time_s;
         sweep.trueProbeToWorld[n] = probeToWorld;
@@ -256,10 +276,11 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
 
         const bool lives = recipe.breathing || recipe.pulsating;
         const auto body = lives ? bodyMotion(patient, sweep.trueState[n]) : nullptr;
-        const ContactPressure pressure(probe, probeToWorld, recipe.indentation_mm);
-        const Deformation& moving = body ? *body : restingBody();
-        const DeformationChain both(moving, pressure);
-        const Deformation& deformation = recipe.indentation_mm > 0.0 ? static_cast<const Deformation&>(both) : moving;
+        const bool pressed = recipe.onSkin && recipe.indentation_mm > 0.0;
+        const ContactPressure pressure = pressureOf(patient, probe, probeToWorld, pressed ? recipe.indentation_mm : 0.0);
+        const Deformation& living = body ? *body : restingBody();
+        const DeformationChain both(living, pressure);
+        const Deformation& deformation = pressed ? static_cast<const Deformation&>(both) : living;
 
         scanner.envelope(probeToWorld, deformation, static_cast<std::uint64_t>(task), *bench.scratch, bench.envelope);
         toLevels(bench.envelope, scanner.options().dynamicRange_db, bench.levels);
@@ -270,9 +291,9 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
           scanConvert(conversion, viewOf(std::as_const(bench.levels)), 0, picture.height,
                       {out, picture.width, picture.height, picture.width});
         }
-        sequence.frames[n] = frameOf(patient, recipe, *trajectory, tracked.poses[n], tracked.unfilteredTime_s[n], writtenImageToProbe);
+        sequence.frames[n] = frameOf(patient, recipe, *trajectory, tracked->poses[n], tracked->unfilteredTime_s[n], writtenImageToProbe);
       });
-  if (!finished) return failure(ErrorCode::cancelled, "Recording the sweep was stopped.");
+  if (!finished) return stopped();
   return sweep;
 }
 

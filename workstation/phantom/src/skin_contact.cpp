@@ -47,4 +47,23 @@ std::optional<double> drawnBack_mm(const Shape& skin, const Probe& probe, const 
   return std::nullopt;
 }
 
+std::vector<double> gapsToSkin_mm(const Shape& skin, const Probe& probe, const Transform<frame::World, frame::Probe>& probeToWorld,
+                                  int count, double most_mm) {
+  constexpr double kClose_mm = 1e-3;
+  constexpr double kReserve = 0.6;  // a first-order distance may be longer than the true one
+  const glm::dvec3 beam(probeToWorld.matrix[1]);
+  std::vector<double> gaps;
+  for (const glm::dvec3& point : facePoints_mm(probe, count)) {
+    const glm::dvec3 from = (probeToWorld * Point<frame::Probe>{point}).at;
+    double gap_mm = 0.0;
+    for (int step = 0; step < 200 && gap_mm < most_mm; ++step) {
+      const double away_mm = skin.distance_mm(from + gap_mm * beam);
+      if (away_mm < kClose_mm) break;
+      gap_mm += kReserve * away_mm;
+    }
+    gaps.push_back(std::min(gap_mm, most_mm));
+  }
+  return gaps;
+}
+
 }  // namespace ew::phantom

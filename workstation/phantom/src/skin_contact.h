@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "ew/core/frames.h"
 #include "ew/imaging/probe.h"
@@ -21,5 +22,10 @@ inline constexpr double kFarthestFromSkin_mm = 80.0;
 /// body: 0 for a face that touches with its centre, mm >= 0. Empty when it would have to go back further than `most_mm`.
 [[nodiscard]] std::optional<double> drawnBack_mm(const Shape& skin, const Probe& probe,
                                                  const Transform<frame::World, frame::Probe>& probeToWorld, double most_mm);
+
+/// How far each of `count` points of the face is from the skin along the central beam, mm, at most `most_mm`; 0 for a point at or inside
+/// the skin.
+[[nodiscard]] std::vector<double> gapsToSkin_mm(const Shape& skin, const Probe& probe,
+                                                const Transform<frame::World, frame::Probe>& probeToWorld, int count, double most_mm);
 
 }  // namespace ew::phantom

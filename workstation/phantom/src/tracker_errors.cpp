@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+#include "ew/core/parallel.h"
 
 namespace ew::phantom {
 namespace {
@@ -36,40 +39,41 @@ glm::dmat3 smallTurn(const glm::dvec3& about_rad) {
 
 }  // namespace
 
-TrackedPoses track(const Trajectory& trajectory, const SweepRecipe& recipe) {
+std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress) {
   const auto& tracker = recipe.tracker;
   const auto normal3 = [&](Stream stream, int frame) {
     return glm::dvec3(normalAt(tracker.seed, stream, 3 * frame), normalAt(tracker.seed, stream, 3 * frame + 1),
                       normalAt(tracker.seed, stream, 3 * frame + 2));
   };
-  const auto lost = dropOuts(recipe.frames, static_cast<int>(std::lround(tracker.dropOutShare * recipe.frames)), tracker.seed);
   TrackedPoses tracked;
-  Transform<frame::World, frame::Probe> lastSeen;
-  bool holdsLast = false;
-  for (int n = 0; n < recipe.frames; ++n) {
+  tracked.poses.resize(static_cast<std::size_t>(recipe.frames));
+  tracked.unfilteredTime_s.resize(static_cast<std::size_t>(recipe.frames));
+  const bool finished = forEachTask(recipe.frames, threads, progress, "Moving the probe", [&](int n) {
     const double time_s = n / recipe.framesPerSecond;
-    Pose pose{
-        .probeToWorld = trajectory.poseAt(time_s - tracker.latency_s + tracker.jitter_s * normalAt(tracker.seed, Stream::lateness, n)),
-        .status = PoseStatus::ok,
-        .time_s = time_s};
+    Pose& pose = tracked.poses[static_cast<std::size_t>(n)];
+    pose.time_s = time_s;
+    pose.probeToWorld = trajectory.poseAt(time_s - tracker.latency_s + tracker.jitter_s * normalAt(tracker.seed, Stream::lateness, n));
     const glm::dmat3 turned = glm::dmat3(pose.probeToWorld.matrix) * smallTurn(tracker.noise_deg * kDegree_rad * normal3(Stream::turn, n));
     for (int axis = 0; axis < 3; ++axis) pose.probeToWorld.matrix[axis] = glm::dvec4(turned[axis], 0.0);
     pose.probeToWorld.matrix[3] += glm::dvec4(tracker.noise_mm * normal3(Stream::shift, n), 0.0);
-    if (lost[static_cast<std::size_t>(n)]) {
-      const bool begins = n == 0 || !lost[static_cast<std::size_t>(n) - 1];
-      if (begins) holdsLast = n > 0 && evenAt(tracker.seed, Stream::runs, -1 - n) < 0.5;
-      pose.status = PoseStatus::invalid;
-      if (holdsLast) {
-        pose.probeToWorld = lastSeen;
-      } else {
-        pose.probeToWorld = {};
-        pose.probeToWorld.matrix[3] += glm::dvec4(0.01 * normal3(Stream::shift, n), 0.0);
-      }
-    } else {
+    tracked.unfilteredTime_s[static_cast<std::size_t>(n)] = time_s + tracker.jitter_s * normalAt(tracker.seed, Stream::arrival, n);
+  });
+  if (!finished) return std::nullopt;
+
+  const auto lost = dropOuts(recipe.frames, static_cast<int>(std::lround(tracker.dropOutShare * recipe.frames)), tracker.seed);
+  Transform<frame::World, frame::Probe> lastSeen;
+  bool holdsLast = false;
+  for (int n = 0; n < recipe.frames; ++n) {
+    Pose& pose = tracked.poses[static_cast<std::size_t>(n)];
+    if (!lost[static_cast<std::size_t>(n)]) {
       lastSeen = pose.probeToWorld;
+      continue;
     }
-    tracked.poses.push_back(pose);
-    tracked.unfilteredTime_s.push_back(time_s + tracker.jitter_s * normalAt(tracker.seed, Stream::arrival, n));
+    const bool begins = n == 0 || !lost[static_cast<std::size_t>(n) - 1];
+    if (begins) holdsLast = n > 0 && evenAt(tracker.seed, Stream::runs, -1 - n) < 0.5;
+    pose.status = PoseStatus::invalid;
+    pose.probeToWorld = holdsLast ? lastSeen : Transform<frame::World, frame::Probe>{};
+    if (!holdsLast) pose.probeToWorld.matrix[3] += glm::dvec4(0.01 * normal3(Stream::shift, n), 0.0);
   }
   return tracked;
 }

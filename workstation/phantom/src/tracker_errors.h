@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ew/core/pose.h"
@@ -16,7 +17,7 @@ struct TrackedPoses {
 /// Looks at a probe on its way with a tracker's errors: with image n, formed at n / framesPerSecond, comes the pose of latency_s before,
 /// off by a normally distributed time, turned about the probe's origin and moved by normally distributed amounts. Round
 /// (dropOutShare x frames) poses are INVALID, in runs of about five: half of the runs hold the last pose the tracker saw, half something
-/// near the identity, as trackers do.
-[[nodiscard]] TrackedPoses track(const Trajectory& trajectory, const SweepRecipe& recipe);
+/// near the identity, as trackers do. Empty when cancelled.
+[[nodiscard]] std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress);
 
 }  // namespace ew::phantom
