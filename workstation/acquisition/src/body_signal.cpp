@@ -46,7 +46,7 @@ double usualAround(std::span<const double> lengths, std::size_t n) {
   std::vector<double> around;
   for (std::size_t m = n >= 3 ? n - 3 : 0; m <= n + 3 && m < lengths.size(); ++m)
     if (m != n) around.push_back(lengths[m]);
-  return around.empty() ? lengths[n] : medianOf(std::move(around));
+  return around.empty() ? lengths[n] : medianValue(std::move(around));
 }
 
 std::vector<double> lengthsOf(std::span<const double> starts_s) {
@@ -88,7 +88,7 @@ Result<BodySignal> usable(const BodySignal& signal, const std::string& name) {
   return kept;
 }
 
-double medianOf(std::vector<double> values) {
+double medianValue(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -96,7 +96,7 @@ double medianOf(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-double medianStep_s(std::span<const double> time_s) { return medianOf(lengthsOf(time_s)); }
+double medianStep_s(std::span<const double> time_s) { return medianValue(lengthsOf(time_s)); }
 
 EvenSignal evenly(const BodySignal& signal, double step_s) {
   const double native_s = medianStep_s(signal.time_s);
@@ -211,7 +211,7 @@ Cycles cyclesFrom(std::vector<double> starts_s, double irregularShare, bool brid
     if (cycles.regular.back()) regular_s.push_back(lengths[n]);
   }
   cycles.irregular = lengths.size() - regular_s.size();
-  const double median_s = medianOf(regular_s.empty() ? lengths : regular_s);
+  const double median_s = medianValue(regular_s.empty() ? lengths : regular_s);
   cycles.rate_perMin = median_s > 0.0 ? 60.0 / median_s : 0.0;
   if (cycles.bridged > 0)
     cycles.notes.push_back(std::to_string(cycles.bridged) + " missed " + (cycles.bridged == 1 ? "beat was" : "beats were") +
