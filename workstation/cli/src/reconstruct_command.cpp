@@ -6,6 +6,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/import.h"
+#include "reconstruct_phases.h"
 
 namespace ew::cli {
 namespace {
@@ -26,6 +27,7 @@ struct ReconstructArguments {
   std::optional<std::vector<double>> clip_px;  // x y width height
   std::optional<std::vector<double>> fan;      // left right (degrees), apex x y, start stop radius (pixels)
   bool noClip = false;
+  AcquisitionArguments acquisition;
 };
 
 const char* nameOf(Interpolation interpolation) {
@@ -136,18 +138,25 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
     return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
   run.input(arguments.sweep);
   for (const auto& file : arguments.calibrations) run.input(file);
-  if (auto announced = run.output(arguments.output, ".mha .mhd"); !announced) return passOn(announced.error());
-  if (!arguments.coverage.empty())
-    if (auto announced = run.output(arguments.coverage, ".mha .mhd"); !announced) return passOn(announced.error());
+  if (auto announced = announcePhases(run, arguments.output, arguments.coverage, arguments.acquisition.phases.value_or(1)); !announced)
+    return passOn(announced.error());
+  auto importOptions = importOptionsOf(arguments);
+  if (auto applied = applyTo(importOptions, arguments.acquisition, run); !applied) return passOn(applied.error());
 
   PartOfProgress opening(run.progress, 0.0, 0.3);
-  auto opened = openSweep(arguments.sweep, importOptionsOf(arguments), opening);
+  auto opened = openSweep(arguments.sweep, importOptions, opening);
   if (!opened) return passOn(opened.error());
   // The file may say one of the two and the command line the other, which wins.
   if (!arguments.interpolation.empty()) opened->plan.reconstruct.interpolation = interpolationOf(arguments.interpolation);
   if (!arguments.compounding.empty()) opened->plan.reconstruct.compounding = compoundingOf(arguments.compounding);
   for (const auto& note : opened->plan.notes) run.remark(note);
   run.report.addStep("read", opened->readSeconds * 1e6);
+  if (delayUntold(opened->plan, run)) return kVerdict;
+  if (arguments.acquisition.phases) {
+    run.report.options = optionsReport(arguments, opened->plan);
+    PartOfProgress making(run.progress, 0.3, 1.0);
+    return writePhases(*opened, arguments.acquisition, arguments.output, arguments.coverage, run, making);
+  }
 
   PartOfProgress pasting(run.progress, 0.3, 0.9);
   const auto imported = importSweep(std::move(*opened), pasting);
@@ -200,6 +209,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   auto& app = addCommand(root, selection, "reconstruct", "Turn a tracked sweep into a volume",
                          {"reconstruct sweep.igs.mha -o volume.mha --calibration deviceset.xml --spacing 0.5",
                           "reconstruct sweep.igs.mha -o volume.mha --interpolation nearest --fill-reach-mm 3 --coverage coverage.mha",
+                          "reconstruct sweep.igs.mha -o phase.mha --phases 8 --gate ecg",
                           "reconstruct sweep.igs.mha -o volume.mha --clip 0 0 739 593 --fan -30.28 30.28 369 -139.33 161.34 724.35"},
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
   app.add_option("SWEEP", arguments->sweep, "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like")->required()->type_name("");
@@ -239,6 +249,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
                 "Use this fan of a frame: two angles in degrees from straight down, apex and two radii in pixels; replaces the calibration "
                 "file's clip");
+  addAcquisitionOptions(app, arguments->acquisition);
   app.add_flag("--no-clip", arguments->noClip, "Use the whole frame, whatever the calibration file says");
 }
 

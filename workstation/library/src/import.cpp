@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ew/acquisition/line_data.h"
+#include "ew/acquisition/motor_sweep.h"
 #include "ew/core/numbers.h"
 
 namespace ew {
@@ -127,6 +128,60 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
   return effective;
 }
 
+/// Poses of the motor where there is one, else of the tracker.
+Result<SweepPoses> acquiredPoses(const Sequence& sequence, const DeviceSet* calibration, const SweepImportOptions& options) {
+  if (options.motor.empty()) return sweepPoses(sequence, calibration, options.toFrame);
+  const auto motor = options.motor == kRecordedMotor ? recordedMotor(sequence) : readMotorSweep(options.motor);
+  if (!motor) return passOn(motor.error());
+  return motorPoses(sequence, *motor, calibration);
+}
+
+std::string milliseconds(double time_s) { return textOf(std::round(time_s * 1e4) / 10.0) + " ms"; }
+
+/// Estimates by how much poses lag, when asked, and moves them.
+Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
+  if (!options.poseDelay_s && !options.estimatePoseDelay) return {};
+  const Sequence& sequence = opened.sequence;
+  std::vector<double> time_s;
+  for (const SequenceFrame& frame : sequence.frames) time_s.push_back(frame.time_s.value_or(std::numeric_limits<double>::quiet_NaN()));
+  PoseDelay delay{.verdict = DelayVerdict::found, .delay_s = options.poseDelay_s.value_or(0.0)};
+  if (!options.poseDelay_s) {
+    std::vector<ImageView<const std::uint8_t>> images;
+    for (std::size_t n = 0; n < sequence.frames.size(); ++n)
+      images.push_back({sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width});
+    PoseDelayOptions estimating;
+    estimating.threads = options.reconstruct.threads;
+    auto estimated = estimatePoseDelay(images, time_s, opened.poses.imageToWorld, estimating, progress);
+    if (!estimated) return passOn(estimated.error());
+    delay = *std::move(estimated);
+  }
+  opened.plan.poseDelay = delay;
+  if (delay.verdict == DelayVerdict::cannotTell) {
+    opened.plan.notes.push_back("By how much the poses lag behind the images cannot be told. " + delay.why);
+    return {};
+  }
+  const glm::dvec2 centre_px(0.5 * (sequence.width - 1), 0.5 * (sequence.height - 1));
+  auto moved = posesDelayedBy(delay.delay_s, time_s, opened.poses.imageToWorld, centre_px);
+  if (!moved) return passOn(moved.error());
+  opened.poses.imageToWorld = *std::move(moved);
+  const auto usable = static_cast<std::size_t>(
+      std::count_if(opened.poses.imageToWorld.begin(), opened.poses.imageToWorld.end(), [](const auto& pose) { return pose.has_value(); }));
+  std::string note = "Poses lag " + milliseconds(delay.delay_s) + " behind the images";
+  if (!options.poseDelay_s) note += " (+- " + milliseconds(delay.uncertainty_s) + ", from the " + delay.seenBy + ")";
+  note += "; they were moved in time";
+  if (usable < opened.poses.usable) {
+    note += ", and " + std::to_string(opened.poses.usable - usable) + " frames beside gaps and ends have none left";
+    opened.poses.missing += opened.poses.usable - usable;
+  }
+  opened.poses.usable = usable;
+  opened.plan.notes.push_back(note + ".");
+  if (usable == 0)
+    return failure(ErrorCode::noValidPose, "With this delay no frame has a pose; check the delay, it is in seconds.", {{"field", "delay"}});
+  return {};
+}
+
+}  // namespace
+
 std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
   std::vector<PosedFrame> frames;
   frames.reserve(opened.poses.usable);
@@ -136,8 +191,6 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
       frames.push_back({{sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width}, *opened.poses.imageToWorld[n]});
   return frames;
 }
-
-}  // namespace
 
 Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
   const auto started = Clock::now();
@@ -163,7 +216,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
     notes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) + " x " +
                     std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
   }
-  auto poses = sweepPoses(*sequence, calibration, options.toFrame);
+  auto poses = acquiredPoses(*sequence, calibration, options);
   if (!poses) return passOn(poses.error());
 
   OpenedSweep opened{std::move(*sequence), std::move(*poses), {}, 0.0};
@@ -172,6 +225,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   plan.notes.insert(plan.notes.end(), opened.poses.notes.begin(), opened.poses.notes.end());
   if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
+  if (const auto moved = takeDelayAway(opened, options, progress); !moved) return passOn(moved.error());
   auto effective = effectiveOptions(options, calibration, plan.notes);
   if (!effective) return passOn(effective.error());
   plan.reconstruct = *effective;

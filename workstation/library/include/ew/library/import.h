@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/acquisition/reconstruct.h"
+#include "ew/acquisition/temporal_offset.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -15,6 +16,9 @@
 #include "ew/io/sweep.h"
 
 namespace ew {
+
+/// For SweepImportOptions::motor: the fields of the recording itself describe the motor.
+inline constexpr const char* kRecordedMotor = "recorded";
 
 /// How a recorded sweep becomes a volume. The defaults need no knowledge of the recording; what a device set says about geometry is used
 /// where the switches below allow it, and what was used is in the plan.
@@ -26,6 +30,9 @@ struct SweepImportOptions {
   bool spacingFromCalibration = false;              ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
   bool methodFromCalibration = false;               ///< interpolation and compounding of the device set instead of those of `reconstruct`
   std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
+  std::string motor = {};                  ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
+  std::optional<double> poseDelay_s = {};  ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
+  bool estimatePoseDelay = false;          ///< find that out; when nobody can tell, poses stay, and the plan says so
 };
 
 struct SweepCounts {
@@ -42,9 +49,10 @@ struct ImportPlan {
   std::uint64_t frameBytes = 0;  ///< of these: the frames
   bool fits = true;              ///< bytes <= reconstruct.maxBytes; importSweep refuses otherwise
   SweepCounts frames;
-  std::string toFrame;             ///< the frame of the recording that becomes the world
-  ReconstructOptions reconstruct;  ///< as it will be done, after what the device set said
-  std::vector<std::string> notes;  ///< what had to be decided, in sentences
+  std::string toFrame;                      ///< the frame of the recording that becomes the world
+  ReconstructOptions reconstruct;           ///< as it will be done, after what the device set said
+  std::vector<std::string> notes;           ///< what had to be decided, in sentences
+  std::optional<PoseDelay> poseDelay = {};  ///< when it was asked for: given, or estimated with its uncertainty and verdict
 };
 
 /// A sweep that has been read and planned, but not yet reconstructed, so that a user can be asked before a huge one.
@@ -69,6 +77,9 @@ struct ImportedSweep {
 ///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
 [[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+/// The frames of an opened sweep that have a pose, in order; they look into its pixels.
+[[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);
 
 /// The plan of openSweep alone.
 [[nodiscard]] Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
