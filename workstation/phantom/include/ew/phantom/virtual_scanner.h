@@ -35,7 +35,8 @@ struct FormationOptions {
   double noise_db = -92.0;           ///< electronic noise below full white, before depth gain; -200 and below: none
   double dynamicRange_db = 60.0;     ///< what grey levels 0..255 span, 20..120
   double gain_db = 0.0;              ///< of the whole image
-  std::vector<DepthGain> tgc = {};   ///< gain over depth; empty: what `expected_dbPerCmMhz` loses on both ways, up to `largestTgc_db`
+  std::vector<DepthGain> tgc =
+      {};  ///< gain over depth; empty: what `expected_dbPerCmMhz` loses both ways, up to `largestTgc_db` (without attenuation none)
   double expected_dbPerCmMhz = 0.5;
   double largestTgc_db = 60.0;
   std::uint64_t noiseSeed = 1;
