@@ -64,6 +64,7 @@ struct Selection {
 CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& name, const std::string& description,
                      const std::vector<std::string>& examples, Work work);
 
+void addImport(CLI::App& root, Selection& selection);
 void addReconstruct(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);

@@ -1,0 +1,71 @@
+#include "ew/library/file_import.h"
+
+#include <gtest/gtest.h>
+
+#include "io/dicom_files.h"
+#include "io/kretz_files.h"
+
+namespace ew {
+namespace {
+using namespace test;
+
+TEST(ImportFile, EachKindIsKnownByItsContentAndAsksForWhatIsMissing) {
+  const TempFolder folder;
+  CineOf cine;
+  cine.pixels = ramp(144);
+  EnhancedOf enhanced;
+  enhanced.pixels = ramp(60);
+  KretzOf kretz;
+  kretz.fill([](double, double, double) { return 50.0; });
+  struct Case {
+    const char* name;
+    std::string bytes;
+    FileKind kind;
+    const char* asks;
+  };
+  cine.regions = {};
+  const std::string unregioned = cineFile(cine);
+  for (const auto& [name, bytes, kind, asks] :
+       {Case{"a.dcm", unregioned, FileKind::dicomPictures, "pixel-mm"},
+        Case{"no-ending", enhancedFile(enhanced), FileKind::dicomVolume, ""}, Case{"k.vol", kretzFile(kretz), FileKind::kretz, ""},
+        Case{"x.bin", ramp(100), FileKind::raw, "raw"}, Case{"p1.pgm", "P5\n2 2\n255\n" + ramp(4), FileKind::pictures, "spacing"},
+        Case{"v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(4),
+             FileKind::volume, "spacing"}}) {
+    const auto file = folder.put(name, bytes);
+    const auto found = kindOfFile(file);
+    ASSERT_TRUE(succeeded(found)) << name;
+    EXPECT_EQ(*found, kind) << name;
+    const auto made = importFile(file, {});
+    EXPECT_EQ(made.has_value(), std::string(asks).empty()) << name;
+    if (made) {
+      EXPECT_TRUE(!made->notes.empty()) << "every result names its convention";
+    } else {
+      EXPECT_EQ(askedFor(made.error()), asks) << made.error();
+    }
+  }
+  EXPECT_TRUE(failedWith(kindOfFile(folder / "nowhere"), ErrorCode::notFound));
+}
+
+TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
+  const TempFolder folder;
+  ImportAnswers answers;
+  answers.spacing_mm = glm::dvec3(0.3, 0.4, 0.5);
+  const auto file =
+      folder.put("v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(4));
+  const auto volume = importFile(file, answers);
+  ASSERT_TRUE(succeeded(volume));
+  EXPECT_EQ(volume->volume->grid.spacing_mm, glm::dvec3(0.3, 0.4, 0.5));
+  EXPECT_TRUE(contains(volume->notes, "was given"));
+  answers = {};
+  answers.raw = RawLayout{.dims = {5, 5, 4}, .spacing_mm = glm::dvec3(2.0)};
+  const auto raw = importFile(folder.put("x.bin", ramp(100)), answers);
+  ASSERT_TRUE(succeeded(raw));
+  EXPECT_EQ(raw->kind, FileKind::raw);
+  EXPECT_EQ(raw->volume->echo[99], 99);
+  answers = {};
+  answers.spacing_mm = glm::dvec3(0.0, 1.0, 1.0);
+  EXPECT_TRUE(failedWith(importFile(file, answers), ErrorCode::badUsage));
+}
+
+}  // namespace
+}  // namespace ew

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+#include "ew/io/deidentify.h"
+#include "ew/io/dicom.h"
+#include "ew/io/raw_volume.h"
+#include "ew/io/volume_file.h"
+
+namespace ew {
+
+/// What a file is, by its content where it says so and by its ending where it does not.
+enum class FileKind {
+  volume,         ///< .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz with a volume
+  sweep,          ///< a tracked sequence: to be reconstructed
+  dicomPictures,  ///< a DICOM still or cine
+  dicomVolume,    ///< an Enhanced US Volume
+  kretz,          ///< a GE Kretz file, also inside DICOM
+  pictures,       ///< a folder of pictures, or one of several numbered pictures
+  raw             ///< nothing known: samples without a header
+};
+[[nodiscard]] const char* nameOf(FileKind kind);
+
+/// @error notFound, notReadable, and what the reader of a known format says of a damaged header
+[[nodiscard]] Result<FileKind> kindOfFile(const std::filesystem::path& file);
+
+/// What a person said where the file says nothing or several things. What is empty is not guessed: the import asks.
+struct ImportAnswers {
+  std::optional<int> region;           ///< ultrasound region of a DICOM file, from 1; 0: the whole picture
+  std::optional<glm::dvec2> pixel_mm;  ///< size of a pixel of DICOM pictures
+  std::optional<glm::dvec3>
+      spacing_mm;  ///< of pictures and of volumes that do not know theirs; x is the spacing Kretz beams are converted to
+  ColourRule colour = ColourRule::ask;
+  std::vector<PixelRect> blank;
+  bool keepText = false;
+  std::optional<int> timeStep;   ///< from 1
+  std::optional<RawLayout> raw;  ///< then the file is read as raw samples, whatever it is
+  bool mirrored = false;         ///< Kretz: the elevational axis turned over
+  bool asSequence = false;       ///< an Enhanced US Volume as planes with poses instead of a volume
+};
+
+struct ImportedFile {
+  FileKind kind = FileKind::volume;
+  std::optional<Volume> volume;
+  std::optional<Cine> pictures;  ///< a cine, or planes with poses; its removed and notes are those below
+  Removed removed;
+  std::vector<std::string> notes;
+};
+
+/// Reads whatever a user brings into a volume or a sequence of pictures, without any field that names a patient. Where an answer is missing
+/// the error's context entry "ask" says which: "region", "pixel-mm", "spacing", "colour", "blank", "time-step", "raw", "sequence".
+/// @error as readVolume, readDicomCine, readDicomVolume, readKretz, readImageStack, readRawVolume; unsupported (a sweep: reconstruct it)
+[[nodiscard]] Result<ImportedFile> importFile(const std::filesystem::path& file, const ImportAnswers& answers,
+                                              Progress& progress = noProgress(), const ReadLimits& limits = {});
+
+/// What an error asks for, or empty.
+[[nodiscard]] std::string askedFor(const Error& error);
+
+}  // namespace ew

@@ -1,0 +1,180 @@
+#include "ew/library/file_import.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "ew/io/image_stack.h"
+#include "ew/io/kretz.h"
+#include "ew/io/sequence.h"
+
+namespace ew {
+namespace {
+namespace fs = std::filesystem;
+
+std::string endingOf(const fs::path& file) {
+  std::string name = file.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name.ends_with(".nii.gz")) return ".nii";
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string::npos ? std::string() : name.substr(dot);
+}
+
+bool among(const std::string& ending, std::initializer_list<const char*> endings) {
+  return std::any_of(endings.begin(), endings.end(), [&](const char* one) { return ending == one; });
+}
+
+tl::unexpected<Error> ask(ErrorCode code, const char* what, std::string sentence, const fs::path& file) {
+  return failure(code, std::move(sentence), {{"file", file.string()}, {"ask", what}});
+}
+
+Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+  VolumeReadOptions options;
+  if (answers.timeStep) options.timeStep = static_cast<std::uint64_t>(std::max(*answers.timeStep, 0));
+  auto read = readVolume(file, progress, limits, options);
+  if (!read) return passOn(read.error());
+  if (read->timeSteps > 1 && !answers.timeStep)
+    return ask(ErrorCode::missingCalibration, "time-step",
+               "'" + file.filename().string() + "' holds " + std::to_string(read->timeSteps) +
+                   " volumes one after the other; choose one by its number.",
+               file);
+  ImportedFile made;
+  made.notes = std::move(read->notes);
+  if (answers.spacing_mm) {
+    read->volume.grid.spacing_mm = *answers.spacing_mm;
+    if (auto usable = checkGrid(read->volume.grid); !usable) return passOn(usable.error());
+    std::erase_if(made.notes,
+                  [](const std::string& note) { return note.find("the true spacing is probably unknown") != std::string::npos; });
+    made.notes.push_back("The spacing was given and replaces that of the file; origin and directions are the file's.");
+  } else if (!read->spacingKnown) {
+    return ask(ErrorCode::missingCalibration, "spacing",
+               "'" + file.filename().string() +
+                   "' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.",
+               file);
+  } else {
+    made.notes.push_back("Spacing, origin and directions are the file's own, in LPS.");
+  }
+  made.volume = std::move(read->volume);
+  return made;
+}
+
+Result<ImportedFile> fromCine(Result<Cine> cine) {
+  if (!cine) return passOn(cine.error());
+  ImportedFile made;
+  made.removed = cine->removed;
+  made.notes = cine->notes;
+  made.pictures = *std::move(cine);
+  return made;
+}
+
+template <class Read>
+Result<ImportedFile> fromParts(Result<Read> read) {
+  if (!read) return passOn(read.error());
+  ImportedFile made;
+  made.removed = std::move(read->removed);
+  made.notes = std::move(read->notes);
+  made.volume = std::move(read->volume);
+  return made;
+}
+
+Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+  switch (kind) {
+    case FileKind::volume:
+      return fromVolume(file, answers, progress, limits);
+    case FileKind::sweep:
+      return ask(ErrorCode::unsupported, "reconstruct",
+                 "'" + file.filename().string() + "' is a recorded sweep, not a volume; reconstruct it.", file);
+    case FileKind::dicomPictures:
+      return fromCine(readDicomCine(file,
+                                    {.region = answers.region,
+                                     .pixel_mm = answers.pixel_mm,
+                                     .colour = answers.colour,
+                                     .blank = answers.blank,
+                                     .keepText = answers.keepText},
+                                    progress, limits));
+    case FileKind::dicomVolume:
+      if (answers.asSequence) return fromCine(readDicomPlanes(file, {.timeStep = answers.timeStep}, progress, limits));
+      return fromParts(readDicomVolume(file, {.timeStep = answers.timeStep}, progress, limits));
+    case FileKind::kretz: {
+      KretzOptions options;
+      if (answers.spacing_mm) options.spacing_mm = answers.spacing_mm->x;
+      options.mirrored = answers.mirrored;
+      options.timeStep = answers.timeStep;
+      return fromParts(readKretz(file, options, progress, limits));
+    }
+    case FileKind::pictures:
+      return fromParts(
+          readImageStack(file, {.spacing_mm = answers.spacing_mm, .colour = answers.colour, .blank = answers.blank}, progress, limits));
+    case FileKind::raw:
+      break;
+  }
+  return ask(
+      ErrorCode::missingCalibration, "raw",
+      "'" + file.filename().string() +
+          "' is of no known kind; if it holds samples without a header, say how they are stored (dimensions, type, spacing, offset).",
+      file);
+}
+
+}  // namespace
+
+const char* nameOf(FileKind kind) {
+  constexpr std::array names{"volume", "sweep", "DICOM pictures", "Enhanced US Volume", "Kretz volume", "pictures", "raw samples"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Result<FileKind> kindOfFile(const fs::path& file) {
+  std::error_code ec;
+  if (!fs::exists(file, ec))
+    return failure(ErrorCode::notFound, "There is no file or folder '" + file.string() + "'; check the name.", {{"file", file.string()}});
+  if (fs::is_directory(file, ec)) return FileKind::pictures;
+  const std::string ending = endingOf(file);
+  if (among(ending, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii"})) {
+    if (ending == ".nii") return FileKind::volume;
+    const auto sequence = isSequence(file);
+    if (!sequence) return passOn(sequence.error());
+    return *sequence ? FileKind::sweep : FileKind::volume;
+  }
+  if (among(ending, {".png", ".jpg", ".jpeg", ".pgm"})) return FileKind::pictures;
+  if (isKretz(file)) return FileKind::kretz;
+  if (isDicom(file)) {
+    const auto summary = inspectDicom(file);
+    if (!summary) return passOn(summary.error());
+    switch (summary->kind) {
+      case DicomKind::pictures:
+        return FileKind::dicomPictures;
+      case DicomKind::enhancedVolume:
+        return FileKind::dicomVolume;
+      case DicomKind::kretz:
+        return FileKind::kretz;
+    }
+  }
+  return FileKind::raw;
+}
+
+Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+  if (answers.raw) {
+    auto raw = readRawVolume(file, *answers.raw, progress, limits);
+    if (!raw) return passOn(raw.error());
+    ImportedFile made;
+    made.kind = FileKind::raw;
+    made.notes = std::move(raw->notes);
+    made.volume = std::move(raw->volume);
+    return made;
+  }
+  if (answers.spacing_mm)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!((*answers.spacing_mm)[axis] > 0.0 && (*answers.spacing_mm)[axis] < 1e6))
+        return failure(ErrorCode::badUsage, "The spacing must be above 0 mm along every axis.", {{"ask", "spacing"}});
+  const auto kind = kindOfFile(file);
+  if (!kind) return passOn(kind.error());
+  auto made = read(*kind, file, answers, progress, limits);
+  if (made) made->kind = *kind;
+  return made;
+}
+
+std::string askedFor(const Error& error) {
+  const auto found = std::find_if(error.context.begin(), error.context.end(), [](const auto& fact) { return fact.first == "ask"; });
+  return found == error.context.end() ? std::string() : found->second;
+}
+
+}  // namespace ew
