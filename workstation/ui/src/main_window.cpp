@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "file_import_dialog.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
 #include "theme.h"
@@ -174,6 +175,15 @@ void MainWindow::connectParts() {
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
     auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
     connect(dialog, &ImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
+      parts_->document.close();
+      parts_->opener->showVolume(volume, title, false);
+      Q_EMIT parts_->opener->opened(path);
+    });
+    dialog->open();
+  });
+  connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {
+    auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
+    connect(dialog, &FileImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
       parts_->document.close();
       parts_->opener->showVolume(volume, title, false);
       Q_EMIT parts_->opener->opened(path);

@@ -271,9 +271,10 @@ void MainWindow::showCost() {
 void MainWindow::chooseFile() {
   const QString file =
       QFileDialog::getOpenFileName(this, tr("Open a case, a volume or a sweep"), QString(),
-                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Cases (case.json);;"
+                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 "
+                                      "*.raw *.png *.jpg *.pgm);;Cases (case.json);;"
                                       "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha "
-                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz)"));
+                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)"));
   if (!file.isEmpty()) open(file);
 }
 

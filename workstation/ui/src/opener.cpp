@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "hand_input.h"
@@ -47,6 +48,11 @@ Result<std::shared_ptr<const BrickedVolume>> bricksWhereThereIsRoom(const Volume
   return nullptr;
 }
 
+/// NIfTI files often carry a geometry that means nothing: then the spacing is asked for.
+bool isNifti(const QString& path) {
+  return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
+}
+
 glm::dvec3 centreOf(const Grid& grid) {
   const Bounds bounds = boundsOf(grid);
   return (bounds.lowest_mm + bounds.highest_mm) / 2.0;
@@ -84,6 +90,9 @@ struct Opener::Loaded {
   fs::path mannequinFile;
   std::vector<std::string> notes;
   bool isSweep = false;
+  FileKind kind = FileKind::volume;
+  bool asks = false;
+  std::string question;
 };
 
 Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar& messages, View3D& view, HandInput& hand, QObject* parent)
@@ -146,7 +155,8 @@ void Opener::open(const QString& path) {
   }
   // The second click of a double click asks for what is already on its way.
   if (info.absoluteFilePath() == openingPath_) return;
-  if (info.isDir() || info.suffix() == QLatin1String("json")) {
+  const bool isCaseFolder = info.isDir() && (QFileInfo::exists(path + QStringLiteral("/case.json")) || !stackFiles(pathOf(path)));
+  if (isCaseFolder || info.suffix() == QLatin1String("json")) {
     openCase(path);
   } else {
     openImage(path);
@@ -247,15 +257,27 @@ void Opener::openImage(const QString& path) {
   startOpening(
       path,
       [loaded, path](Progress& progress) -> Result<void> {
-        auto sequence = isSequence(pathOf(path));
-        if (!sequence) return passOn(sequence.error());
-        loaded->isSweep = *sequence;
+        const auto kind = kindOfFile(pathOf(path));
+        if (!kind) return passOn(kind.error());
+        loaded->kind = *kind;
+        loaded->isSweep = *kind == FileKind::sweep;
         if (loaded->isSweep) return {};
         PartOfProgress most(progress, 0.0, 0.9);
-        auto volume = readVolume(pathOf(path), most);
-        if (!volume) return passOn(volume.error());
-        loaded->notes = std::move(volume->notes);
-        loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
+        if (*kind == FileKind::volume && !isNifti(path)) {
+          auto volume = readVolume(pathOf(path), most);
+          if (!volume) return passOn(volume.error());
+          loaded->notes = std::move(volume->notes);
+          loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
+        } else {
+          auto made = importFile(pathOf(path), {}, most);
+          if (!made && askedFor(made.error()).empty()) return passOn(made.error());
+          if (!made) loaded->question = made.error().sentence;
+          loaded->asks = !made || !made->volume;
+          if (loaded->asks) return {};
+          loaded->notes = std::move(made->notes);
+          for (std::string& sentence : sentencesOf(made->removed)) loaded->notes.push_back(std::move(sentence));
+          loaded->volume = std::make_shared<const Volume>(std::move(*made->volume));
+        }
         PartOfProgress rest(progress, 0.9, 1.0);
         auto bricks = bricksWhereThereIsRoom(*loaded->volume, rest);
         if (!bricks) return passOn(bricks.error());
@@ -265,6 +287,10 @@ void Opener::openImage(const QString& path) {
       [this, loaded, path] {
         if (loaded->isSweep) {
           Q_EMIT sweepChosen(path);
+          return;
+        }
+        if (loaded->asks) {
+          Q_EMIT answersNeeded(path, loaded->kind, words(loaded->question));
           return;
         }
         document_.close();

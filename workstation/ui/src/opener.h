@@ -8,6 +8,7 @@
 
 #include "case_document.h"
 #include "ew/bridge/mannequin.h"
+#include "ew/library/file_import.h"
 #include "jobs.h"
 #include "session.h"
 
@@ -42,6 +43,8 @@ class Opener final : public QObject {
  Q_SIGNALS:
   void opened(const QString& path);
   void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
+  /// A file of another kind leaves something open, or holds pictures that are no volume.
+  void answersNeeded(const QString& path, ew::FileKind kind, const QString& question);
   void failed(const Error& error);
 
  private:

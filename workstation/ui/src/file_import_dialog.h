@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QDialog>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "ew/core/volume.h"
+#include "ew/library/file_import.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace ew::ui {
+
+class Jobs;
+class MessageBar;
+
+/// Asks what a DICOM file, a Kretz volume, a folder of pictures or raw samples leave open, says what of the patient is left out, and
+/// imports. Nothing is filled in beforehand: layouts that fit a raw file are offered in a list, with its three middle slices as they would
+/// look.
+class FileImportDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param question what the first reading could not decide; empty: nothing
+  FileImportDialog(const QString& file, FileKind kind, const QString& question, Jobs& jobs, MessageBar& messages, QWidget* parent);
+  ~FileImportDialog() override;
+
+ Q_SIGNALS:
+  void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title);
+
+ private:
+  void addRows();
+  void addRawRows(QFormLayout& form);
+  void inspect();
+  void takeSummary(const DicomSummary& summary);
+  void showPreview();
+  void refuse(const QString& why);
+  void start();
+  void take(const std::shared_ptr<ImportedFile>& made);
+  void saveSequence(const std::shared_ptr<ImportedFile>& made);
+  [[nodiscard]] Result<ImportAnswers> answers() const;
+  [[nodiscard]] RawLayout rawLayout() const;
+
+  QString file_;
+  FileKind kind_;
+  Jobs& jobs_;
+  MessageBar& messages_;
+  int job_ = 0;
+  QComboBox* region_ = nullptr;
+  std::array<QDoubleSpinBox*, 2> pixel_{};
+  std::array<QDoubleSpinBox*, 3> spacing_{};
+  QComboBox* colour_ = nullptr;
+  QSpinBox* timeStep_ = nullptr;
+  QLineEdit* blank_ = nullptr;
+  QCheckBox* keepText_ = nullptr;
+  QCheckBox* mirrored_ = nullptr;
+  QComboBox* guess_ = nullptr;
+  std::array<QSpinBox*, 3> dims_{};
+  QComboBox* type_ = nullptr;
+  QCheckBox* bigEndian_ = nullptr;
+  QSpinBox* offset_ = nullptr;
+  std::array<QLabel*, 3> slices_{};
+  QLabel* question_ = nullptr;
+  QLabel* removed_ = nullptr;
+  QPushButton* import_ = nullptr;
+};
+
+}  // namespace ew::ui
