@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ew::ui::CasePreparation</name>
+    <message>
+        <source>Preparing %1</source>
+        <translation>%1 wird vorbereitet</translation>
+    </message>
+</context>
+<context>
     <name>ew::case_authoring</name>
     <message>
         <source>Case</source>
@@ -1651,6 +1658,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>not saved</source>
         <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>Preparing</source>
+        <translation>Wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Will be prepared, %1</source>
+        <translation>Wird noch vorbereitet, %1</translation>
+    </message>
+    <message>
+        <source>Not prepared yet, %1; open it to begin</source>
+        <translation>Noch nicht vorbereitet, %1; zum Beginnen öffnen</translation>
     </message>
     <message>
         <source>Preparing the cards</source>

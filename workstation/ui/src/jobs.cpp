@@ -15,6 +15,7 @@ namespace ew::ui {
 struct Jobs::Job final : Progress {
   int id = 0;
   QString title;
+  Kind kind = Kind::awaited;
   Done done;
   Result<void> outcome;
   std::thread thread;
@@ -56,10 +57,15 @@ Jobs::~Jobs() {
   }
 }
 
-int Jobs::start(const QString& title, Work work, Done done) {
+bool Jobs::isRunning() const {
+  return std::any_of(running_.begin(), running_.end(), [](const auto& job) { return job->kind == Kind::awaited; });
+}
+
+int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
   auto job = std::make_unique<Job>();
   job->id = nextId_++;
   job->title = title;
+  job->kind = kind;
   job->done = std::move(done);
   job->clock.start();
   Job* raw = job.get();

@@ -19,6 +19,9 @@ class Jobs final : public QObject {
   using Work = std::function<Result<void>(Progress&)>;
   using Done = std::function<void(const Result<void>&)>;
 
+  /// Whether someone waits for the job. Work in the background does not keep the window from being settled.
+  enum class Kind { awaited, background };
+
   /// What can be seen of a job from the window's thread.
   struct Seen {
     int id = 0;
@@ -35,9 +38,10 @@ class Jobs final : public QObject {
   /// @param work runs on a worker; an exception it lets through becomes an Error
   /// @param done runs on this object's thread afterwards, also after a failure or a cancel
   /// @return the job's id
-  int start(const QString& title, Work work, Done done);
+  int start(const QString& title, Work work, Done done, Kind kind = Kind::awaited);
   void cancel(int id);
-  [[nodiscard]] bool isRunning() const { return !running_.empty(); }
+  /// Whether a job runs that someone waits for.
+  [[nodiscard]] bool isRunning() const;
   [[nodiscard]] std::vector<Seen> seen() const;
   /// Cancels everything, waits until it has stopped, and calls every `done`.
   void cancelAllAndWait();

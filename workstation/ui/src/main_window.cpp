@@ -10,7 +10,9 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "ew/library/preparation.h"
 #include "file_import_dialog.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
@@ -62,6 +64,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
 
 MainWindow::~MainWindow() {
   // Work first, then panels (their code lives in plugins), then the plugins, then what the host handed them.
+  parts_->preparation.disconnect();
+  parts_->preparation.pause();
   parts_->jobs.cancelAllAndWait();
   // An undo history that is destroyed says that it is empty; nobody is left to show it.
   parts_->document.history().disconnect();
@@ -172,6 +176,27 @@ void MainWindow::connectParts() {
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
   });
+  connect(p.opener, &Opener::preparing, this, [this](const QString& path) {
+    parts_->preparing = path;
+    parts_->preparation.pause();
+  });
+  connect(p.opener, &Opener::opened, this, [this] {
+    parts_->preparing.clear();
+    parts_->preparation.resume();
+    showPreparation();
+  });
+  connect(p.opener, &Opener::failed, this, [this](const Error& error) {
+    const auto stopped = loadCase(pathOf(parts_->preparing));
+    parts_->preparing.clear();
+    if (error.code == ErrorCode::cancelled && stopped) parts_->preparation.stop(stopped->id);
+    parts_->preparation.resume();
+  });
+  connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
+  connect(&p.preparation, &CasePreparation::prepared, this, [this] {
+    if (parts_->pages->currentWidget() == parts_->startPage) prepareThumbnails();
+  });
+  connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
     auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
     connect(dialog, &ImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
@@ -218,7 +243,35 @@ void MainWindow::openDefaultCase() {
     showStartPage();
     return;
   }
-  parts_->opener->open(wordsOf(found.cases.front().folder));
+  // On the first start the one that is scannable soonest.
+  const auto ready = std::find_if(found.cases.begin(), found.cases.end(), [](const Case& each) { return !caseNeedsPreparation(each); });
+  parts_->opener->open(wordsOf(ready != found.cases.end() ? ready->folder : preparationOrder(found.cases).front().folder));
+}
+
+void MainWindow::prepareCases() {
+  if (const auto folder = shippedCasesFolder()) parts_->preparation.start(listCases(*folder).cases);
+}
+
+void MainWindow::showPreparation() {
+  if (parts_->pages->currentWidget() != parts_->startPage) return;
+  for (const Case& shown : parts_->shippedCases) {
+    const auto seen = parts_->preparation.seen(shown);
+    const QString takes = tr("about %1 s").arg(std::ceil(seen.estimate_s));
+    switch (seen.state) {
+      case CasePreparation::State::ready:
+        parts_->startPage->setState(shown.id, {}, 0.0);
+        break;
+      case CasePreparation::State::running:
+        parts_->startPage->setState(shown.id, seen.step.isEmpty() ? tr("Preparing") : seen.step, seen.fraction);
+        break;
+      case CasePreparation::State::waiting:
+        parts_->startPage->setState(shown.id, tr("Will be prepared, %1").arg(takes), 0.0);
+        break;
+      case CasePreparation::State::stopped:
+        parts_->startPage->setState(shown.id, tr("Not prepared yet, %1; open it to begin").arg(takes), 0.0);
+        break;
+    }
+  }
 }
 
 void MainWindow::showStartPage() {
@@ -227,7 +280,9 @@ void MainWindow::showStartPage() {
   if (folder) found = listCases(*folder);
   for (const Error& problem : found.problems) parts_->messages->showError(problem);
   parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
+  parts_->shippedCases = found.cases;
   parts_->pages->setCurrentWidget(parts_->startPage);
+  showPreparation();
   prepareThumbnails();
   showTitle();
 }
@@ -273,6 +328,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   QSettings().setValue(QStringLiteral("window"), saveGeometry());
+  parts_->preparation.pause();  // what it has made is kept; the next start goes on from there
   parts_->jobs.cancelAllAndWait();
   event->accept();
 }

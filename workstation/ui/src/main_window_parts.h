@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "case_document.h"
+#include "case_preparation.h"
 #include "console_panel.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
@@ -34,6 +35,9 @@ struct MainWindow::Parts {
   Session session;
   CaseDocument document;
   Jobs jobs;
+  CasePreparation preparation{jobs};
+  std::vector<Case> shippedCases;  ///< that the start page shows
+  QString preparing;               ///< the case that is opened and has to be made first
   HandInput hand;
 
   QWidget* central = nullptr;

@@ -183,6 +183,7 @@ void Opener::startOpening(const QString& path, Jobs::Work work, std::function<vo
 }
 
 void Opener::openCase(const QString& path) {
+  if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
   auto loaded = std::make_shared<Loaded>();
   startOpening(
       path,

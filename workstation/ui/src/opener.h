@@ -41,6 +41,7 @@ class Opener final : public QObject {
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
 
  Q_SIGNALS:
+  void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
   void opened(const QString& path);
   void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
   /// A file of another kind leaves something open, or holds pictures that are no volume.

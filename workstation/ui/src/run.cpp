@@ -136,6 +136,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   } else {
     window.openDefaultCase();
   }
+  if (!isScreenshot) window.prepareCases();
   if (options.workspace == "author") window.setWorkspace(Workspace::author);
   if (!isScreenshot) return QApplication::exec();
   const Screenshot screenshot(window, QString::fromStdString(options.screenshot));

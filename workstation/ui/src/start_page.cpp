@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -101,8 +102,29 @@ class CaseCard final : public QFrame {
     quiet(words(shown.region));
     quiet(words(shown.indication));
     rows->addStretch(1);
+    state = new QLabel;
+    state->setObjectName(QStringLiteral("caseState"));
+    state->setProperty("quiet", true);
+    state->setProperty("small", true);
+    state->setWordWrap(true);
+    rows->addWidget(state);
+    bar = new QProgressBar;
+    bar->setRange(0, 1000);
+    bar->setTextVisible(false);
+    rows->addWidget(bar);
+    state->hide();
+    bar->hide();
   }
 
+  void setState(const QString& text, double fraction) {
+    state->setText(text);
+    state->setVisible(!text.isEmpty());
+    bar->setValue(static_cast<int>(fraction * 1000.0));
+    bar->setVisible(fraction > 0.0);
+  }
+
+  QLabel* state = nullptr;
+  QProgressBar* bar = nullptr;
   Thumbnail* thumbnail = nullptr;
   const std::string id;
 
@@ -216,6 +238,13 @@ void StartPage::setThumbnail(const std::string& caseId, const QImage& picture) {
   for (QWidget* widget : cards_) {
     auto* card = static_cast<CaseCard*>(widget);
     if (card->id == caseId) card->thumbnail->setPicture(picture);
+  }
+}
+
+void StartPage::setState(const std::string& caseId, const QString& state, double fraction) {
+  for (QWidget* widget : cards_) {
+    auto* card = static_cast<CaseCard*>(widget);
+    if (card->id == caseId) card->setState(state, fraction);
   }
 }
 

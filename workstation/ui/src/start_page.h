@@ -22,6 +22,8 @@ class StartPage final : public QWidget {
 
   void showCases(const std::vector<Case>& cases, const QString& problem);
   void showRecent(const QStringList& files);
+  /// Says on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
+  void setState(const std::string& caseId, const QString& state, double fraction);
   /// Puts a picture of the case's volume on its card.
   void setThumbnail(const std::string& caseId, const QImage& picture);
 

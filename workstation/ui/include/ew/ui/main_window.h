@@ -28,9 +28,11 @@ class MainWindow final : public QMainWindow {
 
   /// A case folder, a case.json, a volume or a sweep; a problem becomes a message and changes nothing.
   void open(const QString& path);
-  /// The first shipped case, or the start page when there is none.
+  /// The first shipped case that is prepared, else the one that is prepared soonest, or the start page when there is none.
   void openDefaultCase();
   void showStartPage();
+  /// Makes the volumes of the shipped cases that have none yet, in the background.
+  void prepareCases();
   void setWorkspace(Workspace workspace);
   void setDarkTheme(bool dark);
   /// Finds and opens the plugins; their panels become tabs of the Author workspace.
@@ -72,6 +74,7 @@ class MainWindow final : public QMainWindow {
   void showPicture();
   void refreshTheme();
   void prepareThumbnails();
+  void showPreparation();
   /// Asks when the case has unsaved changes. @return whether to go on
   [[nodiscard]] bool mayLeaveCase();
   std::unique_ptr<Parts> parts_;
