@@ -467,7 +467,6 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
                                *rc::gen::element(Compounding::mean, Compounding::maximum, Compounding::latest),
                                *rc::gen::inRange(0, 300) * 0.1,
                                *rc::gen::inRange(0, 1000) * 0.1,
-                               *rc::gen::arbitrary<bool>(),
                                *rc::gen::inRange(1, 100) * 0.1};
     made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}}};
     made.targets = {{.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text()},

@@ -421,7 +421,7 @@ Result<CasePlan> planOf(const Case& opened) {
       whole.add(std::string_view(sweep->store.name()));
       plan.sweeps.push_back(std::move(*sweep));
     }
-    whole.add(opened.volume.reconstruct.feather_mm).add(static_cast<std::uint64_t>(opened.volume.reconstruct.equalise ? 1 : 0));
+    whole.add(opened.volume.reconstruct.feather_mm);
   }
   const std::string name = whole.text();
   plan.volume = PreparedStore(folder, name);

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 17> kTopFields = {
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 7> kVolumeFields = {"file",   "labels",      "recipe",       "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
-constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
-                                                                "feather_mm", "equalise",      "labels_spacing_mm"};
+constexpr std::array<std::string_view, 6> kReconstructFields = {"spacing_mm",    "interpolation", "compounding",
+                                                                "fill_reach_mm", "feather_mm",    "labels_spacing_mm"};
 constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", "findings"};
 constexpr std::array<std::string_view, 8> kTargetFields = {
     "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ"};
@@ -189,7 +189,6 @@ CaseReconstruction reconstructionOf(const json& object) {
   made.compounding = compounding == "maximum" ? Compounding::maximum : compounding == "latest" ? Compounding::latest : Compounding::mean;
   made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
   made.feather_mm = object.value("feather_mm", made.feather_mm);
-  made.equalise = object.value("equalise", made.equalise);
   made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
   return made;
 }
@@ -198,13 +197,10 @@ ordered_json toJson(const CaseReconstruction& reconstruct) {
   const char* compounding = reconstruct.compounding == Compounding::maximum  ? "maximum"
                             : reconstruct.compounding == Compounding::latest ? "latest"
                                                                              : "mean";
-  return {{"spacing_mm", reconstruct.spacing_mm},
-          {"interpolation", reconstruct.interpolation == Interpolation::nearest ? "nearest" : "linear"},
-          {"compounding", compounding},
-          {"fill_reach_mm", reconstruct.fillReach_mm},
-          {"feather_mm", reconstruct.feather_mm},
-          {"equalise", reconstruct.equalise},
-          {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
+  return {
+      {"spacing_mm", reconstruct.spacing_mm}, {"interpolation", reconstruct.interpolation == Interpolation::nearest ? "nearest" : "linear"},
+      {"compounding", compounding},           {"fill_reach_mm", reconstruct.fillReach_mm},
+      {"feather_mm", reconstruct.feather_mm}, {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
 }
 
 std::optional<double> numberIn(const json& object, const char* field) {

@@ -11,7 +11,7 @@ namespace ew {
 /// The volumes of cases that come as recipes are made once and kept in the cache, by what shaped them: recipe, mannequin, sweeps, probes,
 /// options and the program's way of making them. A case with sweeps is made in steps, each kept as soon as it is done:
 ///   for each sweep: record it from the virtual patient, write and open it as a user's recording is opened, reconstruct;
-///   then equalise, stitch, and label the voxels from the patient's truth.
+///   then stitch, and label the voxels from the patient's truth.
 /// So a preparation that was cancelled or killed goes on where it was, a changed sweep is made again alone, and whatever is damaged in the
 /// cache is noticed by its hash and made again. Two programs at once wait for each other.
 
@@ -23,11 +23,6 @@ struct PreparationEstimate {
 
 /// @error as loadCase for what the case names, readSweepRecipe, readProbe
 [[nodiscard]] Result<PreparationEstimate> estimatePreparation(const Case& opened);
-
-/// Times the first frames of the sweeps of a case, so that estimates hold for this machine; the speed is kept in the cache. Takes a second
-/// or two. Nothing is done where the speed is known or the case has no sweeps.
-/// @error as loadCaseVolume
-[[nodiscard]] Result<void> measurePreparationSpeed(const Case& opened, const PreparationOptions& options, Progress& progress);
 
 /// Makes what the cache does not have yet; returns what a user should know, in sentences. Reports the step and the seconds left; fractions
 /// are of time.
