@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -14,6 +15,8 @@
 #include "ew/library/case.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/preparation.h"
+#include "ew/phantom/virtual_sweep.h"
+#include "library/small_case.h"
 #include "library/temporary_folder.h"
 #include "time_limit.h"
 
@@ -23,46 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using test::EnvironmentValue;
+using test::makeSmallCase;
 using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
-
-/// A ball of skin of 60 mm with a ball of 20 mm in it, swept twice with few frames and a coarse volume: a whole preparation in a second.
-void makeSmallCase(const fs::path& folder) {
-  writeText(folder / "ball.json",
-            R"({"format": 1, "name": "ball", "body": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [60, 60, 60]}}})");
-  writeText(folder / "patient.json", R"({"format": 1, "name": "ball", "mannequin": "ball.json",
-    "box": {"lowest_mm": [-70, -70, -70], "highest_mm": [70, 70, 70]},
-    "tissues": [{"name": "even", "echo_level": 110, "speckle": 1}, {"name": "dark", "echo_level": 20, "speckle": 0.2}],
-    "background": "even",
-    "organs": [{"name": "cyst", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, -20, 0], "radii_mm": [12, 12, 12]}}}],
-    "planes": [{"name": "across", "near_mm": [0, -60, 0], "towards_mm": [0, 0, 0], "lateral": [-1, 0, 0], "shows": ["cyst"]}],
-    "measurements": [{"name": "cyst, across", "kind": "extent", "of": "cyst", "direction": [1, 0, 0], "plane": "across"}]})");
-  for (const auto& [name, z] : {std::pair{"upper", 1.0}, std::pair{"lower", -1.0}}) {
-    const json sweep = {{"format", 1},
-                        {"name", name},
-                        {"probe", "linear-7.5"},
-                        {"kind", "freehand"},
-                        {"frames", 10},
-                        {"machine", {{"depth_mm", 45}}},
-                        {"stations",
-                         {{{"near_mm", {0, -60, 10 * z}}, {"lateral", {-1, 0, 0}}, {"towards_mm", {0, 0, 10 * z}}},
-                          {{"near_mm", {0, -60, -4 * z}}, {"lateral", {-1, 0, 0}}, {"towards_mm", {0, 0, -4 * z}}}}},
-                        {"pixel_mm", 0.5}};
-    writeText(folder / "sweeps" / (std::string(name) + ".json"), sweep.dump(2));
-  }
-  const json manifest = {
-      {"format", 1},
-      {"id", "small"},
-      {"title", "Small"},
-      {"volume",
-       {{"recipe", "patient.json"},
-        {"sweeps", {"sweeps/upper.json", "sweeps/lower.json"}},
-        {"reconstruct", {{"spacing_mm", 1.0}, {"fill_reach_mm", 4}, {"feather_mm", 6}, {"labels_spacing_mm", 2}}}}},
-      {"targets", {{{"kind", "plane"}, {"name", "across"}}, {{"kind", "structure"}, {"name", "the cyst"}, {"organ", "cyst"}}}},
-      {"measurements", {{{"name", "cyst, across"}, {"tolerance", 2}}}}};
-  writeText(folder / "case.json", manifest.dump(2));
-}
 
 Case opened(const fs::path& folder) {
   auto found = loadCase(folder);
@@ -397,6 +364,30 @@ TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
     EXPECT_TRUE(truth) << each.id << ": " << truth.error();
     EXPECT_TRUE(estimatePreparation(each)) << each.id << ": " << estimatePreparation(each).error();
   }
+}
+
+TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
+  const auto resources = resourceFolder();
+  ASSERT_TRUE(resources);
+  std::size_t swept = 0;
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    if (each.volume.sweeps.empty()) continue;
+    ++swept;
+    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
+    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
+    for (const std::string& file : each.volume.sweeps) {
+      const auto recipe = readSweepRecipe(each.folder / file);
+      ASSERT_TRUE(recipe) << each.id << ": " << recipe.error();
+      const auto probe = readProbe(*resources / "probes" / (recipe->probe + ".json"));
+      ASSERT_TRUE(probe) << probe.error();
+      const auto forecast = forecastSweep(**patient, *probe, *recipe);
+      EXPECT_TRUE(forecast) << each.id << ", " << file << ": " << forecast.error();
+    }
+    const auto probes = readProbes(*resources / "probes");
+    for (const std::string& id : each.probes)
+      EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
+  }
+  EXPECT_EQ(swept, 5u);
 }
 
 }  // namespace

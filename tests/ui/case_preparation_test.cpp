@@ -1,0 +1,100 @@
+#include "case_preparation.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <chrono>
+#include <thread>
+
+#include "library/small_case.h"
+#include "time_limit.h"
+
+namespace ew::ui {
+namespace {
+
+using test::EnvironmentValue;
+using test::TemporaryFolder;
+
+class PreparationInTheBackground : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"one", "two"}) {
+      test::makeSmallCase(folder_ / name);
+      auto manifest = nlohmann::json::parse(test::textOf(folder_ / name / "case.json"));
+      manifest["id"] = name;
+      test::writeText(folder_ / name / "case.json", manifest.dump());
+    }
+    // Another patient: otherwise the second case is ready with the first.
+    auto sweep = nlohmann::json::parse(test::textOf(folder_ / "two/sweeps/upper.json"));
+    sweep["frames"] = 14;
+    test::writeText(folder_ / "two/sweeps/upper.json", sweep.dump());
+    cases_ = listCases(folder_.path()).cases;
+    ASSERT_EQ(cases_.size(), 2u);
+  }
+  template <class Condition>
+  static bool waitUntil(const Condition& condition) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!condition()) {
+      if (static_cast<double>(clock.elapsed()) > 60000.0 * test::kSlowdown) return false;
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  [[nodiscard]] const Case& named(const std::string& id) const { return cases_[0].id == id ? cases_[0] : cases_[1]; }
+
+  TemporaryFolder folder_;
+  EnvironmentValue cache_{"ECHOWEAVE_CACHE", folder_ / "cache"};
+  std::vector<Case> cases_;
+
+ private:
+  int argc_ = 1;
+  char name_[5] = "prep";
+  char* argv_[2] = {name_, nullptr};
+  QCoreApplication application_{argc_, argv_};
+};
+
+TEST_F(PreparationInTheBackground, MakesOneCaseAfterTheOtherTheQuickerOneFirst) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  std::vector<std::string> order;
+  QObject::connect(&preparation, &CasePreparation::prepared, [&](const QString& id) { order.push_back(id.toStdString()); });
+  preparation.start(cases_);
+  EXPECT_FALSE(jobs.isRunning()) << "nobody waits for it";
+  EXPECT_EQ(jobs.seen().size(), 1u) << "one at a time";
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::running);
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::waiting);
+  EXPECT_GT(preparation.seen(named("two")).estimate_s, 0.0);
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(order, (std::vector<std::string>{"one", "two"}));
+  for (const Case& each : cases_) EXPECT_EQ(preparation.seen(each).state, CasePreparation::State::ready);
+}
+
+TEST_F(PreparationInTheBackground, ACancelledCaseWaitsUntilItIsAskedForAndTheNextOneBegins) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  preparation.start(cases_);
+  jobs.cancel(jobs.seen().front().id);
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::stopped);
+  EXPECT_EQ(preparation.seen(named("two")).state, CasePreparation::State::ready);
+  preparation.start(cases_);
+  EXPECT_TRUE(preparation.isIdle()) << "stopped is stopped";
+}
+
+TEST_F(PreparationInTheBackground, GivesTheMachineAwayAndGoesOnAfterwards) {
+  Jobs jobs;
+  CasePreparation preparation(jobs);
+  preparation.start(cases_);
+  preparation.pause();
+  ASSERT_TRUE(waitUntil([&] { return jobs.seen().empty(); }));
+  EXPECT_EQ(preparation.seen(named("one")).state, CasePreparation::State::waiting);
+  preparation.resume();
+  ASSERT_TRUE(waitUntil([&] { return preparation.isIdle(); }));
+  for (const Case& each : cases_) EXPECT_EQ(preparation.seen(each).state, CasePreparation::State::ready);
+}
+
+}  // namespace
+}  // namespace ew::ui
