@@ -32,7 +32,15 @@ constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "Preparing the case was stopped."); }
 
-/// Area of a frame, mm2: what a recording's time goes by.
+/// What the time of a recording goes by: resolution cells of its frames, in millions. Lines times wavelengths of depth; a small frame of
+/// a high frequency takes as long as a large one of a low, so its area would say nothing.
+double recordingWork(const Probe& probe, const SweepRecipe& recipe) {
+  const double depth_mm = recipe.formation.depth_mm > 0.0 ? recipe.formation.depth_mm : probe.defaultDepth_mm;
+  const double carrier_hz = recipe.formation.carrier_hz > 0.0 ? recipe.formation.carrier_hz : probe.carrier_hz;
+  return 1e-6 * recipe.frames * probe.lines * depth_mm * carrier_hz / 1.54e6;
+}
+
+/// Area of a frame, mm2.
 double frameArea_mm2(const Probe& probe, double depth_mm) {
   const double depth = depth_mm > 0.0 ? depth_mm : probe.defaultDepth_mm;
   const double face = faceLength_mm(probe);
@@ -77,7 +85,7 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
   volume.add(planned.key);
   addOptions(volume, opened.volume.reconstruct);
   planned.store = PreparedStore(steps, volume.text());
-  planned.work = planned.recipe.frames * frameArea_mm2(planned.probe, planned.recipe.formation.depth_mm) * 1e-6;
+  planned.work = recordingWork(planned.probe, planned.recipe);
   return planned;
 }
 

@@ -20,7 +20,7 @@ struct PlannedSweep {
   std::filesystem::path recording;    ///< while it is not reconstructed yet
   std::filesystem::path calibration;  ///< the device set beside it, written first
   PreparedStore store;                ///< the reconstructed volume
-  double work = 0.0;                  ///< of recording: frames times area of a frame, mm2
+  double work = 0.0;                  ///< of recording: resolution cells, in millions
 };
 
 /// The steps of a preparation, what each depends on, and where its result is kept. Nothing is built for it.

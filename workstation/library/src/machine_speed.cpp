@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* kFile = "speed.json";
 constexpr double kNewShare = 0.5;  // of what was just measured: a machine's load changes
-// Two cores of 2.5 GHz: s a patient, s for a million voxels, s for a square metre of frames, the same, s for a million voxels times sweeps.
-constexpr std::array<double, kPreparationSteps.size()> kNominal = {1.5, 1.2, 4.0, 0.5, 0.3};
+// Two cores of 2.5 GHz: s a patient, s for a million voxels, s for a million resolution cells, the same, s for a million voxels swept.
+constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 1.2, 1.6, 0.15, 0.3};
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kFile, 1u << 16);
