@@ -15,6 +15,31 @@ std::string shippedPatient() {
   return {};
 }
 
+TEST(PhantomCommand, WritesTruthAndSurfacesOfTheChosenParameters) {
+  const auto folder = shippedCasesFolder();
+  ASSERT_TRUE(folder);
+  const std::string patient = (*folder / "upper-abdomen-gall-stone" / "patient.json").string();
+  const TemporaryFolder out;
+  const auto outcome = run({"phantom", patient, "--set", "stone_diameter_mm=9", "--truth", out / "truth.json", "--surface",
+                            "gall stone=" + (out / "stone.stl"), "--edge", "0.7"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto truth = readJson(out / "truth.json");
+  EXPECT_EQ(truth["parameters"]["stone_diameter_mm"]["value"], 9.0);
+  bool found = false;
+  for (const auto& each : truth["measurements"]) {
+    if (each["name"] != "gall stone, width") continue;
+    found = true;
+    EXPECT_NEAR(each["value"].get<double>(), 9.0, 0.05);
+    EXPECT_EQ(each["unit"], "mm");
+  }
+  EXPECT_TRUE(found);
+  EXPECT_FALSE(truth["planes"].empty());
+  EXPECT_GT(std::filesystem::file_size(out / "stone.stl"), 10000u);
+  EXPECT_NE(run({"phantom", patient, "--surface", "gall stone", "--truth", out / "t.json"}).status, 0) << "a surface without a file";
+  EXPECT_NE(run({"phantom", patient, "--set", "stone_diameter_mm=99", "--truth", out / "t.json"}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(out / "t.json"));
+}
+
 TEST(PhantomCommand, WritesEchoAndLabelsOfOneGridTheSameForEveryThreadCount) {
   const std::string patient = shippedPatient();
   ASSERT_FALSE(patient.empty()) << "a shipped case has a virtual patient";
