@@ -111,6 +111,27 @@ TEST_F(ImportSweep, RefusesASweepWithoutAnyValidPoseAndOneWithoutCalibration) {
   EXPECT_EQ(uncalibrated.error().code, ErrorCode::missingCalibration);
 }
 
+TEST_F(ImportSweep, TakesTheClipThatTheRecordingStatesUnlessSomebodyElseNamesOne) {
+  Sequence stating = sweep();
+  stating.otherFields = {{"ClipRectangleOrigin", "4 2"}, {"ClipRectangleSize", "8 4"}};
+  SweepImportOptions options = nearestAt(0.5, deviceSet(""));
+  const auto clipped = planImport(written(stating), options, noProgress());
+  ASSERT_TRUE(clipped.has_value()) << clipped.error();
+  EXPECT_EQ(clipped->grid.origin_mm, glm::dvec3(2, 1, 0));
+  options.reconstruct.clip.origin_px = {6, 2};
+  const auto asked = planImport(written(stating), options, noProgress());
+  ASSERT_TRUE(asked.has_value()) << asked.error();
+  EXPECT_EQ(asked->grid.origin_mm, glm::dvec3(3, 1, 0));
+  const auto device =
+      planImport(written(stating), nearestAt(0.5, deviceSet("ClipRectangleOrigin=\"8 2\" ClipRectangleSize=\"8 4\"")), noProgress());
+  ASSERT_TRUE(device.has_value()) << device.error();
+  EXPECT_EQ(device->grid.origin_mm, glm::dvec3(4, 1, 0));
+  stating.otherFields[0].second = "4 two";
+  const auto refused = planImport(written(stating), nearestAt(0.5, deviceSet("")), noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::badField);
+}
+
 TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
   const fs::path device = deviceSet(
       "OutputSpacing=\"1 1 1\" ClipRectangleOrigin=\"4 2\" ClipRectangleSize=\"8 4\" Interpolation=\"LINEAR\" "

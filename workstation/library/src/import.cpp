@@ -10,6 +10,7 @@
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/motor_sweep.h"
 #include "ew/core/numbers.h"
+#include "ew/io/gating_fields.h"
 
 namespace ew {
 namespace {
@@ -58,7 +59,7 @@ Result<void> turnToMarkerFar(Sequence& sequence, std::vector<std::string>& notes
   return {};
 }
 
-std::optional<Clip> clipOf(const DeviceSet& device, std::vector<std::string>& notes) {
+std::optional<Clip> clipOf(const DeviceSet& device, const std::string& whose, std::vector<std::string>& notes) {
   const bool fan = device.fanAngles_deg && device.fanAngles_deg->x != device.fanAngles_deg->y;
   if (!device.clipOrigin_px && !device.clipSize_px && !fan) return std::nullopt;
   Clip clip;
@@ -69,8 +70,41 @@ std::optional<Clip> clipOf(const DeviceSet& device, std::vector<std::string>& no
     clip.fan = ClipFan{device.fanOrigin_px.value_or(glm::dvec2(0.0)), angles_rad.x, angles_rad.y, device.fanRadiusStart_px.value_or(0.0),
                        device.fanRadiusStop_px.value_or(1e9)};
   }
-  notes.push_back(std::string("The images were clipped to the ") + (fan ? "fan" : "rectangle") + " of the device set.");
+  notes.push_back(std::string("The images were clipped to the ") + (fan ? "fan" : "rectangle") + " of the " + whose + ".");
   return clip;
+}
+
+/// What the recording itself says about its clip, in the words of a device set.
+Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
+  DeviceSet stated;
+  const auto numbers = [&](std::string_view name, std::size_t count) -> Result<std::vector<double>> {
+    for (const auto& [field, value] : sequence.otherFields) {
+      if (field != name) continue;
+      auto found = parseNumbers(value);
+      if (found && found->size() == count && std::all_of(found->begin(), found->end(), [](double each) { return std::isfinite(each); }))
+        return *std::move(found);
+      return failure(
+          ErrorCode::badField,
+          "The recording's " + field + " is \"" + value + "\"; expected " + std::to_string(count) + (count == 1 ? " number." : " numbers."),
+          {{"field", field}, {"found", value}});
+    }
+    return std::vector<double>();
+  };
+  const auto take = [&](auto& target, std::string_view name, std::size_t count, const auto& from) -> Result<void> {
+    auto found = numbers(name, count);
+    if (!found) return passOn(found.error());
+    if (!found->empty()) target = from(*found);
+    return {};
+  };
+  const auto pair = [](const std::vector<double>& two) { return glm::dvec2(two[0], two[1]); };
+  const auto single = [](const std::vector<double>& one) { return one[0]; };
+  if (auto taken = take(stated.clipOrigin_px, fields::kClipOrigin, 2, pair); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.clipSize_px, fields::kClipSize, 2, pair); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanAngles_deg, fields::kFanAngles, 2, pair); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanOrigin_px, fields::kFanOrigin, 2, pair); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanRadiusStart_px, fields::kFanRadiusStart, 1, single); !taken) return passOn(taken.error());
+  if (auto taken = take(stated.fanRadiusStop_px, fields::kFanRadiusStop, 1, single); !taken) return passOn(taken.error());
+  return stated;
 }
 
 Result<double> spacingOf(const DeviceSet& device) {
@@ -115,7 +149,7 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
   ReconstructOptions effective = options.reconstruct;
   if (device == nullptr) return effective;
   if (options.clipFromCalibration) {
-    if (auto clip = clipOf(*device, notes)) effective.clip = *clip;
+    if (auto clip = clipOf(*device, "device set", notes)) effective.clip = *clip;
   }
   if (options.spacingFromCalibration) {
     const auto spacing_mm = spacingOf(*device);
@@ -205,7 +239,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   if (!sequence) return passOn(sequence.error());
   if (const auto checked = checkImages(*sequence); !checked) return passOn(checked.error());
   std::optional<Clip> sector;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes, sectorNotes;
   if (holdsScanLines(*sequence)) {
     const auto geometry = lineGeometryOf(*sequence, calibration);
     if (!geometry) return passOn(geometry.error());
@@ -215,6 +249,11 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
     sector = clipOf(*geometry);
     notes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) + " x " +
                     std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
+  }
+  if (!sector && options.clipFromCalibration) {
+    const auto stated = clipStatedIn(*sequence);
+    if (!stated) return passOn(stated.error());
+    sector = clipOf(*stated, "recording", sectorNotes);
   }
   auto poses = acquiredPoses(*sequence, calibration, options);
   if (!poses) return passOn(poses.error());
@@ -229,7 +268,10 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   auto effective = effectiveOptions(options, calibration, plan.notes);
   if (!effective) return passOn(effective.error());
   plan.reconstruct = *effective;
-  if (sector && plan.reconstruct.clip == Clip{}) plan.reconstruct.clip = *sector;
+  if (sector && plan.reconstruct.clip == Clip{}) {
+    plan.reconstruct.clip = *sector;
+    plan.notes.insert(plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
+  }
   if (options.fillReach_voxels) plan.reconstruct.fillReach_mm = *options.fillReach_voxels * plan.reconstruct.spacing_mm;
   plan.toFrame = opened.poses.toFrame;
   plan.frames = {opened.sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};

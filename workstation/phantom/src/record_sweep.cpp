@@ -132,6 +132,18 @@ DeviceSet deviceSetOf(const Probe& probe, const DisplayGeometry& picture, const 
   return set;
 }
 
+/// The sector in the recording itself, for whoever has no device set beside it.
+void describeClip(const DeviceSet& set, Sequence& sequence) {
+  const auto add = [&](std::string_view name, std::string value) { sequence.otherFields.emplace_back(name, std::move(value)); };
+  add(fields::kClipOrigin, textOf({set.clipOrigin_px->x, set.clipOrigin_px->y}));
+  add(fields::kClipSize, textOf({set.clipSize_px->x, set.clipSize_px->y}));
+  if (!set.fanAngles_deg) return;
+  add(fields::kFanAngles, textOf({set.fanAngles_deg->x, set.fanAngles_deg->y}));
+  add(fields::kFanOrigin, textOf({set.fanOrigin_px->x, set.fanOrigin_px->y}));
+  add(fields::kFanRadiusStart, ew::textOf(*set.fanRadiusStart_px));
+  add(fields::kFanRadiusStop, ew::textOf(*set.fanRadiusStop_px));
+}
+
 SequenceFrame frameOf(const Patient& patient, const SweepRecipe& recipe, const Trajectory& trajectory, const Pose& tracked,
                       double unfilteredTime_s, const glm::dmat4& writtenImageToProbe) {
   SequenceFrame frame;
@@ -235,6 +247,7 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   sequence.orientation = recipe.scanLines ? "FM" : "MF";
   sequence.imageType = "BRIGHTNESS";
   describe(probe, recipe, *trajectory, picture, sequence);
+  if (!recipe.scanLines) describeClip(sweep.deviceSet, sequence);
 
   const auto frames = static_cast<std::size_t>(recipe.frames);
   const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
@@ -263,7 +276,7 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
       recipe.scanLines ? ScanConversionTable{} : makeScanConversion(probe, knobs, scanner.grid(), picture);
 
   const bool finished =
-      forEachTask(recipe.frames, threads, recording, "Recording the sweep", [&](int task, int worker, const auto& /*isStopped*/) {
+      forEachTask(recipe.frames, threads, recording, "Recording the sweep", [&](int task, int worker, const auto& isStopped) {
         const auto n = static_cast<std::size_t>(task);
         Bench& bench = benches[static_cast<std::size_t>(worker)];
         if (!bench.scratch) bench.scratch = scanner.makeScratch();
@@ -282,7 +295,9 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
         const DeformationChain both(living, pressure);
         const Deformation& deformation = pressed ? static_cast<const Deformation&>(both) : living;
 
+        bench.scratch->stopped = isStopped;
         scanner.envelope(probeToWorld, deformation, static_cast<std::uint64_t>(task), *bench.scratch, bench.envelope);
+        if (bench.envelope.pixels.empty()) return;
         toLevels(bench.envelope, scanner.options().dynamicRange_db, bench.levels);
         std::uint8_t* out = sequence.pixels.data() + n * framePixels;
         if (recipe.scanLines) {

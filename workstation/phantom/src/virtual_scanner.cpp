@@ -27,6 +27,7 @@ using phantom::ScattererBlock;
 using phantom::ScattererField;
 
 constexpr std::size_t kCacheBytes = 400u << 20;
+constexpr std::size_t kBlocksPerQuestion = 16;
 constexpr double kSamplesPerPulse = 4.0;   // within the full width at half maximum
 constexpr double kSamplesPerLook = 6.0;    // the same with several looks: their carriers lie off the middle
 constexpr double kRowsPerSigma = 2.0;      // of the fine grid, at the narrowest place of the beam
@@ -116,7 +117,8 @@ class Scanner final : public VirtualScanner {
                 Scratch& scratch, Image<float>& envelope) const override {
     auto& work = static_cast<FrameScratch&>(scratch);
     const View view{probeToWorld, inverse(probeToWorld), deformation, deformation.reach_mm() > 0.0};
-    findBlocks(view, work);
+    envelope = {};
+    if (!findBlocks(view, work)) return;
     walkLines(view, work);
     work.fine.assign(2 * (static_cast<std::size_t>(gridding_.rows) * columns_ + 2), 0.0F);
     for (const FrameScratch::Block& block : work.blocks) addBlock(view, block, work);
@@ -279,7 +281,9 @@ class Scanner final : public VirtualScanner {
     return std::abs(centre.z) < radius + reachBetween_mm(depth - radius, depth + radius);
   }
 
-  void findBlocks(const View& view, FrameScratch& work) const {
+  /// The blocks that the slice meets; one that nobody met before is filled, which takes its time.
+  /// @return false when the work was stopped
+  bool findBlocks(const View& view, FrameScratch& work) const {
     const double size = field_.blockSize_mm();
     const double slack = view.deforms ? view.deformation.reach_mm() : 0.0;
     const double widest = reachBetween_mm(0.0, fan_.depth_mm) + 1.0;
@@ -317,7 +321,9 @@ class Scanner final : public VirtualScanner {
           if (view.deforms && !seen(view.toProbe(view.deformation.moved(centre)), radius)) continue;
           work.blockAt[at] = static_cast<std::int32_t>(work.blocks.size());
           work.blocks.push_back({field_.block(index), index});
+          if (work.blocks.size() % kBlocksPerQuestion == 0 && work.stopped && work.stopped()) return false;
         }
+    return true;
   }
 
   [[nodiscard]] const ScattererBlock* blockOf(const glm::ivec3& index, const FrameScratch& work) const {

@@ -37,6 +37,14 @@ inline constexpr std::string_view kOutputSpacing = "ScanConversionOutputImageSpa
 inline constexpr std::string_view kOutputSize = "ScanConversionOutputImageSizePixel";             ///< two numbers
 inline constexpr std::string_view kTransducerCentre = "ScanConversionTransducerCenterPixel";      ///< the middle of the face, two numbers
 
+// Which pixels of the images are echoes, of the recording, in pixels of orientation MF; names and meaning as in a device set.
+inline constexpr std::string_view kClipOrigin = "ClipRectangleOrigin";  ///< two numbers
+inline constexpr std::string_view kClipSize = "ClipRectangleSize";      ///< two numbers
+inline constexpr std::string_view kFanAngles = "FanAnglesDeg";          ///< two numbers
+inline constexpr std::string_view kFanOrigin = "FanOriginPixel";        ///< two numbers
+inline constexpr std::string_view kFanRadiusStart = "FanRadiusStartPixel";
+inline constexpr std::string_view kFanRadiusStop = "FanRadiusStopPixel";
+
 }  // namespace fields
 
 }  // namespace ew

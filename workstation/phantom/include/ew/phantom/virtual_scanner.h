@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -59,6 +60,7 @@ class VirtualScanner {
   class Scratch {
    public:
     virtual ~Scratch();
+    std::function<bool()> stopped;  ///< asked every few milliseconds of work when there is one; once it says true the frame is given up
   };
   virtual ~VirtualScanner();
 
@@ -71,7 +73,7 @@ class VirtualScanner {
 
   /// Envelope of the echoes of one frame, noise and depth gain included; amplitude 1 is full white (255), 0 dB.
   /// @param frame    changes the electronic noise, nothing else
-  /// @param envelope resized to (samples x lines): width = lines, height = samples, as BeamImage
+  /// @param envelope resized to (samples x lines): width = lines, height = samples, as BeamImage; empty when the frame was given up
   virtual void envelope(const Transform<frame::World, frame::Probe>& probeToWorld, const Deformation& deformation, std::uint64_t frame,
                         Scratch& scratch, Image<float>& envelope) const = 0;
 };
