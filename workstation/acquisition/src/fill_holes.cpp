@@ -24,10 +24,10 @@ constexpr int kWordBits = 64;
 // left out the correlation is best with 12.
 constexpr double kFalloff = 12.0;
 
-/// One bit per voxel, rows padded with zero words on both sides, so that a row may be read at any offset up to the reach.
-class MeasuredBits {
+/// One bit per voxel of one coverage, rows padded with zero words on both sides, so that a row may be read at any offset up to the reach.
+class CoverageBits {
  public:
-  MeasuredBits(const Grid& grid, int reach_voxels)
+  CoverageBits(const Grid& grid, int reach_voxels)
       : padWords_(padWords(reach_voxels)),
         wordsPerRow_(wordsPerRow(grid, reach_voxels)),
         rowsPerLayer_(grid.dims.y),
@@ -37,8 +37,9 @@ class MeasuredBits {
   static std::ptrdiff_t dataWords(const Grid& grid) { return (grid.dims.x + kWordBits - 1) / kWordBits; }
   static std::ptrdiff_t wordsPerRow(const Grid& grid, int reach_voxels) { return dataWords(grid) + 2 * padWords(reach_voxels); }
 
-  /// Marks one layer. Layers share no word, so they may be marked by different threads.
-  void markLayer(const Volume& volume, int k) {
+  /// Marks the voxels of `wanted` in one layer. Layers share no word, so they may be marked by different threads.
+  void markLayer(const Volume& volume, int k, Coverage wanted) {
+    static_assert(static_cast<int>(Coverage::absent) == 0, "eight absent voxels are a word of zeros");
     const auto width = static_cast<std::size_t>(volume.grid.dims.x);
     for (int j = 0; j < volume.grid.dims.y; ++j) {
       const std::uint8_t* coverage = volume.coverage.data() + volume.grid.indexOf(0, j, k);
@@ -48,9 +49,12 @@ class MeasuredBits {
         // Most of a volume is empty: eight voxels are skipped at a time.
         std::uint64_t eight = 0;
         std::memcpy(&eight, coverage + begin, end - begin);
-        if (eight == 0) continue;
+        if (eight == 0) {
+          if (wanted == Coverage::absent) row[begin / kWordBits] |= (std::uint64_t{0xff} >> (begin + 8 - end)) << (begin % kWordBits);
+          continue;
+        }
         for (std::size_t i = begin; i < end; ++i)
-          row[i / kWordBits] |= std::uint64_t{coverage[i] == static_cast<std::uint8_t>(Coverage::measured)} << (i % kWordBits);
+          row[i / kWordBits] |= std::uint64_t{coverage[i] == static_cast<std::uint8_t>(wanted)} << (i % kWordBits);
       }
     }
   }
@@ -155,7 +159,8 @@ class Filler {
         source_(options.source),
         directions_(directionsFor(volume.grid, options.reach_mm)),
         tiles_(tilesFor(volume.grid)),
-        bits_(volume.grid, farthestSteps(volume.grid, options.reach_mm)),
+        measured_(volume.grid, farthestSteps(volume.grid, options.reach_mm)),
+        absent_(volume.grid, farthestSteps(volume.grid, options.reach_mm)),
         workers_(threadCount(options.threads)) {
     scratch_.resize(static_cast<std::size_t>(std::min(workers_, tiles_.tilesY * tiles_.tilesZ)));
     const std::size_t cells =
@@ -170,8 +175,11 @@ class Filler {
   Result<std::size_t> run(Progress& progress) {
     const auto stop = [] { return failure(ErrorCode::cancelled, "The filling of holes was stopped before it was complete."); };
     PartOfProgress marking(progress, 0.0, 0.1), filling(progress, 0.1, 1.0);
-    if (!forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes", [this](int k) { bits_.markLayer(volume_, k); }))
-      return stop();
+    const bool marked = forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes", [this](int k) {
+      measured_.markLayer(volume_, k, Coverage::measured);
+      absent_.markLayer(volume_, k, Coverage::absent);
+    });
+    if (!marked) return stop();
     if (!forEachTask(
             tiles_.tilesY * tiles_.tilesZ, static_cast<int>(scratch_.size()), filling, "Filling holes",
             [this](int task, int worker, const auto& stopped) {
@@ -214,14 +222,18 @@ class Filler {
     const Span inTile = stepsInTile(direction, tile, j, k);
     if (inTile.begin >= inTile.end) return false;
     bool any = false;
-    for (std::ptrdiff_t word = 0; word < MeasuredBits::dataWords(volume_.grid); ++word) {
+    for (std::ptrdiff_t word = 0; word < CoverageBits::dataWords(volume_.grid); ++word) {
       // Open: measured voxels of this word whose way in this direction has met no other measured one yet.
-      std::uint64_t open = bits_.at(word, j, k);
+      std::uint64_t open = measured_.at(word, j, k);
+      // Those whose way has passed a hole of this tile: after filling along the sweep few have, and only they change a voxel.
+      std::uint64_t overHole = 0;
       for (int steps = 1; steps <= direction.longest && open != 0; ++steps) {
         const int jFar = j + steps * direction.step.y, kFar = k + steps * direction.step.z;
         if (jFar < 0 || jFar >= dims.y || kFar >= dims.z) break;
-        const std::uint64_t met = bits_.shifted(word, steps * direction.step.x, jFar, kFar);
-        if (const std::uint64_t hits = open & met; hits != 0 && steps > inTile.begin) {
+        const std::uint64_t met = measured_.shifted(word, steps * direction.step.x, jFar, kFar);
+        const std::uint64_t hits = open & met & overHole;
+        if (steps >= inTile.begin && steps < inTile.end) overHole |= absent_.shifted(word, steps * direction.step.x, jFar, kFar);
+        if (hits != 0) {
           bridge(direction, tile, {static_cast<int>(word) * kWordBits, j, k}, hits, steps, {inTile.begin, std::min(inTile.end, steps)},
                  scratch);
           any = true;
@@ -304,7 +316,8 @@ class Filler {
   std::span<std::uint16_t> source_;
   std::vector<Direction13> directions_;
   TilePlan tiles_;
-  MeasuredBits bits_;
+  CoverageBits measured_;
+  CoverageBits absent_;
   int workers_;
   std::vector<Scratch> scratch_;
   std::atomic<std::size_t> filled_{0};
@@ -354,7 +367,7 @@ std::uint64_t forecastFillBytes(const Grid& grid, const FillOptions& options) {
   const std::uint64_t cells =
       static_cast<std::uint64_t>(grid.dims.x) * static_cast<std::uint64_t>(tiles.rows) * static_cast<std::uint64_t>(tiles.layers);
   const auto workers = static_cast<std::uint64_t>(std::min(threadCount(options.threads), tiles.tilesY * tiles.tilesZ));
-  const std::uint64_t bits = static_cast<std::uint64_t>(MeasuredBits::wordsPerRow(grid, farthest)) *
+  const std::uint64_t bits = 2 * static_cast<std::uint64_t>(CoverageBits::wordsPerRow(grid, farthest)) *
                              static_cast<std::uint64_t>(grid.dims.y) * static_cast<std::uint64_t>(grid.dims.z) * sizeof(std::uint64_t);
   return bits + workers * (cells * (sizeof(Sums) + sizeof(BestEnd)) + cells / kWordBits * sizeof(std::uint64_t));
 }

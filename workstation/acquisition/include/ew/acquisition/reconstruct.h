@@ -95,7 +95,7 @@ struct ReconstructResult {
 };
 
 /// Bytes the reconstruction will need at its peak beside the frames, for the forecast shown before it starts: the volume and its coverage
-/// (2 bytes a voxel), weights (4) and sources (2) when they are kept, the hole filling's marks (1 bit a voxel) and the sums of the bricks
+/// (2 bytes a voxel), weights (4) and sources (2) when they are kept, the hole filling's marks (2 bits a voxel) and the sums of the bricks
 /// in work.
 [[nodiscard]] std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options);
 
