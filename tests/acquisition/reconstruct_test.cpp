@@ -212,6 +212,31 @@ TEST(Reconstruct, RoundsTheMeanOnceAndTiesUpwards) {
   EXPECT_EQ(made(sweep, {.spacing_mm = 1.0, .interpolation = Interpolation::linear}).volume.echo[0], 11);
 }
 
+TEST(Reconstruct, IsExactHoweverManyPixelsFallIntoAVoxel) {
+  // 100 pixels of a frame in each voxel: with 33 frames sums of 32 bits are enough, with 34 they might not be, and 45 frames overflow them.
+  for (const int frames : {33, 34, 45}) {
+    Sweep sweep;
+    const auto value = [](int x, int y, int n) { return (x * 7 + y * 13 + n * 29) % 5 == 0 ? 0 : 255 - (x + y + n) % 3; };
+    for (int n = 0; n < frames; ++n)
+      sweep.add(imageOf(40, 20, [&](int x, int y) { return value(x, y, n); }), matrixOf({0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 1}, {0, 0, 0}));
+    const ReconstructResult result =
+        made(sweep, {.spacing_mm = 1.0, .interpolation = Interpolation::nearest, .threads = 1, .keepWeights = true});
+    const Grid& grid = result.volume.grid;
+    std::vector<std::int64_t> sums(grid.voxelCount()), counts(grid.voxelCount());
+    for (int n = 0; n < frames; ++n)
+      for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 40; ++x) {
+          const std::size_t index = grid.indexOf((x + 5) / 10, (y + 5) / 10, 0);
+          sums[index] += value(x, y, n);
+          ++counts[index];
+        }
+    for (std::size_t index = 0; index < grid.voxelCount(); ++index) {
+      ASSERT_EQ(result.volume.echo[index], (2 * sums[index] + counts[index]) / (2 * counts[index])) << frames << " frames, " << index;
+      ASSERT_EQ(result.weights[index], static_cast<float>(counts[index]));
+    }
+  }
+}
+
 TEST(Reconstruct, MaximumKeepsTheLargestLatestTheLastAndAMeasuredZeroIsMeasured) {
   Sweep sweep;
   const glm::dmat4 here = matrixOf({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0});

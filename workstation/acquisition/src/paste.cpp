@@ -246,12 +246,22 @@ class Paster {
       for (int j = 0; j < cells.y; ++j)
         for (int block = 0; block < blocksPerRow; ++block) {
           const std::ptrdiff_t row = k * plan_.layerStride + j * plan_.rowStride;
-          if (!reached(scratch.touched, row / kBlock + block, block, j, k)) continue;
+          if (!reached(scratch, row / kBlock + block, block, j, k)) continue;
           Cell* const first = scratch.cells.data() + row + block * kBlock;
           const int jGrid = brick.low.y + j - Mode::kGuard, kGrid = brick.low.z + k - Mode::kGuard;
           const int iGrid = brick.low.x + block * kBlock - Mode::kGuard;
           if (jGrid >= brick.low.y && jGrid < brick.high.y && kGrid >= brick.low.z && kGrid < brick.high.z) {
             const int begin = std::max(brick.low.x - iGrid, 0), end = std::min(brick.high.x - iGrid, kBlock);
+            if constexpr (std::is_same_v<Mode, paste::NearestFewMean>) {
+              const std::size_t index = target_.grid.indexOf(iGrid, jGrid, kGrid);
+              measured += paste::roundSums(first, end, static_cast<std::uint8_t>(Coverage::measured), target_.echo + index,
+                                           target_.coverage + index);
+              if (target_.weights != nullptr)
+                for (int n = 0; n < end; ++n)
+                  target_.weights[index + static_cast<std::size_t>(n)] = static_cast<float>(first[n] >> paste::kSmallSumBits);
+              std::fill(first, first + kBlock, Cell{});
+              continue;
+            }
             for (int n = begin; n < end; ++n) {
               const std::size_t index = target_.grid.indexOf(iGrid + n, jGrid, kGrid);
               if constexpr (std::is_same_v<Mode, paste::NearestSource>) {
@@ -278,8 +288,11 @@ class Paster {
   }
 
   /// Whether a pixel reached this block: its own flag, and with a guard those of the cells before it along each axis.
-  bool reached(const std::vector<std::uint8_t>& touched, std::ptrdiff_t flag, int block, int j, int k) const {
-    if constexpr (Mode::kGuard == 0) {
+  bool reached(const Scratch& scratch, std::ptrdiff_t flag, int block, int j, int k) const {
+    const std::vector<std::uint8_t>& touched = scratch.touched;
+    if constexpr (std::is_same_v<Mode, paste::NearestFewMean>) {
+      return paste::anySum(scratch.cells.data() + flag * kBlock, kBlock);
+    } else if constexpr (Mode::kGuard == 0) {
       return touched[static_cast<std::size_t>(flag)] != 0;
     } else {
       for (int dk = 0; dk <= std::min(k, 1); ++dk)
@@ -299,6 +312,39 @@ class Paster {
   std::atomic<std::size_t> measured_{0};
   std::atomic<bool> overflow_{false};
 };
+
+/// The most pixels of one frame that can fall into one voxel: those between the ends of a voxel along columns and rows, for in the plane
+/// the pixel is a linear function of the place.
+double mostPixelsInVoxel(const FrameMap& frame) {
+  const glm::dmat3 toPixel = glm::inverse(glm::dmat3(frame.perColumn_voxel, frame.perRow_voxel, frame.normal));
+  double most = 1.0;
+  for (int row = 0; row < 2; ++row)
+    most *= std::floor((std::abs(toPixel[0][row]) + std::abs(toPixel[1][row]) + std::abs(toPixel[2][row])) * (1.0 + 1e-6)) + 1.0;
+  return most;
+}
+
+/// Whether no voxel of a brick can get more pixels than its cell can count.
+bool fewInEveryVoxel(std::span<const PosedFrame> frames, const ClipSpans& clip, const Grid& grid) {
+  const BrickPlan plan = planFor(grid, sizeof(paste::SmallSum), 0);
+  std::vector<FrameMap> maps;
+  std::vector<double> most;
+  double all = 0.0;
+  for (const PosedFrame& frame : frames) {
+    maps.push_back(mapOf(frame, clip, grid, 0.5));
+    most.push_back(mostPixelsInVoxel(maps.back()));
+    if (!(most.back() <= paste::kMostSmallPixels)) return false;
+    all += most.back();
+  }
+  if (all <= paste::kMostSmallPixels) return true;
+  for (std::int64_t n = 0; n < plan.bricks(); ++n) {
+    const Brick brick = plan.at(n);
+    double pixels = 0.0;
+    for (std::size_t frame = 0; frame < maps.size(); ++frame)
+      if (mayTouch(maps[frame], brick)) pixels += most[frame];
+    if (pixels > paste::kMostSmallPixels) return false;
+  }
+  return true;
+}
 
 /// Calls use(Mode{}) for the mode the options ask for.
 template <class Use>
@@ -324,7 +370,10 @@ Result<std::size_t> pasteFrames(std::span<const PosedFrame> frames, const ClipSp
   const double pastedTo = target.source == nullptr ? 1.0 : 0.5;
   PartOfProgress pasting(progress, 0.0, pastedTo), tracing(progress, pastedTo, 1.0);
   try {
-    auto measured = withMode(options, [&]<class Mode>(Mode) { return Paster<Mode>(frames, clip, options, target).run(pasting); });
+    const auto pasteBy = [&]<class Mode>(Mode) { return Paster<Mode>(frames, clip, options, target).run(pasting); };
+    const bool nearestMean = options.interpolation != Interpolation::linear && options.compounding == Compounding::mean;
+    auto measured =
+        nearestMean && fewInEveryVoxel(frames, clip, target.grid) ? pasteBy(paste::NearestFewMean{}) : withMode(options, pasteBy);
     if (!measured || target.source == nullptr) return measured;
     if (const auto traced = Paster<paste::NearestSource>(frames, clip, options, target).run(tracing); !traced)
       return passOn(traced.error());

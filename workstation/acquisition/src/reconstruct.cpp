@@ -8,6 +8,7 @@
 
 #include "clip_spans.h"
 #include "ew/acquisition/fill_holes.h"
+#include "ew/core/large_pages.h"
 #include "ew/core/numbers.h"
 #include "fill_sweep.h"
 #include "paste.h"
@@ -169,6 +170,7 @@ template <class T>
 bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
   constexpr std::size_t kPiece = (16u << 20) / sizeof(T);
   values.reserve(count);
+  wishForLargePages(values.data(), count * sizeof(T));
   while (values.size() < count) {
     if (progress.cancelRequested()) return false;
     values.resize(std::min(count, values.size() + kPiece));
