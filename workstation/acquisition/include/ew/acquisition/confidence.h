@@ -23,7 +23,7 @@ struct ConfidenceOptions {
   double dynamicRange_db = 60.0;  ///< what grey levels 0..255 span
   double shadow_db = 10.0;  ///< beamwise: how much less than its neighbours a line brings from everywhere below for a confidence of 1/2
   int lines = 96;           ///< randomWalk: the graph has at most so many columns, 8..1024
-  int samples = 128;        ///< and at most so many rows, 8..4096: block means tame the speckle that holds walkers up
+  int samples = 112;        ///< and at most so many rows, 8..4096: block means tame the speckle that holds walkers up
   double alpha = 0.5;       ///< randomWalk: attenuation over the whole depth, 0..20
   double beta = 80.0;       ///< randomWalk: how much an edge holds a walker up, 1..1000
   double gamma = 0.05;      ///< randomWalk: what it costs to leave the beam, 0..1
