@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>ew::ui::CasePreparation</name>
-    <message>
-        <source>Preparing %1</source>
-        <translation>%1 wird vorbereitet</translation>
-    </message>
-</context>
-<context>
     <name>ew::case_authoring</name>
     <message>
         <source>Case</source>
@@ -460,6 +453,13 @@
             <numerusform>%n Volumen werden gelesen</numerusform>
             <numerusform>%n Volumen werden gelesen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::CasePreparation</name>
+    <message>
+        <source>Preparing %1</source>
+        <translation>%1 wird vorbereitet</translation>
     </message>
 </context>
 <context>
@@ -1085,6 +1085,141 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::FileImportDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Text burned into the pictures may stay</source>
+        <translation>Eingebrannter Text in den Bildern darf bleiben</translation>
+    </message>
+    <message>
+        <source>Part of the picture</source>
+        <translation>Teil des Bildes</translation>
+    </message>
+    <message>
+        <source>Size of a pixel</source>
+        <translation>Größe eines Pixels</translation>
+    </message>
+    <message>
+        <source>Spacing to convert to</source>
+        <translation>Abstand nach der Umrechnung</translation>
+    </message>
+    <message>
+        <source>Spacing x, y, z</source>
+        <translation>Abstand x, y, z</translation>
+    </message>
+    <message>
+        <source>keep as grey</source>
+        <translation>als Grau behalten</translation>
+    </message>
+    <message>
+        <source>drop (black)</source>
+        <translation>weglassen (schwarz)</translation>
+    </message>
+    <message>
+        <source>x,y,width,height; more with blanks between them</source>
+        <translation>x,y,Breite,Höhe; weitere durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>Coloured pixels</source>
+        <translation>Farbige Pixel</translation>
+    </message>
+    <message>
+        <source>Make black</source>
+        <translation>Schwärzen</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>der einzige</translation>
+    </message>
+    <message>
+        <source>Volume number</source>
+        <translation>Nummer des Volumens</translation>
+    </message>
+    <message>
+        <source>Turn the elevational axis over</source>
+        <translation>Elevationsachse umdrehen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3, %4, after %5 bytes</source>
+        <translation>%1 x %2 x %3, %4, nach %5 Bytes</translation>
+    </message>
+    <message>
+        <source>big endian</source>
+        <translation>Big-Endian</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> Bytes</translation>
+    </message>
+    <message>
+        <source>Layouts that fit the size</source>
+        <translation>Aufteilungen, die zur Größe passen</translation>
+    </message>
+    <message>
+        <source>Samples x, y, z</source>
+        <translation>Werte x, y, z</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Samples begin after</source>
+        <translation>Werte beginnen nach</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>the whole picture, %1 x %2 pixels</source>
+        <translation>das ganze Bild, %1 x %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>Save the pictures as a sequence</source>
+        <translation>Bilder als Sequenz speichern</translation>
+    </message>
+    <message>
+        <source>Sequences (*.igs.mha)</source>
+        <translation>Sequenzen (*.igs.mha)</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1; reconstruct it with a file that says how the probe moved.</source>
+        <translation>%1 wurde geschrieben; mit einer Datei, die die Bewegung des Schallkopfs beschreibt, lässt sich daraus ein Volumen rekonstruieren.</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::FocusScale</name>
     <message>
         <source>Drag a mark to its focus depth (comma, full stop)</source>
@@ -1596,10 +1731,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Fall, Volumen oder Schwenk öffnen</translation>
     </message>
     <message>
-        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz)</source>
-        <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz)</translation>
-    </message>
-    <message>
         <source>Save the case as a new folder</source>
         <translation>Den Fall als neuen Ordner speichern</translation>
     </message>
@@ -1942,6 +2073,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>steer a linear array, trapezoid</source>
         <translation>Linearsonde schwenken, Trapez</translation>
+    </message>
+    <message>
+        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)</source>
+        <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
     </message>
 </context>
 <context>
