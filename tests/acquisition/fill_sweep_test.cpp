@@ -157,6 +157,30 @@ TEST(Centred, ReadsARampAtTheCentresOfTheVoxels) {
   EXPECT_EQ(centred.measuredVoxels, made(sweep, kPlain).measuredVoxels);
 }
 
+TEST(Centred, BlendsFramesThatAreNearAndKeepsThoseThatAreNot) {
+  // The second frame lies 0.3 mm behind the centre of its voxel: near the first one, that voxel is on the straight line between them.
+  for (const double z_mm : {2.3, 3.3}) {
+    Sweep sweep;
+    sweep.add(imageOf(6, 5, [](int, int) { return 20; }), matrixOf({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}));
+    sweep.add(imageOf(6, 5, [](int, int) { return 250; }), matrixOf({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, z_mm}));
+    ReconstructOptions options = kPlain;
+    options.interpolation = Interpolation::centred;
+    const ReconstructResult result = made(sweep, options);
+    const Grid& grid = result.volume.grid;
+    EXPECT_EQ(result.volume.echo[grid.indexOf(3, 2, 0)], 20);
+    EXPECT_EQ(result.volume.echo[grid.indexOf(3, 2, grid.dims.z - 1)], z_mm < 2.5 ? 220 : 250);
+    EXPECT_EQ(result.measuredVoxels, 2u * 6u * 5u);
+    // The second frame is trusted a quarter as much.
+    const GreyImage full(6, 5, 200), quarter(6, 5, 50);
+    sweep.frames[0].weights = viewOf(full);
+    sweep.frames[1].weights = viewOf(quarter);
+    options.compounding = Compounding::weighted;
+    const ReconstructResult weighted = made(sweep, options);
+    const double ofSecond = 2.0 / (2.0 + 4.0 * 0.3);
+    EXPECT_EQ(weighted.volume.echo[grid.indexOf(3, 2, grid.dims.z - 1)], z_mm < 2.5 ? std::floor(20.0 + 230.0 * ofSecond + 0.5) : 250);
+  }
+}
+
 TEST(KeepSource, NamesTheNearestFrameOfEveryVoxel) {
   const Sweep sweep = stack(6, 5, 3, 4.0, [](int, int, int n) { return 10 * n; });
   for (const FillMethod method : {FillMethod::sweep, FillMethod::bridges})

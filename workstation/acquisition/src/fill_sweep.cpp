@@ -159,6 +159,11 @@ constexpr glm::ivec3 kBrickSize(256, 16, 16);
 
 glm::ivec3 bricksOf(const Grid& grid) { return (grid.dims + kBrickSize - 1) / kBrickSize; }
 
+// Between frames that are near, what changes across half a voxel is close to a straight line and worth reading; further apart the speckle
+// is another one, and blending it only blurs. Frames left out and predicted, mean error in grey levels, without blending, up to 2.5 and up
+// to 3 voxels: liver (every second left out) 1.548, 1.497, 1.49; spine (none left out, 3.2 voxels apart) 7.22, 7.29, 7.33.
+constexpr double kBlendReach_voxels = 2.5;
+
 struct SweepSums {
   double total = 0.0;
   double weight = 0.0;
@@ -223,6 +228,7 @@ class SweepWalker {
   struct Scratch {
     std::vector<SweepSums> sums;
     std::vector<BestSource> best;
+    std::vector<std::uint8_t> blended;  ///< centring only: voxels that already have a blend of successive frames
   };
 
   Result<std::size_t> run(Progress& progress, std::string_view what, bool (SweepWalker::*work)(const SweepBrick&, Scratch&)) {
@@ -239,6 +245,16 @@ class SweepWalker {
   }
 
   bool fillBrick(const SweepBrick& brick, Scratch& scratch) {
+    return blendPairs({Coverage::absent, options_.fillReach_mm}, brick, scratch);
+  }
+
+  /// Which voxels take a blend of successive frames: those of one coverage, where the two are at most so far apart.
+  struct Blended {
+    Coverage coverage = Coverage::absent;
+    double reach_mm = 0.0;
+  };
+
+  bool blendPairs(const Blended& blended, const SweepBrick& brick, Scratch& scratch) const {
     bool any = false;
     for (std::size_t n = 0; n + 1 < planes_.size(); ++n) {
       const FramePlane &a = planes_[n], &b = planes_[n + 1];
@@ -246,12 +262,12 @@ class SweepWalker {
       if (!boxTouches(glm::min(a.lowest_voxel, b.lowest_voxel), glm::max(a.highest_voxel, b.highest_voxel), brick)) continue;
       const Reach toA = distancesOver(a, brick), toB = distancesOver(b, brick);
       if ((toA.least > 0.0 && toB.least > 0.0) || (toA.largest < 0.0 && toB.largest < 0.0)) continue;
-      any = fillPair(n, brick, scratch) || any;
+      any = blendPair(n, blended, brick, scratch) || any;
     }
     return any;
   }
 
-  bool fillPair(std::size_t n, const SweepBrick& brick, Scratch& scratch) const {
+  bool blendPair(std::size_t n, const Blended& blended, const SweepBrick& brick, Scratch& scratch) const {
     const FramePlane &a = planes_[n], &b = planes_[n + 1];
     const double stepA = a.perVoxel[0].z, stepB = b.perVoxel[0].z;
     bool any = false;
@@ -265,7 +281,8 @@ class SweepWalker {
           const double crossA = -rowA.z / stepA, crossB = -rowB.z / stepB;
           const double from = std::max(std::floor(std::min(crossA, crossB)), static_cast<double>(all.begin));
           const double to = std::min(std::ceil(std::max(crossA, crossB)), all.end - 1.0);
-          if (from <= to) any = fillRow(n, rowA, rowB, {static_cast<int>(from), static_cast<int>(to) + 1}, brick, j, k, scratch) || any;
+          if (from <= to)
+            any = blendRow(n, blended, rowA, rowB, {static_cast<int>(from), static_cast<int>(to) + 1}, brick, j, k, scratch) || any;
           continue;
         }
         // The row runs along the planes or through the place where they meet.
@@ -274,23 +291,23 @@ class SweepWalker {
         if ((std::min(firstA, lastA) > 0.0 && std::min(firstB, lastB) > 0.0) ||
             (std::max(firstA, lastA) < 0.0 && std::max(firstB, lastB) < 0.0))
           continue;
-        any = fillRow(n, rowA, rowB, all, brick, j, k, scratch) || any;
+        any = blendRow(n, blended, rowA, rowB, all, brick, j, k, scratch) || any;
       }
     return any;
   }
 
-  bool fillRow(std::size_t n, const glm::dvec3& rowA, const glm::dvec3& rowB, Span span, const SweepBrick& brick, int j, int k,
-               Scratch& scratch) const {
+  bool blendRow(std::size_t n, const Blended& blended, const glm::dvec3& rowA, const glm::dvec3& rowB, Span span, const SweepBrick& brick,
+                int j, int k, Scratch& scratch) const {
     const FramePlane &a = planes_[n], &b = planes_[n + 1];
     const std::uint8_t* coverage = target_.coverage + target_.grid.indexOf(0, j, k);
     const std::size_t firstCell = cellOf(brick, j, k);
     const glm::dvec3 first_mm = b.firstPixel_mm - a.firstPixel_mm;
     const glm::dvec3 perColumn_mm = b.perColumn_mm - a.perColumn_mm, perRow_mm = b.perRow_mm - a.perRow_mm;
-    const double reach2 = options_.fillReach_mm * options_.fillReach_mm * (1.0 + 1e-9);
+    const double reach2 = blended.reach_mm * blended.reach_mm * (1.0 + 1e-9);
     const double least = 1e-6 * options_.spacing_mm * options_.spacing_mm;
     bool any = false;
     for (int i = span.begin; i < span.end; ++i) {
-      if (coverage[i] != static_cast<std::uint8_t>(Coverage::absent)) continue;
+      if (coverage[i] != static_cast<std::uint8_t>(blended.coverage)) continue;
       const glm::dvec3 atA = rowA + a.perVoxel[0] * static_cast<double>(i), atB = rowB + b.perVoxel[0] * static_cast<double>(i);
       if (atA.z * atB.z > 0.0) continue;
       const double toA = std::abs(atA.z), toB = std::abs(atB.z);
@@ -301,9 +318,12 @@ class SweepWalker {
       const glm::dvec3 apart_mm = first_mm + perColumn_mm * column + perRow_mm * row;
       const double apart2 = glm::dot(apart_mm, apart_mm);
       if (apart2 > reach2) continue;
-      if (!trusted(a, taps) || !trusted(b, taps)) continue;
+      const double trustA = trustOf(a, taps), trustB = trustOf(b, taps);
+      if (!(trustA > 0.0 && trustB > 0.0)) continue;
       const double valueA = sampler_->sample(a.pixels, taps), valueB = sampler_->sample(b.pixels, taps);
-      add(scratch, firstCell + static_cast<std::size_t>(i - brick.low.x), valueA + t * (valueB - valueA), 1.0 / std::max(apart2, least),
+      // A filled voxel has no better ground than its distance; a measured one was to count each frame as far as it is trusted.
+      const double ofB = blended.coverage == Coverage::absent ? t : t * trustB / ((1.0 - t) * trustA + t * trustB);
+      add(scratch, firstCell + static_cast<std::size_t>(i - brick.low.x), valueA + ofB * (valueB - valueA), 1.0 / std::max(apart2, least),
           t <= 0.5 ? n : n + 1);
       any = true;
     }
@@ -311,7 +331,10 @@ class SweepWalker {
   }
 
   bool centreBrick(const SweepBrick& brick, Scratch& scratch) {
-    bool any = false;
+    bool any = blendPairs({Coverage::measured, kBlendReach_voxels * options_.spacing_mm}, brick, scratch);
+    scratch.blended.assign(scratch.sums.size(), 0);
+    if (any)
+      for (std::size_t cell = 0; cell < scratch.sums.size(); ++cell) scratch.blended[cell] = scratch.sums[cell].weight > 0.0 ? 1 : 0;
     for (std::size_t n = 0; n < planes_.size(); ++n) {
       const FramePlane& plane = planes_[n];
       if (!boxTouches(plane.lowest_voxel, plane.highest_voxel, brick)) continue;
@@ -326,14 +349,15 @@ class SweepWalker {
           const std::uint8_t* coverage = target_.coverage + target_.grid.indexOf(0, j, k);
           const std::size_t firstCell = cellOf(brick, j, k);
           for (int i = span.begin; i < span.end; ++i) {
-            if (coverage[i] != static_cast<std::uint8_t>(Coverage::measured)) continue;
+            const std::size_t cell = firstCell + static_cast<std::size_t>(i - brick.low.x);
+            if (coverage[i] != static_cast<std::uint8_t>(Coverage::measured) || scratch.blended[cell] != 0) continue;
             const glm::dvec3 at = row + plane.perVoxel[0] * static_cast<double>(i);
             const double nearness = 1.0 - std::abs(at.z) / half;
             Sampler::Taps taps;
             if (!(nearness > 0.0) || !sampler_->locate(at.x, at.y, taps)) continue;
-            const double trust = plane.weights.data == nullptr ? 1.0 : plane.weights.at(taps.nearX, taps.nearY) / 255.0;
+            const double trust = trustOf(plane, taps);
             if (!(trust > 0.0)) continue;
-            add(scratch, firstCell + static_cast<std::size_t>(i - brick.low.x), sampler_->sample(plane.pixels, taps), nearness * trust, n);
+            add(scratch, cell, sampler_->sample(plane.pixels, taps), nearness * trust, n);
             any = true;
           }
         }
@@ -341,8 +365,8 @@ class SweepWalker {
     return any;
   }
 
-  static bool trusted(const FramePlane& plane, const Sampler::Taps& taps) {
-    return plane.weights.data == nullptr || plane.weights.at(taps.nearX, taps.nearY) > 0;
+  static double trustOf(const FramePlane& plane, const Sampler::Taps& taps) {
+    return plane.weights.data == nullptr ? 1.0 : plane.weights.at(taps.nearX, taps.nearY) / 255.0;
   }
 
   static std::size_t cellOf(const SweepBrick& brick, int j, int k) {
@@ -416,7 +440,7 @@ std::uint64_t forecastSweepBytes(const Grid& grid, const ReconstructOptions& opt
   const glm::ivec3 count = bricksOf(grid);
   const auto bricks = static_cast<std::int64_t>(count.x) * count.y * count.z;
   const std::uint64_t cells = static_cast<std::uint64_t>(kBrickSize.x) * kBrickSize.y * kBrickSize.z;
-  return cells * (sizeof(SweepSums) + (options.keepSource ? sizeof(BestSource) : 0)) *
+  return cells * (sizeof(SweepSums) + 1 + (options.keepSource ? sizeof(BestSource) : 0)) *
          static_cast<std::uint64_t>(std::min<std::int64_t>(threadCount(options.threads), bricks));
 }
 

@@ -15,9 +15,10 @@ namespace ew {
 
 /// nearest: a pixel goes into the voxel whose centre is nearest, floor(at + 0.5) along each axis.
 /// linear: a pixel is shared among the 8 voxels around it, by trilinear weights.
-/// centred: measured are the voxels of `nearest`, and each takes what the frames that pass through it show at its centre, not somewhere in
-///          it: read between pixels, over an area as large as a voxel, averaged over the frames by 1 - distance of the plane / half the
-///          voxel's extent. For the mean and the weighted mean; with maximum and latest it is `nearest`.
+/// centred: measured are the voxels of `nearest`, and each takes what the frames show at its centre, not somewhere in it: read between
+///          pixels, over an area as large as a voxel. Between two successive frames at most 2.5 voxels apart it takes their blend, as
+///          FillMethod::sweep blends them; else the mean of the frames that pass through it, weighted with 1 - distance of the plane / half
+///          the voxel's extent. For the mean and the weighted mean; with maximum and latest it is `nearest`.
 enum class Interpolation { nearest, linear, centred };
 
 /// How holes are filled; both only between what was measured, at most `fillReach_mm` apart.
