@@ -264,6 +264,13 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
   return result;
 }
 
+FrameProjection projectionOnto(const Transform<frame::World, frame::Image>& imageToWorld, const Point<frame::World>& at) {
+  const glm::dmat4& m = imageToWorld.matrix;
+  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])));
+  const glm::dvec3 image = glm::inverse(glm::dmat3(glm::dvec3(m[0]), glm::dvec3(m[1]), normal)) * (at.at - glm::dvec3(m[3]));
+  return {{image.x, image.y}, std::abs(image.z)};
+}
+
 std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source, std::span<const PosedFrame> frames,
                                          const Point<frame::World>& at) {
   EW_EXPECTS(source.size() == grid.voxelCount());
@@ -273,10 +280,8 @@ std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::
     if (!(voxel[axis] >= 0.0 && voxel[axis] < grid.dims[axis])) return std::nullopt;
   const std::uint16_t found = source[grid.indexOf(static_cast<int>(voxel.x), static_cast<int>(voxel.y), static_cast<int>(voxel.z))];
   if (found == 0 || found > frames.size()) return std::nullopt;
-  const glm::dmat4& m = frames[found - 1u].imageToWorld.matrix;
-  const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(m[0]), glm::dvec3(m[1])));
-  const glm::dvec3 image = glm::inverse(glm::dmat3(glm::dvec3(m[0]), glm::dvec3(m[1]), normal)) * (at.at - glm::dvec3(m[3]));
-  return SourceFrame{found - 1u, {image.x, image.y}, std::abs(image.z)};
+  const FrameProjection projection = projectionOnto(frames[found - 1u].imageToWorld, at);
+  return SourceFrame{found - 1u, projection.at_px, projection.distance_mm};
 }
 
 }  // namespace ew

@@ -121,6 +121,15 @@ struct ReconstructResult {
 [[nodiscard]] Result<ReconstructResult> reconstructOnto(const Grid& grid, std::span<const PosedFrame> frames,
                                                         const ReconstructOptions& options, Progress& progress);
 
+/// A point as one frame sees it.
+struct FrameProjection {
+  glm::dvec2 at_px{0.0};     ///< along the frame's normal; may lie outside the image
+  double distance_mm = 0.0;  ///< of the point from the frame's plane
+};
+
+/// @param imageToWorld affine, its first two columns not parallel
+[[nodiscard]] FrameProjection projectionOnto(const Transform<frame::World, frame::Image>& imageToWorld, const Point<frame::World>& at);
+
 /// Where in the sweep a point of the volume came from.
 struct SourceFrame {
   std::size_t frame = 0;     ///< index into the frames that were reconstructed
