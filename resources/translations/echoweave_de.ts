@@ -1372,6 +1372,22 @@
         <source>Making a volume from %1</source>
         <translation>Aus %1 wird ein Volumen</translation>
     </message>
+    <message>
+        <source>Keep which frame each voxel came from</source>
+        <translation>Behalten, aus welchem Bild jeder Voxel stammt</translation>
+    </message>
+    <message>
+        <source>Then a point of the picture leads to its source frame; 2 bytes a voxel more</source>
+        <translation>Dann führt ein Punkt des Bildes zu seinem Quellbild; 2 Byte je Voxel mehr</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>The sweep has more than %1 frames; which of them a voxel came from cannot be kept.</source>
+        <translation>Der Schwenk hat mehr als %1 Bilder; aus welchem davon ein Voxel stammt, kann nicht behalten werden.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::JobCards</name>
@@ -2078,6 +2094,30 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)</source>
         <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
     </message>
+    <message>
+        <source>Where does this &amp;come from?</source>
+        <translation>&amp;Woher kommt das?</translation>
+    </message>
+    <message>
+        <source>I, Alt + click</source>
+        <translation>I, Alt + Klick</translation>
+    </message>
+    <message>
+        <source>which frame a point came from</source>
+        <translation>aus welchem Bild ein Punkt stammt</translation>
+    </message>
+    <message>
+        <source>The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a point of the picture.</source>
+        <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten (M), dann einen Punkt des Bildes anklicken.</translation>
+    </message>
+    <message>
+        <source>This point lies beside the image. Click a point inside the fan.</source>
+        <translation>Dieser Punkt liegt neben dem Bild. Einen Punkt innerhalb des Fächers anklicken.</translation>
+    </message>
+    <message>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Keep which frame each voxel came from&apos; switched on, and make the volume.</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Behalten, aus welchem Bild jeder Voxel stammt“ eingeschaltet lassen und das Volumen machen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MessageBar</name>
@@ -2180,6 +2220,134 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::SourceDialog</name>
+    <message>
+        <source>Where this comes from</source>
+        <translation>Woher das kommt</translation>
+    </message>
+    <message>
+        <source>Source frame</source>
+        <translation>Quellbild</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Schwenk</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>The frame before (Left)</source>
+        <translation>Das Bild davor (Links)</translation>
+    </message>
+    <message>
+        <source>Back to the frame the voxel came from (Home)</source>
+        <translation>Zurück zu dem Bild, aus dem der Voxel stammt (Pos1)</translation>
+    </message>
+    <message>
+        <source>The frame after (Right)</source>
+        <translation>Das Bild danach (Rechts)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Escape)</source>
+        <translation>Schließen (Escape)</translation>
+    </message>
+    <message>
+        <source>This point lies outside the volume. Click a point inside it: the thin box in the 3D view shows where it ends.</source>
+        <translation>Dieser Punkt liegt außerhalb des Volumens. Einen Punkt darin anklicken: der dünne Kasten in der 3D-Ansicht zeigt, wo es endet.</translation>
+    </message>
+    <message>
+        <source>Nothing is known here: no frame of the sweep reached this voxel, and it lies too far from the others to be filled in.</source>
+        <translation>Hier ist nichts bekannt: kein Bild des Schwenks hat diesen Voxel erreicht, und er liegt zu weit von den anderen, um gefüllt zu werden.</translation>
+    </message>
+    <message>
+        <source>Reading the frames of %1</source>
+        <translation>Bilder von %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading was stopped. Ask again to go on.</source>
+        <translation>Das Lesen wurde angehalten. Noch einmal fragen, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>measured: of all frames that reached it, a pixel of the source frame lies nearest</source>
+        <translation>gemessen: von allen Bildern, die ihn erreicht haben, liegt ein Pixel des Quellbildes am nächsten</translation>
+    </message>
+    <message>
+        <source>invented: no pixel fell into it, it was filled from its neighbours, of which the source frame is the nearest</source>
+        <translation>erfunden: kein Pixel fiel hinein, er wurde aus der Umgebung gefüllt, von der das Quellbild am nächsten liegt</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, the source</source>
+        <translation>%1, die Quelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n after the source</source>
+        <translation>
+            <numerusform>%1, %n nach der Quelle</numerusform>
+            <numerusform>%1, %n nach der Quelle</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n before the source</source>
+        <translation>
+            <numerusform>%1, %n vor der Quelle</numerusform>
+            <numerusform>%1, %n vor der Quelle</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 mm from the plane of this frame</source>
+        <translation>%1 mm von der Ebene dieses Bildes</translation>
+    </message>
+    <message>
+        <source>Reading the recording…</source>
+        <translation>Die Aufnahme wird gelesen…</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::SourcePicker</name>
+    <message>
+        <source>Point whose source frame is asked for</source>
+        <translation>Punkt, nach dessen Quellbild gefragt wird</translation>
+    </message>
+    <message>
+        <source>Click a point to see the frame it came from. Arrows and Enter do the same, Escape ends.</source>
+        <translation>Einen Punkt anklicken, um das Bild zu sehen, aus dem er stammt. Pfeile und Eingabe tun dasselbe, Escape beendet.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "import_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -31,6 +32,9 @@ struct ImportDialog::Seen {
 };
 
 namespace {
+
+/// A voxel's frame is kept in 16 bits, of which 0 says that there is none.
+constexpr std::size_t kMostTracedFrames = 65534;
 
 /// All frames the sweep and its calibration can bring the image to, without the image itself.
 std::vector<std::string> framesOf(const Sequence& sequence, const std::vector<NamedTransform>& calibration) {
@@ -124,6 +128,7 @@ void ImportDialog::addRows() {
   compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
   compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
   fill_ = new QDoubleSpinBox;
+  fill_->setObjectName(QStringLiteral("fillReach"));
   fill_->setRange(0.0, 20.0);
   fill_->setSingleStep(0.5);
   fill_->setDecimals(1);
@@ -131,6 +136,10 @@ void ImportDialog::addRows() {
   fill_->setSuffix(tr(" mm"));
   fill_->setSpecialValueText(tr("leave holes"));
   fill_->setToolTip(tr("Holes at most this far between measured voxels are filled and marked as interpolated"));
+  keepSource_ = new QCheckBox(tr("Keep which frame each voxel came from"));
+  keepSource_->setObjectName(QStringLiteral("keepSource"));
+  keepSource_->setChecked(true);
+  keepSource_->setToolTip(tr("Then a point of the picture leads to its source frame; 2 bytes a voxel more"));
   frames_ = valueLabel("importFrames");
   size_ = valueLabel("importSize");
   memory_ = valueLabel("importMemory");
@@ -145,6 +154,7 @@ void ImportDialog::addRows() {
   form->addRow(tr("Interpolation"), interpolation_);
   form->addRow(tr("Overlap"), compounding_);
   form->addRow(tr("Fill holes up to"), fill_);
+  form->addRow(tr("Origin"), keepSource_);
   form->addRow(tr("Frames"), frames_);
   form->addRow(tr("Volume"), size_);
   form->addRow(tr("Memory"), memory_);
@@ -182,6 +192,7 @@ void ImportDialog::addRows() {
   connect(interpolation_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
   connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
+  connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &ImportDialog::start);
 }
@@ -194,6 +205,7 @@ SweepImportOptions ImportDialog::options() const {
   chosen.reconstruct.interpolation = static_cast<Interpolation>(interpolation_->currentData().toInt());
   chosen.reconstruct.compounding = static_cast<Compounding>(compounding_->currentData().toInt());
   chosen.reconstruct.fillReach_mm = fill_->value();
+  chosen.reconstruct.keepSource = keepSource_->isEnabled() && keepSource_->isChecked();
   return chosen;
 }
 
@@ -258,6 +270,7 @@ void ImportDialog::showPlan() {
   const SweepCounts& counts = plan.frames;
   frames_->setText(
       tr("%1 of %2 used (%3 invalid, %4 without a pose)").arg(counts.used).arg(counts.total).arg(counts.invalid).arg(counts.missing));
+  keepSource_->setEnabled(counts.used <= kMostTracedFrames);
   ReconstructOptions chosen = options().reconstruct;
   chosen.clip = plan.reconstruct.clip;
   const Grid grid = respaced(plan.grid, spacing_->value());
@@ -275,9 +288,12 @@ void ImportDialog::showPlan() {
                .arg(mebibytes(static_cast<double>(chosen.maxBytes))));
     return;
   }
-  memory_->setText(
-      tr("%1 while it is made, the volume itself %2").arg(mebibytes(bytes), mebibytes(2.0 * static_cast<double>(grid.voxelCount()))));
+  const double keptBytes = (chosen.keepSource ? 4.0 : 2.0) * static_cast<double>(grid.voxelCount());
+  memory_->setText(tr("%1 while it is made, the volume itself %2").arg(mebibytes(bytes), mebibytes(keptBytes)));
   QStringList notes;
+  if (!keepSource_->isEnabled()) {
+    notes << tr("The sweep has more than %1 frames; which of them a voxel came from cannot be kept.").arg(kMostTracedFrames);
+  }
   for (const std::string& note : plan.notes) notes << words(note);
   notes_->setStyleSheet(QStringLiteral("color: %1;").arg(currentTheme().quiet.name()));
   notes_->setText(notes.join(QLatin1Char('\n')));
@@ -285,15 +301,26 @@ void ImportDialog::showPlan() {
 }
 
 void ImportDialog::start() {
-  auto made = std::make_shared<std::shared_ptr<const Volume>>();
+  struct Made {
+    std::shared_ptr<const Volume> volume;
+    std::shared_ptr<const Provenance> provenance;
+  };
+  auto made = std::make_shared<Made>();
   const QString title = QFileInfo(sweep_).fileName();
   hide();
   jobs_.start(
       tr("Making a volume from %1").arg(title),
       [made, sweep = pathOf(sweep_), chosen = options()](Progress& progress) -> Result<void> {
+        if (chosen.reconstruct.keepSource) {
+          auto traced = importTracedSweep(sweep, chosen, progress);
+          if (!traced) return passOn(traced.error());
+          made->volume = std::make_shared<const Volume>(std::move(traced->imported.reconstruction.volume));
+          made->provenance = std::make_shared<const Provenance>(std::move(traced->provenance));
+          return {};
+        }
         auto result = importSweep(sweep, chosen, progress);
         if (!result) return passOn(result.error());
-        *made = std::make_shared<const Volume>(std::move(result->reconstruction.volume));
+        made->volume = std::make_shared<const Volume>(std::move(result->reconstruction.volume));
         return {};
       },
       [here = QPointer<ImportDialog>(this), made, title, messages = QPointer<MessageBar>(&messages_)](const Result<void>& outcome) {
@@ -310,7 +337,7 @@ void ImportDialog::start() {
           dialog->make_->setEnabled(true);
           return;
         }
-        if (outcome) Q_EMIT dialog->imported(*made, title);
+        if (outcome) Q_EMIT dialog->imported(made->volume, title, made->provenance);
         dialog->close();
       });
 }

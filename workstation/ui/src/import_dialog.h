@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "ew/core/volume.h"
-#include "ew/library/import.h"
+#include "ew/library/voxel_source.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -28,8 +29,9 @@ class ImportDialog final : public QDialog {
   ~ImportDialog() override;
 
  Q_SIGNALS:
-  /// The volume in the coordinates of the chosen frame, with coverage.
-  void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title);
+  /// The volume in the coordinates of the chosen frame, with coverage. @param provenance null when it was not to be kept
+  void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title,
+                const std::shared_ptr<const ew::Provenance>& provenance);
 
  private:
   struct Seen;
@@ -53,6 +55,7 @@ class ImportDialog final : public QDialog {
   QComboBox* interpolation_ = nullptr;
   QComboBox* compounding_ = nullptr;
   QDoubleSpinBox* fill_ = nullptr;
+  QCheckBox* keepSource_ = nullptr;
   QLabel* frames_ = nullptr;
   QLabel* size_ = nullptr;
   QLabel* memory_ = nullptr;

@@ -72,6 +72,7 @@ MainWindow::~MainWindow() {
   parts_->document.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
+  delete parts_->source;
   delete parts_->panels;
   parts_->panels = nullptr;
   parts_->plugins.reset();
@@ -130,6 +131,7 @@ void MainWindow::makeViews() {
     const double mm = parts_->scanView->mmPerWidgetPixel();
     return parts_->session.geometry().markerLeft ? -mm : mm;
   });
+  p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, *p.panels, this);
 }
@@ -151,6 +153,8 @@ void MainWindow::connectParts() {
     parts_->freezeAction->setChecked(frozen);
   });
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
+  connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
+  connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
   connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
   connect(&p.document.history(), &QUndoStack::indexChanged, this, [this] {
     const QUndoStack& history = parts_->document.history();
@@ -199,11 +203,13 @@ void MainWindow::connectParts() {
   connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
     auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
-    connect(dialog, &ImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
-      parts_->document.close();
-      parts_->opener->showVolume(volume, title, false);
-      Q_EMIT parts_->opener->opened(path);
-    });
+    connect(dialog, &ImportDialog::imported, this,
+            [this, path](const std::shared_ptr<const Volume>& volume, const QString& title,
+                         const std::shared_ptr<const Provenance>& provenance) {
+              parts_->document.close();
+              parts_->opener->showVolume(volume, title, false, nullptr, provenance);
+              Q_EMIT parts_->opener->opened(path);
+            });
     dialog->open();
   });
   connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {

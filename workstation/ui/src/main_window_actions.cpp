@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <algorithm>
 
 #include "ew/core/version.h"
 #include "ew/io/image_file.h"
@@ -114,6 +115,14 @@ void MainWindow::makeActions() {
   p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)},
                        [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
   p.freezeAction->setCheckable(true);
+  p.sourceAction = add(scan, tr("Where does this &come from?"), {keys("I")}, [this] {
+    if (parts_->pages->currentWidget() == parts_->workspacePage) {
+      parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
+    } else {
+      parts_->sourceAction->setChecked(false);
+    }
+  });
+  p.sourceAction->setCheckable(true);
   scan->addSeparator();
   // Here and not on the console's controls: the console may be hidden beside an author's panels.
   const auto onConsole = [&](QMenu* menu, const QString& text, const char* key, const char* control, int steps) {
@@ -236,6 +245,7 @@ void MainWindow::makeActions() {
               {QStringLiteral("B, Shift+B"), tr("edges")},
               {QStringLiteral("P, Shift+P"), tr("persistence")},
               {QStringLiteral("X, U"), tr("swap left and right, top and bottom")},
+              {tr("I, Alt + click"), tr("which frame a point came from")},
               {QStringLiteral("M"), tr("B, B + M, M")},
               {QStringLiteral("Ctrl+Left, Ctrl+Right"), tr("M line")},
               {QStringLiteral("Y, Shift+Y"), tr("sweep of the M-mode")}}},
@@ -266,6 +276,47 @@ void MainWindow::showCost() {
   panel->raise();
   panel->activateWindow();
   if (!panel->measured()) panel->measure();
+}
+
+void MainWindow::showSource(const QPoint& pixel) {
+  Parts& p = *parts_;
+  const auto& subject = p.session.subject();
+  if (!subject || p.session.picture().width == 0) return;
+  SourceDialog* dialog = p.source.data();
+  if (dialog == nullptr) {
+    dialog = new SourceDialog(p.jobs, this);
+    p.source = dialog;
+    connect(dialog, &QDialog::finished, this, [this] {
+      parts_->sourcePicker->clearMark();
+      parts_->sourcePicker->setAsking(false);
+    });
+    // Beside the scan, over the 3D view, where there is room for it.
+    const QPoint corner = p.scanView->mapToGlobal(QPoint(0, 0));
+    dialog->move(std::max(mapToGlobal(QPoint(8, 0)).x(), corner.x() - dialog->width() - 8), corner.y() + 8);
+  }
+  const Spans& fan = p.session.spans();
+  const auto row = static_cast<std::size_t>(pixel.y());
+  const bool isInFan = pixel.y() >= 0 && row < fan.size() && std::any_of(fan[row].begin(), fan[row].end(), [&](const RowSpan& run) {
+                         return run.begin <= pixel.x() && pixel.x() < run.end;
+                       });
+  if (p.session.pictureKnobs().mode == DisplayMode::mMode) {
+    dialog->showNone(
+        tr("The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a "
+           "point of the picture."));
+  } else if (!isInFan) {
+    dialog->showNone(tr("This point lies beside the image. Click a point inside the fan."));
+  } else if (subject->provenance) {
+    const Point<frame::World> at_world =
+        pointShownAt(p.session.geometry(), p.session.picturePose(), {static_cast<double>(pixel.x()), static_cast<double>(pixel.y())});
+    dialog->showSource(subject->provenance, voxelSourceAt(*subject->provenance, *subject->volume, subject->placedGrid, at_world));
+  } else {
+    dialog->showNone(
+        tr("This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open "
+           "the sweep (Ctrl+O), leave 'Keep which frame each voxel came from' switched on, and make the volume."));
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 void MainWindow::chooseFile() {

@@ -22,6 +22,8 @@
 #include "scan_view.h"
 #include "session.h"
 #include "shortcuts_overlay.h"
+#include "source_dialog.h"
+#include "source_picker.h"
 #include "start_page.h"
 #include "status_line.h"
 #include "top_bar.h"
@@ -50,6 +52,7 @@ struct MainWindow::Parts {
   QSplitter* columns = nullptr;
   View3D* view3d = nullptr;
   ScanView* scanView = nullptr;
+  SourcePicker* sourcePicker = nullptr;
   ConsolePanel* console = nullptr;
   StatusLine* status = nullptr;
   MessageBar* messages = nullptr;
@@ -59,6 +62,7 @@ struct MainWindow::Parts {
   std::optional<door::PluginList> plugins;
   QPointer<ShortcutsOverlay> shortcuts;
   QPointer<CostPanel> cost;
+  QPointer<SourceDialog> source;
 
   QAction* startPageAction = nullptr;
   QAction* saveAction = nullptr;
@@ -71,6 +75,7 @@ struct MainWindow::Parts {
   QAction* darkAction = nullptr;
   QAction* lightAction = nullptr;
   QAction* freezeAction = nullptr;
+  QAction* sourceAction = nullptr;
   QMenu* recentMenu = nullptr;
   std::vector<ShortcutsOverlay::Group> keys;
   Workspace workspace = Workspace::explore;

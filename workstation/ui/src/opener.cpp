@@ -306,7 +306,7 @@ void Opener::openImage(const QString& path) {
 }
 
 void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
-                        std::shared_ptr<const BrickedVolume> bricks) {
+                        std::shared_ptr<const BrickedVolume> bricks, std::shared_ptr<const Provenance> provenance) {
   if (auto usable = checkGrid(volume->grid); !usable) {
     messages_.showError(usable.error());
     return;
@@ -321,6 +321,7 @@ void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& tit
   }
   subject.volume = std::move(volume);
   subject.bricks = std::move(bricks);
+  subject.provenance = std::move(provenance);
   showsCase_ = false;
   startPose_.reset();
   startTaken_ = false;

@@ -32,8 +32,9 @@ class Opener final : public QObject {
   void loadDefaultMannequin();
   /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
   /// @param bricks of the same voxels, or null
+  /// @param provenance of the same voxels, or null
   void showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
-                  std::shared_ptr<const BrickedVolume> bricks = nullptr);
+                  std::shared_ptr<const BrickedVolume> bricks = nullptr, std::shared_ptr<const Provenance> provenance = nullptr);
   /// Back to the volume of the open case.
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }

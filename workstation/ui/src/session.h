@@ -16,6 +16,10 @@
 #include "ew/imaging/slice_source.h"
 #include "ew/tracking/hand.h"
 
+namespace ew {
+struct Provenance;
+}
+
 namespace ew::ui {
 
 /// What is scanned: voxels, and where they lie. Placing a volume elsewhere changes the grid and shares the voxels.
@@ -29,6 +33,7 @@ struct Subject {
   std::shared_ptr<const Volume> labels = nullptr;  ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
   Grid placedLabels = {};                          ///< where the labels lie
   std::vector<std::string> probes = {};            ///< ids that may be used, the first is the default; empty: all
+  std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
 };
 
 /// How firmly a hand presses a probe on when nothing else says so: 1 mm, and four fifths of how far the ends of a curved face lie behind

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPoint>
 #include <memory>
 
 #include "ew/ui/run.h"
@@ -69,6 +70,7 @@ class MainWindow final : public QMainWindow {
   void saveVolume();
   void savePicture();
   void showCost();
+  void showSource(const QPoint& pixel);
   void showTitle();
   void showRecent();
   void showPicture();
