@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "cli/cli_world.h"
 
@@ -93,6 +94,23 @@ TEST_F(ReconstructCommand, FillsHolesOnlyWhenAsked) {
   EXPECT_EQ(readJson(folder / "r.json")["quality"]["voxels_interpolated"], 8 * 6 * 4);
   EXPECT_EQ(readJson(folder / "r.json")["options"]["fill_reach_mm"], 4.0);
   EXPECT_EQ(reconstruct({"--fill-reach-mm", "4", "--fill-reach", "4"}).status, 2);
+}
+
+TEST_F(ReconstructCommand, WritesWhichFrameOfTheFileEachVoxelCameFrom) {
+  sweep.frames[1].transforms[0].status = PoseStatus::invalid;
+  ASSERT_TRUE(writeSequence(sweep, folder / "s.igs.mha"));
+  ASSERT_EQ(reconstruct({"--spacing", "1", "--interpolation", "nearest", "--provenance", folder / "p.mhd"}).status, 0);
+  const std::string header = readText(folder / "p.mhd");
+  EXPECT_NE(header.find("ElementType = MET_USHORT"), std::string::npos) << header;
+  const std::string raw = readText(folder / "p.raw");
+  std::set<int> frames;
+  for (std::size_t n = 0; n + 1 < raw.size(); n += 2)
+    frames.insert(static_cast<unsigned char>(raw[n]) + 256 * static_cast<unsigned char>(raw[n + 1]));
+  // The second frame is not used; 0 stands between them, where nothing was measured.
+  std::set<int> expected{0};
+  for (std::size_t n = 0; n < sweep.frames.size(); ++n)
+    if (n != 1) expected.insert(static_cast<int>(n) + 1);
+  EXPECT_EQ(frames, expected);
 }
 
 TEST_F(ReconstructCommand, CountsTheFramesItLeavesOut) {

@@ -17,6 +17,7 @@ struct ReconstructArguments {
   std::vector<std::string> calibrations;
   std::string toFrame;
   std::string coverage;
+  std::string provenance;
   std::optional<double> spacing_mm;
   std::string interpolation;  // empty: the calibration file's, else linear
   std::string compounding;    // empty: the calibration file's, else mean
@@ -113,6 +114,7 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   reconstruction.fillReach_mm = arguments.fillReach_mm.value_or(0.0);
   options.fillReach_voxels = arguments.fillReach_voxels;
   reconstruction.fillMethod = arguments.fillMethod == "bridges" ? FillMethod::bridges : FillMethod::sweep;
+  reconstruction.keepSource = !arguments.provenance.empty();
   reconstruction.threads = arguments.threads;
   reconstruction.clip = clipOf(arguments);
   return options;
@@ -131,6 +133,14 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
           {"clip", toJson(done.clip)}};
 }
 
+/// 1 + the number in the file of each frame that is used. Frames beyond what 16 bits can say become 0, unknown.
+std::vector<std::uint16_t> usedFrames(const SweepPoses& poses) {
+  std::vector<std::uint16_t> numbers;
+  for (std::size_t n = 0; n < poses.imageToWorld.size(); ++n)
+    if (poses.imageToWorld[n]) numbers.push_back(n < 65535 ? static_cast<std::uint16_t>(n + 1) : std::uint16_t{0});
+  return numbers;
+}
+
 Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
@@ -142,6 +152,11 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
     return passOn(announced.error());
   auto importOptions = importOptionsOf(arguments);
   if (auto applied = applyTo(importOptions, arguments.acquisition, run); !applied) return passOn(applied.error());
+  if (!arguments.provenance.empty()) {
+    if (arguments.acquisition.phases)
+      return failure(ErrorCode::badUsage, "--provenance is written for one volume, not for phases; leave one of them out.");
+    if (auto announced = run.output(arguments.provenance, ".mha .mhd"); !announced) return passOn(announced.error());
+  }
 
   PartOfProgress opening(run.progress, 0.0, 0.3);
   auto opened = openSweep(arguments.sweep, importOptions, opening);
@@ -159,8 +174,12 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   }
 
   PartOfProgress pasting(run.progress, 0.3, 0.9);
-  const auto imported = importSweep(std::move(*opened), pasting);
+  const auto numbers = usedFrames(opened->poses);
+  auto imported = importSweep(std::move(*opened), pasting);
   if (!imported) return passOn(imported.error());
+  // From counting the frames used to counting those of the file.
+  for (std::uint16_t& source : imported->reconstruction.source)
+    if (source > 0) source = numbers[source - 1u];
   const auto& plan = imported->plan;
   const auto& made = imported->reconstruction;
   run.report.addStep("paste", made.pasteSeconds * 1e6);
@@ -173,6 +192,11 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
     if (!arguments.coverage.empty()) {
       PartOfProgress writingCoverage(run.progress, 0.95, 1.0);
       if (auto written = writeCoverage(made.volume, run.outputs.staged(arguments.coverage), writingCoverage); !written)
+        return passOn(written.error());
+    }
+    if (!arguments.provenance.empty()) {
+      PartOfProgress writingSources(run.progress, 0.98, 1.0);
+      if (auto written = writeSources(made.volume.grid, made.source, run.outputs.staged(arguments.provenance), writingSources); !written)
         return passOn(written.error());
     }
   }
@@ -241,6 +265,9 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                  "voxels in 13 directions (sweep)")
       ->check(CLI::IsMember({"sweep", "bridges"}))
       ->type_name("KIND");
+  app.add_option("--provenance", arguments->provenance,
+                 "Also write which frame of the sweep each voxel came from: 16 bit, 1 + the frame's number in the file, 0 for none")
+      ->type_name("OUT.mha");
   app.add_option("--coverage", arguments->coverage, "Also write what is known of each voxel: 0 absent, 1 interpolated, 2 measured")
       ->type_name("OUT.mha");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");

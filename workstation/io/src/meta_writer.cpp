@@ -46,7 +46,7 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
   for (const std::uint64_t size : meta.sizes) sizes += " " + std::to_string(size);
   text += "DimSize =" + sizes + "\n";
   if (!meta.kinds.empty()) text += "Kinds = " + meta.kinds + "\n";
-  text += std::string("ElementType = ") + (meta.samples ? "MET_UCHAR" : "MET_OTHER") + "\n";
+  text += std::string("ElementType = ") + (!meta.samples ? "MET_OTHER" : meta.wide ? "MET_USHORT" : "MET_UCHAR") + "\n";
   for (const auto& [key, value] : meta.fields) text += key + " = " + value + "\n";
   return text;
 }

@@ -17,6 +17,7 @@ struct MetaText {
   Grid geometry;        ///< spacing, origin, directions; the first sizes.size() axes count
   std::string kinds;    ///< "domain domain list"; empty for none
   bool samples = true;  ///< false for MET_OTHER
+  bool wide = false;    ///< samples of 16 bits without sign, low byte first
   std::vector<std::pair<std::string, std::string>> fields;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 
 #include "ew/core/contract.h"
 #include "ew/io/volume_file.h"
@@ -10,18 +11,21 @@ namespace {
 using namespace detail;
 namespace fs = std::filesystem;
 
+/// @param samples the bytes of the voxels, two for each when `wide`
 Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> samples, const fs::path& file, std::string_view what,
-                          Progress& progress, const WriteOptions& options) {
+                          Progress& progress, const WriteOptions& options, bool wide = false) {
   if (auto usable = checkGrid(grid); !usable) return usable;
-  EW_EXPECTS(samples.size() == grid.voxelCount());
-  if (samples.size() != grid.voxelCount())
-    return failure(ErrorCode::internal, "The volume has " + std::to_string(samples.size()) + " voxels, but its grid " +
+  const std::size_t bytes = grid.voxelCount() * (wide ? 2 : 1);
+  EW_EXPECTS(samples.size() == bytes);
+  if (samples.size() != bytes)
+    return failure(ErrorCode::internal, "The volume has " + std::to_string(samples.size()) + " bytes of voxels, but its grid " +
                                             std::to_string(grid.voxelCount()) + "; it was not written.");
   const MetaText text{
       .sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y), static_cast<std::uint64_t>(grid.dims.z)},
       .geometry = grid,
       .kinds = {},
       .samples = true,
+      .wide = wide,
       .fields = {}};
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".mha") return writeMetaFile(file, text, samples, options.compress, what, progress);
@@ -41,6 +45,13 @@ Result<void> writeCoverage(const Volume& volume, const fs::path& file, Progress&
   if (auto usable = checkGrid(volume.grid); !usable) return usable;
   const std::vector<std::uint8_t> measured(volume.grid.voxelCount(), static_cast<std::uint8_t>(Coverage::measured));
   return writeSamples(volume.grid, measured, file, "Writing coverage", progress, options);
+}
+
+Result<void> writeSources(const Grid& grid, std::span<const std::uint16_t> sources, const fs::path& file, Progress& progress,
+                          const WriteOptions& options) {
+  static_assert(std::endian::native == std::endian::little, "the file has the low byte first");
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(sources.data()), sources.size_bytes());
+  return writeSamples(grid, bytes, file, "Writing sources", progress, options, true);
 }
 
 Result<void> readCoverageInto(Volume& volume, const fs::path& file, Progress& progress) {

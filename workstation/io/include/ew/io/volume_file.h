@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,11 @@ struct WriteOptions {
 [[nodiscard]] Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress(),
                                          const WriteOptions& options = {});
 [[nodiscard]] Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress());
+
+/// Which frame each voxel came from, as a volume file of 16 bit samples on the volume's grid: 1 + the frame's number, 0 for none.
+/// @param sources voxelCount() values
+/// @error as writeVolume
+[[nodiscard]] Result<void> writeSources(const Grid& grid, std::span<const std::uint16_t> sources, const std::filesystem::path& file,
+                                        Progress& progress = noProgress(), const WriteOptions& options = {});
 
 }  // namespace ew
