@@ -1273,6 +1273,10 @@
         <translation>Mittel aller Ansichten</translation>
     </message>
     <message>
+        <source>weighted by confidence: shadows count less</source>
+        <translation>nach Vertrauen gewichtet: Schatten zählen weniger</translation>
+    </message>
+    <message>
         <source>brightest view</source>
         <translation>hellste Ansicht</translation>
     </message>

@@ -113,6 +113,23 @@ TEST_F(ReconstructCommand, WritesWhichFrameOfTheFileEachVoxelCameFrom) {
   EXPECT_EQ(frames, expected);
 }
 
+TEST_F(ReconstructCommand, WeighsByConfidenceWhenAskedAndSaysHow) {
+  const auto confidence = [&](const std::vector<std::string>& more) {
+    auto words = more;
+    words.insert(words.end(), {"--spacing", "1", "--report", folder / "r.json"});
+    const auto outcome = reconstruct(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return readJson(folder / "r.json")["options"]["confidence"];
+  };
+  EXPECT_EQ(confidence({}), nullptr);
+  EXPECT_EQ(confidence({"--compounding", "weighted"}), "beamwise");
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["compounding"], "weighted");
+  EXPECT_EQ(confidence({"--compounding", "weighted", "--confidence", "randomwalk"}), "randomwalk");
+  const auto without = reconstruct({"--confidence", "beamwise"});
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.err.find("--compounding weighted"), std::string::npos) << without.err;
+}
+
 TEST_F(ReconstructCommand, CountsTheFramesItLeavesOut) {
   sweep.frames[1].transforms[0].status = PoseStatus::invalid;
   sweep.frames[3].transforms.clear();

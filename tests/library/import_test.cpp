@@ -144,12 +144,64 @@ TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
   EXPECT_EQ(clipped->reconstruct.interpolation, Interpolation::nearest);
   options.clipFromCalibration = false;
   options.spacingFromCalibration = true;
-  options.methodFromCalibration = true;
+  options.interpolationFromCalibration = true;
+  options.compoundingFromCalibration = true;
   const auto whole = planImport(written(sweep()), options, noProgress());
   ASSERT_TRUE(whole.has_value()) << whole.error();
   EXPECT_EQ(whole->grid.dims, glm::ivec3(11, 6, 5));  // round(9.5) + 1 and round(4.5) + 1
   EXPECT_EQ(whole->reconstruct.interpolation, Interpolation::linear);
   EXPECT_EQ(whole->reconstruct.compounding, Compounding::maximum);
+}
+
+/// Two frames in one place: one sees tissue everywhere, the other is black from a third of its depth on in a few columns.
+Sequence shadowedPair() {
+  Sequence sequence;
+  sequence.width = 48;
+  sequence.height = 60;
+  sequence.orientation = "MF";
+  sequence.imageType = "BRIGHTNESS";
+  for (int n = 0; n < 2; ++n) {
+    SequenceFrame frame;
+    frame.time_s = 0.1 * n;
+    frame.transforms.push_back({"Probe", "Reference", glm::dmat4(1.0), PoseStatus::ok});
+    sequence.frames.push_back(frame);
+    for (int y = 0; y < sequence.height; ++y)
+      for (int x = 0; x < sequence.width; ++x)
+        sequence.pixels.push_back(n == 1 && y >= 20 && x >= 20 && x < 28 ? 0 : static_cast<std::uint8_t>(120 + (7 * x + 11 * y) % 17));
+  }
+  return sequence;
+}
+
+TEST_F(ImportSweep, WeighsPixelsByConfidenceSoThatAShadowInOneViewDarkensLess) {
+  const fs::path file = written(shadowedPair());
+  for (const auto method : {ConfidenceMethod::beamwise, ConfidenceMethod::randomWalk}) {
+    SweepImportOptions options = nearestAt(0.5, deviceSet(""));
+    options.confidence.method = method;
+    const auto mean = importSweep(file, options, noProgress());
+    options.reconstruct.compounding = Compounding::weighted;
+    const auto weighted = importSweep(file, options, noProgress());
+    ASSERT_TRUE(mean.has_value()) << mean.error();
+    ASSERT_TRUE(weighted.has_value()) << weighted.error();
+    const Volume& plain = mean->reconstruction.volume;
+    const Volume& weighed = weighted->reconstruction.volume;
+    ASSERT_EQ(plain.grid, weighed.grid);
+    const std::size_t inShadow = plain.grid.indexOf(24, 45, 0);
+    EXPECT_LT(plain.echo[inShadow], 75) << "half of black and tissue";
+    EXPECT_GT(weighed.echo[inShadow], 105) << "the black half is not believed";
+    EXPECT_NEAR(weighed.echo[plain.grid.indexOf(6, 45, 0)], plain.echo[plain.grid.indexOf(6, 45, 0)], 1) << "both views agree here";
+    const std::uint64_t frames = 2u * 48u * 60u;
+    EXPECT_EQ(mean->plan.bytes, frames + forecastBytes(plain.grid, mean->plan.reconstruct));
+    EXPECT_EQ(weighted->plan.bytes, 2u * frames + forecastBytes(weighed.grid, weighted->plan.reconstruct)) << "the maps are counted";
+  }
+}
+
+TEST_F(ImportSweep, RefusesConfidenceThatCannotBe) {
+  SweepImportOptions options = nearestAt(0.5, deviceSet(""));
+  options.reconstruct.compounding = Compounding::weighted;
+  options.confidence.shadow_db = -1.0;
+  const auto refused = importSweep(written(shadowedPair()), options, noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::badField);
 }
 
 TEST_F(ImportSweep, RefusesASpacingOfTheDeviceSetThatDiffersBetweenAxes) {
@@ -248,7 +300,8 @@ TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
     SweepImportOptions options;
     options.calibrations = {data / c.device};
     options.spacingFromCalibration = true;
-    options.methodFromCalibration = true;
+    options.interpolationFromCalibration = true;
+    options.compoundingFromCalibration = true;
     options.reconstruct.keepWeights = true;
     const auto imported = importSweep(data / "SpinePhantomFreehand.igs.mha", options, noProgress());
     ASSERT_TRUE(imported.has_value()) << imported.error();

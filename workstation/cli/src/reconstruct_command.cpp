@@ -21,6 +21,7 @@ struct ReconstructArguments {
   std::optional<double> spacing_mm;
   std::string interpolation;  // empty: the calibration file's, else linear
   std::string compounding;    // empty: the calibration file's, else mean
+  std::string confidence;     // empty: beamwise
   std::optional<double> fillReach_mm;
   std::optional<int> fillReach_voxels;
   std::string fillMethod = "sweep";
@@ -42,6 +43,8 @@ const char* nameOf(Interpolation interpolation) {
   }
   return "linear";
 }
+
+const char* nameOf(ConfidenceMethod method) { return method == ConfidenceMethod::randomWalk ? "randomwalk" : "beamwise"; }
 
 const char* nameOf(FillMethod method) { return method == FillMethod::sweep ? "sweep" : "bridges"; }
 
@@ -66,6 +69,7 @@ Interpolation interpolationOf(const std::string& word) {
 
 Compounding compoundingOf(const std::string& word) {
   if (word == "maximum") return Compounding::maximum;
+  if (word == "weighted") return Compounding::weighted;
   return word == "latest" ? Compounding::latest : Compounding::mean;
 }
 
@@ -106,7 +110,9 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   options.toFrame = arguments.toFrame;
   options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
   options.spacingFromCalibration = !arguments.spacing_mm;
-  options.methodFromCalibration = arguments.interpolation.empty() || arguments.compounding.empty();
+  options.interpolationFromCalibration = arguments.interpolation.empty();
+  options.compoundingFromCalibration = arguments.compounding.empty();
+  if (arguments.confidence == "randomwalk") options.confidence.method = ConfidenceMethod::randomWalk;
   auto& reconstruction = options.reconstruct;
   if (arguments.spacing_mm) reconstruction.spacing_mm = *arguments.spacing_mm;
   if (!arguments.interpolation.empty()) reconstruction.interpolation = interpolationOf(arguments.interpolation);
@@ -127,6 +133,7 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
           {"spacing_mm", done.spacing_mm},
           {"interpolation", nameOf(done.interpolation)},
           {"compounding", nameOf(done.compounding)},
+          {"confidence", done.compounding == Compounding::weighted ? nlohmann::json(nameOf(plan.confidence.method)) : nlohmann::json()},
           {"fill_reach_mm", done.fillReach_mm},
           {"fill_method", nameOf(done.fillMethod)},
           {"threads", done.threads},
@@ -146,6 +153,8 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
   if (arguments.fillReach_mm && arguments.fillReach_voxels)
     return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
+  if (!arguments.confidence.empty() && arguments.compounding != "weighted")
+    return failure(ErrorCode::badUsage, "--confidence says how pixels are weighted; give --compounding weighted with it.");
   run.input(arguments.sweep);
   for (const auto& file : arguments.calibrations) run.input(file);
   if (auto announced = announcePhases(run, arguments.output, arguments.coverage, arguments.acquisition.phases.value_or(1)); !announced)
@@ -161,9 +170,6 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   PartOfProgress opening(run.progress, 0.0, 0.3);
   auto opened = openSweep(arguments.sweep, importOptions, opening);
   if (!opened) return passOn(opened.error());
-  // The file may say one of the two and the command line the other, which wins.
-  if (!arguments.interpolation.empty()) opened->plan.reconstruct.interpolation = interpolationOf(arguments.interpolation);
-  if (!arguments.compounding.empty()) opened->plan.reconstruct.compounding = compoundingOf(arguments.compounding);
   for (const auto& note : opened->plan.notes) run.remark(note);
   run.report.addStep("read", opened->readSeconds * 1e6);
   if (delayUntold(opened->plan, run)) return kVerdict;
@@ -254,8 +260,15 @@ void addReconstruct(CLI::App& root, Selection& selection) {
       ->check(CLI::IsMember({"nearest", "linear", "centred"}))
       ->type_name("KIND");
   app.add_option("--compounding", arguments->compounding,
-                 "What a voxel takes from several pixels: mean, maximum or latest (the calibration file's, else mean)")
-      ->check(CLI::IsMember({"mean", "maximum", "latest"}))
+                 "What a voxel takes from several pixels: mean, maximum, latest, or weighted: the mean by the confidence in each, so that "
+                 "shadows count less (the calibration file's, else mean)")
+      ->check(CLI::IsMember({"mean", "maximum", "latest", "weighted"}))
+      ->type_name("KIND");
+  app.add_option(
+         "--confidence", arguments->confidence,
+         "With --compounding weighted: beamwise, a millisecond or two a frame, or randomwalk, tens of them and also sure of shadows "
+         "with echoes in them (beamwise)")
+      ->check(CLI::IsMember({"beamwise", "randomwalk"}))
       ->type_name("KIND");
   addNumber(app, "--fill-reach-mm", arguments->fillReach_mm, {0.0, 1e6},
             "Fill holes between measured voxels that are at most so many mm apart, whatever the spacing; 0: none (0)");

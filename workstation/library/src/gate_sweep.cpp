@@ -86,7 +86,11 @@ Result<Grid> importPhases(const OpenedSweep& opened, const SweepGate& gate, int 
                    {{"bytes", std::to_string(opened.plan.bytes)}});
   const auto lists = framesOfPhase(gate.frames, phases);
   if (!lists) return passOn(lists.error());
-  return reconstructPhases(posedFrames(opened), *lists, opened.plan.reconstruct, keep, progress);
+  const bool weighing = opened.plan.reconstruct.compounding == Compounding::weighted;
+  PartOfProgress before(progress, 0.0, weighing ? 0.3 : 0.0), making(progress, weighing ? 0.3 : 0.0, 1.0);
+  const auto weighed = weighedFrames(opened, before);
+  if (!weighed) return passOn(weighed.error());
+  return reconstructPhases(weighed->frames, *lists, opened.plan.reconstruct, keep, making);
 }
 
 }  // namespace ew

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/motor_sweep.h"
@@ -120,7 +121,7 @@ Result<double> spacingOf(const DeviceSet& device) {
   return spacing_mm.x;
 }
 
-Result<void> takeMethod(const DeviceSet& device, ReconstructOptions& options) {
+Result<void> takeInterpolation(const DeviceSet& device, ReconstructOptions& options) {
   const std::string interpolation = device.interpolation.value_or("");
   if (interpolation == "NEAREST_NEIGHBOR") {
     options.interpolation = Interpolation::nearest;
@@ -131,6 +132,10 @@ Result<void> takeMethod(const DeviceSet& device, ReconstructOptions& options) {
                    "The device set asks for the interpolation " + interpolation + "; expected NEAREST_NEIGHBOR or LINEAR.",
                    {{"field", "Interpolation"}, {"found", interpolation}});
   }
+  return {};
+}
+
+Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& options) {
   const std::string compounding = device.compounding.value_or("");
   if (compounding == "MEAN" || compounding == "ON") {
     options.compounding = Compounding::mean;
@@ -156,8 +161,11 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
     if (!spacing_mm) return passOn(spacing_mm.error());
     effective.spacing_mm = *spacing_mm;
   }
-  if (options.methodFromCalibration) {
-    if (const auto taken = takeMethod(*device, effective); !taken) return passOn(taken.error());
+  if (options.interpolationFromCalibration) {
+    if (const auto taken = takeInterpolation(*device, effective); !taken) return passOn(taken.error());
+  }
+  if (options.compoundingFromCalibration) {
+    if (const auto taken = takeCompounding(*device, effective); !taken) return passOn(taken.error());
   }
   return effective;
 }
@@ -226,6 +234,23 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
   return frames;
 }
 
+Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress) {
+  WeighedFrames weighed{posedFrames(opened), {}};
+  const ReconstructOptions& options = opened.plan.reconstruct;
+  if (options.compounding != Compounding::weighted) return weighed;
+  auto maps = confidenceOfFrames(weighed.frames, options.clip, opened.plan.confidence, options.threads, progress);
+  if (!maps) return passOn(maps.error());
+  weighed.confidence = *std::move(maps);
+  for (std::size_t n = 0; n < weighed.frames.size(); ++n) weighed.frames[n].weights = viewOf(std::as_const(weighed.confidence[n]));
+  return weighed;
+}
+
+std::uint64_t importBytes(const ImportPlan& plan, const Grid& grid, const ReconstructOptions& options) {
+  const std::uint64_t frame = plan.frames.total > 0 ? plan.frameBytes / plan.frames.total : 0;
+  const std::uint64_t maps = options.compounding == Compounding::weighted ? frame * plan.frames.used : 0;
+  return plan.frameBytes + maps + forecastBytes(grid, options);
+}
+
 Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
   const auto started = Clock::now();
   std::optional<DeviceSet> device;
@@ -282,7 +307,8 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   if (!grid) return passOn(grid.error());
   plan.grid = *grid;
   plan.frameBytes = opened.sequence.pixels.size();
-  plan.bytes = plan.frameBytes + forecastBytes(plan.grid, plan.reconstruct);
+  plan.confidence = options.confidence;
+  plan.bytes = importBytes(plan, plan.grid, plan.reconstruct);
   plan.fits = plan.bytes <= plan.reconstruct.maxBytes;
   opened.readSeconds = secondsSince(started);
   return opened;
@@ -303,7 +329,11 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
                        " voxels and need " + mebibytes(opened.plan.bytes) + " of memory with the frames, more than the " +
                        mebibytes(opened.plan.reconstruct.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
                    {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
-  auto reconstruction = reconstruct(posedFrames(opened), opened.plan.reconstruct, progress);
+  const bool weighing = opened.plan.reconstruct.compounding == Compounding::weighted;
+  PartOfProgress before(progress, 0.0, weighing ? 0.4 : 0.0), making(progress, weighing ? 0.4 : 0.0, 1.0);
+  const auto weighed = weighedFrames(opened, before);
+  if (!weighed) return passOn(weighed.error());
+  auto reconstruction = reconstruct(weighed->frames, opened.plan.reconstruct, making);
   if (!reconstruction) return passOn(reconstruction.error());
   return ImportedSweep{std::move(*reconstruction), std::move(opened.plan), opened.readSeconds, opened.readSeconds + secondsSince(started)};
 }

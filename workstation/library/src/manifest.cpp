@@ -186,7 +186,10 @@ CaseReconstruction reconstructionOf(const json& object) {
   made.spacing_mm = object.value("spacing_mm", made.spacing_mm);
   made.interpolation = object.value("interpolation", "linear") == "nearest" ? Interpolation::nearest : Interpolation::linear;
   const std::string compounding = object.value("compounding", "mean");
-  made.compounding = compounding == "maximum" ? Compounding::maximum : compounding == "latest" ? Compounding::latest : Compounding::mean;
+  made.compounding = compounding == "maximum"    ? Compounding::maximum
+                     : compounding == "latest"   ? Compounding::latest
+                     : compounding == "weighted" ? Compounding::weighted
+                                                 : Compounding::mean;
   made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
   made.feather_mm = object.value("feather_mm", made.feather_mm);
   made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
@@ -194,9 +197,10 @@ CaseReconstruction reconstructionOf(const json& object) {
 }
 
 ordered_json toJson(const CaseReconstruction& reconstruct) {
-  const char* compounding = reconstruct.compounding == Compounding::maximum  ? "maximum"
-                            : reconstruct.compounding == Compounding::latest ? "latest"
-                                                                             : "mean";
+  const char* compounding = reconstruct.compounding == Compounding::maximum    ? "maximum"
+                            : reconstruct.compounding == Compounding::latest   ? "latest"
+                            : reconstruct.compounding == Compounding::weighted ? "weighted"
+                                                                               : "mean";
   return {
       {"spacing_mm", reconstruct.spacing_mm}, {"interpolation", reconstruct.interpolation == Interpolation::nearest ? "nearest" : "linear"},
       {"compounding", compounding},           {"fill_reach_mm", reconstruct.fillReach_mm},

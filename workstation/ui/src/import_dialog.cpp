@@ -125,6 +125,7 @@ void ImportDialog::addRows() {
   interpolation_->addItem(tr("nearest: faster"), static_cast<int>(Interpolation::nearest));
   compounding_ = new QComboBox;
   compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
+  compounding_->addItem(tr("weighted by confidence: shadows count less"), static_cast<int>(Compounding::weighted));
   compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
   compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
   fill_ = new QDoubleSpinBox;
@@ -282,7 +283,7 @@ void ImportDialog::showPlan() {
                      .arg(std::lround(grid.dims.y * grid.spacing_mm.y))
                      .arg(std::lround(grid.dims.z * grid.spacing_mm.z)));
   const bool countable = checkGrid(grid).has_value();
-  const double bytes = countable ? static_cast<double>(plan.frameBytes) + static_cast<double>(forecastBytes(grid, chosen)) : 1e18;
+  const double bytes = countable ? static_cast<double>(importBytes(plan, grid, chosen)) : 1e18;
   if (!countable || bytes > static_cast<double>(chosen.maxBytes)) {
     refuse(tr("The volume would need more than the %1 allowed; choose a coarser spacing.")
                .arg(mebibytes(static_cast<double>(chosen.maxBytes))));

@@ -28,10 +28,10 @@ struct CasePatient {
 struct CaseReconstruction {
   double spacing_mm = 0.8;  ///< of the volume, 0.1 to 10
   Interpolation interpolation = Interpolation::linear;
-  Compounding compounding = Compounding::mean;
-  double fillReach_mm = 4.0;      ///< holes between measured voxels at most this far apart are filled, 0 to 30
-  double feather_mm = 10.0;       ///< over which a sweep fades in from its border, 0 to 100
-  double labelsSpacing_mm = 1.6;  ///< of the label volume, which comes from the patient's truth, 0.1 to 10
+  Compounding compounding = Compounding::mean;  ///< weighted: by beam-wise confidence
+  double fillReach_mm = 4.0;                    ///< holes between measured voxels at most this far apart are filled, 0 to 30
+  double feather_mm = 10.0;                     ///< over which a sweep fades in from its border, 0 to 100
+  double labelsSpacing_mm = 1.6;                ///< of the label volume, which comes from the patient's truth, 0.1 to 10
   bool operator==(const CaseReconstruction&) const = default;
 };
 

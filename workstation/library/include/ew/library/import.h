@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/acquisition/confidence.h"
 #include "ew/acquisition/reconstruct.h"
 #include "ew/acquisition/temporal_offset.h"
 #include "ew/core/progress.h"
@@ -28,8 +29,10 @@ struct SweepImportOptions {
   ReconstructOptions reconstruct = {};              ///< its clip is replaced when the device set has one and clipFromCalibration is on
   bool clipFromCalibration = true;                  ///< clip rectangle and fan of the device set
   bool spacingFromCalibration = false;              ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
-  bool methodFromCalibration = false;               ///< interpolation and compounding of the device set instead of those of `reconstruct`
+  bool interpolationFromCalibration = false;        ///< Interpolation of the device set instead of reconstruct.interpolation
+  bool compoundingFromCalibration = false;          ///< CompoundingMode of the device set instead of reconstruct.compounding
   std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
+  ConfidenceOptions confidence = {};                ///< with Compounding::weighted: how the weight of each pixel is found
   std::string motor = {};                  ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
   std::optional<double> poseDelay_s = {};  ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
   bool estimatePoseDelay = false;          ///< find that out; when nobody can tell, poses stay, and the plan says so
@@ -45,12 +48,13 @@ struct SweepCounts {
 /// What an import will make, known before any large memory is taken.
 struct ImportPlan {
   Grid grid;
-  std::uint64_t bytes = 0;       ///< at the peak: frames, volume, coverage and what the reconstruction needs beside them
+  std::uint64_t bytes = 0;       ///< at the peak: frames, confidence maps, volume, coverage and what the reconstruction needs beside them
   std::uint64_t frameBytes = 0;  ///< of these: the frames
   bool fits = true;              ///< bytes <= reconstruct.maxBytes; importSweep refuses otherwise
   SweepCounts frames;
   std::string toFrame;                      ///< the frame of the recording that becomes the world
   ReconstructOptions reconstruct;           ///< as it will be done, after what the device set said
+  ConfidenceOptions confidence;             ///< used when reconstruct.compounding is weighted
   std::vector<std::string> notes;           ///< what had to be decided, in sentences
   std::optional<PoseDelay> poseDelay = {};  ///< when it was asked for: given, or estimated with its uncertainty and verdict
 };
@@ -81,11 +85,25 @@ struct ImportedSweep {
 /// The frames of an opened sweep that have a pose, in order; they look into its pixels.
 [[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);
 
+/// Frames as the plan wants them: with Compounding::weighted each looks into the map of its confidence, which lives beside it. May be
+/// moved, but a copy would look into the maps of the original.
+struct WeighedFrames {
+  std::vector<PosedFrame> frames;
+  std::vector<Image<std::uint8_t>> confidence;  ///< one for each frame, or none
+};
+
+/// The frames of posedFrames, weighed by confidence when the plan's compounding is weighted.
+/// @error as confidenceOfFrames
+[[nodiscard]] Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress);
+
+/// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.
+[[nodiscard]] std::uint64_t importBytes(const ImportPlan& plan, const Grid& grid, const ReconstructOptions& options);
+
 /// The plan of openSweep alone.
 [[nodiscard]] Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
 
 /// Reconstructs an opened sweep. The sweep is given up, so that its frames are freed with it.
-/// @error as reconstruct; tooLarge when the plan does not fit
+/// @error as reconstruct and weighedFrames; tooLarge when the plan does not fit
 [[nodiscard]] Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress);
 
 /// Reads and reconstructs in one go.
