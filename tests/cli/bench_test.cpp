@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench_page.h"
 #include "bench_parts.h"
@@ -43,6 +44,90 @@ TEST(BenchFrame, MeasuresEveryEffectAgainstThePeerAndEveryVariantAgainstItsExact
   const std::string page = readText(folder / "page/accuracy-and-time.html");
   EXPECT_NE(page.find("<svg"), std::string::npos);
   for (const char* outside : {"http:", "https:", "<script", "src=", "@import"}) EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
+class BenchReconstruct : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const auto outcome = run({"bench", "reconstruct", "--spacing", "1", "--sweep", "14", "--image", "64", "--views", "1", "--repetitions",
+                              "1", "--html", folder() / "page", "--report", folder() / "r.json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    quality() = readJson(folder() / "r.json")["quality"];
+    said() = outcome.out;
+  }
+  static TemporaryFolder& folder() {
+    static TemporaryFolder made;
+    return made;
+  }
+  static nlohmann::json& quality() {
+    static nlohmann::json kept;
+    return kept;
+  }
+  static std::string& said() {
+    static std::string kept;
+    return kept;
+  }
+  static nlohmann::json row(const std::string& name) {
+    for (const auto& each : quality()["results"])
+      if (each["name"] == name) return each;
+    ADD_FAILURE() << "no row " << name;
+    return nlohmann::json();
+  }
+};
+
+TEST_F(BenchReconstruct, MeasuresEverySettingAgainstTheExactField) {
+  ASSERT_EQ(quality()["results"].size(), 3u * 3u * 5u);
+  for (const auto& each : quality()["results"]) {
+    EXPECT_GT(each["median_us"].get<double>(), 0.0);
+    EXPECT_GT(each["mpx_per_s"].get<double>(), 0.0);
+    ASSERT_TRUE(each["measured"].is_object()) << each;
+    const bool filled = each["filled"].is_object();
+    if (each["interpolation"] != "linear") {  // which reaches every voxel of these sweeps
+      EXPECT_EQ(filled, each["fill_method"] != "none") << each;
+    }
+    EXPECT_LT(std::abs(each["measured"]["bias"].get<double>()), 1.0) << each;
+  }
+  for (const std::string sweep : {"parallel", "fan", "freehand"}) {
+    const std::string at = "reconstruct_" + sweep + "/1mm/";
+    const auto psnr = [&](const std::string& setting, const char* kind) { return row(at + setting)[kind]["psnr_db"].get<double>(); };
+    EXPECT_GT(psnr("centred/none", "measured"), psnr("nearest/none", "measured")) << sweep;
+    if (sweep != "freehand") {  // a hand that goes back is met as well by bridges
+      EXPECT_GT(psnr("nearest/sweep_6mm", "filled"), psnr("nearest/bridges_6mm", "filled")) << sweep;
+    }
+    EXPECT_EQ(row(at + "nearest/none")["measured"], row(at + "nearest/sweep_6mm")["measured"]) << "filling leaves measured voxels alone";
+    EXPECT_GE(row(at + "nearest/bridges_6mm")["filled"]["share"], row(at + "nearest/bridges_2mm")["filled"]["share"]) << sweep;
+  }
+  ASSERT_EQ(quality()["threads_measured"].size(), 9u);
+  for (const auto& each : quality()["threads_measured"]) EXPECT_TRUE(each["same_voxels"].get<bool>()) << each;
+  EXPECT_NE(said().find("Mpx/s"), std::string::npos) << said();
+}
+
+TEST_F(BenchReconstruct, TellsShadowsOfVirtualFramesByConfidence) {
+  ASSERT_EQ(quality()["confidence"].size(), 2u * 6u);
+  double fastestWalk_us = 1e300, slowestWalk_us = 0.0;
+  for (const auto& each : quality()["confidence"]) {
+    const bool used = each["lines"] == 0 || each["lines"] == 96;  // by default; finer graphs are worse, speckle holds their walkers up
+    EXPECT_GT(each["area_under_curve"].get<double>(), used ? 0.85 : 0.5) << each;
+    EXPECT_LT(each["mean_in_shadow"], each["mean_in_sight"]) << each;
+    if (each["method"] != "randomwalk") continue;
+    fastestWalk_us = std::min(fastestWalk_us, each["median_us"].get<double>());
+    slowestWalk_us = std::max(slowestWalk_us, each["median_us"].get<double>());
+  }
+  EXPECT_GT(slowestWalk_us, 4.0 * fastestWalk_us) << "a graph of 64 times as many nodes";
+}
+
+TEST_F(BenchReconstruct, WritesItsPageWithCurvesOnTheirOwnAxes) {
+  const std::string page = readText(folder() / "page/accuracy-and-time.html");
+  for (const char* words : {"Pasting frames", "parallel sweep", "fan sweep", "freehand sweep", "two threads", "accuracy, PSNR in dB",
+                            ">area under the curve<", "beam-wise", "192 x 256"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+  EXPECT_EQ(page.find("nan"), std::string::npos);
+}
+
+TEST_F(BenchReconstruct, RefusesWhatItCannotMeasure) {
+  EXPECT_EQ(run({"bench", "reconstruct", "--spacing", "0.1"}).status, 2);
+  EXPECT_EQ(run({"bench", "reconstruct", "--spacing", "fine"}).status, 2);
+  EXPECT_EQ(run({"bench", "reconstruct", "--sweep", "2"}).status, 2);
 }
 
 TEST(BenchField, HasTheMeanThatItsSamplesHaveUnderANormalDistribution) {

@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "bench_frame.h"
 #include "bench_page.h"
+#include "bench_reconstruct.h"
 #include "bench_slicing.h"
 #include "command.h"
 #include "ew/core/numbers.h"
@@ -18,8 +19,12 @@ struct BenchArguments {
   std::vector<std::string> sides;
   int sliceSide = 400;
   glm::ivec2 frame_px{1024, 768};
-  int poses = 0;  // 0: as many as the benchmark likes
-  int repetitions = 7;
+  int poses = 0;        // 0: as many as the benchmark likes
+  int repetitions = 0;  // the same
+  std::vector<std::string> spacings_mm;
+  int sweepFrames = 60;
+  int imageSide = 240;
+  int views = 2;
   bool noPeers = false;
   bool large = false;
 };
@@ -45,11 +50,24 @@ void printResults(std::ostream& out, const json& measured) {
     name.resize(nameWidth + 2, ' ');
     out << name << right(numberIn(row, "median_us", 0), 8) << " us  ";
     if (row.contains("of_peer")) out << right(numberIn(row, "of_peer", 3), 7) << " of VTK  ";
+    if (row.contains("mpx_per_s")) out << right(numberIn(row, "mpx_per_s", 1), 6) << " Mpx/s  ";
+    for (const char* kind : {"measured", "filled"})
+      if (row.contains(kind) && row[kind].is_object())
+        out << kind << right(rounded(100.0 * row[kind]["share"].get<double>(), 1), 6) << " %" << right(numberIn(row[kind], "psnr_db", 1), 6)
+            << " dB, mae" << right(numberIn(row[kind], "mae", 2), 6) << "  ";
     if (row.contains("psnr_db"))
       out << right(numberIn(row, "psnr_db", 1), 6) << " dB  worst " << right(numberIn(row, "worst_grey", 0), 3) << " grey";
     if (row.contains("psnr_double_db")) out << "  " << right(numberIn(row, "psnr_double_db", 1), 5) << " dB from double precision";
     out << "\n";
   }
+  for (const auto& row : measured.value("threads_measured", json::array()))
+    if (row.contains("same_voxels"))
+      out << textIn(row, "name") << ", two threads: " << numberIn(row, "times_faster", 2) << " times as fast as one, "
+          << (row["same_voxels"].get<bool>() ? "the same voxels\n" : "OTHER VOXELS\n");
+  for (const auto& row : measured.value("confidence", json::array()))
+    out << textIn(row, "name") << ": " << numberIn(row, "median_us", 0) << " us a frame, area under the curve "
+        << numberIn(row, "area_under_curve", 4) << ", mean in shadow " << numberIn(row, "mean_in_shadow", 2) << " and in sight "
+        << numberIn(row, "mean_in_sight", 2) << "\n";
   for (const auto& row : measured.value("ratios", json::array()))
     out << textIn(row, "quality") << ", " << numberIn(row, "volume_side", 0) << " cubed, " << textIn(row, "pose_kind")
         << " poses: " << numberIn(row, "times_faster", 2) << " times as fast as the peer\n";
@@ -77,7 +95,7 @@ Result<json> slicing(const BenchArguments& arguments, Run& run, Progress& progre
   BenchOptions options;
   options.sliceSide = arguments.sliceSide;
   options.poses = arguments.poses > 0 ? arguments.poses : options.poses;
-  options.repetitions = arguments.repetitions;
+  options.repetitions = arguments.repetitions > 0 ? arguments.repetitions : options.repetitions;
   options.peers = !arguments.noPeers;
   auto sides = sidesOf(arguments, options.volumeSides, 8);
   if (!sides) return passOn(sides.error());
@@ -96,7 +114,7 @@ Result<json> frame(const BenchArguments& arguments, Run& run, Progress& progress
   options.width_px = arguments.frame_px.x;
   options.height_px = arguments.frame_px.y;
   options.poses = arguments.poses > 0 ? arguments.poses : options.poses;
-  options.repetitions = arguments.repetitions;
+  options.repetitions = arguments.repetitions > 0 ? arguments.repetitions : options.repetitions;
   options.peers = !arguments.noPeers;
   auto sides = sidesOf(arguments, options.volumeSides, 64);
   if (!sides) return passOn(sides.error());
@@ -109,6 +127,26 @@ Result<json> frame(const BenchArguments& arguments, Run& run, Progress& progress
   return benchFrame(options, progress);
 }
 
+Result<json> reconstruction(const BenchArguments& arguments, Run& run, Progress& progress) {
+  ReconstructBenchOptions options;
+  options.frames = arguments.sweepFrames;
+  options.imageSide = arguments.imageSide;
+  options.views = arguments.views;
+  options.repetitions = arguments.repetitions > 0 ? arguments.repetitions : options.repetitions;
+  if (!arguments.spacings_mm.empty()) options.spacings_mm.clear();
+  for (const auto& spacing : arguments.spacings_mm) {
+    const auto value = parseNumber(spacing);
+    if (!value) return failure(ErrorCode::badUsage, "--spacing '" + spacing + "' is no number of mm; give one from 0.25 to 4.");
+    options.spacings_mm.push_back(*value);
+  }
+  run.report.options["reconstruct"] = {{"spacings_mm", options.spacings_mm},
+                                       {"frames", options.frames},
+                                       {"image_side", options.imageSide},
+                                       {"views", options.views},
+                                       {"repetitions", options.repetitions}};
+  return benchReconstruct(options, progress);
+}
+
 constexpr const char* kPage = "accuracy-and-time.html";
 
 Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, const std::vector<BenchSection>& sections) {
@@ -118,7 +156,9 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   const std::vector<std::string> introduction = {
       "Medians of interleaved repetitions, one run. Times of one thread are its processor time, so that other programs disturb them "
       "little; "
-      "accuracy is measured against a field known exactly, so its ceiling is the rounding to 256 grey levels. VTK's vtkImageReslice reads "
+      "accuracy is measured against a field known exactly, so its ceiling is the rounding to 256 grey levels, and that of confidence "
+      "against "
+      "the shadows of a forward model. VTK's vtkImageReslice reads "
       "the same voxels in the same memory, on one thread, with its optimisation on. In the charts, up and to the left is better.",
       "Machine: " + machine};
   if (auto written = writeFileSafely(folder / kPage, benchPage("EchoWeave: accuracy and time", introduction, sections)); !written)
@@ -128,7 +168,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   return {};
 }
 
-enum class Bench { slicing, frame, all };
+enum class Bench { slicing, frame, reconstruct, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty())
@@ -149,14 +189,21 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
       run.report.quality = *std::move(measured);
     return {};
   };
-  const bool both = what == Bench::all;
-  if (what != Bench::slicing) {
-    PartOfProgress part(run.progress, 0.0, both ? 0.5 : 1.0);
+  const auto wants = [what](Bench one) { return what == one || what == Bench::all; };
+  const auto share = [&](double begin, double end) {
+    return what == Bench::all ? PartOfProgress(run.progress, begin, end) : PartOfProgress(run.progress, 0.0, 1.0);
+  };
+  if (wants(Bench::frame)) {
+    PartOfProgress part = share(0.0, 0.35);
     if (auto taken = take("frame", frame(arguments, run, part), frameSections); !taken) return passOn(taken.error());
   }
-  if (what != Bench::frame) {
-    PartOfProgress part(run.progress, both ? 0.5 : 0.0, 1.0);
+  if (wants(Bench::slicing)) {
+    PartOfProgress part = share(0.35, 0.7);
     if (auto taken = take("slicing", slicing(arguments, run, part), slicingSections); !taken) return passOn(taken.error());
+  }
+  if (wants(Bench::reconstruct)) {
+    PartOfProgress part = share(0.7, 1.0);
+    if (auto taken = take("reconstruct", reconstruction(arguments, run, part), reconstructSections); !taken) return passOn(taken.error());
   }
   if (!arguments.html.empty())
     if (auto written = writePage(arguments, run, machine, sections); !written) return passOn(written.error());
@@ -174,19 +221,33 @@ void addBench(CLI::App& root, Selection& selection) {
         addCommand(group, selection, name, description, examples, [what, arguments](Run& run) { return bench(what, *arguments, run); });
     app.add_option("--html", arguments->html, std::string("Also write ") + kPage + ", the curves of accuracy against time")
         ->type_name("DIR");
-    app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")->type_name("COUNT");
-    if (what != Bench::frame) addCount(app, "--size", arguments->sliceSide, 16, 4096, "Pixels a side of a slice (400)");
-    if (what != Bench::frame)
+    const bool slices = what != Bench::reconstruct;
+    if (slices)
+      app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")
+          ->type_name("COUNT");
+    if (what == Bench::slicing || what == Bench::all) {
+      addCount(app, "--size", arguments->sliceSide, 16, 4096, "Pixels a side of a slice (400)");
       app.add_flag("--large", arguments->large, "Also slices of a volume of 1024 cubed: 2.4 GiB of memory and some minutes");
-    if (what != Bench::slicing) addSize(app, "--frame", arguments->frame_px, "Pixels of a frame (1024x768)");
-    addCount(app, "--poses", arguments->poses, 2, 1000, "Poses of each kind (slices 40, frames 12)");
-    addCount(app, "--repetitions", arguments->repetitions, 1, 1000, "Interleaved repetitions (7)");
-    app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice out");
+    }
+    if (what == Bench::frame || what == Bench::all) addSize(app, "--frame", arguments->frame_px, "Pixels of a frame (1024x768)");
+    if (slices) addCount(app, "--poses", arguments->poses, 2, 1000, "Poses of each kind (slices 40, frames 12)");
+    if (what == Bench::reconstruct || what == Bench::all) {
+      app.add_option("--spacing", arguments->spacings_mm, "Voxel size of reconstructions; may be given several times (0.5 and 1)")
+          ->type_name("MM");
+      addCount(app, "--sweep", arguments->sweepFrames, 6, 1000, "Frames of each sweep (60)");
+      addCount(app, "--image", arguments->imageSide, 32, 1024, "Pixels a side of a sweep's frame, which shows 60 mm (240)");
+      addCount(app, "--views", arguments->views, 1, 20, "Virtual frames of each probe for the confidence (2)");
+    }
+    addCount(app, "--repetitions", arguments->repetitions, 1, 1000, "Interleaved repetitions (slices and frames 7, reconstructions 5)");
+    if (slices) app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice out");
   };
   add(Bench::slicing, "slicing", "Every slicer against an exact answer and against VTK's, one thread, medians of one run",
       {"bench slicing", "bench slicing --html bench --report bench.json", "bench slicing --side 256 --repetitions 3"});
   add(Bench::frame, "frame", "Whole frames with every effect alone and together, against exact answers and VTK's bare slice",
       {"bench frame", "bench frame --html bench --report bench.json", "bench frame --side 256 --frame 640x480 --repetitions 3"});
+  add(Bench::reconstruct, "reconstruct",
+      "Every way from a sweep to a volume against an exact field, and confidence maps against known shadows",
+      {"bench reconstruct", "bench reconstruct --html bench --report bench.json", "bench reconstruct --spacing 0.5 --repetitions 3"});
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
 }
 

@@ -31,11 +31,11 @@ std::string textAt(double x, double y, const std::string& anchor, const std::str
   return "<text x='" + fixedText(x, 1) + "' y='" + fixedText(y, 1) + "' text-anchor='" + anchor + "'>" + escaped(text) + "</text>";
 }
 
-/// Maps milliseconds (logarithmic) and decibels to the picture.
+/// Maps milliseconds (logarithmic) and accuracy to the picture.
 struct Axes {
-  double low_ms = 0.1, high_ms = 10.0, low_db = 0.0, high_db = 60.0, step_db = 5.0;
+  double low_ms = 0.1, high_ms = 10.0, low = 0.0, high = 60.0, step = 5.0;
   [[nodiscard]] double x(double ms) const { return kLeft + (kWidth - kLeft - kRight) * std::log(ms / low_ms) / std::log(high_ms / low_ms); }
-  [[nodiscard]] double y(double db) const { return kHeight - kBottom - (kHeight - kTop - kBottom) * (db - low_db) / (high_db - low_db); }
+  [[nodiscard]] double y(double accuracy) const { return kHeight - kBottom - (kHeight - kTop - kBottom) * (accuracy - low) / (high - low); }
 };
 
 /// Every 1, 2, 5 of each decade.
@@ -47,26 +47,34 @@ std::vector<double> roundTimes_ms(double low_ms, double high_ms) {
   return times;
 }
 
-Axes axesFor(const std::vector<BenchPoint>& points) {
-  double low = 1e300, high = 0.0, lowDb = 1e300, highDb = -1e300;
+/// 1, 2, 4 times the smallest step and their tens, so that at most six make the span.
+double roundStep(double span, double smallest) {
+  double decade = smallest;
+  for (;; decade *= 10.0)
+    for (const double times : {1.0, 2.0, 4.0})
+      if (6.0 * decade * times >= span) return decade * times;
+}
+
+Axes axesFor(const std::vector<BenchPoint>& points, const BenchAxis& axis) {
+  double low_ms = 1e300, high_ms = 0.0, low = 1e300, high = -1e300;
   for (const BenchPoint& point : points) {
-    low = std::min(low, std::max(1e-4, point.time_ms));
-    high = std::max(high, std::max(1e-4, point.time_ms));
-    lowDb = std::min(lowDb, point.psnr_db);
-    highDb = std::max(highDb, point.psnr_db);
+    low_ms = std::min(low_ms, std::max(1e-4, point.time_ms));
+    high_ms = std::max(high_ms, std::max(1e-4, point.time_ms));
+    low = std::min(low, point.accuracy);
+    high = std::max(high, point.accuracy);
   }
   Axes axes;
   // From a round time below all to one above all, with room for the names.
-  for (const double ms : roundTimes_ms(0.01 * low, low / 1.15)) axes.low_ms = ms;
+  for (const double ms : roundTimes_ms(0.01 * low_ms, low_ms / 1.15)) axes.low_ms = ms;
   axes.high_ms = 1e6;
-  for (const double ms : roundTimes_ms(1.15 * high, 100.0 * high)) axes.high_ms = std::min(axes.high_ms, ms);
-  axes.step_db = highDb - lowDb > 30.0 ? 10.0 : 5.0;
-  axes.low_db = axes.step_db * std::floor(lowDb / axes.step_db - 0.3);
-  axes.high_db = axes.step_db * std::ceil(highDb / axes.step_db + 0.5);
+  for (const double ms : roundTimes_ms(1.15 * high_ms, 100.0 * high_ms)) axes.high_ms = std::min(axes.high_ms, ms);
+  axes.step = roundStep(high - low, axis.smallestStep);
+  axes.low = axes.step * std::floor(low / axes.step - 0.3);
+  axes.high = axes.step * std::ceil(high / axes.step + 0.5);
   return axes;
 }
 
-std::string gridOf(const Axes& axes) {
+std::string gridOf(const Axes& axes, const BenchAxis& axis) {
   std::string svg;
   const std::string bottom = fixedText(kHeight - kBottom, 1);
   for (const double ms : roundTimes_ms(axes.low_ms, axes.high_ms)) {
@@ -76,14 +84,16 @@ std::string gridOf(const Axes& axes) {
     std::snprintf(label, sizeof label, "%g", ms);
     svg += textAt(axes.x(ms), kHeight - kBottom + 16.0, "middle", label);
   }
-  for (double db = axes.low_db; db <= axes.high_db + 0.01; db += axes.step_db) {
-    const std::string y = fixedText(axes.y(db), 1);
+  const int lines = static_cast<int>(std::lround((axes.high - axes.low) / axes.step));
+  for (int n = 0; n <= lines; ++n) {
+    const double accuracy = axes.low + n * axes.step;
+    const std::string y = fixedText(axes.y(accuracy), 1);
     svg += "<line class='grid' x1='" + fixedText(kLeft, 1) + "' x2='" + fixedText(kWidth - kRight, 1) + "' y1='" + y + "' y2='" + y + "'/>";
-    svg += textAt(kLeft - 8.0, axes.y(db) + 4.0, "end", fixedText(db, 0));
+    svg += textAt(kLeft - 8.0, axes.y(accuracy) + 4.0, "end", fixedText(accuracy, axis.smallestStep < 1.0 ? 2 : 0));
   }
   svg += textAt(0.5 * (kLeft + kWidth - kRight), kHeight - 8.0, "middle", "median time, ms (logarithmic)");
-  return svg + "<text transform='translate(16," + fixedText(0.5 * (kTop + kHeight - kBottom), 1) +
-         ") rotate(-90)' text-anchor='middle'>accuracy, PSNR in dB</text>";
+  return svg + "<text transform='translate(16," + fixedText(0.5 * (kTop + kHeight - kBottom), 1) + ") rotate(-90)' text-anchor='middle'>" +
+         escaped(axis.title) + "</text>";
 }
 
 bool isPeer(BenchMark mark) { return mark == BenchMark::peer || mark == BenchMark::peerHollow; }
@@ -131,22 +141,22 @@ class Names {
   std::vector<Box> taken_;
 };
 
-std::string chart(const std::vector<BenchPoint>& points) {
-  const Axes axes = axesFor(points);
-  std::string svg = "<svg viewBox='0 0 720 380' role='img' aria-label='accuracy against time'>" + gridOf(axes);
+std::string chart(const std::vector<BenchPoint>& points, const BenchAxis& axis) {
+  const Axes axes = axesFor(points, axis);
+  std::string svg = "<svg viewBox='0 0 720 380' role='img' aria-label='accuracy against time'>" + gridOf(axes, axis);
   std::map<std::string, std::string> curves;
   Names names;
   for (const BenchPoint& point : points) {
-    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.psnr_db);
+    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.accuracy);
     if (!point.curve.empty()) curves[point.curve] += fixedText(x, 1) + "," + fixedText(y, 1) + " ";
     names.occupy(x, y, 7.0, 7.0);
   }
   for (const auto& [name, line] : curves) svg += "<polyline class='curve' points='" + line + "'/>";
   for (const BenchPoint& point : points) {
-    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.psnr_db);
-    svg += symbol(
-        point.mark, x, y,
-        "<title>" + escaped(point.name) + ": " + fixedText(point.time_ms, 3) + " ms, " + fixedText(point.psnr_db, 1) + " dB</title>");
+    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.accuracy);
+    svg += symbol(point.mark, x, y,
+                  "<title>" + escaped(point.name) + ": " + fixedText(point.time_ms, 3) + " ms, " +
+                      fixedText(point.accuracy, axis.decimals) + " " + escaped(axis.unit) + "</title>");
     if (!point.label.empty()) svg += names.place(x, y, point.label);
   }
   return svg + "</svg>";
@@ -233,7 +243,7 @@ std::string benchPage(const std::string& title, const std::vector<std::string>& 
     html += "<h2>" + escaped(section.title) + "</h2><section>";
     if (!section.text.empty()) html += "<p>" + escaped(section.text) + "</p>";
     html += legendOf(section);
-    if (!section.points.empty()) html += chart(section.points);
+    if (!section.points.empty()) html += chart(section.points, section.axis);
     if (!section.bars.empty()) html += barChart(section.bars, section.limits_ms);
     html += tableOf(section.table) + "</section>";
   }

@@ -14,9 +14,17 @@ struct BenchPoint {
   std::string label;  ///< drawn beside the point; empty: in its tooltip alone
   std::string name;   ///< whole, for the tooltip
   double time_ms = 0.0;
-  double psnr_db = 0.0;
+  double accuracy = 0.0;  ///< on the section's axis
   BenchMark mark = BenchMark::own;
   std::string curve;  ///< points of the same curve are joined in their order; empty: not joined
+};
+
+/// What is drawn upwards; more is better.
+struct BenchAxis {
+  std::string title = "accuracy, PSNR in dB";
+  std::string unit = "dB";  ///< behind a value in a tooltip; may be empty
+  int decimals = 1;         ///< of a value in a tooltip
+  double smallestStep = 5.0;
 };
 
 /// One bar of a picture of times.
@@ -38,6 +46,7 @@ struct BenchSection {
   std::string title;
   std::string text;
   std::vector<std::pair<BenchMark, std::string>> legend;
+  BenchAxis axis = {};
   std::vector<BenchPoint> points;
   std::vector<BenchBar> bars;
   std::vector<std::pair<double, std::string>> limits_ms;  ///< lines across the bars
