@@ -66,9 +66,11 @@ TEST_F(PhantomSweepCommand, RecordsASweepThatReconstructsAsItIsAndWithItsDeviceS
     EXPECT_EQ(made.status, 0) << made.err;
     return readVolume(folder / volume);
   };
-  const auto whole = reconstruct("whole.mha", {}), clipped = reconstruct("clipped.mha", {"--calibration", folder / "s.xml"});
-  ASSERT_TRUE(whole && clipped);
+  const auto whole = reconstruct("whole.mha", {"--no-clip"}), clipped = reconstruct("clipped.mha", {"--calibration", folder / "s.xml"});
+  const auto itself = reconstruct("itself.mha", {});
+  ASSERT_TRUE(whole && clipped && itself);
   EXPECT_LT(clipped->volume.grid.voxelCount(), whole->volume.grid.voxelCount()) << "the device set clips to the image";
+  EXPECT_TRUE(itself->volume == clipped->volume) << "the recording states the same clip as its device set";
   // The bead is brighter than what surrounds it, where it is in truth.
   const auto levelAt = [&](const glm::dvec3& p_world) {
     const auto& grid = clipped->volume.grid;

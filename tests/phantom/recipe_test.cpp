@@ -84,7 +84,7 @@ TEST_F(Family, LetsAParameterFollowFromOthers) {
   const std::string derived = R"j(, "parameters": {"wall_mm": {"default": 2, "lowest": 0, "highest": 9, "unit": "mm"},
     "size_mm": "=2 * (wall_mm + 7)"})j";
   EXPECT_EQ(radiusOf(**extended(derived), "inner"), 9.0);
-EXPECT_EQ(radiusOf(**extended(derived, {{"wall_mm", 4.0}}), "inner"), 11.0);
+  EXPECT_EQ(radiusOf(**extended(derived, {{"wall_mm", 4.0}}), "inner"), 11.0);
 }
 
 TEST_F(Family, OfThreeGenerationsIsMergedFromTheOldestOn) {
