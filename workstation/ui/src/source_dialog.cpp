@@ -2,11 +2,11 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPointer>
 #include <QPushButton>
-#include <QShortcut>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -156,16 +156,41 @@ void SourceDialog::addRows() {
 
   connect(before_, &QPushButton::clicked, this, [this] { step(-1); });
   connect(after_, &QPushButton::clicked, this, [this] { step(1); });
-  const auto goHome = [this] {
-    if (!shownFrame()) return;
-    shown_ = source_.frame;
-    showAll();
-  };
-  connect(home_, &QPushButton::clicked, this, goHome);
+  connect(home_, &QPushButton::clicked, this, &SourceDialog::goHome);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
-  connect(new QShortcut(Qt::Key_Left, this), &QShortcut::activated, this, [this] { step(-1); });
-  connect(new QShortcut(Qt::Key_Right, this), &QShortcut::activated, this, [this] { step(1); });
-  connect(new QShortcut(Qt::Key_Home, this), &QShortcut::activated, this, goHome);
+  // Buttons would take the arrows to walk among themselves.
+  for (QPushButton* each : {before_, home_, after_, close}) each->installEventFilter(this);
+}
+
+bool SourceDialog::takesKey(int key) {
+  switch (key) {
+    case Qt::Key_Left:
+      step(-1);
+      return true;
+    case Qt::Key_Right:
+      step(1);
+      return true;
+    case Qt::Key_Home:
+      goHome();
+      return true;
+    default:
+      return false;
+  }
+}
+
+void SourceDialog::keyPressEvent(QKeyEvent* event) {
+  if (!takesKey(event->key())) QDialog::keyPressEvent(event);
+}
+
+bool SourceDialog::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && takesKey(static_cast<QKeyEvent*>(event)->key())) return true;
+  return QDialog::eventFilter(watched, event);
+}
+
+void SourceDialog::goHome() {
+  if (!shownFrame()) return;
+  shown_ = source_.frame;
+  showAll();
 }
 
 void SourceDialog::showSource(const std::shared_ptr<const Provenance>& provenance, const VoxelSource& source) {

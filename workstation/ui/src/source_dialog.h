@@ -38,8 +38,14 @@ class SourceDialog final : public QDialog {
   /// Where the point lies on the shown frame, in its pixels.
   [[nodiscard]] std::optional<QPointF> cross() const;
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void addRows();
+  bool takesKey(int key);
+  void goHome();
   void step(int by);
   void read();
   void showAll();
