@@ -1,6 +1,7 @@
 # Every outside library the project builds with. All of them are Debian 12 packages (resources/packages.txt names them).
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(Ceres 2.1 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(glm REQUIRED)

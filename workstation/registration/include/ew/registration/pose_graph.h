@@ -1,0 +1,72 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/registration/rigid.h"
+
+namespace ew::registration {
+
+/// A subvolume whose pose (its own mm to the world's) is sought.
+struct GraphNode {
+  std::string name;
+  glm::dmat4 toWorld{1.0};              ///< where to start; with a prior, what the tracker said
+  std::optional<PoseCovariance> prior;  ///< how far the tracker is believed; absent: the pose is only a start
+  bool fixed = false;                   ///< holds the gauge: never moves
+};
+
+/// What registering two of them found.
+struct GraphEdge {
+  std::size_t fixed = 0;  ///< index of the node
+  std::size_t moving = 0;
+  glm::dmat4 fixedToMoving{1.0};
+  std::optional<PoseCovariance> covariance;  ///< about `centre_mm`; absent: an edge without information is named and left out
+  glm::dvec3 centre_mm{0.0};                 ///< of the overlap, in the fixed volume's frame
+  double trust = 1.0;                        ///< 0..1 from the verdict; 0 leaves it out
+};
+
+struct GraphOptions {
+  double lossScale = 2.0;       ///< of the robust loss, in standard deviations
+  double wrongAbove_mm = 3.0;   ///< an edge whose residual at its centre is larger, or
+  double wrongAbove_deg = 3.0;  ///< whose turn is, is named wrong
+  int iterations = 100;
+  bool startFromEdges = true;  ///< nodes without prior start where the most trusted edges put them (spanning tree), not at toWorld
+};
+
+struct GraphEdgeReport {
+  double residual_mm = 0.0;  ///< at the edge's centre
+  double residual_deg = 0.0;
+  double weight = 0.0;  ///< of the robust loss, 0..1
+  bool wrong = false;
+};
+
+struct GraphResult {
+  Verdict verdict = Verdict::cannotTell;
+  std::string reason;                  ///< names wrong pairs and disconnected parts by the nodes' names
+  std::vector<glm::dmat4> toWorld;     ///< one per node
+  std::vector<GraphEdgeReport> edges;  ///< one per edge
+  std::vector<int> part;               ///< one per node: parts that no believed edge or prior joins have different numbers
+  int parts = 0;
+  std::vector<std::size_t> wrong;  ///< indices of edges
+  std::vector<std::size_t> withoutInformation;
+  std::vector<PoseCovariance> covariance;  ///< one per node, relative to the gauge; empty when singular
+  double closure_mm = 0.0;                 ///< worst error around a cycle of believed edges before the solve; 0 without a cycle
+  double closure_deg = 0.0;
+  StopReason stop = StopReason::notRun;
+  int iterations = 0;
+  double seconds = 0.0;
+};
+
+/// Poses of all subvolumes together, by nonlinear least squares (Ceres) over relative poses with a robust loss. In each part the gauge is
+/// held by its fixed node or prior, else by its first node.
+/// @error badField (an index outside, a covariance that is not one, a matrix that is not finite), notRigid, emptyVolume (no node),
+/// cancelled
+[[nodiscard]] Result<GraphResult> solveGraph(std::span<const GraphNode> nodes, std::span<const GraphEdge> edges,
+                                             const GraphOptions& options, Progress& progress);
+
+}  // namespace ew::registration

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "ew/core/volume.h"
+
+/// Registration finds how the coordinates of one subvolume (fixed) go over into those of another (moving). Throughout:
+/// fixedToMoving takes a point in the mm of the fixed volume's grid (LPS) to the mm of the moving volume's grid.
+namespace ew::registration {
+
+/// What may be believed about a result. An outcome of the numerics, never an Error.
+enum class Verdict {
+  aligned,     ///< the evidence supports this transform and no other
+  notAligned,  ///< the evidence speaks against it: no common tissue, or the images contradict the transform
+  cannotTell   ///< too little evidence either way; the reason says of what
+};
+const char* nameOf(Verdict verdict);  ///< "aligned", "not aligned", "cannot tell": as in reports
+
+enum class StopReason { notRun, converged, iterationLimit, timeLimit, noImprovement, singular, noOverlap, cancelled };
+const char* nameOf(StopReason reason);
+
+/// One side of a registration: echo levels with coverage, and how far each voxel's echo may be trusted.
+struct Input {
+  const Volume* volume = nullptr;          ///< never null; lives as long as the call
+  std::span<const float> confidence = {};  ///< voxelCount() values in 0..1; empty: 1 wherever covered
+};
+
+/// Agreement of the images at a transform, over the voxels both sides cover. Correlations are of images made comparable
+/// (speckle suppressed, local mean and deviation taken out), so that gain and depth gain do not count.
+struct Agreement {
+  double correlation = 0.0;   ///< -1..1
+  double overlapShare = 0.0;  ///< voxels both cover, of the smaller side's covered voxels
+  double chance = 0.0;        ///< correlation that unrelated tissue of this overlap reaches by chance, 95th percentile
+  bool operator==(const Agreement&) const = default;
+};
+
+}  // namespace ew::registration
