@@ -1,0 +1,309 @@
+#include "ew/registration/deformation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "elastic/lattice.h"
+#include "ew/core/contract.h"
+#include "ew/core/parallel.h"
+
+namespace ew::registration {
+namespace {
+
+double determinantOf(const Grid& grid) {
+  return glm::determinant(grid.directions) * grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z;
+}
+
+/// Whether the rows of `grid` run along lines of nodes, so that a displacement along a row is piecewise linear with known knees.
+bool alongNodes(const Grid& grid, const Grid& nodes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (glm::distance(grid.directions[axis], nodes.directions[axis]) > 1e-12) return false;
+  }
+  return true;
+}
+
+/// Displacements of the row (j, k) of `grid`, whose axes are those of the nodes: the nodes' line is blended once, then walked along.
+void fillRow(const ControlGrid& control, const Lattice& lattice, const Grid& grid, int j, int k, std::vector<glm::dvec3>& line,
+             glm::dvec3* out) {
+  const glm::dvec3 first = lattice.nodeIndexOf(grid.origin_mm + grid.directions * (grid.spacing_mm * glm::dvec3(0, j, k)));
+  const glm::ivec3 dims = control.nodes.dims;
+  int low[2], high[2];
+  double share[2];
+  for (int n = 0; n < 2; ++n) {
+    const int last = dims[n + 1] - 1;
+    const double held = std::clamp(first[n + 1], 0.0, static_cast<double>(last));
+    low[n] = std::min(static_cast<int>(held), std::max(last - 1, 0));
+    high[n] = std::min(low[n] + 1, last);
+    share[n] = held - low[n];
+  }
+  line.resize(static_cast<std::size_t>(dims.x));
+  for (int i = 0; i < dims.x; ++i) {
+    const auto at = [&](int y, int z) { return glm::dvec3(control.displacement_mm[control.nodes.indexOf(i, y, z)]); };
+    line[static_cast<std::size_t>(i)] = glm::mix(glm::mix(at(low[0], low[1]), at(high[0], low[1]), share[0]),
+                                                 glm::mix(at(low[0], high[1]), at(high[0], high[1]), share[0]), share[1]);
+  }
+  const double step = grid.spacing_mm.x / control.nodes.spacing_mm.x;
+  for (int i = 0; i < grid.dims.x; ++i) {
+    const double held = std::clamp(first.x + i * step, 0.0, static_cast<double>(dims.x - 1));
+    const auto cell = static_cast<std::size_t>(std::min(static_cast<int>(held), std::max(dims.x - 2, 0)));
+    out[i] = glm::mix(line[cell], line[std::min(cell + 1, line.size() - 1)], held - static_cast<double>(cell));
+  }
+}
+
+/// Calls row(j, k, first point, step, displacements) for every row of `grid` of slice k; displacements in mm, one per voxel.
+template <class Row>
+void forEachRow(const ControlGrid& control, const Grid& grid, int k, const Row& row) {
+  const Lattice lattice(control);
+  const bool aligned = !control.displacement_mm.empty() && alongNodes(grid, control.nodes);
+  const glm::dvec3 step = grid.directions[0] * grid.spacing_mm.x;
+  std::vector<glm::dvec3> line, displacement(static_cast<std::size_t>(grid.dims.x));
+  for (int j = 0; j < grid.dims.y; ++j) {
+    const glm::dvec3 first = grid.origin_mm + grid.directions * (grid.spacing_mm * glm::dvec3(0, j, k));
+    if (aligned) {
+      fillRow(control, lattice, grid, j, k, line, displacement.data());
+    } else if (!control.displacement_mm.empty()) {
+      for (int i = 0; i < grid.dims.x; ++i)
+        displacement[static_cast<std::size_t>(i)] = lattice.displacementAt(first + step * static_cast<double>(i));
+    }
+    row(j, first, step, displacement);
+  }
+}
+
+std::string countOf(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+}  // namespace
+
+glm::dvec3 displacementAt(const ControlGrid& control, const glm::dvec3& p_mm) {
+  if (control.displacement_mm.empty()) return glm::dvec3(0.0);
+  return Lattice(control).displacementAt(p_mm);
+}
+
+glm::dvec3 movingPoint(const Deformation& fixedToMoving, const glm::dvec3& fixed_mm) {
+  return glm::dvec3(fixedToMoving.rigid * glm::dvec4(fixed_mm + displacementAt(fixedToMoving.control, fixed_mm), 1.0));
+}
+
+Result<DisplacementField> fieldOf(const Deformation& fixedToMoving, const Grid& fixedGrid, int threads, Progress& progress) {
+  if (auto usable = checkGrid(fixedGrid); !usable) return passOn(usable.error());
+  DisplacementField field{fixedGrid, {}};
+  field.displacement_mm.resize(fixedGrid.voxelCount());
+  const glm::dmat3 turn(fixedToMoving.rigid);
+  const glm::dvec3 shift(fixedToMoving.rigid[3]);
+  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, "Writing out the displacements", [&](int k) {
+    forEachRow(fixedToMoving.control, fixedGrid, k,
+               [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
+                 glm::vec3* out = field.displacement_mm.data() + fixedGrid.indexOf(0, j, k);
+                 for (int i = 0; i < fixedGrid.dims.x; ++i) {
+                   const glm::dvec3 p = first + step * static_cast<double>(i);
+                   out[i] = glm::vec3(turn * (p + displacement[static_cast<std::size_t>(i)]) + shift - p);
+                 }
+               });
+  });
+  if (!finished) return failure(ErrorCode::cancelled, "Writing out the displacements was cancelled.");
+  return field;
+}
+
+JacobianSummary jacobianOf(const ControlGrid& control) {
+  JacobianSummary summary;
+  if (control.displacement_mm.empty()) return summary;
+  EW_EXPECTS(control.displacement_mm.size() == control.nodes.voxelCount());
+  CellExtremes all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const double scale = 1.0 / determinantOf(control.nodes);
+  const glm::ivec3 cells = cellsOf(control.nodes);
+  for (int k = 0; k < cells.z; ++k) {
+    for (int j = 0; j < cells.y; ++j) {
+      for (int i = 0; i < cells.x; ++i) {
+        const CellCorners corner = deformedCell(control, i, j, k);
+        all = determinantExtremes(corner, scale, all.smallest, all.largest);
+        if (determinantBound(corner, scale) > 0.0) continue;
+        // The bound is not the smallest value: only the extremes of this cell alone tell.
+        const CellExtremes own =
+            determinantExtremes(corner, scale, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+        if (own.smallest <= 0.0) ++summary.folded;
+      }
+    }
+  }
+  summary.smallest = all.smallest;
+  summary.largest = all.largest;
+  return summary;
+}
+
+JacobianSummary jacobianOf(const DisplacementField& field) {
+  JacobianSummary summary;
+  if (field.displacement_mm.empty()) return summary;
+  const Grid& grid = field.grid;
+  EW_EXPECTS(field.displacement_mm.size() == grid.voxelCount());
+  summary.smallest = std::numeric_limits<double>::infinity();
+  summary.largest = -summary.smallest;
+  glm::dmat3 steps(grid.directions);
+  for (int axis = 0; axis < 3; ++axis) steps[axis] *= grid.spacing_mm[axis];
+  const double scale = 1.0 / glm::determinant(steps);
+  const glm::ivec3 dims = grid.dims;
+  for (int k = 0; k < dims.z; ++k) {
+    for (int j = 0; j < dims.y; ++j) {
+      for (int i = 0; i < dims.x; ++i) {
+        glm::dmat3 edge = steps;
+        for (int axis = 0; axis < 3; ++axis) {
+          glm::ivec3 before(i, j, k), behind(i, j, k);
+          before[axis] = std::max(before[axis] - 1, 0);
+          behind[axis] = std::min(behind[axis] + 1, dims[axis] - 1);
+          const int apart = behind[axis] - before[axis];
+          if (apart == 0) continue;
+          edge[axis] += (glm::dvec3(field.displacement_mm[grid.indexOf(behind.x, behind.y, behind.z)]) -
+                         glm::dvec3(field.displacement_mm[grid.indexOf(before.x, before.y, before.z)])) /
+                        static_cast<double>(apart);
+        }
+        const double determinant = glm::determinant(edge) * scale;
+        summary.smallest = std::min(summary.smallest, determinant);
+        summary.largest = std::max(summary.largest, determinant);
+        if (determinant <= 0.0) ++summary.folded;
+      }
+    }
+  }
+  return summary;
+}
+
+Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress) {
+  InverseResult result;
+  result.control.nodes = control.nodes;
+  if (control.displacement_mm.empty()) return result;
+  if (auto usable = checkGrid(control.nodes); !usable) return passOn(usable.error());
+  if (control.displacement_mm.size() != control.nodes.voxelCount())
+    return failure(ErrorCode::badField, "The control grid has " + std::to_string(control.displacement_mm.size()) + " displacements for " +
+                                            std::to_string(control.nodes.voxelCount()) + " nodes; write it anew.");
+  const JacobianSummary jacobian = jacobianOf(control);
+  if (!(jacobian.smallest > 0.0)) {
+    return failure(ErrorCode::badField,
+                   "The deformation folds in " + countOf(jacobian.folded, "cell", "cells") +
+                       " of its control grid and has no inverse; register again with a stiffer grid.",
+                   {{"smallest_jacobian", std::to_string(jacobian.smallest)}});
+  }
+  const Lattice lattice(control);
+  const glm::ivec3 dims = control.nodes.dims;
+  result.control.displacement_mm.resize(control.displacement_mm.size());
+  constexpr double kClose_mm = 1e-7;
+  constexpr int kPlain = 12, kMost = 60;
+  for (int k = 0; k < dims.z; ++k) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Inverting the deformation was cancelled.");
+    for (int j = 0; j < dims.y; ++j) {
+      for (int i = 0; i < dims.x; ++i) {
+        const glm::dvec3 q = lattice.pointOf(glm::dvec3(i, j, k));
+        glm::dvec3 p = q - lattice.displacementAt(q), best = q;
+        double least = std::numeric_limits<double>::infinity();
+        int iteration = 0;
+        for (; iteration < kPlain && least > kClose_mm; ++iteration) {
+          const glm::dvec3 off = q - p - lattice.displacementAt(p);
+          if (const double distance = glm::length(off); distance < least) {
+            least = distance;
+            best = p;
+          } else {
+            break;  // it no longer contracts here: Newton's turn
+          }
+          p += off;
+        }
+        p = best;
+        for (; iteration < kMost && least > kClose_mm; ++iteration) {
+          glm::dmat3 derivatives;
+          const glm::dvec3 off = q - p - lattice.displacementAt(p, derivatives);
+          const glm::dmat3 jacobianAt = glm::dmat3(1.0) + derivatives;
+          if (std::abs(glm::determinant(jacobianAt)) < 1e-12) break;
+          glm::dvec3 step = glm::inverse(jacobianAt) * off;
+          bool better = false;
+          for (int halving = 0; halving < 20 && !better; ++halving, step *= 0.5) {
+            const glm::dvec3 there = p + step;
+            const double distance = glm::length(q - there - lattice.displacementAt(there));
+            if (distance < least) {
+              least = distance;
+              p = there;
+              better = true;
+            }
+          }
+          if (!better) break;
+        }
+        result.iterations = std::max(result.iterations, iteration);
+        result.control.displacement_mm[control.nodes.indexOf(i, j, k)] = glm::vec3(p - q);
+      }
+    }
+    progress.report("Inverting the deformation", (k + 1.0) / dims.z);
+  }
+  const Lattice back(result.control);
+  const glm::ivec3 cells = cellsOf(control.nodes);
+  const auto look = [&](const glm::dvec3& index) {
+    const glm::dvec3 p = lattice.pointOf(index), there = p + lattice.displacementAt(p);
+    if (lattice.contains(there))
+      result.largestError_mm = std::max(result.largestError_mm, glm::distance(there + back.displacementAt(there), p));
+  };
+  for (int k = 0; k < dims.z; ++k) {
+    for (int j = 0; j < dims.y; ++j) {
+      for (int i = 0; i < dims.x; ++i) {
+        look(glm::dvec3(i, j, k));
+        if (i < cells.x && j < cells.y && k < cells.z) look(glm::min(glm::dvec3(i, j, k) + 0.5, glm::dvec3(dims - 1)));
+      }
+    }
+  }
+  return result;
+}
+
+Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, const Grid& fixedGrid, int threads, Progress& progress) {
+  if (auto usable = checkGrid(fixedGrid); !usable) return passOn(usable.error());
+  if (auto usable = checkGrid(moving.grid); !usable) return passOn(usable.error());
+  if (moving.echo.size() != moving.grid.voxelCount() || (!moving.coverage.empty() && moving.coverage.size() != moving.echo.size()))
+    return failure(ErrorCode::badField, "The moving volume holds another number of voxels than its grid says; write it anew.");
+  Volume out{fixedGrid, {}, {}};
+  out.echo.resize(fixedGrid.voxelCount());
+  out.coverage.resize(fixedGrid.voxelCount());
+  const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
+  const glm::ivec3 dims = moving.grid.dims;
+  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, "Warping the moving volume", [&](int k) {
+    forEachRow(fixedToMoving.control, fixedGrid, k,
+               [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
+                 const std::size_t row = fixedGrid.indexOf(0, j, k);
+                 for (int i = 0; i < fixedGrid.dims.x; ++i) {
+                   const glm::dvec3 p = first + step * static_cast<double>(i) + displacement[static_cast<std::size_t>(i)];
+                   const glm::dvec3 at(toVoxel * glm::dvec4(p, 1.0));
+                   glm::ivec3 low;
+                   glm::dvec3 share;
+                   bool inside = true;
+                   for (int axis = 0; axis < 3; ++axis) {
+                     // A single layer of voxels is as thick as it says; otherwise the volume ends at its last centres.
+                     const double slack = dims[axis] == 1 ? 0.5 : 1e-6;
+                     inside = inside && at[axis] >= -slack && at[axis] <= dims[axis] - 1 + slack;
+                     const double held = std::clamp(at[axis], 0.0, static_cast<double>(dims[axis] - 1));
+                     low[axis] = std::min(static_cast<int>(held), std::max(dims[axis] - 2, 0));
+                     share[axis] = held - low[axis];
+                   }
+                   if (!inside) continue;
+                   double sum = 0.0, weight = 0.0;
+                   bool measured = true;
+                   for (int n = 0; n < 8; ++n) {
+                     double part = 1.0;
+                     glm::ivec3 corner = low;
+                     for (int axis = 0; axis < 3; ++axis) {
+                       const bool high = (n >> axis & 1) != 0;
+                       part *= high ? share[axis] : 1.0 - share[axis];
+                       corner[axis] += high ? 1 : 0;
+                     }
+                     if (part < 1e-9) continue;
+                     const std::size_t index = moving.grid.indexOf(corner.x, corner.y, corner.z);
+                     const Coverage coverage = moving.coverageAt(index);
+                     if (coverage != Coverage::measured) measured = false;
+                     if (coverage == Coverage::absent) continue;
+                     sum += part * moving.echo[index];
+                     weight += part;
+                   }
+                   if (weight < 0.5) continue;
+                   const auto index = row + static_cast<std::size_t>(i);
+                   out.echo[index] = static_cast<std::uint8_t>(std::lround(sum / weight));
+                   out.coverage[index] = static_cast<std::uint8_t>(measured ? Coverage::measured : Coverage::interpolated);
+                 }
+               });
+  });
+  if (!finished) return failure(ErrorCode::cancelled, "Warping the moving volume was cancelled.");
+  return out;
+}
+
+}  // namespace ew::registration
