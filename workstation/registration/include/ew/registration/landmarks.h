@@ -33,8 +33,9 @@ struct LandmarkResult {
   std::vector<std::size_t> coincident;  ///< indices of pairs that repeat another one's place
   bool collinear = false;               ///< all places on one line: the turn about it is free
   double rms_mm = 0.0;                  ///< over pairs that are not outlying
-  double expectedError_mm = 0.0;        ///< target registration error at the centroid's far side, from pickError_mm and the pairs' spread
-  double conditioning = 0.0;            ///< second singular value over the first of the scattered places: 0 collinear, 1 round
+  double expectedError_mm = 0.0;  ///< target registration error at the centroid's far side, from pickError_mm (or the residuals when they
+                                  ///< say more) and the pairs' spread; infinite when the turn is free
+  double conditioning = 0.0;      ///< second singular value over the first of the scattered places: 0 collinear, 1 round
   StopReason stop = StopReason::notRun;
 };
 
