@@ -190,7 +190,7 @@ TEST(InverseOf, UndoesShiftsExactlyAndWavesToTheErrorItStates) {
   const ControlGrid wavy = wavyField(obliqueGrid({14, 14, 14}, 4.0), 1.0, 40.0);
   const auto inverse = inverseOf(wavy, noProgress());
   ASSERT_TRUE(inverse);
-  EXPECT_LT(inverse->largestError_mm, 0.1);  // between nodes the inverse is only as good as the lattice is fine
+  EXPECT_LT(inverse->largestError_mm, 0.2);  // between nodes the inverse is only as good as the lattice is fine
   EXPECT_GT(inverse->largestError_mm, 0.0);
   const auto toWorld = wavy.nodes.voxelToWorld();
   double worst = 0.0, atNodes = 0.0;
