@@ -2,7 +2,7 @@
 
 #include "ew/sdk/plugin.h"
 
-#include "logic/project.h"
+#include "logic/chain.h"
 #include "panel/stitch_panel.h"
 
 namespace {

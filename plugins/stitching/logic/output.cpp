@@ -1,9 +1,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "ew/core/version.h"
-#include "logic/project.h"
+#include "logic/output.h"
 
 namespace ew::stitching {
 namespace {
@@ -28,10 +29,10 @@ std::string provenanceText(const StitchResult& result, const StitchProject& proj
     input["dominant_voxels"] = result.contributions[n].dominantVoxels;
     document["inputs"].push_back(input);
   }
-  document["options"] = {{"spacing_mm", project.options.spacing_mm},
-                         {"feather_mm", project.options.featherWidth_mm},
-                         {"interpolated_weight", project.options.interpolatedWeight},
-                         {"axes", project.options.axes == GridAxes::world ? "world" : "first"}};
+  document["options"] = {{"spacing_mm", project.settings.join.grid.spacing_mm},
+                         {"feather_mm", project.settings.join.grid.featherWidth_mm},
+                         {"interpolated_weight", project.settings.join.grid.interpolatedWeight},
+                         {"axes", nameOf(project.settings.join.grid.axes)}};
   const Grid& grid = result.volume.grid;
   document["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
                       {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}},
@@ -64,6 +65,22 @@ class Aside {
 
 }  // namespace
 
+Result<std::vector<PlacedVolume>> readVolumes(const StitchProject& project, sdk::Volumes& volumes, Progress& progress) {
+  std::vector<PlacedVolume> read;
+  const double share = project.volumes.empty() ? 1.0 : 1.0 / static_cast<double>(project.volumes.size());
+  for (const auto& each : project.volumes) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The stitching was cancelled.");
+    PartOfProgress part(progress, share * static_cast<double>(read.size()), share * static_cast<double>(read.size() + 1));
+    part.report("Reading " + each.name, 0.0);
+    auto volume = volumes.read(each.file, part);
+    if (!volume) return passOn(volume.error());
+    if (!each.coverage.empty())
+      if (auto coverage = volumes.readCoverageInto(*volume, each.coverage, part); !coverage) return passOn(coverage.error());
+    read.push_back({std::move(*volume), each.toWorld, each.name});
+  }
+  return read;
+}
+
 Result<StitchFiles> writeStitch(const StitchResult& result, const StitchProject& project, const fs::path& folder, sdk::Volumes& volumes,
                                 sdk::Files& files, Progress& progress) {
   std::error_code error;
@@ -95,63 +112,6 @@ Result<StitchFiles> writeStitch(const StitchResult& result, const StitchProject&
     aside.keepFolder();
   }
   return StitchFiles{folder / "volume.mha", folder / "coverage.mha", folder / "source.mha", folder / "provenance.json"};
-}
-
-Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes, sdk::Files& files,
-                                                sdk::Log& log, Progress& progress) {
-  const auto usage = [](const std::string& what) { return failure(ErrorCode::badUsage, what + " Usage: echoweave " + kStitchUsage + "."); };
-  std::string projectFile;
-  std::string folder;
-  int threads = 0;
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    const bool takesValue = args[i] == "-o" || args[i] == "--output" || args[i] == "--threads";
-    if (takesValue && i + 1 == args.size()) return usage("A value is missing after " + args[i] + ".");
-    if (args[i] == "-o" || args[i] == "--output") {
-      folder = args[++i];
-    } else if (args[i] == "--threads") {
-      const auto& word = args[++i];
-      if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789") != std::string::npos)
-        return usage("--threads is '" + word + "' and must be a whole number from 0 to 9999.");
-      threads = std::stoi(word);
-    } else if (args[i].size() > 1 && args[i].front() == '-') {
-      return usage("'" + args[i] + "' is not an option of stitch.");
-    } else if (projectFile.empty()) {
-      projectFile = args[i];
-    } else {
-      return usage("There are two projects, '" + projectFile + "' and '" + args[i] + "', and only one can be stitched.");
-    }
-  }
-  if (projectFile.empty()) return usage("The project file is missing.");
-  if (folder.empty()) return usage("The output folder is missing.");
-
-  auto text = files.readText(projectFile);
-  if (!text) return passOn(text.error());
-  auto project = parseProject(*text, fs::path(projectFile).parent_path(), files);
-  if (!project) return passOn(project.error());
-  project->options.threads = threads;
-  PartOfProgress reading(progress, 0.0, 0.3);
-  auto inputs = readVolumes(*project, volumes, reading);
-  if (!inputs) return passOn(inputs.error());
-  auto forecast = forecastStitch(*inputs, project->options);
-  if (!forecast) return passOn(forecast.error());
-  PartOfProgress blending(progress, 0.3, 0.8);
-  auto result = stitch(*inputs, project->options, blending);
-  if (!result) return passOn(result.error());
-  for (const auto& note : result->notes) log.warn(note);
-  PartOfProgress writing(progress, 0.8, 1.0);
-  auto written = writeStitch(*result, *project, folder, volumes, files, writing);
-  if (!written) return passOn(written.error());
-
-  sdk::Commands::Outcome outcome;
-  for (const auto& file : {written->volume, written->coverage, written->source, written->provenance})
-    outcome.outputs.push_back(file.string());
-  outcome.quality = {{"overlap_share", result->overlapShare},
-                     {"disagreement_rms_grey", result->disagreementRms},
-                     {"stitch_seconds", result->seconds},
-                     {"forecast_mib", static_cast<double>(forecast->bytes) / (1024.0 * 1024.0)}};
-  for (std::size_t n = 0; n < result->contributions.size(); ++n)
-    outcome.quality.emplace_back("contributed_voxels_" + std::to_string(n + 1), static_cast<double>(result->contributions[n].voxels));
-  return outcome;
 }
 
 }  // namespace ew::stitching

@@ -1,37 +1,98 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <nlohmann/json.hpp>
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "ew/core/result.h"
+#include "ew/registration/elastic.h"
+#include "ew/registration/landmarks.h"
+#include "ew/registration/pose_graph.h"
+#include "ew/registration/rigid.h"
 #include "ew/sdk/host.h"
-#include "ew/stitching/stitch.h"
+#include "ew/stitching/equalise_views.h"
+#include "ew/stitching/join.h"
 
 namespace ew::stitching {
 
-inline constexpr int kProjectFormat = 1;
+inline constexpr int kProjectFormat = 2;  ///< 1: volumes with places alone, joined as they lie; still read
 
-/// One line of a project: a volume file, optionally its coverage, and where it lies.
+inline constexpr std::size_t kMostVolumes = 254;  ///< the result names its source in 8 bits
+
+/// Where a subvolume's place comes from.
+enum class Placement {
+  unknown,  ///< nobody knows: it is matched without a tracker
+  tracker,  ///< recorded: believed within the tracker's error, refined by the images
+  hand      ///< put there by a person: a start, believed less
+};
+
+/// One line of a project.
 struct ProjectVolume {
-  std::filesystem::path file;
-  std::filesystem::path coverage;  ///< empty: every voxel counts as measured
+  std::filesystem::path file;        ///< a volume, or a sweep (then it is reconstructed)
+  std::filesystem::path coverage;    ///< empty: every voxel counts as measured
+  std::filesystem::path confidence;  ///< volume of 0..255 on the same grid; empty: 1 wherever covered
+  double spacing_mm = 0.0;           ///< of a sweep's reconstruction; 0: chosen from the sweep
+  Placement placement = Placement::tracker;
   glm::dmat4 toWorld{1.0};
-  std::string name;  ///< the file's name when the project gives none
+  std::string name;                   ///< the file's name when the project gives none; unique in a project
+  std::filesystem::path calibration;  ///< device set of a sweep; empty: the recording says everything itself
   bool operator==(const ProjectVolume&) const = default;
 };
 
-/// The stitch project:
-/// {"format": 1, "volumes": [{"file": "a.mha", "coverage": "a-coverage.mha", "name": "right", "to_world": [16 numbers] or "a.txt"}, …],
-///  "spacing_mm": 0, "feather_mm": 10, "interpolated_weight": 0.25, "axes": "first" or "world"}
-/// Only `volumes` with `file` is required. Files are relative to the project's folder. A transform file holds 16 numbers, row by row.
-struct StitchProject {
-  std::vector<ProjectVolume> volumes;
-  StitchOptions options;  ///< threads and maxBytes are not part of the file
-  bool operator==(const StitchProject&) const = default;
+/// How a pair is brought together.
+enum class PairMethod {
+  automatic,  ///< refine when both places are known, else search; landmarks, where there are three or more, come first
+  search,     ///< without a tracker, whatever is known
+  refine,     ///< from the places as they are (or `start`)
+  landmarks,  ///< by landmarks alone
+  byHand      ///< `start` as it is
+};
+/// What a person said about a pair.
+enum class Decision { undecided, accepted, rejected };
+
+struct ProjectPair {
+  std::size_t fixed = 0;  ///< index of the volume; fixed < moving
+  std::size_t moving = 0;
+  PairMethod method = PairMethod::automatic;
+  Decision decision = Decision::undecided;
+  std::optional<glm::dmat4> start;  ///< fixedToMoving: nudged or dragged by hand
+  std::vector<registration::LandmarkPair> landmarks;
+  std::optional<double> maxTurn_deg;  ///< of the search; absent: the project's
+  bool operator==(const ProjectPair&) const = default;
 };
 
+struct ProjectSettings {
+  double maxTurn_deg = 30.0;
+  double trackerError_mm = 3.0;  ///< how far recorded places are believed; 0, and 0 degrees: they are exact, nothing is registered rigidly
+  double trackerError_deg = 2.0;
+  bool equalise = true;
+  bool elastic = true;
+  registration::ElasticEffort effort = registration::ElasticEffort::balanced;
+  double fallOff_mm = 25.0;  ///< the bend is gone this far outside the overlap
+  JoinOptions join;          ///< threads and maxBytes are not part of the file
+};
+
+/// A stitch project (resources/docs/stitching.md, resources/schemas/stitch.schema.json): what a person asked for, never what was found; so
+/// the same project gives the same result, from the panel or from the command line. What was found lies in the output folder (chain.h).
+struct StitchProject {
+  std::vector<ProjectVolume> volumes;
+  std::vector<ProjectPair> pairs;  ///< pairs with anything to say; all others of overlapping volumes are automatic
+  ProjectSettings settings;
+};
+/// Whether both ask for the same: what is not part of the file (threads, maxBytes, block) does not count.
+bool operator==(const StitchProject& a, const StitchProject& b);
+
+/// The words of the file: "tracker", "refine", "accepted", …
+[[nodiscard]] const char* nameOf(Placement placement);
+[[nodiscard]] const char* nameOf(PairMethod method);
+[[nodiscard]] const char* nameOf(Decision decision);
+[[nodiscard]] const char* nameOf(registration::ElasticEffort effort);
+[[nodiscard]] const char* nameOf(SeamMethod method);
+[[nodiscard]] const char* nameOf(GridAxes axes);
+
+/// Pairs may be written in either order of their volumes; they are turned so that fixed < moving.
 /// @param folder against which relative paths are resolved
 /// @error badHeader (not JSON), badField (field, value found, value expected; also a field nobody knows), newerFormat, notRigid, and what
 ///        reading a transform file says
@@ -43,39 +104,5 @@ struct StitchProject {
 /// A rigid matrix from text: 16 numbers, row by row, separated by blanks or line ends.
 /// @error badField, notRigid
 [[nodiscard]] Result<glm::dmat4> parseTransform(const std::string& text, const std::string& name);
-
-/// Reads the volumes of a project, each with its coverage.
-[[nodiscard]] Result<std::vector<PlacedVolume>> readVolumes(const StitchProject& project, sdk::Volumes& volumes, Progress& progress);
-
-/// Where writeStitch puts things, and how they are called there.
-struct StitchFiles {
-  std::filesystem::path volume;      ///< volume.mha
-  std::filesystem::path coverage;    ///< coverage.mha
-  std::filesystem::path source;      ///< source.mha: the input that weighed most, 0 absent, 1 the first
-  std::filesystem::path provenance;  ///< provenance.json: inputs, places, options, what each gave; the same for the same inputs
-};
-
-/// Writes a result into `folder`, all four files or none: they are made aside and moved in together at the end.
-/// @error notWritable, cancelled
-[[nodiscard]] Result<StitchFiles> writeStitch(const StitchResult& result, const StitchProject& project, const std::filesystem::path& folder,
-                                              sdk::Volumes& volumes, sdk::Files& files, Progress& progress);
-
-/// `echoweave stitch PROJECT.json -o DIR [--threads N]`
-[[nodiscard]] Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes,
-                                                              sdk::Files& files, sdk::Log& log, Progress& progress);
-inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--threads N]";
-/// What `--help` says after the usage: how a project is written and what lies in DIR afterwards.
-inline constexpr const char* kStitchHelp =
-    "  -o, --output DIR  Folder for volume.mha, coverage.mha, source.mha and provenance.json; made when it is not there\n"
-    "  --threads N       Threads; 0: all cores; the voxels do not depend on it (0)\n"
-    "\n"
-    "PROJECT.json; only the volumes and their files are required, files are relative to it:\n"
-    "  { \"format\": 1,\n"
-    "    \"volumes\": [\n"
-    "      { \"file\": \"right.mha\", \"coverage\": \"right-coverage.mha\" },\n"
-    "      { \"file\": \"left.mha\", \"to_world\": \"left-to-right.txt\" } ],\n"
-    "    \"spacing_mm\": 0, \"feather_mm\": 10, \"interpolated_weight\": 0.25, \"axes\": \"first\" }\n"
-    "to_world is a list of 16 numbers, row by row, or a text file that holds them; spacing_mm 0 takes the finest volume's;\n"
-    "axes is \"first\" (of the first volume) or \"world\".";
 
 }  // namespace ew::stitching

@@ -186,9 +186,9 @@ StitchPanel::Entry* StitchPanel::selected() {
 StitchProject StitchPanel::project() const {
   StitchProject project;
   for (const auto& entry : entries_) project.volumes.push_back(entry.place);
-  project.options.spacing_mm = spacing_->value();
-  project.options.featherWidth_mm = feather_->value();
-  project.options.axes = axes_->currentIndex() == 1 ? GridAxes::world : GridAxes::first;
+  project.settings.join.grid.spacing_mm = spacing_->value();
+  project.settings.join.grid.featherWidth_mm = feather_->value();
+  project.settings.join.grid.axes = axes_->currentIndex() == 1 ? GridAxes::world : GridAxes::first;
   return project;
 }
 
@@ -220,9 +220,9 @@ std::vector<ProjectVolume> StitchPanel::readProject(const fs::path& file) {
     say(project.error());
     return {};
   }
-  spacing_->setValue(project->options.spacing_mm);
-  feather_->setValue(project->options.featherWidth_mm);
-  axes_->setCurrentIndex(project->options.axes == GridAxes::world ? 1 : 0);
+  spacing_->setValue(project->settings.join.grid.spacing_mm);
+  feather_->setValue(project->settings.join.grid.featherWidth_mm);
+  axes_->setCurrentIndex(project->settings.join.grid.axes == GridAxes::world ? 1 : 0);
   return project->volumes;
 }
 
@@ -343,7 +343,7 @@ void StitchPanel::showForecast() {
   if (entries_.empty()) return forecast_->clear();
   std::vector<PlacedGrid> grids;
   for (const auto& entry : entries_) grids.push_back({entry.volume->grid, entry.place.toWorld, entry.place.name});
-  const auto forecast = forecastStitch(grids, project().options);
+  const auto forecast = forecastStitch(grids, project().settings.join.grid);
   if (!forecast) return forecast_->setText(sdk::words(forecast.error().sentence));
   const Grid& grid = forecast->grid;
   QString text = tr("%1 voxels of %2 × %3 × %4 mm; needs %5")
@@ -362,7 +362,7 @@ void StitchPanel::startStitching() {
   const StitchProject asked = project();
   std::vector<std::shared_ptr<const Volume>> held;
   for (const auto& entry : entries_) held.push_back(entry.volume);
-  StitchOptions options = asked.options;
+  StitchOptions options = asked.settings.join.grid;
   // The machine's own memory is the limit that counts here: swapping would freeze the window.
   if (const auto free = availableMemory_bytes()) options.maxBytes = std::min(options.maxBytes, *free);
   auto made = std::make_shared<Finished>();

@@ -6,7 +6,7 @@
 
 #include "ew/sdk/host.h"
 #include "ew/sdk/panel.h"
-#include "logic/project.h"
+#include "logic/output.h"
 
 class QComboBox;
 class QLabel;

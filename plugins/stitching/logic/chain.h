@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logic/project.h"
+
+namespace ew::stitching {
+
+/// The steps from subvolumes to one volume, in their order. Grey levels are equalised once places are known: without a tracker nobody knows
+/// before what overlaps, and registration does not need it (it is free of gain).
+enum class Step { reconstruct, rigid, graph, equalise, elastic, seam, volume };
+inline constexpr std::array kSteps = {Step::reconstruct, Step::rigid, Step::graph, Step::equalise, Step::elastic, Step::seam, Step::volume};
+[[nodiscard]] const char* nameOf(Step step);  ///< "reconstruct" … as in `--until` and in reports
+
+/// What is known about a pair after the rigid step, and after the elastic one.
+struct PairOutcome {
+  std::size_t fixed = 0;
+  std::size_t moving = 0;
+  PairMethod used = PairMethod::automatic;
+  registration::RigidResult rigid;
+  std::optional<registration::LandmarkResult> landmarks;
+  std::vector<registration::Hypothesis> hypotheses;  ///< of a search
+  bool wrong = false;                                ///< the graph does not believe it
+};
+
+/// What one step left, read back from the output folder or just made.
+struct StepOutcome {
+  Step step = Step::reconstruct;
+  bool done = false;
+  bool reused = false;  ///< found finished for exactly these inputs and settings
+  double seconds = 0.0;
+  std::uint64_t forecast_bytes = 0;
+};
+
+/// All that is known about a project in its output folder.
+struct ChainState {
+  std::vector<StepOutcome> steps;                      ///< one per Step
+  std::vector<std::shared_ptr<const Volume>> volumes;  ///< one per line, after `reconstruct`
+  std::vector<GreyCorrection> corrections;
+  std::vector<PairOutcome> pairs;
+  std::optional<registration::GraphResult> graph;
+  std::vector<registration::ControlGrid> bends;  ///< one per volume, world; after `elastic`
+  std::vector<std::vector<registration::Level>> elasticLevels;
+  std::optional<SeamMap> seams;
+  std::optional<JoinReport> report;
+  std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
+  registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
+  std::string reason;
+};
+
+struct ChainOptions {
+  Step until = Step::volume;
+  int threads = 0;
+  std::uint64_t maxBytes = 16ull << 30;
+  /// Called on the working thread when a level of a pair's registration ends.
+  std::function<void(std::size_t fixed, std::size_t moving, const registration::Level&)> onLevel;
+};
+
+/// What a run would still do and need, before anything is read into memory.
+struct ChainForecast {
+  std::vector<StepOutcome> steps;
+  std::uint64_t peak_bytes = 0;
+};
+[[nodiscard]] Result<ChainForecast> forecastChain(const StitchProject& project, const std::filesystem::path& folder,
+                                                  const ChainOptions& options, sdk::Volumes& volumes, sdk::Files& files);
+
+/// Runs the steps that are not finished for these inputs and settings. Each step leaves its result in `folder`/steps/NAME, complete or not
+/// at all, under a key of everything it depends on; so a run that was cancelled or killed goes on where it stopped and ends with the same
+/// bytes.
+/// @error what a step says, naming the volume or pair; notWritable; tooLarge (the forecast above maxBytes); cancelled (within 0.5 s)
+[[nodiscard]] Result<ChainState> runChain(const StitchProject& project, const std::filesystem::path& folder, const ChainOptions& options,
+                                          sdk::Volumes& volumes, sdk::Files& files, Progress& progress);
+
+/// `echoweave stitch PROJECT.json -o DIR [--until STEP] [--threads N]`
+[[nodiscard]] Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes,
+                                                              sdk::Files& files, sdk::Log& log, Progress& progress);
+inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--until STEP] [--threads N]";
+/// What `--help` says after the usage: how a project is written and what lies in DIR afterwards.
+extern const char* const kStitchHelp;
+
+}  // namespace ew::stitching

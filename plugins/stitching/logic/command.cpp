@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "logic/chain.h"
+
+namespace ew::stitching {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string namesOfSteps() {
+  std::string names;
+  for (std::size_t n = 0; n < kSteps.size(); ++n)
+    names += std::string(n == 0 ? "" : n + 1 == kSteps.size() ? " and " : ", ") + nameOf(kSteps[n]);
+  return names;
+}
+
+}  // namespace
+
+const char* const kStitchHelp =
+    "  -o, --output DIR  Folder for volume.mha, coverage.mha, source.mha and provenance.json; made when it is not there.\n"
+    "                    DIR/steps keeps what each step found, so that a second run only does what changed\n"
+    "  --until STEP      Stop after reconstruct, rigid, graph, equalise, elastic, seam or volume (volume)\n"
+    "  --threads N       Threads; 0: all cores; the voxels do not depend on it (0)\n"
+    "\n"
+    "PROJECT.json; only the volumes and their files are required, files are relative to it:\n"
+    "  { \"format\": 2,\n"
+    "    \"volumes\": [\n"
+    "      { \"name\": \"right\", \"file\": \"right.mha\", \"coverage\": \"right-coverage.mha\", \"placement\": \"tracker\",\n"
+    "        \"to_world\": \"right-to-world.txt\" },\n"
+    "      { \"name\": \"left\", \"file\": \"left.igs.mha\", \"spacing_mm\": 0.8, \"placement\": \"unknown\" } ],\n"
+    "    \"pairs\": [ { \"fixed\": \"right\", \"moving\": \"left\", \"method\": \"search\", \"max_turn_deg\": 45 } ],\n"
+    "    \"settings\": { \"tracker_error_mm\": 3, \"tracker_error_deg\": 2, \"elastic\": true, \"effort\": \"balanced\" },\n"
+    "    \"result\": { \"spacing_mm\": 0, \"axes\": \"first\" },\n"
+    "    \"seam\": { \"method\": \"graph cut\", \"blend_mm\": 2.5 } }\n"
+    "A file is a volume or a sweep, which is reconstructed. to_world is a list of 16 numbers, row by row, or a text file that holds\n"
+    "them; placement is \"tracker\" (recorded), \"hand\" (a start) or \"unknown\" (found without one). Of pairs only those need an entry\n"
+    "about which there is something to say. Every field: resources/docs/stitching.md.";
+
+Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes, sdk::Files& files,
+                                                sdk::Log& log, Progress& progress) {
+  const auto usage = [](const std::string& what) { return failure(ErrorCode::badUsage, what + " Usage: echoweave " + kStitchUsage + "."); };
+  std::string projectFile;
+  std::string folder;
+  ChainOptions options;
+  for (std::size_t i = 0; i < args.size(); ++i) {
+    const bool takesValue = args[i] == "-o" || args[i] == "--output" || args[i] == "--threads" || args[i] == "--until";
+    if (takesValue && i + 1 == args.size()) return usage("A value is missing after " + args[i] + ".");
+    if (args[i] == "-o" || args[i] == "--output") {
+      folder = args[++i];
+    } else if (args[i] == "--threads") {
+      const auto& word = args[++i];
+      if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789") != std::string::npos)
+        return usage("--threads is '" + word + "' and must be a whole number from 0 to 9999.");
+      options.threads = std::stoi(word);
+    } else if (args[i] == "--until") {
+      const auto& word = args[++i];
+      const auto step = std::find_if(kSteps.begin(), kSteps.end(), [&](Step each) { return word == nameOf(each); });
+      if (step == kSteps.end()) return usage("'" + word + "' is not a step; the steps are " + namesOfSteps() + ".");
+      options.until = *step;
+    } else if (args[i].size() > 1 && args[i].front() == '-') {
+      return usage("'" + args[i] + "' is not an option of stitch.");
+    } else if (projectFile.empty()) {
+      projectFile = args[i];
+    } else {
+      return usage("There are two projects, '" + projectFile + "' and '" + args[i] + "', and only one can be stitched.");
+    }
+  }
+  if (projectFile.empty()) return usage("The project file is missing.");
+  if (folder.empty()) return usage("The output folder is missing.");
+
+  auto text = files.readText(projectFile);
+  if (!text) return passOn(text.error());
+  auto project = parseProject(*text, fs::path(projectFile).parent_path(), files);
+  if (!project) return passOn(project.error());
+  auto state = runChain(*project, folder, options, volumes, files, progress);
+  if (!state) return passOn(state.error());
+  if (state->report)
+    for (const auto& note : state->report->notes) log.warn(note);
+
+  sdk::Commands::Outcome outcome;
+  for (const auto& file : {state->volume, state->coverage, state->source, state->provenance})
+    if (!file.empty()) outcome.outputs.push_back(file.string());
+  for (const auto& step : state->steps)
+    if (step.done) outcome.quality.emplace_back(std::string(nameOf(step.step)) + "_seconds", step.seconds);
+  if (state->report) {
+    outcome.quality.emplace_back("overlap_share", state->report->overlapShare);
+    outcome.quality.emplace_back("disagreement_rms_grey", state->report->disagreementRms);
+    for (std::size_t n = 0; n < state->report->contributions.size(); ++n)
+      outcome.quality.emplace_back("contributed_voxels_" + std::to_string(n + 1),
+                                   static_cast<double>(state->report->contributions[n].voxels));
+  }
+  return outcome;
+}
+
+}  // namespace ew::stitching
