@@ -1,6 +1,8 @@
 #include "ew/sdk/host.h"
 #include "ew/sdk/plugin.h"
 
+#include <utility>
+
 namespace ew::sdk {
 
 // Out of line, so that a vtable has one home per library and RTTI compares equal across the plugin's border.
@@ -8,7 +10,9 @@ Volumes::~Volumes() = default;
 Files::~Files() = default;
 Cases::~Cases() = default;
 Jobs::~Jobs() = default;
+PanelDocument::~PanelDocument() = default;
 Panels::~Panels() = default;
+void Panels::addStaged(StagedPanel panel) { add(panel.id, panel.title, std::move(panel.make)); }
 Commands::~Commands() = default;
 Log::~Log() = default;
 Host::~Host() = default;

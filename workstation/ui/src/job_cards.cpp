@@ -62,7 +62,7 @@ struct JobCards::Card final : QFrame {
   }
 
   void show(const Jobs::Seen& job) {
-    const int room_px = kWidth_px - 40;
+    const int room_px = width() - 40;
     title->setText(title->fontMetrics().elidedText(job.title, Qt::ElideMiddle, room_px - cancel->sizeHint().width()));
     title->setToolTip(job.title);
     const QString now = job.cancelling ? JobCards::tr("Stopping…") : job.step;
@@ -87,6 +87,9 @@ JobCards::JobCards(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
 
 void JobCards::placeIn(const QRect& area) {
   area_ = area;
+  const int width_px = std::min(kWidth_px, area.width() - 32);
+  for (const auto& [id, card] : cards_) card->setFixedWidth(width_px);
+  layout()->activate();
   const QSize size = sizeHint();
   setGeometry(area.right() - 16 - size.width(), area.bottom() - 16 - size.height(), size.width(), size.height());
   raise();
@@ -103,6 +106,7 @@ void JobCards::refresh() {
     if (at == cards_.end()) {
       if (job.age_s < kShowAfter_s) continue;
       auto* card = new Card(this);
+      card->setFixedWidth(std::min(kWidth_px, area_.width() - 32));
       connect(card->cancel, &QPushButton::clicked, &jobs_, [this, id = job.id] { jobs_.cancel(id); });
       layout()->addWidget(card);
       at = cards_.emplace(job.id, card).first;

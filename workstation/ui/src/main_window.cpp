@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ew/library/preparation.h"
 #include "file_import_dialog.h"
@@ -28,6 +29,7 @@ namespace {
 constexpr int kRecentFiles = 6;
 constexpr int kConsoleWidth_px = 248;
 constexpr int kPanelWidth_px = 400;
+constexpr int kStagedPanelWidth_px = 296;  ///< beside a stage, which has columns of its own
 
 }  // namespace
 
@@ -69,11 +71,15 @@ MainWindow::~MainWindow() {
   parts_->jobs.cancelAllAndWait();
   // An undo history that is destroyed says that it is empty; nobody is left to show it.
   parts_->document.history().disconnect();
+  parts_->host->disconnect();
+  parts_->panels->disconnect(this);
   parts_->document.disconnect();
   parts_->session.disconnect();
   delete parts_->cost;
   delete parts_->source;
+  delete parts_->stages;
   delete parts_->panels;
+  parts_->stages = nullptr;
   parts_->panels = nullptr;
   parts_->plugins.reset();
   delete takeCentralWidget();
@@ -107,9 +113,14 @@ void MainWindow::makeViews() {
   p.columns->addWidget(p.panels);
   p.columns->addWidget(p.view3d);
   p.columns->addWidget(p.scanView);
+  p.stages = new QStackedWidget;
+  p.stages->setObjectName(QStringLiteral("stages"));
+  p.stages->hide();
+  p.columns->addWidget(p.stages);
   p.columns->setStretchFactor(0, 0);
   p.columns->setStretchFactor(1, 1);
   p.columns->setStretchFactor(2, 1);
+  p.columns->setStretchFactor(3, 1);
 
   p.workspacePage = new QWidget;
   auto* work = new QHBoxLayout(p.workspacePage);
@@ -156,13 +167,16 @@ void MainWindow::connectParts() {
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
   connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
-  connect(&p.document.history(), &QUndoStack::indexChanged, this, [this] {
-    const QUndoStack& history = parts_->document.history();
-    parts_->status->setEdit(history.canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(history.undoText()) : QString());
+  connect(&p.document.history(), &QUndoStack::indexChanged, this, &MainWindow::showHistory);
+  connect(p.host, &WorkstationHost::panelDocumentChanged, this, [this] {
+    showHistory();
+    showTitle();
   });
+  connect(p.panels, &QTabWidget::currentChanged, this, &MainWindow::showStage);
   connect(p.topBar, &TopBar::workspaceChosen, this,
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
+    showStage();
     placeOverlays();
     showTitle();
   });
@@ -306,11 +320,58 @@ void MainWindow::setWorkspace(Workspace workspace) {
     const int rest = p.columns->width() - kPanelWidth_px;
     p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2});
   }
-  p.console->setVisible(!author || width() >= 1440);
+  showStage();
   // Exploring needs something to scan; authoring may begin with nothing.
   p.pages->setCurrentWidget(!author && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
   placeOverlays();
   showTitle();
+}
+
+void MainWindow::showStage() {
+  Parts& p = *parts_;
+  const bool author = p.workspace == Workspace::author;
+  const bool staged = author && p.pages->currentWidget() == p.workspacePage && p.host->hasStageInFront();
+  QWidget* stage = staged ? p.host->stageInFront(p.stages) : nullptr;
+  if (stage != nullptr) {
+    if (p.stages->indexOf(stage) < 0) p.stages->addWidget(stage);
+    p.stages->setCurrentWidget(stage);
+  }
+  const bool was = std::exchange(p.staged, stage != nullptr);
+  p.panels->setMinimumWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
+  p.console->setVisible(!p.staged && (!author || width() >= 1440));
+  if (was != p.staged) {
+    const int rest = p.columns->width() - (p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
+    p.view3d->setVisible(!p.staged);
+    p.scanView->setVisible(!p.staged);
+    p.stages->setVisible(p.staged);
+    p.status->setStaged(p.staged);
+    if (p.staged) {
+      p.columns->setSizes({kStagedPanelWidth_px, 0, 0, rest});
+    } else if (author) {
+      p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2, 0});
+    }
+  }
+  placeOverlays();
+  showHistory();
+  showTitle();
+}
+
+sdk::PanelDocument* MainWindow::panelDocument() const {
+  return parts_->staged && parts_->host != nullptr ? parts_->host->documentInFront() : nullptr;
+}
+
+void MainWindow::showHistory() {
+  Parts& p = *parts_;
+  const QUndoStack& history = p.document.history();
+  const sdk::PanelDocument* document = panelDocument();
+  const QString undo = document != nullptr ? words(document->undoText()) : history.canUndo() ? history.undoText() : QString();
+  const QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
+  p.undoAction->setEnabled(document != nullptr ? !undo.isEmpty() : history.canUndo());
+  p.redoAction->setEnabled(document != nullptr ? !redo.isEmpty() : history.canRedo());
+  p.undoAction->setText(undo.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undo));
+  p.redoAction->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
+  p.status->setEdit(undo.isEmpty() ? QString() : tr("Undo: %1 (Ctrl+Z)").arg(undo));
+  p.status->setNote(document != nullptr ? words(document->note()) : QString());
 }
 
 bool MainWindow::mayLeaveCase() {
@@ -346,12 +407,13 @@ void MainWindow::placeOverlays() {
     area.setRight(area.right() - parts_->console->width());
   }
   parts_->messages->placeIn(area);
-  parts_->cards->placeIn(area);
+  // Beside a stage below the panel's own column, where its buttons are; a stage has pictures in every corner.
+  parts_->cards->placeIn(parts_->staged ? QRect(parts_->panels->mapTo(parts_->central, QPoint(0, 0)), parts_->panels->size()) : area);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  if (parts_->workspace == Workspace::author) parts_->console->setVisible(width() >= 1440);
+  if (parts_->workspace == Workspace::author) parts_->console->setVisible(!parts_->staged && width() >= 1440);
   centralWidget()->layout()->activate();
   placeOverlays();
 }
@@ -383,14 +445,16 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     return;
   }
   // The keys that move the probe work wherever the focus is, unless a field wants them.
-  if (parts_->session.subject() && parts_->pages->currentWidget() == parts_->workspacePage && parts_->hand.handleKey(*event)) return;
+  if (parts_->session.subject() && !parts_->staged && parts_->pages->currentWidget() == parts_->workspacePage &&
+      parts_->hand.handleKey(*event))
+    return;
   QMainWindow::keyPressEvent(event);
 }
 
 bool MainWindow::isSettled() const {
   const Parts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
-  if (p.pages->currentWidget() == p.startPage) return true;
+  if (p.pages->currentWidget() == p.startPage || p.staged) return true;
   return p.session.subject() && p.session.picture().width > 0;
 }
 

@@ -52,20 +52,28 @@ void MainWindow::makeActions() {
   p.recentMenu = file->addMenu(tr("Open &recent"));
   p.startPageAction = add(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
   file->addSeparator();
-  p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { saveCase(false); });
-  p.saveAsAction = add(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { saveCase(true); });
+  p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
+  p.saveAsAction = add(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
   p.saveVolumeAction = add(file, tr("Save &volume as…"), {}, [this] { saveVolume(); });
   p.savePictureAction = add(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
   file->addSeparator();
   add(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
 
   QMenu* edit = bar.addMenu(tr("&Edit"));
-  QAction* undo = p.document.history().createUndoAction(this, tr("&Undo"));
-  QAction* redo = p.document.history().createRedoAction(this, tr("&Redo"));
-  undo->setShortcut(keys("Ctrl+Z"));
-  redo->setShortcuts({keys("Ctrl+Shift+Z"), keys("Ctrl+Y")});
-  edit->addAction(undo);
-  edit->addAction(redo);
+  p.undoAction = add(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
+    if (auto* document = panelDocument())
+      document->undo();
+    else
+      parts_->document.history().undo();
+  });
+  p.redoAction = add(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
+    if (auto* document = panelDocument())
+      document->redo();
+    else
+      parts_->document.history().redo();
+  });
+  p.undoAction->setEnabled(false);
+  p.redoAction->setEnabled(false);
 
   QMenu* view = bar.addMenu(tr("&View"));
   auto* workspaces = new QActionGroup(this);
@@ -196,7 +204,19 @@ void MainWindow::makeActions() {
     if (parts_->shortcuts) {
       parts_->shortcuts->close();
     } else {
-      parts_->shortcuts = new ShortcutsOverlay(parts_->keys, parts_->central);
+      auto groups = parts_->keys;
+      for (const sdk::StagedPanel* panel : parts_->host->panelsAdded()) {
+        if (panel->keys.empty()) continue;
+        ShortcutsOverlay::Group group{words(panel->title), {}};
+        for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
+        // Of a stage the panel's own keys come first, the probe's are of no use.
+        if (parts_->staged) {
+          groups = {group, groups.back()};
+          break;
+        }
+        groups.push_back(std::move(group));
+      }
+      parts_->shortcuts = new ShortcutsOverlay(groups, parts_->central);
     }
   });
   add(help, tr("&Plugins…"), {},
@@ -329,6 +349,13 @@ void MainWindow::chooseFile() {
   if (!file.isEmpty()) open(file);
 }
 
+void MainWindow::save(bool elsewhere) {
+  if (auto* document = panelDocument())
+    document->save(elsewhere);
+  else
+    saveCase(elsewhere);
+}
+
 void MainWindow::saveCase(bool elsewhere) {
   if (!parts_->document.current()) return;
   QString folder;
@@ -419,9 +446,16 @@ void MainWindow::showTitle() {
     if (!opened->patient.name.empty()) remark = words(opened->patient.name);
     if (p.document.hasUnsavedChanges()) remark = tr("not saved");
   }
+  const sdk::PanelDocument* document = panelDocument();
+  if (document != nullptr) {
+    title = words(document->title());
+    remark = words(document->remark());
+  }
   p.topBar->setTitle(isStart ? QString() : title, isStart ? QString() : remark);
-  p.saveAction->setEnabled(opened.has_value());
-  p.saveAsAction->setEnabled(opened.has_value());
+  p.saveAction->setText(document != nullptr ? tr("&Save project") : tr("&Save case"));
+  p.saveAsAction->setText(document != nullptr ? tr("Save project &as…") : tr("Save case &as…"));
+  p.saveAction->setEnabled(document != nullptr || opened.has_value());
+  p.saveAsAction->setEnabled(document != nullptr || opened.has_value());
   p.saveVolumeAction->setEnabled(subject.has_value());
   p.savePictureAction->setEnabled(subject.has_value());
   p.caseVolumeAction->setVisible(opened && !p.opener->showsCase() && p.opener->hasCaseVolume());

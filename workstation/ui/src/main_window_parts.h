@@ -48,7 +48,8 @@ struct MainWindow::Parts {
   StartPage* startPage = nullptr;
   QWidget* workspacePage = nullptr;
   QTabWidget* panels = nullptr;
-  QWidget* noPanels = nullptr;
+  QStackedWidget* stages = nullptr;  ///< what panels bring in place of the views
+  bool staged = false;
   QSplitter* columns = nullptr;
   View3D* view3d = nullptr;
   ScanView* scanView = nullptr;
@@ -65,6 +66,8 @@ struct MainWindow::Parts {
   QPointer<SourceDialog> source;
 
   QAction* startPageAction = nullptr;
+  QAction* undoAction = nullptr;
+  QAction* redoAction = nullptr;
   QAction* saveAction = nullptr;
   QAction* saveAsAction = nullptr;
   QAction* saveVolumeAction = nullptr;

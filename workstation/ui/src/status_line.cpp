@@ -101,6 +101,11 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   row->addWidget(lowered_);
   row->addWidget(edit_);
   row->addWidget(contact_);
+  note_ = new QLabel;
+  note_->setObjectName(QStringLiteral("panelNote"));
+  note_->setProperty("small", true);
+  note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->addWidget(note_);
 
   // Figures that change with every frame cannot be read, and contact asks the skin: four times a second is enough.
   soon_.setSingleShot(true);
@@ -117,6 +122,18 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
 }
 
 void StatusLine::setEdit(const QString& text) { edit_->setText(text); }
+
+void StatusLine::setNote(const QString& text) { note_->setText(text); }
+
+void StatusLine::setStaged(bool staged) {
+  for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(depth_), static_cast<QLabel*>(plan_), lowered_,
+                        static_cast<QLabel*>(contact_)})
+    label->setVisible(!staged);
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  row->removeWidget(edit_);
+  // Beside a stage the last edit begins the line; beside the scan it stands after the plan.
+  row->insertWidget(staged ? 0 : row->indexOf(contact_), edit_, staged ? 1 : 0);
+}
 
 void StatusLine::showPose() {
   const glm::dvec3 at = session_.pose().probeToWorld.matrix[3];

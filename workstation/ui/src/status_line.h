@@ -20,6 +20,10 @@ class StatusLine final : public QWidget {
   explicit StatusLine(Session& session, QWidget* parent = nullptr);
   /// What the last undoable edit was called; shown on the right.
   void setEdit(const QString& text);
+  /// What the panel in front wants to be known; at the very right.
+  void setNote(const QString& text);
+  /// Without the figures of the probe: they are not the panel's matter.
+  void setStaged(bool staged);
 
  private:
   void showPose();
@@ -34,6 +38,7 @@ class StatusLine final : public QWidget {
   FigureLabel* contact_ = nullptr;
   QLabel* lowered_ = nullptr;
   QLabel* edit_ = nullptr;
+  QLabel* note_ = nullptr;
 };
 
 /// "sample linear", "table": a step in the words of the window.

@@ -17,33 +17,50 @@ namespace {
 /// A tab that makes its content when it is first seen.
 class LazyPanel final : public QScrollArea {
  public:
-  using Make = std::function<QWidget*(QWidget*)>;
-  LazyPanel(Make make, std::function<void(const QString&)> complain) : make_(std::move(make)), complain_(std::move(complain)) {
+  LazyPanel(sdk::StagedPanel panel, std::function<void(const QString&)> complain)
+      : panel_(std::move(panel)), complain_(std::move(complain)) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   }
 
+  [[nodiscard]] const sdk::StagedPanel& panel() const { return panel_; }
+  [[nodiscard]] bool hasStage() const { return stage_ || panel_.makeStage; }
+  /// Made when first asked for, after the column.
+  [[nodiscard]] QWidget* stage(QWidget* parent) {
+    makeColumn();
+    if (!stage_ && panel_.makeStage) stage_ = make(std::exchange(panel_.makeStage, nullptr), parent);
+    return stage_;
+  }
+
  protected:
   void showEvent(QShowEvent* event) override {
     QScrollArea::showEvent(event);
-    if (!make_) return;
-    const Make make = std::exchange(make_, nullptr);
-    try {
-      if (QWidget* content = make(this)) {
-        setWidget(content);
-        viewport()->setAutoFillBackground(false);
-        content->setAutoFillBackground(false);
-        // A panel never scrolls sideways: the column is at least as wide as its content asks for.
-        setMinimumWidth(content->minimumSizeHint().width() + 8);
-      }
-    } catch (const std::exception& thrown) {
-      complain_(WorkstationHost::tr("A panel could not be opened (%1); see Help, Plugins.").arg(QString::fromUtf8(thrown.what())));
-    }
+    makeColumn();
   }
 
  private:
-  Make make_;
+  void makeColumn() {
+    if (!panel_.make) return;
+    if (QWidget* content = make(std::exchange(panel_.make, nullptr), this)) {
+      setWidget(content);
+      viewport()->setAutoFillBackground(false);
+      content->setAutoFillBackground(false);
+      // A panel never scrolls sideways: the column is at least as wide as its content asks for.
+      setMinimumWidth(content->minimumSizeHint().width() + 8);
+    }
+  }
+  [[nodiscard]] QWidget* make(const sdk::StagedPanel::Make& how, QWidget* parent) const {
+    try {
+      return how(parent);
+    } catch (const std::exception& thrown) {
+      complain_(WorkstationHost::tr("A panel could not be opened (%1); see Help, Plugins.").arg(QString::fromUtf8(thrown.what())));
+      return nullptr;
+    }
+  }
+
+  sdk::StagedPanel panel_;
+  QPointer<QWidget> stage_;
   std::function<void(const QString&)> complain_;
 };
 
@@ -108,16 +125,32 @@ class HostJobs final : public sdk::Jobs {
 
 class HostPanels final : public sdk::Panels {
  public:
-  HostPanels(QTabWidget& tabs, std::function<void(const QString&)> complain) : tabs_(tabs), complain_(std::move(complain)) {}
+  HostPanels(WorkstationHost& host, QTabWidget& tabs, std::function<void(const QString&)> complain)
+      : host_(host), tabs_(tabs), complain_(std::move(complain)) {}
   void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
-    auto* panel = new LazyPanel(std::move(make), complain_);
-    panel->setObjectName(QStringLiteral("panel_") + words(id));
-    tabs_.addTab(panel, words(title));
+    addStaged({id, title, std::move(make), {}, nullptr, {}});
+  }
+  void addStaged(sdk::StagedPanel asked) override {
+    const QString id = words(asked.id);
+    const QString title = words(asked.title);
+    if (asked.document != nullptr) tickets_.push_back(asked.document->onChanged([&host = host_] { Q_EMIT host.panelDocumentChanged(); }));
+    auto* panel = new LazyPanel(std::move(asked), complain_);
+    panel->setObjectName(QStringLiteral("panel_") + id);
+    tabs_.addTab(panel, title);
+  }
+  [[nodiscard]] LazyPanel* inFront() const { return dynamic_cast<LazyPanel*>(tabs_.currentWidget()); }
+  [[nodiscard]] std::vector<const sdk::StagedPanel*> all() const {
+    std::vector<const sdk::StagedPanel*> found;
+    for (int i = 0; i < tabs_.count(); ++i)
+      if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs_.widget(i))) found.push_back(&panel->panel());
+    return found;
   }
 
  private:
+  WorkstationHost& host_;
   QTabWidget& tabs_;
   std::function<void(const QString&)> complain_;
+  std::vector<std::shared_ptr<void>> tickets_;
 };
 
 /// A window has no command line, so commands are not kept.
@@ -144,13 +177,30 @@ WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget&
                        {},
                        HostCases(document),
                        HostJobs(jobs),
-                       HostPanels(panels, [this](const QString& sentence) { Q_EMIT problem(sentence); }),
+                       HostPanels(*this, panels, [this](const QString& sentence) { Q_EMIT problem(sentence); }),
                        {},
                        {}}) {
   connect(&document, &CaseDocument::changed, this, [this] { parts_->cases.tellChanged(); });
 }
 
 WorkstationHost::~WorkstationHost() = default;
+
+bool WorkstationHost::hasStageInFront() const {
+  const LazyPanel* panel = parts_->panels.inFront();
+  return panel != nullptr && panel->hasStage();
+}
+
+QWidget* WorkstationHost::stageInFront(QWidget* parent) {
+  LazyPanel* panel = parts_->panels.inFront();
+  return panel != nullptr ? panel->stage(parent) : nullptr;
+}
+
+sdk::PanelDocument* WorkstationHost::documentInFront() const {
+  const LazyPanel* panel = parts_->panels.inFront();
+  return panel != nullptr ? panel->panel().document : nullptr;
+}
+
+std::vector<const sdk::StagedPanel*> WorkstationHost::panelsAdded() const { return parts_->panels.all(); }
 
 sdk::Volumes& WorkstationHost::volumes() { return parts_->volumes; }
 sdk::Files& WorkstationHost::files() { return parts_->files; }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "case_document.h"
 #include "ew/sdk/host.h"
@@ -31,7 +32,14 @@ class WorkstationHost final : public QObject, public sdk::Host {
   sdk::Commands& commands() override;
   sdk::Log& log() override;
 
+  /// Of the tab in front; whether it is seen is the window's affair.
+  [[nodiscard]] bool hasStageInFront() const;
+  [[nodiscard]] QWidget* stageInFront(QWidget* parent);  ///< made when first asked for; null: it has none
+  [[nodiscard]] sdk::PanelDocument* documentInFront() const;
+  [[nodiscard]] std::vector<const sdk::StagedPanel*> panelsAdded() const;
+
  Q_SIGNALS:
+  void panelDocumentChanged();
   void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title);
   void problem(const QString& sentence);
 

@@ -70,12 +70,42 @@ class Jobs {
                      std::function<void(const Result<void>&)> done) = 0;
 };
 
+/// What a panel edits when that is not the open case: while the panel is in front, the window's undo, redo and save are its own, and its
+/// title and remarks stand where the case's stand. Called on the window's thread.
+class PanelDocument {
+ public:
+  virtual ~PanelDocument();
+  [[nodiscard]] virtual std::string title() const = 0;     ///< for the top bar
+  [[nodiscard]] virtual std::string remark() const = 0;    ///< beside it: "not saved"
+  [[nodiscard]] virtual std::string note() const = 0;      ///< what still needs a look, for the status line; may be empty
+  [[nodiscard]] virtual std::string undoText() const = 0;  ///< name of the last step, in the user's words; empty: nothing to undo
+  [[nodiscard]] virtual std::string redoText() const = 0;
+  virtual void undo() = 0;
+  virtual void redo() = 0;
+  virtual void save(bool elsewhere) = 0;  ///< asks for a file when there is none, or `elsewhere`
+  /// As Cases::onChanged.
+  [[nodiscard]] virtual std::shared_ptr<void> onChanged(std::function<void()> callback) = 0;
+};
+
+/// A panel that brings more than a column.
+struct StagedPanel {
+  using Make = std::function<QWidget*(QWidget* parent)>;
+  std::string id;
+  std::string title;
+  Make make;                          ///< the column at the left; it is made first
+  Make makeStage;                     ///< in place of 3D view, scan view and console while the panel is in front; may be empty
+  PanelDocument* document = nullptr;  ///< outlives the window; null: the panel edits the open case
+  std::vector<std::pair<std::string, std::string>> keys;  ///< keys and what they do, for the page of keys
+};
+
 /// Panels of the Author workspace.
 class Panels {
  public:
   virtual ~Panels();
   /// The widget is made when the panel is first opened. Without a window nothing is made.
   virtual void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget* parent)> make) = 0;
+  /// The same with a stage. A host that has no place for one shows the column alone.
+  virtual void addStaged(StagedPanel panel);
 };
 
 /// Headless commands: `echoweave NAME args…`.

@@ -6,6 +6,10 @@
 
 #include "ew/ui/run.h"
 
+namespace ew::sdk {
+class PanelDocument;
+}
+
 namespace ew::ui {
 
 class CaseDocument;
@@ -66,12 +70,17 @@ class MainWindow final : public QMainWindow {
   void connectParts();
   void placeOverlays();
   void chooseFile();
+  void save(bool elsewhere);  ///< the case, or the document of the panel whose stage is shown
   void saveCase(bool elsewhere);
   void saveVolume();
   void savePicture();
   void showCost();
   void showSource(const QPoint& pixel);
   void showTitle();
+  void showHistory();
+  /// Puts the stage of the panel in front in place of the views, or the views back.
+  void showStage();
+  [[nodiscard]] sdk::PanelDocument* panelDocument() const;  ///< of the stage that is shown
   void showRecent();
   void showPicture();
   void refreshTheme();
