@@ -1,0 +1,238 @@
+#include "ew/stitching/join.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "ew/core/contract.h"
+#include "ew/core/parallel.h"
+#include "ew/stitching/distance.h"
+#include "joiner.h"
+
+namespace ew::stitching {
+namespace {
+
+constexpr std::size_t kMostViews = 255;  // a source is one byte per voxel
+/// The voxels one thread makes at a time: long along the rows, small enough that a cancel is heard soon.
+constexpr glm::ivec3 kTile{64, 32, 32};
+constexpr int kSmallestBlock = 8;
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Keeps the result in memory.
+class MemorySink final : public BlockSink {
+ public:
+  MemorySink(const Grid& grid, JoinResult& result) : result_(result) {
+    result.volume.grid = grid;
+    result.volume.echo.assign(grid.voxelCount(), 0);
+    result.volume.coverage.assign(grid.voxelCount(), 0);
+    result.source.assign(grid.voxelCount(), 0);
+  }
+  Result<void> put(const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> echo,
+                   std::span<const std::uint8_t> coverage, std::span<const std::uint8_t> source) override {
+    const auto row = static_cast<std::size_t>(size.x);
+    std::size_t from = 0;
+    for (int k = corner.z; k < corner.z + size.z; ++k)
+      for (int j = corner.y; j < corner.y + size.y; ++j, from += row) {
+        const std::size_t to = result_.volume.grid.indexOf(corner.x, j, k);
+        std::memcpy(result_.volume.echo.data() + to, echo.data() + from, row);
+        std::memcpy(result_.volume.coverage.data() + to, coverage.data() + from, row);
+        std::memcpy(result_.source.data() + to, source.data() + from, row);
+      }
+    return {};
+  }
+
+ private:
+  JoinResult& result_;
+};
+
+Result<void> checkJoin(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options) {
+  if (auto good = checkViews(views); !good) return good;
+  if (auto good = checkGrid(result); !good) return good;
+  if (auto good = checkSeamOptions(options.seam, views.size()); !good) return good;
+  if (options.block < kSmallestBlock)
+    return failure(ErrorCode::badField, "The blocks of a join must be at least 8 voxels wide.", {{"field", "block"}});
+  if (options.seam.method == SeamMethod::feather) return {};
+  if (seams.view.size() != seams.cells.voxelCount() || !ratioOf(seams.cells, result))
+    return failure(ErrorCode::badField, "The seams were found for another grid; find them again for this one.", {{"field", "seams"}});
+  const auto highest = seams.view.empty() ? seams.view.end() : std::max_element(seams.view.begin(), seams.view.end());
+  if (highest != seams.view.end() && *highest > views.size())
+    return failure(ErrorCode::badField, "The seams name more volumes than there are; find them again.", {{"field", "seams"}});
+  return {};
+}
+
+/// Without coverage the black outside of a fan counts as seen, and darkens what another volume shows there.
+void noteMissingCoverage(std::span<const View> views, std::vector<std::string>& notes) {
+  constexpr double suspicious = 0.05;
+  if (views.size() < 2) return;
+  for (const auto& view : views) {
+    if (!view.volume->coverage.empty()) continue;
+    const auto black = std::count(view.volume->echo.begin(), view.volume->echo.end(), std::uint8_t{0});
+    if (static_cast<double>(black) > suspicious * static_cast<double>(view.volume->echo.size()))
+      notes.push_back("Volume '" + view.name +
+                      "' has no coverage, so its black voxels count as measured and darken the blend; give its coverage file if "
+                      "there is one.");
+  }
+}
+
+void report(const Tally& sums, std::span<const View> views, bool seams, JoinReport& report) {
+  report.contributions = sums.contributions;
+  for (std::size_t n = 0; n < views.size(); ++n) report.contributions[n].name = views[n].name;
+  if (sums.covered > 0) report.overlapShare = static_cast<double>(sums.overlapping) / static_cast<double>(sums.covered);
+  if (sums.blended > 0) report.disagreementRms = std::sqrt(sums.squaredSpread / static_cast<double>(sums.blended));
+  for (const auto& each : report.contributions)
+    if (each.voxels == 0)
+      report.notes.push_back("Volume '" + each.name +
+                             (seams ? "' contributed nothing: other volumes show all that it covers better."
+                                    : "' contributed nothing: none of its voxels are covered."));
+  if (views.size() > 1 && sums.overlapping == 0)
+    report.notes.emplace_back("The volumes do not overlap anywhere, so nothing was blended; check their places if they should.");
+  noteMissingCoverage(views, report.notes);
+}
+
+std::uint64_t blockBytes(const glm::ivec3& dims, int block) {
+  const glm::ivec3 size = glm::min(dims, glm::ivec3(block));
+  return 3ull * static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(size.z);
+}
+
+/// What joining needs before its first block: one distance per voxel of every view, for a feather.
+Result<std::vector<std::vector<float>>> distancesOf(std::span<const View> views, const JoinOptions& options, Progress& progress) {
+  std::vector<std::vector<float>> distances_mm;
+  if (options.seam.method != SeamMethod::feather || options.grid.featherWidth_mm <= 0.0) return distances_mm;
+  const auto all = static_cast<double>(views.size());
+  for (const View& view : views) {
+    const auto n = static_cast<double>(distances_mm.size());
+    PartOfProgress part(progress, n / all, (n + 1.0) / all);
+    auto distance = distanceFromBorder_mm(*view.volume, options.grid.featherWidth_mm, options.grid.threads, part);
+    if (!distance) return passOn(distance.error());
+    distances_mm.push_back(std::move(*distance));
+  }
+  return distances_mm;
+}
+
+}  // namespace
+
+BlockSink::~BlockSink() = default;
+
+Result<void> checkViews(std::span<const View> views) {
+  if (views.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to stitch; add at least one.");
+  if (views.size() > kMostViews)
+    return failure(ErrorCode::unsupported,
+                   "At most " + std::to_string(kMostViews) + " volumes can be stitched at once; stitch them in groups.");
+  for (const View& view : views) {
+    EW_EXPECTS(view.volume != nullptr);
+    const auto about = [&](Error problem) {
+      problem.sentence = "Volume '" + view.name + "' cannot be stitched. " + problem.sentence;
+      problem.context.emplace_back("volume", view.name);
+      return passOn(std::move(problem));
+    };
+    if (auto good = checkGrid(view.volume->grid); !good) return about(good.error());
+    if (auto rigid = checkRigid(view.toWorld); !rigid) return about(rigid.error());
+    const GreyCorrection& correction = view.correction;
+    bool sound = correction.grey.empty() || (correction.knot_mm > 0.0 && std::isfinite(correction.firstKnot_mm) &&
+                                             std::isfinite(correction.knot_mm) && finite(correction.depthAxis));
+    for (const double grey : correction.grey) sound = sound && std::isfinite(grey);
+    if (!sound) return about({ErrorCode::badField, "Its grey correction has a number that cannot be used.", {{"field", "correction"}}});
+    if (view.bend == nullptr || view.bend->displacement_mm.empty()) continue;
+    if (auto good = checkGrid(view.bend->nodes); !good) return about(good.error());
+    sound = view.bend->displacement_mm.size() == view.bend->nodes.voxelCount();
+    for (const glm::vec3& u : view.bend->displacement_mm) sound = sound && finite(u);
+    if (!sound)
+      return about({ErrorCode::badField, "Its bend has a displacement too many, too few or without a number.", {{"field", "bend"}}});
+  }
+  return {};
+}
+
+Result<void> checkSeamOptions(const SeamOptions& options, std::size_t views) {
+  const auto refuse = [](const char* field, const char* sentence) { return failure(ErrorCode::badField, sentence, {{"field", field}}); };
+  if (!(options.cell_mm > 0.0 && options.cell_mm < 1e3)) return refuse("cell_mm", "The cells of the seam must be wider than 0 mm.");
+  if (!(options.blend_mm >= 0.0 && options.blend_mm < 1e3))
+    return refuse("blend_mm", "The blend beside the seam must be 0 or a positive number of mm.");
+  if (!(options.confidenceWeight >= 0.0 && options.confidenceWeight < 1e3 && options.distanceWeight >= 0.0 && options.distanceWeight < 1e3))
+    return refuse("confidence_weight", "The weights of a seam must be 0 or positive.");
+  for (const SeamStroke& stroke : options.strokes)
+    if (stroke.view >= views || !finite(stroke.at_mm) || !(stroke.radius_mm > 0.0) || !std::isfinite(stroke.radius_mm))
+      return refuse("strokes", "A stroke of the seam editor names a volume that is not there, or has no place or radius.");
+  return {};
+}
+
+Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const JoinOptions& options) {
+  StitchOptions unlimited = options.grid;
+  unlimited.maxBytes = UINT64_MAX;
+  auto forecast = forecastStitch(views, unlimited);
+  if (!forecast) return forecast;
+  const Grid& grid = forecast->grid;
+  const bool seams = options.seam.method != SeamMethod::feather;
+  const glm::ivec3 ratio = cellRatio(grid, options.seam.cell_mm);
+  std::uint64_t kept = 0;
+  if (seams)
+    kept = cellGrid(grid, ratio).voxelCount();
+  else if (options.grid.featherWidth_mm > 0.0)
+    for (const PlacedGrid& view : views) kept += 4 * view.grid.voxelCount();
+  const std::uint64_t making =
+      blockBytes(grid.dims, std::max(options.block, kSmallestBlock)) +
+      static_cast<std::uint64_t>(threadCount(options.grid.threads)) * Joiner::scratchBytes(kTile, views.size(), ratio, seams);
+  forecast->bytes = kept + making;
+  if (forecast->bytes > options.grid.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "Joining would need " + std::to_string(forecast->bytes >> 20) + " MiB, and the limit is " +
+                       std::to_string(options.grid.maxBytes >> 20) + " MiB; choose a coarser spacing or smaller blocks.",
+                   {{"bytes", std::to_string(forecast->bytes)}});
+  return forecast;
+}
+
+Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options, BlockSink& sink,
+                        Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  if (auto good = checkJoin(views, seams, result, options); !good) return passOn(good.error());
+  const bool feathers = options.seam.method == SeamMethod::feather;
+  const double begun = feathers && options.grid.featherWidth_mm > 0.0 ? 0.3 : 0.0;
+  PartOfProgress first(progress, 0.0, begun);
+  auto distances_mm = distancesOf(views, options, first);
+  if (!distances_mm) return passOn(distances_mm.error());
+  const Joiner joiner(views, feathers ? nullptr : &seams, result, options, *distances_mm);
+
+  const glm::ivec3 blocks = (result.dims + options.block - 1) / options.block;
+  const int count = blocks.x * blocks.y * blocks.z;
+  std::vector<std::uint8_t> voxels;
+  Tally all;
+  all.contributions.resize(views.size());
+  for (int b = 0; b < count; ++b) {
+    const glm::ivec3 corner = options.block * glm::ivec3(b % blocks.x, b / blocks.x % blocks.y, b / blocks.x / blocks.y);
+    const glm::ivec3 size = glm::min(result.dims - corner, glm::ivec3(options.block));
+    const std::size_t each = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+    voxels.assign(3 * each, 0);
+    const BlockArrays arrays{corner, size, voxels.data(), voxels.data() + each, voxels.data() + 2 * each};
+    const glm::ivec3 tiles = (size + kTile - 1) / kTile;
+    std::vector<Tally> tallies(static_cast<std::size_t>(tiles.x * tiles.y * tiles.z));
+    PartOfProgress part(progress, begun + (1.0 - begun) * b / count, begun + (1.0 - begun) * (b + 1) / count);
+    const bool whole =
+        forEachTask(static_cast<int>(tallies.size()), options.grid.threads, part, "Blending", [&](int task, int, const auto& stopped) {
+          const glm::ivec3 begin = corner + kTile * glm::ivec3(task % tiles.x, task / tiles.x % tiles.y, task / tiles.x / tiles.y);
+          joiner.make(begin, glm::min(begin + kTile, corner + size), arrays, tallies[static_cast<std::size_t>(task)], stopped);
+        });
+    if (!whole || progress.cancelRequested()) return stitchingCancelled();
+    for (const Tally& tally : tallies) all.add(tally);
+    const std::span<const std::uint8_t> made(voxels);
+    if (auto put = sink.put(corner, size, made.first(each), made.subspan(each, each), made.last(each)); !put) return passOn(put.error());
+  }
+  JoinReport made;
+  made.grid = result;
+  report(all, views, !feathers, made);
+  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return made;
+}
+
+Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
+                        Progress& progress) {
+  if (auto good = checkJoin(views, seams, result, options); !good) return passOn(good.error());
+  JoinResult made;
+  MemorySink sink(result, made);
+  auto report = join(views, seams, result, options, sink, progress);
+  if (!report) return passOn(report.error());
+  made.report = std::move(*report);
+  return made;
+}
+
+}  // namespace ew::stitching
