@@ -5,7 +5,7 @@
 #include "ew/core/parallel.h"
 #include "ew/stitching/distance.h"
 #include "joiner.h"
-#include "seam_survey.h"
+#include "seam_cut.h"
 
 namespace ew::stitching {
 namespace {
@@ -38,7 +38,8 @@ void paint(const Grid& cells, std::span<const SeamStroke> strokes, std::span<con
 }
 
 /// Each cell to the view in whose inside it lies deepest; of equals to the first.
-Result<void> nearest(std::span<const ViewSurvey> surveys, const SeamOptions& options, SeamMap& map, Progress& progress) {
+Result<void> nearest(std::span<const ViewSurvey> surveys, std::span<const std::uint8_t> forced, const SeamOptions& options, SeamMap& map,
+                     Progress& progress) {
   std::vector<float> deepest(map.view.size(), 0.0f);
   for (std::size_t n = 0; n < surveys.size(); ++n) {
     const ViewSurvey& survey = surveys[n];
@@ -62,6 +63,8 @@ Result<void> nearest(std::span<const ViewSurvey> surveys, const SeamOptions& opt
         }
       }
   }
+  for (std::size_t c = 0; c < forced.size(); ++c)
+    if (forced[c] != 0) map.view[c] = forced[c];
   return {};
 }
 
@@ -116,9 +119,9 @@ Result<SeamMap> findSeams(std::span<const View> views, const Grid& result, const
   std::vector<std::uint8_t> forced;
   paint(map.cells, options.strokes, *surveys, forced);
   PartOfProgress choosing(progress, 0.4, 1.0);
-  if (auto chosen = nearest(*surveys, options, map, choosing); !chosen) return passOn(chosen.error());
-  for (std::size_t c = 0; c < forced.size(); ++c)
-    if (forced[c] != 0) map.view[c] = forced[c];
+  const auto chosen = options.method == SeamMethod::nearest ? nearest(*surveys, forced, options, map, choosing)
+                                                            : cutSeams(*surveys, forced, options, map, choosing);
+  if (!chosen) return passOn(chosen.error());
   weighSeam(*surveys, map);
   return map;
 }
