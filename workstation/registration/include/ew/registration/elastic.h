@@ -59,11 +59,13 @@ struct ElasticResult {
 
 /// The paper's own method on two-dimensional images.
 struct Elastic2dOptions {
-  std::vector<double> factors;    ///< node spacing per level in pixels, coarse to fine; the paper's 48, 24, 6; empty: chosen by size
-  bool singleResolution = false;  ///< the paper's figure 8 (c): the finest level alone
-  bool intensityTerm = true;      ///< Barber's extra component: a brightness offset that varies like the displacement
-  double stiffness = 0.0;         ///< 0: follows the measured correlation of the speckle
-  int iterations = 12;            ///< at most, per level
+  std::vector<double> factors = {};  ///< node spacing per level in pixels, coarse to fine; the paper's 48, 24, 6; empty: chosen by size
+  bool singleResolution = false;     ///< the paper's figure 8 (c): the finest level alone
+  bool intensityTerm = true;         ///< Barber's extra component: a brightness offset that varies like the displacement
+  bool shadows = true;               ///< dark columns down to the last row count little; off where y is not the beam's direction
+  double stiffness = 0.0;            ///< 0: follows the measured correlation of the speckle
+  double largestMotion_mm = 12.0;    ///< how far the coarsest level looks for a common shift; 0: no search
+  int iterations = 12;               ///< at most, per level
   int threads = 1;
 };
 
@@ -73,15 +75,26 @@ struct Elastic2dResult {
   int columns = 0;  ///< of the field, one vector per fixed pixel
   int rows = 0;
   std::vector<glm::vec2> displacement_mm;  ///< x, y: fixed pixel centre + displacement = moving point
-  double correlationBefore = 0.0;
+  double correlationBefore = 0.0;          ///< of grey levels, over what both cover: the paper's figures
   double correlationAfter = 0.0;
-  double smallestJacobian = 1.0;
-  std::vector<Level> levels;
+  Agreement before;  ///< of the images made comparable: what the verdict rests on
+  Agreement after;
+  double smallestJacobian = 1.0;  ///< exact over the bilinear field through the pixels
+  double largestMotion_mm = 0.0;
+  double speckleCorrelation = 0.0;  ///< of the gradients at the last level: 1 the same speckle, 0 none of it in common
+  double stiffness = 0.0;           ///< that was used at the last level
+  std::vector<Level> levels;        ///< correlations of grey levels at the input's resolution
   StopReason stop = StopReason::notRun;
   double seconds = 0.0;
 };
 
-/// @param fixed, moving grey levels of the same pixel size; 0 is outside the beam
+/// Barber's method: Gauss-Newton on the optical-flow equation of images normalised by local mean and deviation, with the mean of both
+/// images' gradients and a brightness component; cubic B-splines on a lattice of nodes; bending and slope of the TOTAL displacement
+/// regularised, the stiffer the less of the speckle the images share; coarse to fine. No step is taken that squeezes a cell below a
+/// Jacobian of 0.1. When the result agrees no better than doing nothing does, the displacement is zero and the reason says so.
+/// Source: Barber, Phys. Med. Biol. 37, 1992; the pyramid: Aiger and Cohen-Or 1998. Ours departs from both in normalisation, robust
+/// weights, splines, regulariser and the stiffness that follows the measured correlation.
+/// @param fixed, moving grey levels of the same pixel size; 0 is outside the beam; the centres of their first pixels are one point
 /// @param pixel_mm distance of pixels in x and y, > 0
 /// @error emptyVolume, badField, cancelled
 [[nodiscard]] Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving,
