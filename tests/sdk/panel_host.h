@@ -84,6 +84,23 @@ class PanelHost final : public sdk::Host, public sdk::Panels, public sdk::Volume
   Result<void> readCoverageInto(Volume& v, const std::filesystem::path& file, Progress& p) override {
     return inner_.volumes().readCoverageInto(v, file, p);
   }
+  Result<sdk::VolumeInfo> inspect(const std::filesystem::path& file) override { return inner_.volumes().inspect(file); }
+  Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const std::filesystem::path& file, Progress& p) override {
+    return inner_.volumes().readConfidence(grid, file, p);
+  }
+  Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const std::filesystem::path& file,
+                               Progress& p) override {
+    return inner_.volumes().writeConfidence(grid, confidence, file, p);
+  }
+  Result<sdk::SweepPlan> planSweep(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& p) override {
+    return inner_.volumes().planSweep(sweep, options, p);
+  }
+  Result<sdk::SweepVolume> reconstruct(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& p) override {
+    return inner_.volumes().reconstruct(sweep, options, p);
+  }
+  Result<std::unique_ptr<sdk::VolumeWriter>> writeInBlocks(const Grid& grid, const std::filesystem::path& file) override {
+    return inner_.volumes().writeInBlocks(grid, file);
+  }
   void show(Volume volume, const std::string& title) override { shown.emplace_back(title, std::move(volume)); }
 
   OneCase theCase;

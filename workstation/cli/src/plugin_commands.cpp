@@ -11,6 +11,8 @@ namespace ew::cli {
 namespace {
 
 constexpr std::string_view kCapability = "command:";
+/// The verdict with which a command ends as one without any.
+constexpr std::string_view kGoodVerdict = "aligned";
 
 bool brings(const door::PluginStatus& plugin, const std::string& command) {
   if (!plugin.manifest) return false;
@@ -63,8 +65,14 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
     if (std::find(outcome->outputs.begin(), outcome->outputs.end(), file) == outcome->outputs.end()) run.report.inputs.push_back(file);
   run.report.outputs = outcome->outputs;
   for (const auto& [figure, value] : outcome->quality) run.report.quality[figure] = value;
+  for (const auto& [step, seconds] : outcome->steps) run.report.addStep(step, 1e6 * seconds);
   for (const auto& file : outcome->outputs) run.say("Wrote " + file + ".");
-  return kDone;
+  if (!outcome->verdict) return kDone;
+  run.report.verdict = *outcome->verdict;
+  if (!outcome->reason.empty()) run.report.details["reason"] = outcome->reason;
+  if (*outcome->verdict == kGoodVerdict) return kDone;
+  run.remark("The verdict is \"" + *outcome->verdict + "\". " + outcome->reason);
+  return kVerdict;
 }
 
 }  // namespace

@@ -133,6 +133,13 @@ Result<void> writeMetaFile(const fs::path& file, const MetaText& meta, std::span
   });
 }
 
+std::string plainVolumeHeader(const Grid& grid) {
+  MetaText meta;
+  meta.sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y), static_cast<std::uint64_t>(grid.dims.z)};
+  meta.geometry = grid;
+  return headerText(meta, false, nullptr) + "ElementDataFile = LOCAL\n";
+}
+
 Result<void> writeMetaPair(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, std::string_view what,
                            Progress& progress) {
   if (auto fits = checkFields(file, meta); !fits) return fits;

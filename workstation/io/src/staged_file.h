@@ -18,6 +18,7 @@ class StagedFile {
   ~StagedFile();
 
   [[nodiscard]] std::ofstream& stream() { return out_; }
+  [[nodiscard]] const std::filesystem::path& aside() const { return aside_; }
 
   /// Everything written is on the medium. @error notWritable
   [[nodiscard]] Result<void> finish();

@@ -5,6 +5,7 @@
 #include "ew/io/volume_file.h"
 #include "image_header.h"
 #include "meta_writer.h"
+#include "volume_extent.h"
 
 namespace ew {
 namespace {
@@ -34,7 +35,51 @@ Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> sample
                  {{"file", file.string()}});
 }
 
+/// The samples of a file that lies on the grid of a volume.
+/// @param what "coverage", for the sentences
+Result<std::vector<std::uint8_t>> readBeside(const Grid& expected, const fs::path& file, const std::string& what, const char* samples,
+                                             Progress& progress) {
+  auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  if (header->type != SampleType::u8) return badField(file, "the sample type", std::string(nameOf(header->type)), samples);
+  auto loaded = readVolume(file, progress);
+  if (!loaded) return passOn(loaded.error());
+  const Grid& found = loaded->volume.grid;
+  const double nearly_mm = 1e-3;
+  const auto farthest = [](const glm::dvec3& difference) {
+    return std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+  };
+  // Compared where the corners lie, so that six written digits are enough however far the origin is.
+  bool same = found.dims == expected.dims;
+  for (int corner = 0; same && corner < 8; ++corner) {
+    const Point<frame::Voxel> p_voxel{glm::dvec3((corner & 1) * (expected.dims.x - 1), ((corner >> 1) & 1) * (expected.dims.y - 1),
+                                                 (corner >> 2) * (expected.dims.z - 1))};
+    same = farthest((found.voxelToWorld() * p_voxel).at - (expected.voxelToWorld() * p_voxel).at) <= nearly_mm;
+  }
+  if (!same)
+    return failure(
+        ErrorCode::badField,
+        "The " + what + " in " + quoted(file) + " lies on another grid than its volume; give the " + what + " made with this volume.",
+        {{"file", file.string()}});
+  return std::move(loaded->volume.echo);
+}
+
 }  // namespace
+
+Result<VolumeHeader> readVolumeHeader(const fs::path& file) {
+  const auto header = readImageHeader(file);
+  if (!header) return passOn(header.error());
+  VolumeHeader found;
+  found.files = {header->file};
+  if (header->dataFile != header->file) found.files.push_back(header->dataFile);
+  found.sequence = describesSequence(*header);
+  if (found.sequence) return found;
+  std::vector<std::string> ignored;
+  const auto extent = volumeExtentOf(*header, ignored);
+  if (!extent) return passOn(extent.error());
+  found.grid = extent->grid;
+  return found;
+}
 
 Result<void> writeVolume(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
   return writeSamples(volume.grid, volume.echo, file, "Writing voxels", progress, options);
@@ -54,36 +99,23 @@ Result<void> writeSources(const Grid& grid, std::span<const std::uint16_t> sourc
   return writeSamples(grid, bytes, file, "Writing sources", progress, options, true);
 }
 
+Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const fs::path& file, Progress& progress,
+                             const WriteOptions& options) {
+  return writeSamples(grid, confidence, file, "Writing confidence", progress, options);
+}
+
 Result<void> readCoverageInto(Volume& volume, const fs::path& file, Progress& progress) {
-  auto header = readImageHeader(file);
-  if (!header) return passOn(header.error());
-  if (header->type != SampleType::u8)
-    return badField(file, "the sample type", std::string(nameOf(header->type)), "8 bit unsigned (0 absent, 1 interpolated, 2 measured)");
-  auto loaded = readVolume(file, progress);
-  if (!loaded) return passOn(loaded.error());
-  const Grid& found = loaded->volume.grid;
-  const Grid& expected = volume.grid;
-  const double nearly_mm = 1e-3;
-  const auto farthest = [](const glm::dvec3& difference) {
-    return std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
-  };
-  // Compared where the corners lie, so that six written digits are enough however far the origin is.
-  bool same = found.dims == expected.dims;
-  for (int corner = 0; same && corner < 8; ++corner) {
-    const Point<frame::Voxel> p_voxel{glm::dvec3((corner & 1) * (expected.dims.x - 1), ((corner >> 1) & 1) * (expected.dims.y - 1),
-                                                 (corner >> 2) * (expected.dims.z - 1))};
-    same = farthest((found.voxelToWorld() * p_voxel).at - (expected.voxelToWorld() * p_voxel).at) <= nearly_mm;
-  }
-  if (!same)
-    return failure(ErrorCode::badField,
-                   "The coverage in " + quoted(file) + " lies on another grid than its volume; give the coverage made with this volume.",
-                   {{"file", file.string()}});
-  if (const auto beyond =
-          std::find_if(loaded->volume.echo.begin(), loaded->volume.echo.end(), [](std::uint8_t value) { return value > 2; });
-      beyond != loaded->volume.echo.end())
+  auto values = readBeside(volume.grid, file, "coverage", "8 bit unsigned (0 absent, 1 interpolated, 2 measured)", progress);
+  if (!values) return passOn(values.error());
+  if (const auto beyond = std::find_if(values->begin(), values->end(), [](std::uint8_t value) { return value > 2; });
+      beyond != values->end())
     return badField(file, "a coverage value", std::to_string(*beyond), "0 (absent), 1 (interpolated) or 2 (measured)");
-  volume.coverage = std::move(loaded->volume.echo);
+  volume.coverage = std::move(*values);
   return {};
+}
+
+Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const fs::path& file, Progress& progress) {
+  return readBeside(grid, file, "confidence", "8 bit unsigned (0 to 255 for 0 to 1)", progress);
 }
 
 }  // namespace ew

@@ -6,6 +6,7 @@
 namespace ew::sdk {
 
 // Out of line, so that a vtable has one home per library and RTTI compares equal across the plugin's border.
+VolumeWriter::~VolumeWriter() = default;
 Volumes::~Volumes() = default;
 Files::~Files() = default;
 Cases::~Cases() = default;

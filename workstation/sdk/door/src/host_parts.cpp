@@ -2,10 +2,112 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
+#include "ew/io/volume_stream.h"
+#include "ew/library/import.h"
 
 namespace ew::door {
+namespace {
+
+constexpr double kFinestChosen_mm = 0.3;
+constexpr double kCoarsestChosen_mm = 1.0;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How far the middles of successive frames lie apart, in the middle of the sweep; 0 for a single frame.
+double frameDistance_mm(const std::vector<PosedFrame>& frames) {
+  std::vector<double> distances;
+  for (std::size_t n = 1; n < frames.size(); ++n) {
+    const auto middleOf = [](const PosedFrame& frame) {
+      return glm::dvec3(frame.imageToWorld.matrix * glm::dvec4(0.5 * (frame.pixels.width - 1), 0.5 * (frame.pixels.height - 1), 0.0, 1.0));
+    };
+    distances.push_back(glm::distance(middleOf(frames[n - 1]), middleOf(frames[n])));
+  }
+  return median(std::move(distances));
+}
+
+/// What the frames carry: no finer than two pixels, nor much finer than they lie apart; rounded, so that a name for it is short.
+double chosenSpacing_mm(const std::vector<PosedFrame>& frames) {
+  if (frames.empty()) return kCoarsestChosen_mm;
+  const glm::dmat4& matrix = frames.front().imageToWorld.matrix;
+  const double pixel_mm = std::max(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])));
+  const double carried_mm = std::max(2.0 * pixel_mm, 0.6 * frameDistance_mm(frames));
+  return std::round(20.0 * std::clamp(carried_mm, kFinestChosen_mm, kCoarsestChosen_mm)) / 20.0;
+}
+
+Result<OpenedSweep> openWithSpacing(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
+  SweepImportOptions import;
+  if (!options.calibration.empty()) import.calibrations = {options.calibration};
+  import.reconstruct.threads = options.threads;
+  import.reconstruct.maxBytes = options.maxBytes;
+  import.reconstruct.spacing_mm = options.spacing_mm > 0.0 ? options.spacing_mm : kCoarsestChosen_mm;
+  auto opened = openSweep(sweep, import, progress);
+  if (!opened) return passOn(opened.error());
+  const auto frames = posedFrames(*opened);
+  ReconstructOptions& how = opened->plan.reconstruct;
+  if (options.spacing_mm <= 0.0) how.spacing_mm = chosenSpacing_mm(frames);
+  how.fillReach_mm = std::max(3.0 * how.spacing_mm, 2.5 * frameDistance_mm(frames));
+  ReconstructOptions unlimited = how;
+  unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
+  const auto grid = gridFor(frames, unlimited);
+  if (!grid) return passOn(grid.error());
+  opened->plan.grid = *grid;
+  opened->plan.bytes = importBytes(opened->plan, *grid, how);
+  return opened;
+}
+
+/// The maps of all frames, and while they are pasted the finished volume.
+std::uint64_t bytesWithConfidence(const ImportPlan& plan) { return plan.bytes + plan.frameBytes + 2 * plan.grid.voxelCount(); }
+
+/// The mean direction of the beams, which are the columns of the images.
+glm::dvec3 depthAxisOf(const std::vector<PosedFrame>& frames) {
+  glm::dvec3 sum(0.0);
+  for (const PosedFrame& frame : frames) {
+    const glm::dvec3 down(frame.imageToWorld.matrix[1]);
+    if (glm::length(down) > 0.0) sum += glm::normalize(down);
+  }
+  return glm::length(sum) > 1e-3 * static_cast<double>(frames.size()) ? glm::normalize(sum) : glm::dvec3(0.0);
+}
+
+Result<sdk::SweepVolume> reconstructSweep(const OpenedSweep& opened, const sdk::SweepOptions& options, Progress& progress) {
+  const ImportPlan& plan = opened.plan;
+  if (const std::uint64_t bytes = bytesWithConfidence(plan); bytes > options.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "The sweep would become " + std::to_string(plan.grid.dims.x) + " x " + std::to_string(plan.grid.dims.y) + " x " +
+                       std::to_string(plan.grid.dims.z) + " voxels and need " + std::to_string(bytes >> 20) + " MiB, more than the " +
+                       std::to_string(options.maxBytes >> 20) + " MiB allowed; give a coarser spacing_mm.",
+                   {{"forecast_bytes", std::to_string(bytes)}});
+  auto frames = posedFrames(opened);
+  PartOfProgress pasting(progress, 0.3, 0.55);
+  auto echoes = reconstructOnto(plan.grid, frames, plan.reconstruct, pasting);
+  if (!echoes) return passOn(echoes.error());
+  PartOfProgress judging(progress, 0.55, 0.75);
+  const auto maps = confidenceOfFrames(frames, plan.reconstruct.clip, plan.confidence, plan.reconstruct.threads, judging);
+  if (!maps) return passOn(maps.error());
+  sdk::SweepVolume made;
+  made.depthAxis = depthAxisOf(frames);
+  made.notes = plan.notes;
+  // Confidence goes the way of the echoes, so that it lies where they do.
+  for (std::size_t n = 0; n < frames.size(); ++n) frames[n].pixels = viewOf((*maps)[n]);
+  PartOfProgress again(progress, 0.75, 1.0);
+  auto confidence = reconstructOnto(plan.grid, frames, plan.reconstruct, again);
+  if (!confidence) return passOn(confidence.error());
+  made.volume = std::move(echoes->volume);
+  made.confidence = std::move(confidence->volume.echo);
+  return made;
+}
+
+}  // namespace
 
 Result<Volume> FileVolumes::read(const std::filesystem::path& file, Progress& progress) {
   auto loaded = readVolume(file, progress);
@@ -21,6 +123,53 @@ Result<void> FileVolumes::writeCoverage(const Volume& volume, const std::filesys
 }
 Result<void> FileVolumes::readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) {
   return ew::readCoverageInto(volume, file, progress);
+}
+Result<sdk::VolumeInfo> FileVolumes::inspect(const std::filesystem::path& file) {
+  auto header = readVolumeHeader(file);
+  if (!header) return passOn(header.error());
+  return sdk::VolumeInfo{header->sequence, header->grid, std::move(header->files)};
+}
+Result<std::vector<std::uint8_t>> FileVolumes::readConfidence(const Grid& grid, const std::filesystem::path& file, Progress& progress) {
+  return ew::readConfidence(grid, file, progress);
+}
+Result<void> FileVolumes::writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const std::filesystem::path& file,
+                                          Progress& progress) {
+  return ew::writeConfidence(grid, confidence, file, progress);
+}
+Result<sdk::SweepPlan> FileVolumes::planSweep(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
+  auto opened = openWithSpacing(sweep, options, progress);
+  if (!opened) return passOn(opened.error());
+  const ImportPlan& plan = opened->plan;
+  return sdk::SweepPlan{plan.grid, plan.reconstruct.spacing_mm, bytesWithConfidence(plan), plan.frames.used};
+}
+Result<sdk::SweepVolume> FileVolumes::reconstruct(const std::filesystem::path& sweep, const sdk::SweepOptions& options,
+                                                  Progress& progress) {
+  PartOfProgress reading(progress, 0.0, 0.3);
+  auto opened = openWithSpacing(sweep, options, reading);
+  if (!opened) return passOn(opened.error());
+  return reconstructSweep(*opened, options, progress);
+}
+
+namespace {
+
+class StreamWriter final : public sdk::VolumeWriter {
+ public:
+  explicit StreamWriter(VolumeStream stream) : stream_(std::move(stream)) {}
+  void put(const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> values) override {
+    stream_.put(corner, size, values);
+  }
+  Result<void> finish(Progress& progress) override { return stream_.finish(progress); }
+
+ private:
+  VolumeStream stream_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<sdk::VolumeWriter>> FileVolumes::writeInBlocks(const Grid& grid, const std::filesystem::path& file) {
+  auto stream = VolumeStream::create(grid, file);
+  if (!stream) return passOn(stream.error());
+  return std::make_unique<StreamWriter>(std::move(*stream));
 }
 void FileVolumes::show(Volume, const std::string&) {}
 

@@ -36,6 +36,15 @@ struct VolumeReadOptions {
 [[nodiscard]] Result<LoadedVolume> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
                                               const ReadLimits& limits = {}, const VolumeReadOptions& options = {});
 
+/// What a file promises, from its header alone.
+struct VolumeHeader {
+  bool sequence = false;                     ///< frames of a recording, no volume; then `grid` says nothing
+  Grid grid;                                 ///< of a volume
+  std::vector<std::filesystem::path> files;  ///< the header's own file and, where it is another, that of the samples
+};
+/// @error as readVolume, but for what only the samples show
+[[nodiscard]] Result<VolumeHeader> readVolumeHeader(const std::filesystem::path& file);
+
 /// Reads a volume of labels: each sample stands for itself, so nothing but one 8 bit unsigned value a voxel is taken.
 /// @error as readVolume; unsupported (another sample type, colours, a header that rescales)
 [[nodiscard]] Result<LoadedVolume> readLabelVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
@@ -55,6 +64,14 @@ struct WriteOptions {
 [[nodiscard]] Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress(),
                                          const WriteOptions& options = {});
 [[nodiscard]] Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress = noProgress());
+
+/// How far each voxel of a volume may be trusted, 0 to 255 for 0 to 1, as a volume file of the same grid; and back.
+/// @param confidence voxelCount() values
+/// @error as writeVolume; as readVolume, unsupported (samples that are not of 8 bits), badField (another grid)
+[[nodiscard]] Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const std::filesystem::path& file,
+                                           Progress& progress = noProgress(), const WriteOptions& options = {});
+[[nodiscard]] Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const std::filesystem::path& file,
+                                                               Progress& progress = noProgress());
 
 /// Which frame each voxel came from, as a volume file of 16 bit samples on the volume's grid: 1 + the frame's number, 0 for none.
 /// @param sources voxelCount() values

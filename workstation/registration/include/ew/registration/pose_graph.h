@@ -15,9 +15,12 @@ namespace ew::registration {
 /// A subvolume whose pose (its own mm to the world's) is sought.
 struct GraphNode {
   std::string name;
-  glm::dmat4 toWorld{1.0};              ///< where to start; with a prior, what the tracker said
-  std::optional<PoseCovariance> prior;  ///< how far the tracker is believed; absent: the pose is only a start
-  bool fixed = false;                   ///< holds the gauge: never moves
+  glm::dmat4 toWorld{1.0};  ///< where to start; with a prior, what the tracker said
+  /// How far the tracker is believed, in the subvolume's own frame about priorCentre_mm; absent: the pose is only a start. A tracker's pose
+  /// that contradicts the pairs is named and left out like a wrong pair.
+  std::optional<PoseCovariance> prior = {};
+  glm::dvec3 priorCentre_mm{0.0};
+  bool fixed = false;  ///< holds the gauge: never moves
 };
 
 /// What registering two of them found.
@@ -25,7 +28,8 @@ struct GraphEdge {
   std::size_t fixed = 0;  ///< index of the node
   std::size_t moving = 0;
   glm::dmat4 fixedToMoving{1.0};
-  std::optional<PoseCovariance> covariance;  ///< about `centre_mm`; absent: an edge without information is named and left out
+  std::optional<PoseCovariance> covariance = {};  ///< about `centre_mm`; absent, or infinite on the diagonal throughout: an edge
+                                             ///< without information, named and left out
   glm::dvec3 centre_mm{0.0};                 ///< of the overlap, in the fixed volume's frame
   double trust = 1.0;                        ///< 0..1 from the verdict; 0 leaves it out
 };
@@ -33,7 +37,9 @@ struct GraphEdge {
 struct GraphOptions {
   double lossScale = 2.0;       ///< of the robust loss, in standard deviations
   double wrongAbove_mm = 3.0;   ///< an edge whose residual at its centre is larger, or
-  double wrongAbove_deg = 3.0;  ///< whose turn is, is named wrong
+  double wrongAbove_deg = 3.0;  ///< whose turn is, and whose covariance does not explain it, is named wrong
+  double leastError_mm = 0.1;   ///< added to every covariance: living tissue is not rigid, whatever the images of one pair say
+  double leastError_deg = 0.1;
   int iterations = 100;
   bool startFromEdges = true;  ///< nodes without prior start where the most trusted edges put them (spanning tree), not at toWorld
 };
@@ -43,6 +49,7 @@ struct GraphEdgeReport {
   double residual_deg = 0.0;
   double weight = 0.0;  ///< of the robust loss, 0..1
   bool wrong = false;
+  bool confirmed = false;  ///< lies on a loop of believed edges and priors: another way round says the same
 };
 
 struct GraphResult {
@@ -53,9 +60,17 @@ struct GraphResult {
   std::vector<int> part;               ///< one per node: parts that no believed edge or prior joins have different numbers
   int parts = 0;
   std::vector<std::size_t> wrong;  ///< indices of edges
+  /// Edges that could be wrong in place of one in `wrong`: every loop through that one runs through them too. The verdict is cannotTell
+  /// then.
+  std::vector<std::size_t> suspects;
+  std::vector<std::size_t> wrongPriors;  ///< indices of nodes whose tracker's pose contradicts the pairs
   std::vector<std::size_t> withoutInformation;
-  std::vector<PoseCovariance> covariance;  ///< one per node, relative to the gauge; empty when singular
-  double closure_mm = 0.0;                 ///< worst error around a cycle of believed edges before the solve; 0 without a cycle
+  /// One per node, relative to the gauge (0 there): along and about the world's axes at `centre_mm`; empty when singular. Larger than the
+  /// edges' own say when loops close worse than those promise.
+  std::vector<PoseCovariance> covariance;
+  std::vector<glm::dvec3> centre_mm;  ///< one per node, in its own frame: the middle of its edges' centres
+  double varianceFactor = 1.0;        ///< by which the edges' covariances proved too small, at least 1
+  double closure_mm = 0.0;            ///< worst error around a cycle of believed edges before the solve; 0 without a cycle
   double closure_deg = 0.0;
   StopReason stop = StopReason::notRun;
   int iterations = 0;

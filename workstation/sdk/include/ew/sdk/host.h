@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/glm.hpp>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,20 +19,74 @@ class QWidget;  // only named here; a plugin without a panel never includes Qt
 
 namespace ew::sdk {
 
+/// What a file holds, from its header alone.
+struct VolumeInfo {
+  bool sweep = false;                        ///< frames with poses, to be reconstructed; then `grid` says nothing
+  Grid grid;                                 ///< of a volume
+  std::vector<std::filesystem::path> files;  ///< that hold it: header and samples
+};
+
+/// How a sweep becomes a volume.
+struct SweepOptions {
+  double spacing_mm = 0.0;            ///< of the volume; 0: from the pixels and the distance of the frames
+  std::filesystem::path calibration;  ///< device set; empty: the recording says everything itself
+  int threads = 0;
+  std::uint64_t maxBytes = 16ull << 30;
+};
+struct SweepPlan {
+  Grid grid;
+  double spacing_mm = 0.0;  ///< that will be used
+  std::uint64_t bytes = 0;  ///< at the peak
+  std::size_t frames = 0;   ///< with a pose
+};
+struct SweepVolume {
+  Volume volume;                         ///< with coverage
+  std::vector<std::uint8_t> confidence;  ///< per voxel, 255 for 1: how far the echoes may be trusted; less in shadow and without contact
+  glm::dvec3 depthAxis{0.0};             ///< unit vector in the volume's own frame along which depth grows: the mean of the beams
+  std::vector<std::string> notes;
+};
+
+/// A volume file that is written block by block, in any order, and need not fit into memory. Without finish() nothing is left of it.
+class VolumeWriter {
+ public:
+  virtual ~VolumeWriter();
+  /// @param corner first voxel of the block; `values` holds size.x * size.y * size.z of them, i fastest
+  virtual void put(const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> values) = 0;
+  /// @error notWritable, cancelled
+  [[nodiscard]] virtual Result<void> finish(Progress& progress) = 0;
+};
+
 /// Volumes in files and in the workstation.
 class Volumes {
  public:
   virtual ~Volumes();
+  /// @error as read, but for what only the samples show
+  [[nodiscard]] virtual Result<VolumeInfo> inspect(const std::filesystem::path& file) = 0;
   [[nodiscard]] virtual Result<Volume> read(const std::filesystem::path& file, Progress& progress) = 0;
   [[nodiscard]] virtual Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
   [[nodiscard]] virtual Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
   /// Fills volume.coverage from a file of the same grid.
   [[nodiscard]] virtual Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) = 0;
+  /// How far each voxel of a volume may be trusted, 0 to 255 for 0 to 1, as a volume of the same grid.
+  [[nodiscard]] virtual Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const std::filesystem::path& file,
+                                                                         Progress& progress) = 0;
+  [[nodiscard]] virtual Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence,
+                                                     const std::filesystem::path& file, Progress& progress) = 0;
+  /// What reconstructing a sweep will make and need. Its frames are read for it.
+  [[nodiscard]] virtual Result<SweepPlan> planSweep(const std::filesystem::path& sweep, const SweepOptions& options,
+                                                    Progress& progress) = 0;
+  /// A sweep as a volume, holes between its frames filled. The voxels do not depend on the number of threads.
+  /// @error what reading says, noValidPose, missingCalibration, tooLarge, cancelled
+  [[nodiscard]] virtual Result<SweepVolume> reconstruct(const std::filesystem::path& sweep, const SweepOptions& options,
+                                                        Progress& progress) = 0;
+  /// Begins a volume file (.mha) that is written in blocks. Room on the medium is taken at once.
+  /// @error notWritable, unsupported (another ending), tooLarge
+  [[nodiscard]] virtual Result<std::unique_ptr<VolumeWriter>> writeInBlocks(const Grid& grid, const std::filesystem::path& file) = 0;
   /// Puts a volume into the scan view of the workstation; without a window it does nothing.
   virtual void show(Volume volume, const std::string& title) = 0;
 };
 
-/// Text files: settings, projects, reports.
+/// Text files: settings, projects, reports. The text may hold any bytes.
 class Files {
  public:
   virtual ~Files();
@@ -115,6 +172,11 @@ class Commands {
   struct Outcome {
     std::vector<std::string> outputs;                     ///< files written
     std::vector<std::pair<std::string, double>> quality;  ///< figures by name, unit in the name: for the report
+    /// "aligned", "not aligned" or "cannot tell", where the command judges: in the report, and what is not "aligned" ends the program with
+    /// exit status 3 after the sentence `reason`. Everything was done and written all the same.
+    std::optional<std::string> verdict = {};
+    std::string reason = {};
+    std::vector<std::pair<std::string, double>> steps = {};  ///< seconds by name, in the order they ran: for the report
   };
   /// @param usage one line, and after an empty line what else `--help` should say; `args` are the words after the name without --report and
   /// --quiet, which the host handles

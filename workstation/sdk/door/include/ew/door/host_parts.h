@@ -11,6 +11,13 @@ class FileVolumes : public sdk::Volumes {
   Result<void> write(const Volume& volume, const std::filesystem::path& file, Progress& progress) override;
   Result<void> writeCoverage(const Volume& volume, const std::filesystem::path& file, Progress& progress) override;
   Result<void> readCoverageInto(Volume& volume, const std::filesystem::path& file, Progress& progress) override;
+  Result<sdk::VolumeInfo> inspect(const std::filesystem::path& file) override;
+  Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const std::filesystem::path& file, Progress& progress) override;
+  Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const std::filesystem::path& file,
+                               Progress& progress) override;
+  Result<sdk::SweepPlan> planSweep(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) override;
+  Result<sdk::SweepVolume> reconstruct(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) override;
+  Result<std::unique_ptr<sdk::VolumeWriter>> writeInBlocks(const Grid& grid, const std::filesystem::path& file) override;
   void show(Volume volume, const std::string& title) override;
 };
 

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "ew/core/volume.h"
+#include "ew/registration/deformation.h"
+#include "ew/stitching/join.h"
+
+namespace ew::stitching {
+
+/// A rectangle through volumes: pixel (x, y) of w x h lies at centre + pixel_mm ((x - (w-1)/2) right + (y - (h-1)/2) down).
+struct Plane {
+  glm::dvec3 centre_mm{0.0};
+  glm::dvec3 right{1.0, 0.0, 0.0};  ///< unit vectors, square to each other
+  glm::dvec3 down{0.0, 1.0, 0.0};
+  double pixel_mm = 0.5;
+  [[nodiscard]] glm::dvec3 normal() const { return glm::cross(right, down); }
+  bool operator==(const Plane&) const = default;
+};
+
+/// Axial is seen from the feet, coronal from the front, sagittal from the patient's left: the patient's left (or front) is right (or left).
+enum class Cut { axial, coronal, sagittal };
+
+[[nodiscard]] Plane planeOf(Cut cut, const glm::dvec3& centre_mm, double pixel_mm);
+[[nodiscard]] glm::dvec3 pointAt(const Plane& plane, const glm::ivec2& size, const glm::dvec2& pixel);
+/// The foot of a point on the plane, as a pixel; `distanceTo` says how far the point lies off it.
+[[nodiscard]] glm::dvec2 pixelOf(const Plane& plane, const glm::ivec2& size, const glm::dvec3& p_mm);
+[[nodiscard]] double distanceTo(const Plane& plane, const glm::dvec3& p_mm);
+/// The plane as seen in another frame.
+[[nodiscard]] Plane moved(const Plane& plane, const glm::dmat4& rigid);
+/// Turned about a point of it (and so still through it): first about its own `down`, then about `right`, then about the normal.
+[[nodiscard]] Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& turn_deg);
+
+/// How a point of the plane's frame goes over into a volume's own: toGrid * (b + u(b)) with b = toBend * p.
+struct Mapping {
+  glm::dmat4 toBend{1.0};                           ///< into the frame of the bend
+  const registration::ControlGrid* bend = nullptr;  ///< null: none
+  glm::dmat4 toGrid{1.0};
+  [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p_mm) const;
+};
+
+struct GreyPicture {
+  glm::ivec2 size{0};
+  std::vector<std::uint8_t> grey;  ///< row by row, 0 where nothing was seen
+  std::vector<std::uint8_t> seen;  ///< 1 where the volume covers the pixel
+  bool operator==(const GreyPicture&) const = default;
+};
+struct ColourPicture {
+  glm::ivec2 size{0};
+  std::vector<std::array<std::uint8_t, 3>> rgb;  ///< row by row
+  bool operator==(const ColourPicture&) const = default;
+};
+
+/// The volume in the plane, linear between voxel centres, nothing outside the grid and where the nearest voxel is absent. Constants and
+/// ramps are exact; voxel centres give their voxels.
+[[nodiscard]] GreyPicture sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping);
+
+enum class Overlay {
+  checkerboard,  ///< fixed and moving in turn, in squares
+  difference,    ///< moving minus fixed, halved, about middle grey
+  flicker,       ///< one, then the other
+  colours        ///< fixed green, moving magenta: grey where they agree
+};
+struct OverlayOptions {
+  Overlay kind = Overlay::checkerboard;
+  int square_px = 48;   ///< of the checkerboard
+  bool second = false;  ///< of the flicker: show the moving one
+};
+/// Two pictures of one size over each other. Where only one of them sees anything, it is shown alone at half its brightness (flicker: as it
+/// is, because there the eye compares); where neither does, black.
+[[nodiscard]] ColourPicture overlaid(const GreyPicture& fixed, const GreyPicture& moving, const OverlayOptions& options);
+
+/// A colour for a length from 0 to `longest_mm`: dark blue, teal, yellow; its brightness rises all the way, so it reads without colour too.
+[[nodiscard]] std::array<std::uint8_t, 3> colourOfLength(double length_mm, double longest_mm);
+
+/// Where `displaced` takes the lines of a square lattice around the plane's middle, in pixels; each with a point every quarter of a
+/// square. Without any displacement they are straight and `spacing_mm` apart.
+[[nodiscard]] std::vector<std::vector<glm::dvec2>> deformedLattice(const Plane& plane, const glm::ivec2& size, double spacing_mm,
+                                                                   const std::function<glm::dvec3(const glm::dvec3&)>& displaced);
+
+/// A view in the world, for pictures of the whole.
+struct SeenView {
+  const Volume* volume = nullptr;  ///< null: not read yet, shows nothing
+  Mapping fromPlane;
+};
+/// Each pixel from the view that the seam map gives it, tinted with that view's colour, borders between views drawn bright.
+/// @param toWorld from the plane's frame
+[[nodiscard]] ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views, const Plane& plane, const glm::ivec2& size,
+                                        const glm::dmat4& toWorld);
+/// Index of the view at a world point, or -1.
+[[nodiscard]] int viewAt(const SeamMap& seams, const glm::dvec3& p_world_mm);
+/// The colour in which a view is shown, everywhere the same; eight of them, then from the beginning.
+[[nodiscard]] std::array<std::uint8_t, 3> colourOfView(std::size_t view);
+
+/// The moving volume moved within the fixed frame: shifted by `shift_mm`, after a turn about `pivot_mm` (axis times degrees, fixed frame).
+[[nodiscard]] glm::dmat4 nudged(const glm::dmat4& fixedToMoving, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg,
+                                const glm::dvec3& pivot_mm);
+/// The rigid motion of such a nudge, in the frame in which it happens.
+[[nodiscard]] glm::dmat4 motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm);
+
+/// Plain correlation of grey levels over what both cover, on a lattice of `step_mm` in the fixed volume; none below 200 common points.
+/// For a hand that nudges: a figure that moves at once. Not a verdict.
+struct QuickAgreement {
+  double correlation = 0.0;
+  double overlapShare = 0.0;  ///< of the fixed volume's covered points
+  std::size_t points = 0;
+};
+[[nodiscard]] QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving, double step_mm);
+
+}  // namespace ew::stitching

@@ -1,0 +1,275 @@
+#include "logic/stitch_document.h"
+
+#include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "logic/places.h"
+
+namespace ew::stitching {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The recovery file is an object around the project's own text, so the project keeps its one format.
+constexpr const char* kRecoveryProject = "project";
+constexpr const char* kRecoveryFile = "file";
+
+std::string unique(const std::string& wanted, const std::set<std::string>& taken) {
+  const std::string base = wanted.empty() ? "volume" : wanted;
+  std::string name = base;
+  for (int n = 2; taken.count(name) != 0; ++n) name = base + " (" + std::to_string(n) + ")";
+  return name;
+}
+
+bool saysNothing(const ProjectPair& pair) {
+  ProjectPair empty;
+  empty.fixed = pair.fixed;
+  empty.moving = pair.moving;
+  return pair == empty;
+}
+
+/// Every index through `renumbered`; what it sends to nowhere is left out.
+void renumber(StitchProject& project, const std::function<std::optional<std::size_t>(std::size_t)>& renumbered) {
+  std::vector<ProjectPair> pairs;
+  for (ProjectPair pair : project.pairs) {
+    const auto fixed = renumbered(pair.fixed);
+    const auto moving = renumbered(pair.moving);
+    if (!fixed || !moving) continue;
+    pair.fixed = *fixed;
+    pair.moving = *moving;
+    if (pair.fixed > pair.moving) {  // the same pair, told from the other side
+      std::swap(pair.fixed, pair.moving);
+      for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
+      if (pair.start) pair.start = rigidInverse(*pair.start);
+    }
+    pairs.push_back(std::move(pair));
+  }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.fixed, a.moving) < std::pair(b.fixed, b.moving); });
+  project.pairs = std::move(pairs);
+  auto& strokes = project.settings.join.seam.strokes;
+  std::vector<SeamStroke> kept;
+  for (SeamStroke stroke : strokes) {
+    const auto view = renumbered(stroke.view);
+    if (!view) continue;
+    stroke.view = *view;
+    kept.push_back(stroke);
+  }
+  strokes = std::move(kept);
+}
+
+}  // namespace
+
+StitchProject withVolumes(StitchProject project, std::vector<ProjectVolume> added) {
+  std::set<std::string> names;
+  for (const auto& volume : project.volumes) names.insert(volume.name);
+  for (auto& volume : added) {
+    volume.name = unique(volume.name.empty() ? volume.file.filename().string() : volume.name, names);
+    names.insert(volume.name);
+    project.volumes.push_back(std::move(volume));
+  }
+  return project;
+}
+
+StitchProject withoutVolume(StitchProject project, std::size_t volume) {
+  if (volume >= project.volumes.size()) return project;
+  project.volumes.erase(project.volumes.begin() + static_cast<std::ptrdiff_t>(volume));
+  renumber(project, [&](std::size_t n) -> std::optional<std::size_t> {
+    if (n == volume) return std::nullopt;
+    return n > volume ? n - 1 : n;
+  });
+  return project;
+}
+
+StitchProject withVolumeMoved(StitchProject project, std::size_t from, std::size_t to) {
+  if (from >= project.volumes.size() || to >= project.volumes.size() || from == to) return project;
+  std::vector<std::size_t> order(project.volumes.size());  // new place -> old place
+  for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
+  order.erase(order.begin() + static_cast<std::ptrdiff_t>(from));
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(to), from);
+  std::vector<ProjectVolume> volumes;
+  std::vector<std::size_t> now(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    volumes.push_back(std::move(project.volumes[order[n]]));
+    now[order[n]] = n;
+  }
+  project.volumes = std::move(volumes);
+  renumber(project, [&](std::size_t n) -> std::optional<std::size_t> { return n < now.size() ? std::optional(now[n]) : std::nullopt; });
+  return project;
+}
+
+StitchProject withPlace(StitchProject project, std::size_t volume, const glm::dmat4& toWorld, Placement placement) {
+  if (volume >= project.volumes.size()) return project;
+  project.volumes[volume].toWorld = toWorld;
+  project.volumes[volume].placement = placement;
+  return project;
+}
+
+ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t moving) {
+  const auto [low, high] = std::minmax(fixed, moving);
+  for (const ProjectPair& pair : project.pairs)
+    if (pair.fixed == low && pair.moving == high) return pair;
+  ProjectPair pair;
+  pair.fixed = low;
+  pair.moving = high;
+  return pair;
+}
+
+StitchProject withPair(StitchProject project, const ProjectPair& pair) {
+  if (pair.fixed >= pair.moving || pair.moving >= project.volumes.size()) return project;
+  auto& pairs = project.pairs;
+  const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const ProjectPair& other) {
+    return std::pair(other.fixed, other.moving) >= std::pair(pair.fixed, pair.moving);
+  });
+  const bool there = at != pairs.end() && at->fixed == pair.fixed && at->moving == pair.moving;
+  if (saysNothing(pair)) {
+    if (there) pairs.erase(at);
+  } else if (there) {
+    *at = pair;
+  } else {
+    pairs.insert(at, pair);
+  }
+  return project;
+}
+
+StitchProject withStroke(StitchProject project, const SeamStroke& stroke) {
+  if (stroke.view < project.volumes.size()) project.settings.join.seam.strokes.push_back(stroke);
+  return project;
+}
+
+std::optional<Error> problemOfName(const StitchProject& project, std::size_t volume, const std::string& name) {
+  if (name.find_first_not_of(" \t\r\n") == std::string::npos)
+    return Error{ErrorCode::badField, "A volume needs a name; type one.", {{"field", "name"}}};
+  for (std::size_t n = 0; n < project.volumes.size(); ++n)
+    if (n != volume && project.volumes[n].name == name)
+      return Error{ErrorCode::badField, "Another volume is called '" + name + "' already; choose another name.", {{"field", "name"}}};
+  return std::nullopt;
+}
+
+std::string letterOf(std::size_t volume) {
+  std::string letters;
+  for (std::size_t n = volume + 1; n > 0; n = (n - 1) / 26) letters.insert(letters.begin(), static_cast<char>('A' + (n - 1) % 26));
+  return letters;
+}
+
+StitchDocument::StitchDocument(sdk::Files& files, fs::path recovery) : files_(files), recovery_(std::move(recovery)) {}
+
+void StitchDocument::edit(StitchProject next, std::string what, std::string mergeKey) {
+  if (next == now_) return;
+  if (beforeMerging(mergeKey) != nullptr) {
+    past_.back().what = std::move(what);
+  } else {
+    past_.push_back({now_, std::move(what)});
+    if (past_.size() > kSteps) past_.pop_front();
+  }
+  future_.clear();
+  mergeKey_ = std::move(mergeKey);
+  now_ = std::move(next);
+}
+
+const StitchProject* StitchDocument::beforeMerging(const std::string& mergeKey) const {
+  return mergeKey.empty() || mergeKey != mergeKey_ || past_.empty() ? nullptr : &past_.back().other;
+}
+
+void StitchDocument::undo() {
+  if (past_.empty()) return;
+  Step step = std::move(past_.back());
+  past_.pop_back();
+  future_.push_back({std::exchange(now_, std::move(step.other)), std::move(step.what)});
+  mergeKey_.clear();
+}
+
+void StitchDocument::redo() {
+  if (future_.empty()) return;
+  Step step = std::move(future_.back());
+  future_.pop_back();
+  past_.push_back({std::exchange(now_, std::move(step.other)), std::move(step.what)});
+  mergeKey_.clear();
+}
+
+void StitchDocument::begin(StitchProject project, StitchProject saved, fs::path file) {
+  now_ = std::move(project);
+  saved_ = std::move(saved);
+  file_ = std::move(file);
+  past_.clear();
+  future_.clear();
+  mergeKey_.clear();
+}
+
+void StitchDocument::clear() { begin({}, {}, {}); }
+
+Result<void> StitchDocument::open(const fs::path& file) {
+  auto text = files_.readText(file);
+  if (!text) return passOn(text.error());
+  auto project = parseProject(*text, file.parent_path(), files_);
+  if (!project) return passOn(project.error());
+  StitchProject same = *project;
+  begin(std::move(*project), std::move(same), file);
+  return {};
+}
+
+Result<void> StitchDocument::save(const fs::path& file) {
+  if (now_.volumes.empty()) return failure(ErrorCode::emptyVolume, "The project has no volume yet; add one before it is saved.");
+  if (auto written = files_.writeText(file, projectText(now_, file.parent_path())); !written) return written;
+  file_ = file;
+  saved_ = now_;
+  forgetRecovery();
+  return {};
+}
+
+Result<void> StitchDocument::keepRecovery() {
+  if (!hasUnsavedChanges() || now_.volumes.empty()) {  // a project without volumes holds nothing that could be lost
+    if (kept_) forgetRecovery();
+    return {};
+  }
+  if (kept_ && *kept_ == now_) return {};
+  // Paths are written in full: the recovery file lies elsewhere than the project.
+  nlohmann::json around;
+  around[kRecoveryFile] = file_.string();
+  around[kRecoveryProject] = nlohmann::json::parse(projectText(now_, {}));
+  std::error_code ignored;
+  fs::create_directories(recovery_.parent_path(), ignored);
+  if (auto written = files_.writeText(recovery_, around.dump(1)); !written) return written;
+  kept_ = now_;
+  return {};
+}
+
+Result<std::optional<StitchDocument::Left>> StitchDocument::leftBehind() const {
+  std::error_code ignored;
+  if (!fs::exists(recovery_, ignored)) return std::nullopt;
+  auto text = files_.readText(recovery_);
+  if (!text) return passOn(text.error());
+  const auto around = nlohmann::json::parse(*text, nullptr, false);
+  if (!around.is_object() || !around.contains(kRecoveryProject) || !around.contains(kRecoveryFile) ||
+      !around.at(kRecoveryFile).is_string()) {
+    return failure(ErrorCode::badHeader, "The file that keeps unsaved work ('" + recovery_.string() +
+                                             "') is damaged; it is left where it is and nothing was reopened.");
+  }
+  auto project = parseProject(around.at(kRecoveryProject).dump(), recovery_.parent_path(), files_);
+  if (!project) return passOn(project.error());
+  return Left{around.at(kRecoveryFile).get<std::string>(), std::move(*project)};
+}
+
+void StitchDocument::takeOver(const Left& left) {
+  StitchProject saved;
+  // What the file holds now, so that "not saved" is true; a file that is gone counts as never saved.
+  if (!left.file.empty()) {
+    if (auto text = files_.readText(left.file)) {
+      if (auto project = parseProject(*text, left.file.parent_path(), files_)) saved = std::move(*project);
+    }
+  }
+  begin(left.project, std::move(saved), left.file);
+  kept_ = now_;
+}
+
+void StitchDocument::forgetRecovery() {
+  std::error_code ignored;
+  fs::remove(recovery_, ignored);
+  kept_.reset();
+}
+
+}  // namespace ew::stitching

@@ -1,0 +1,217 @@
+#include "logic/slices.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace ew::stitching {
+namespace {
+
+/// echo = 2 i + 3 j + 5 k: linear, without symmetry, so every mistake of an axis shows.
+Volume ramp() {
+  Volume volume;
+  volume.grid.dims = {12, 10, 8};
+  volume.grid.spacing_mm = {1.0, 2.0, 0.5};
+  volume.grid.origin_mm = {-5.0, 4.0, 7.0};
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 12; ++i) volume.echo.push_back(static_cast<std::uint8_t>(2 * i + 3 * j + 5 * k));
+  return volume;
+}
+
+GreyPicture two(std::uint8_t a, std::uint8_t b, bool aSeen = true, bool bSeen = true) {
+  return {{2, 1}, {a, b}, {static_cast<std::uint8_t>(aSeen), static_cast<std::uint8_t>(bSeen)}};
+}
+
+TEST(Slices, PixelsAndPointsAreEachOthersInverse) {
+  const Plane plane = turned(planeOf(Cut::coronal, {1, 2, 3}, 0.7), {4, 5, 6}, {20, -35, 50});
+  const glm::ivec2 size{31, 20};
+  const glm::dvec3 p = pointAt(plane, size, {3.5, 17.25});
+  const glm::dvec2 back = pixelOf(plane, size, p);
+  EXPECT_NEAR(back.x, 3.5, 1e-12);
+  EXPECT_NEAR(back.y, 17.25, 1e-12);
+  EXPECT_NEAR(distanceTo(plane, p + 2.5 * plane.normal()), 2.5, 1e-12);
+}
+
+TEST(Slices, APlaneTurnedAboutAPointOfItStillHoldsThatPoint) {
+  Plane plane = planeOf(Cut::axial, {0, 0, 0}, 0.5);
+  const glm::dvec3 pivot{3, -2, 0};
+  for (int n = 0; n < 500; ++n) plane = turned(plane, pivot, {1.1, 0.7, 0.3});
+  EXPECT_NEAR(distanceTo(plane, pivot), 0.0, 1e-9);
+  EXPECT_NEAR(glm::dot(plane.right, plane.down), 0.0, 1e-12);
+  EXPECT_NEAR(glm::length(plane.right), 1.0, 1e-12);
+}
+
+TEST(Slices, VoxelCentresGiveTheirVoxelsAndNothingIsSeenOutside) {
+  const Volume volume = ramp();
+  // Pixels of 1 mm in the axial plane of layer 3: columns are voxels along i, every second row is a voxel along j.
+  const Plane plane = planeOf(Cut::axial, {0.5, 13.0, 8.5}, 1.0);
+  const GreyPicture picture = sliced(volume, plane, {14, 19}, {});
+  for (int y = 0; y < 19; y += 2)
+    for (int x = 0; x < 14; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y * 14 + x);
+      const int i = x - 1;
+      const bool inside = i >= 0 && i < 12;
+      EXPECT_EQ(picture.seen[at], inside ? 1 : 0) << x << ", " << y;
+      EXPECT_EQ(picture.grey[at], inside ? 2 * i + 3 * (y / 2) + 15 : 0) << x << ", " << y;
+    }
+}
+
+TEST(Slices, ARampStaysARampInAnObliquePlane) {
+  const Volume volume = ramp();
+  const Plane plane = turned(planeOf(Cut::sagittal, {0.5, 13.0, 8.7}, 0.3), {0.5, 13.0, 8.7}, {25, 40, -15});
+  const glm::ivec2 size{40, 40};
+  const GreyPicture picture = sliced(volume, plane, size, {});
+  int seen = 0;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y * 40 + x);
+      if (picture.seen[at] == 0) continue;
+      ++seen;
+      const glm::dvec3 v = glm::dvec3(volume.grid.worldToVoxel().matrix * glm::dvec4(pointAt(plane, size, {x, y}), 1.0));
+      EXPECT_EQ(picture.grey[at], std::lround(2 * v.x + 3 * v.y + 5 * v.z));
+    }
+  EXPECT_GT(seen, 200);
+}
+
+TEST(Slices, AbsentVoxelsAreNotSeenAndDoNotDarkenTheirNeighbours) {
+  Volume volume = ramp();
+  std::fill(volume.echo.begin(), volume.echo.end(), std::uint8_t{100});
+  volume.coverage.assign(volume.echo.size(), 2);
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 6; ++i) {
+        volume.coverage[volume.grid.indexOf(i, j, k)] = 0;
+        volume.echo[volume.grid.indexOf(i, j, k)] = 0;
+      }
+  const GreyPicture picture = sliced(volume, planeOf(Cut::axial, {0.5, 13.0, 8.5}, 0.25), {48, 1}, {});
+  for (std::size_t x = 0; x < 48; ++x) {
+    if (picture.seen[x] != 0) {
+      EXPECT_EQ(picture.grey[x], 100) << x;
+    }
+  }
+  EXPECT_EQ(picture.seen[5], 0);
+  EXPECT_EQ(picture.seen[40], 1);
+}
+
+TEST(Slices, AVolumeOfOneLayerIsSeenInItsLayer) {
+  Volume volume;
+  volume.grid.dims = {4, 4, 1};
+  volume.echo.assign(16, 80);
+  const GreyPicture picture = sliced(volume, planeOf(Cut::axial, {1.5, 1.5, 0.0}, 1.0), {4, 4}, {});
+  EXPECT_EQ(picture.grey, std::vector<std::uint8_t>(16, 80));
+}
+
+TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
+  registration::ControlGrid bend;
+  bend.nodes.dims = {2, 2, 2};
+  bend.nodes.spacing_mm = glm::dvec3(100.0);
+  bend.nodes.origin_mm = glm::dvec3(-50.0);
+  bend.displacement_mm.assign(8, glm::vec3(1.0f, 2.0f, 3.0f));
+  Mapping mapping;
+  mapping.toBend[3] = {10, 0, 0, 1};
+  mapping.toGrid[3] = {0, 0, -5, 1};
+  mapping.bend = &bend;
+  const glm::dvec3 p = mapping({1, 1, 1});
+  EXPECT_NEAR(p.x, 12.0, 1e-6);
+  EXPECT_NEAR(p.y, 3.0, 1e-6);
+  EXPECT_NEAR(p.z, -1.0, 1e-6);
+}
+
+TEST(Slices, OverlaysOfOnePixelEachAreExact) {
+  const GreyPicture a = two(40, 200);
+  const GreyPicture b = two(60, 100);
+  using Colours = std::vector<std::array<std::uint8_t, 3>>;
+  EXPECT_EQ(overlaid(a, b, {Overlay::checkerboard, 1, false}).rgb, (Colours{{40, 40, 40}, {100, 100, 100}}));
+  EXPECT_EQ(overlaid(a, b, {Overlay::difference, 48, false}).rgb, (Colours{{138, 138, 138}, {78, 78, 78}}));
+  EXPECT_EQ(overlaid(a, b, {Overlay::flicker, 48, false}).rgb, (Colours{{40, 40, 40}, {200, 200, 200}}));
+  EXPECT_EQ(overlaid(a, b, {Overlay::flicker, 48, true}).rgb, (Colours{{60, 60, 60}, {100, 100, 100}}));
+  EXPECT_EQ(overlaid(a, b, {Overlay::colours, 48, false}).rgb, (Colours{{60, 40, 60}, {100, 200, 100}}));
+  EXPECT_EQ(overlaid(a, a, {Overlay::colours, 48, false}).rgb, (Colours{{40, 40, 40}, {200, 200, 200}})) << "agreement is grey";
+  EXPECT_EQ(overlaid(a, a, {Overlay::difference, 48, false}).rgb, (Colours{{128, 128, 128}, {128, 128, 128}}));
+}
+
+TEST(Slices, WhereOneSideAloneSeesItIsShownAloneAtHalf) {
+  const GreyPicture a = two(40, 0, true, false);
+  const GreyPicture b = two(0, 0, false, false);
+  for (const Overlay kind : {Overlay::checkerboard, Overlay::difference, Overlay::colours}) {
+    const auto picture = overlaid(a, b, {kind, 1, false});
+    EXPECT_EQ(picture.rgb[0], (std::array<std::uint8_t, 3>{20, 20, 20}));
+    EXPECT_EQ(picture.rgb[1], (std::array<std::uint8_t, 3>{0, 0, 0}));
+  }
+}
+
+TEST(Slices, ColoursOfLengthsBrightenAllTheWay) {
+  double before = -1.0;
+  for (int n = 0; n <= 50; ++n) {
+    const auto c = colourOfLength(0.1 * n, 5.0);
+    const double luma = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    EXPECT_GT(luma, before);
+    before = luma;
+  }
+  EXPECT_EQ(colourOfLength(99.0, 5.0), colourOfLength(5.0, 5.0));
+  EXPECT_EQ(colourOfLength(std::nan(""), 5.0), colourOfLength(0.0, 5.0));
+}
+
+TEST(Slices, ALatticeWithoutDisplacementIsSquareAndAShiftShiftsIt) {
+  const Plane plane = planeOf(Cut::axial, {0, 0, 0}, 0.5);
+  const glm::ivec2 size{81, 61};
+  const auto still = deformedLattice(plane, size, 10.0, [](const glm::dvec3& p) { return p; });
+  const auto shifted = deformedLattice(plane, size, 10.0, [](const glm::dvec3& p) { return p + glm::dvec3(2.0, -1.0, 5.0); });
+  ASSERT_EQ(still.size(), 12u);  // 2 x 3 + 1 upright at +-20.25 mm, 2 x 2 + 1 level at +-15.25 mm
+  ASSERT_EQ(shifted.size(), still.size());
+  for (std::size_t line = 0; line < still.size(); ++line)
+    for (std::size_t n = 0; n < still[line].size(); ++n) {
+      EXPECT_NEAR(shifted[line][n].x - still[line][n].x, 4.0, 1e-9);
+      EXPECT_NEAR(shifted[line][n].y - still[line][n].y, -2.0, 1e-9);
+    }
+  EXPECT_NEAR(still[1][0].x - still[0][0].x, 20.0, 1e-9);
+  EXPECT_TRUE(deformedLattice(plane, size, 0.0, [](const glm::dvec3& p) { return p; }).empty());
+}
+
+TEST(Slices, ANudgeMovesWhatTheMovingVolumeShowsByThatMuch) {
+  glm::dmat4 fixedToMoving = motionOf({3, 1, -2}, {10, 20, -5}, {0, 0, 0});
+  const glm::dvec3 seen{4, 5, 6};  // a place of the moving volume
+  const auto shownAt = [&](const glm::dmat4& m) { return glm::dvec3(glm::inverse(m) * glm::dvec4(seen, 1.0)); };
+  const glm::dvec3 before = shownAt(fixedToMoving);
+  const glm::dvec3 after = shownAt(nudged(fixedToMoving, {2, 0, -1}, {}, {}));
+  EXPECT_NEAR(glm::length(after - before - glm::dvec3(2, 0, -1)), 0.0, 1e-9);
+  const glm::dvec3 turned90 = shownAt(nudged(fixedToMoving, {}, {0, 0, 90}, before - glm::dvec3(1, 0, 0)));
+  EXPECT_NEAR(glm::length(turned90 - before - glm::dvec3(-1, 1, 0)), 0.0, 1e-9);
+}
+
+TEST(Slices, QuickAgreementIsOneAtTheTruthAndLessBesideIt) {
+  Volume volume;
+  volume.grid.dims = {30, 30, 30};
+  std::uint32_t state = 7;
+  for (int n = 0; n < 27000; ++n) volume.echo.push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
+  const QuickAgreement same = quickAgreement(volume, volume, glm::dmat4(1.0), 1.0);
+  EXPECT_NEAR(same.correlation, 1.0, 1e-9);
+  EXPECT_EQ(same.overlapShare, 1.0);
+  EXPECT_LT(quickAgreement(volume, volume, motionOf({3, 0, 0}, {}, {}), 1.0).correlation, 0.1);
+  const QuickAgreement apart = quickAgreement(volume, volume, motionOf({300, 0, 0}, {}, {}), 1.0);
+  EXPECT_EQ(apart.points, 0u);
+  EXPECT_EQ(apart.correlation, 0.0);
+}
+
+TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
+  SeamMap seams;
+  seams.cells.dims = {2, 1, 1};
+  seams.cells.spacing_mm = glm::dvec3(10.0);
+  seams.view = {1, 2};
+  EXPECT_EQ(viewAt(seams, {1, 0, 0}), 0);
+  EXPECT_EQ(viewAt(seams, {9, 0, 0}), 1);
+  EXPECT_EQ(viewAt(seams, {40, 0, 0}), -1);
+  Volume dark;
+  dark.grid.dims = {40, 40, 40};
+  dark.grid.origin_mm = glm::dvec3(-10.0);
+  Volume bright = dark;
+  dark.echo.assign(64000, 10);
+  bright.echo.assign(64000, 240);
+  const std::vector<SeenView> views = {{&dark, {}}, {&bright, {}}};
+  const auto picture = seamPicture(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, glm::dmat4(1.0));
+  EXPECT_LT(picture.rgb[0][1], 60);
+  EXPECT_GT(picture.rgb[8][1], 140);
+}
+
+}  // namespace
+}  // namespace ew::stitching
