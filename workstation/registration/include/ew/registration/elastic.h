@@ -8,6 +8,7 @@
 #include "ew/core/image.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/core/volume.h"
 #include "ew/registration/deformation.h"
 #include "ew/registration/rigid.h"
 #include "ew/registration/verdict.h"
@@ -103,17 +104,26 @@ struct Elastic2dResult {
 
 /// The paper's use of it: registers the tangent slices of two volumes (figures 6 and 7) and lets the warp fall off along the third axis.
 struct TangentWarpOptions {
-  Elastic2dOptions slices;
-  double fallOff_mm = 20.0;  ///< the warp is gone this far from the tangent plane
+  Elastic2dOptions slices = {};
+  double fallOff_mm = 20.0;  ///< the warp is gone this far from the tangent plane; lengthened to 2.5 times the largest motion
   double leastJacobian = 0.15;
 };
 struct TangentWarpResult {
   Elastic2dResult slices;
   Deformation fixedToMoving;  ///< on the fixed volume's frame
   JacobianSummary jacobian;
+  double fallOff_mm = 0.0;  ///< that was used
+  double share = 1.0;       ///< of the motion that was kept: below 1 where all of it would have squeezed a cell below leastJacobian
+  std::string reason;       ///< the slices' own, and what was lengthened or taken back
+  GreyImage fixedSlice;     ///< the two tangent slices as they were registered; 0 outside
+  GreyImage movingSlice;
+  Grid slicePlane;  ///< where the slices' pixels lie in the fixed volume's frame, one voxel thick
 };
+/// The slices are cut with pixels of the fixed volume's smallest spacing, y along its j axis where that lies in the plane. The motion is in
+/// the plane and falls off as the square of a cosine to both sides.
 /// @param plane_mm, normal the tangent plane in the fixed volume's frame
-/// @error as registerElastic2d; badField (a plane outside the overlap, a normal that is not one)
+/// @error as registerElastic2d; notRigid (start); badField (a plane outside the overlap, a normal without direction, a fall-off or least
+/// Jacobian out of range)
 [[nodiscard]] Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving, const glm::dmat4& start,
                                                               const glm::dvec3& plane_mm, const glm::dvec3& normal,
                                                               const TangentWarpOptions& options, Progress& progress);
