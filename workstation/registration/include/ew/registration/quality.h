@@ -21,9 +21,11 @@ struct QualityOptions {
 /// A block of the overlap and what can be said there.
 struct RegionQuality {
   glm::dvec3 centre_mm{0.0};  ///< fixed frame
-  std::size_t voxels = 0;     ///< that both sides cover
-  double correlation = 0.0;
-  double uncertainty_mm = 0.0;  ///< expected error of the displacement from residual, gradient and stiffness; infinite when nothing says
+  std::size_t voxels = 0;     ///< of the fixed volume, that both sides cover
+  double correlation = 0.0;   ///< of the images made comparable, within the block
+  /// Expected error of a shift of this block found from this block alone: residual over the gradients both images have in common, each
+  /// speckle counted once. A regulariser can make the true error smaller; infinite when the block's gradients leave a direction open.
+  double uncertainty_mm = 0.0;
 };
 
 struct Quality {
@@ -33,7 +35,8 @@ struct Quality {
   double greyCorrelationAfter = 0.0;
   double localCorrelationBefore = 0.0;  ///< mean over windows
   double localCorrelationAfter = 0.0;
-  std::array<std::size_t, 64> residualHistogram{};  ///< fixed minus moving, in grey levels, -128..128
+  std::array<std::size_t, 64>
+      residualHistogram{};  ///< fixed minus moving in bins of 4 grey levels from -128 on; what is beyond, in the end bins
   double residualRms_grey = 0.0;
   JacobianSummary jacobian;
   std::optional<double> inverseConsistencyMedian_mm;  ///< forth and back: present when the backward result was given
@@ -42,6 +45,8 @@ struct Quality {
 };
 
 /// How well a deformation brings two subvolumes together.
+/// A correlation that rose is no proof of success: a flexible warp fits the grain of unrelated speckle to each other and ends above the
+/// correlation of the true field. Judge it together with chance, Jacobian, uncertainty and the way forth and back.
 /// @param before   what it is compared with: the start
 /// @param backward movingToFixed found on its own, or null
 /// @error emptyVolume, badField, cancelled
@@ -49,7 +54,8 @@ struct Quality {
                                             const Deformation& fixedToMoving, const Deformation* backward, const QualityOptions& options,
                                             Progress& progress);
 
-/// Largest mismatch around loops of transforms a->b, b->c, c->a: where the corners of a cube of side 2 * reach_mm come back to.
+/// Largest mismatch around loops of transforms a->b, b->c, c->a: how far the corners of a cube of side 2 * reach_mm around
+/// the first frame's origin are from where they started. 0 for an empty loop; infinite when an entry is not finite.
 [[nodiscard]] double closureError_mm(const std::vector<glm::dmat4>& loop, double reach_mm);
 
 }  // namespace ew::registration

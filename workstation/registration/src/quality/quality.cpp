@@ -1,0 +1,422 @@
+#include "ew/registration/quality.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparable.h"
+#include "elastic/lattice.h"
+#include "ew/core/parallel.h"
+
+namespace ew::registration {
+namespace {
+
+constexpr double kVoxel_mm = 1.5;          ///< of the images made comparable, where the volumes are large enough
+constexpr std::size_t kLeastSamples = 27;  ///< of a window or block that says anything
+constexpr std::size_t kPointsThereAndBack = 20000;
+
+Error cancelledError() { return {ErrorCode::cancelled, "Assessing the registration was cancelled.", {}}; }
+
+/// Fixed and moving at the places of the fixed side's comparable image.
+struct Side {
+  std::vector<float> moved;
+  std::vector<float> weight;  ///< 0 where one of them has nothing
+};
+
+/// Trilinear; nothing where one of the corners has no weight.
+void sample(const ComparableImage& image, const glm::dvec3& index, float& value, float& weight) {
+  glm::ivec3 low;
+  glm::dvec3 share;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slack = image.grid.dims[axis] == 1 ? 0.5 : 1e-6;
+    if (!(index[axis] >= -slack) || !(index[axis] <= image.grid.dims[axis] - 1 + slack)) return;
+    const double held = std::clamp(index[axis], 0.0, static_cast<double>(image.grid.dims[axis] - 1));
+    low[axis] = std::min(static_cast<int>(held), std::max(image.grid.dims[axis] - 2, 0));
+    share[axis] = held - low[axis];
+  }
+  double v = 0.0, w = 0.0;
+  for (int n = 0; n < 8; ++n) {
+    double part = 1.0;
+    glm::ivec3 corner = low;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool high = (n >> axis & 1) != 0;
+      part *= high ? share[axis] : 1.0 - share[axis];
+      corner[axis] += high ? 1 : 0;
+    }
+    if (part < 1e-9) continue;
+    const std::size_t at = image.grid.indexOf(corner.x, corner.y, corner.z);
+    if (image.weight[at] == 0) return;
+    v += part * static_cast<double>(image.value[at]);
+    w += part * static_cast<double>(image.weight[at]) / 255.0;
+  }
+  value = static_cast<float>(v);
+  weight = static_cast<float>(w);
+}
+
+Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& moving, const Deformation& fixedToMoving, int threads,
+                       Progress& progress) {
+  Side side{std::vector<float>(fixed.grid.voxelCount(), 0.0F), std::vector<float>(fixed.grid.voxelCount(), 0.0F)};
+  const auto toWorld = fixed.grid.voxelToWorld();
+  const glm::dmat4 toIndex = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
+  const bool bends = !fixedToMoving.control.displacement_mm.empty();
+  const Lattice lattice(fixedToMoving.control);
+  const bool finished = forEachTask(fixed.grid.dims.z, threads, progress, "Comparing", [&](int k) {
+    for (int j = 0; j < fixed.grid.dims.y; ++j) {
+      for (int i = 0; i < fixed.grid.dims.x; ++i) {
+        const std::size_t n = fixed.grid.indexOf(i, j, k);
+        if (fixed.weight[n] == 0) continue;
+        glm::dvec3 p = (toWorld * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at;
+        if (bends) p += lattice.displacementAt(p);
+        sample(moving, glm::dvec3(toIndex * glm::dvec4(p, 1.0)), side.moved[n], side.weight[n]);
+        side.weight[n] *= static_cast<float>(fixed.weight[n]) / 255.0F;
+      }
+    }
+  });
+  if (!finished) return passOn(cancelledError());
+  return side;
+}
+
+/// Weighted sums of one block, window or whole.
+struct Sums {
+  double w = 0.0, f = 0.0, m = 0.0, ff = 0.0, mm = 0.0, fm = 0.0;
+  std::size_t count = 0;
+  void add(double weight, double fixed, double moved) {
+    w += weight;
+    f += weight * fixed;
+    m += weight * moved;
+    ff += weight * fixed * fixed;
+    mm += weight * moved * moved;
+    fm += weight * fixed * moved;
+    ++count;
+  }
+  [[nodiscard]] double correlation() const {
+    if (!(w > 0.0)) return 0.0;
+    const double varianceF = ff - f * f / w, varianceM = mm - m * m / w;
+    if (!(varianceF > 1e-9 * w) || !(varianceM > 1e-9 * w)) return 0.0;
+    return std::clamp((fm - f * m / w) / std::sqrt(varianceF * varianceM), -1.0, 1.0);
+  }
+};
+
+/// How many voxels say the same as one: from the likeness of neighbours in both images.
+double repetition(const ComparableImage& fixed, const Side& side) {
+  const Grid& grid = fixed.grid;
+  double all = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (grid.dims[axis] < 2) continue;
+    const std::size_t step = axis == 0 ? 1 : axis == 1 ? static_cast<std::size_t>(grid.dims.x) : grid.indexOf(0, 0, 1);
+    double ff = 0.0, mm = 0.0, ffNext = 0.0, mmNext = 0.0;
+    for (int k = 0; k + (axis == 2 ? 1 : 0) < grid.dims.z; ++k) {
+      for (int j = 0; j + (axis == 1 ? 1 : 0) < grid.dims.y; ++j) {
+        for (int i = 0; i + (axis == 0 ? 1 : 0) < grid.dims.x; ++i) {
+          const std::size_t n = grid.indexOf(i, j, k);
+          if (side.weight[n] <= 0.0F || side.weight[n + step] <= 0.0F) continue;
+          ff += static_cast<double>(fixed.value[n] * fixed.value[n]);
+          mm += static_cast<double>(side.moved[n] * side.moved[n]);
+          ffNext += static_cast<double>(fixed.value[n] * fixed.value[n + step]);
+          mmNext += static_cast<double>(side.moved[n] * side.moved[n + step]);
+        }
+      }
+    }
+    if (!(ff > 0.0) || !(mm > 0.0)) continue;
+    const double likeness = std::clamp(ffNext / ff * mmNext / mm, 0.0, 0.98);
+    all *= (1.0 + likeness) / (1.0 - likeness);
+  }
+  return all;
+}
+
+Agreement agreementOf(const ComparableImage& fixed, const ComparableImage& moving, const Side& side) {
+  Sums sums;
+  for (std::size_t n = 0; n < side.weight.size(); ++n)
+    if (side.weight[n] > 0.0F)
+      sums.add(static_cast<double>(side.weight[n]), static_cast<double>(fixed.value[n]), static_cast<double>(side.moved[n]));
+  Agreement out;
+  out.correlation = sums.correlation();
+  const double voxel_mm3 = fixed.grid.spacing_mm.x * fixed.grid.spacing_mm.y * fixed.grid.spacing_mm.z;
+  const double coverable = std::min(fixed.coveredVolume_mm3(), moving.coveredVolume_mm3());
+  out.overlapShare = coverable > 0.0 ? std::min(1.0, static_cast<double>(sums.count) * voxel_mm3 / coverable) : 0.0;
+  const double independent = static_cast<double>(sums.count) / repetition(fixed, side);
+  out.chance = independent > 4.0 ? std::tanh(1.645 / std::sqrt(independent - 3.0)) : 1.0;
+  return out;
+}
+
+/// Blocks of about `side_mm` that fill a grid evenly: no slivers at its end.
+struct Blocks {
+  glm::ivec3 dims;
+  glm::ivec3 count;
+  Blocks(const Grid& grid, double side_mm) : dims(grid.dims), count(1) {
+    for (int axis = 0; axis < 3; ++axis)
+      count[axis] = std::clamp(static_cast<int>(std::lround(std::min(1e6, dims[axis] * grid.spacing_mm[axis] / side_mm))), 1, dims[axis]);
+  }
+  [[nodiscard]] glm::ivec3 low(const glm::ivec3& block) const { return (dims * block) / count; }
+  [[nodiscard]] glm::ivec3 high(const glm::ivec3& block) const { return (dims * (block + 1)) / count; }
+};
+
+/// Mean correlation over windows of side `window_mm` that hold enough of both.
+double localCorrelation(const ComparableImage& fixed, const Side& side, double window_mm) {
+  const Grid& grid = fixed.grid;
+  const Blocks blocks(grid, window_mm);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (int c = 0; c < blocks.count.z; ++c) {
+    for (int b = 0; b < blocks.count.y; ++b) {
+      for (int a = 0; a < blocks.count.x; ++a) {
+        const glm::ivec3 low = blocks.low({a, b, c}), high = blocks.high({a, b, c});
+        Sums sums;
+        for (int k = low.z; k < high.z; ++k)
+          for (int j = low.y; j < high.y; ++j)
+            for (int i = low.x; i < high.x; ++i) {
+              const std::size_t n = grid.indexOf(i, j, k);
+              if (side.weight[n] > 0.0F)
+                sums.add(static_cast<double>(side.weight[n]), static_cast<double>(fixed.value[n]), static_cast<double>(side.moved[n]));
+            }
+        if (sums.count < kLeastSamples) continue;
+        sum += sums.correlation();
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// Central difference along an axis, per mm; false where a neighbour is missing.
+bool slopes(const ComparableImage& fixed, const Side& side, const glm::ivec3& at, Eigen::Vector3d& ofFixed, Eigen::Vector3d& ofMoved) {
+  const Grid& grid = fixed.grid;
+  const std::size_t n = grid.indexOf(at.x, at.y, at.z);
+  for (int axis = 0; axis < 3; ++axis) {
+    ofFixed[axis] = ofMoved[axis] = 0.0;
+    if (grid.dims[axis] == 1) continue;
+    if (at[axis] == 0 || at[axis] + 1 == grid.dims[axis]) return false;
+    const std::size_t step = axis == 0 ? 1 : axis == 1 ? static_cast<std::size_t>(grid.dims.x) : grid.indexOf(0, 0, 1);
+    if (side.weight[n - step] <= 0.0F || side.weight[n + step] <= 0.0F) return false;
+    const double per_mm = 0.5 / grid.spacing_mm[axis];
+    ofFixed[axis] = per_mm * static_cast<double>(fixed.value[n + step] - fixed.value[n - step]);
+    ofMoved[axis] = per_mm * static_cast<double>(side.moved[n + step] - side.moved[n - step]);
+  }
+  return true;
+}
+
+/// Expected error of a block's own shift: inverse(C) S inverse(C). C is what turns a score into a shift, the gradients both images have in
+/// common, sum((gf gm^T + gm gf^T) / 2): grain that only one of them shows moves nothing. S is the covariance of the score sum(g r), taken
+/// from its sums over cells of four voxels, within which neighbours repeat each other: the sandwich of robust statistics with clustered
+/// data.
+double uncertaintyOf(const ComparableImage& fixed, const Side& side, const glm::ivec3& low, const glm::ivec3& high) {
+  constexpr int kCell = 4;
+  Eigen::Matrix3d common = Eigen::Matrix3d::Zero(), score = Eigen::Matrix3d::Zero();
+  std::size_t count = 0;
+  Eigen::Vector3d f, m;
+  for (int c = low.z; c < high.z; c += kCell) {
+    for (int b = low.y; b < high.y; b += kCell) {
+      for (int a = low.x; a < high.x; a += kCell) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (int k = c; k < std::min(c + kCell, high.z); ++k) {
+          for (int j = b; j < std::min(b + kCell, high.y); ++j) {
+            for (int i = a; i < std::min(a + kCell, high.x); ++i) {
+              const std::size_t n = fixed.grid.indexOf(i, j, k);
+              if (side.weight[n] <= 0.0F || !slopes(fixed, side, {i, j, k}, f, m)) continue;
+              const double w = static_cast<double>(side.weight[n]), r = static_cast<double>(fixed.value[n] - side.moved[n]);
+              common += 0.5 * w * (f * m.transpose() + m * f.transpose());
+              sum += 0.5 * w * r * (f + m);
+              ++count;
+            }
+          }
+        }
+        score += sum * sum.transpose();
+      }
+    }
+  }
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  if (count < kLeastSamples) return kOpen;
+  // Axes of one voxel have no gradient and no shift to be found: they are left out.
+  std::vector<int> axes;
+  for (int axis = 0; axis < 3; ++axis)
+    if (fixed.grid.dims[axis] > 1) axes.push_back(axis);
+  const Eigen::Index size = static_cast<Eigen::Index>(axes.size());
+  if (size == 0) return kOpen;
+  Eigen::MatrixXd a(size, size), b(size, size);
+  for (Eigen::Index p = 0; p < size; ++p) {
+    for (Eigen::Index q = 0; q < size; ++q) {
+      a(p, q) = common(axes[static_cast<std::size_t>(p)], axes[static_cast<std::size_t>(q)]);
+      b(p, q) = score(axes[static_cast<std::size_t>(p)], axes[static_cast<std::size_t>(q)]);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shape(a);
+  if (!(shape.eigenvalues()(0) > 1e-3 * shape.eigenvalues()(size - 1)) || !(shape.eigenvalues()(0) > 1e-9)) return kOpen;
+  const Eigen::MatrixXd inverse = a.inverse();
+  return std::sqrt(std::max(0.0, (inverse * b * inverse).trace()));
+}
+
+double medianOf(std::vector<double>& values, double share) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+}  // namespace
+
+Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
+                              const Deformation* backward, const QualityOptions& options, Progress& progress) {
+  if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, "A volume is missing: name two.");
+  if (auto usable = checkInput(fixed, "fixed"); !usable) return passOn(usable.error());
+  if (auto usable = checkInput(moving, "moving"); !usable) return passOn(usable.error());
+  if (auto rigid = checkRigid(before); !rigid) return passOn(rigid.error());
+  if (auto rigid = checkRigid(fixedToMoving.rigid); !rigid) return passOn(rigid.error());
+  if (backward != nullptr)
+    if (auto rigid = checkRigid(backward->rigid); !rigid) return passOn(rigid.error());
+  for (const auto& [value, name] : {std::pair{options.region_mm, "region_mm"}, std::pair{options.window_mm, "window_mm"}}) {
+    if (!(value > 0.0) || !std::isfinite(value))
+      return failure(ErrorCode::badField, "Regions and windows need a side above 0 mm.", {{"field", name}});
+  }
+  for (const Deformation* each : {&fixedToMoving, backward}) {
+    if (each != nullptr && !each->control.displacement_mm.empty() &&
+        each->control.displacement_mm.size() != each->control.nodes.voxelCount())
+      return failure(ErrorCode::badField, "The deformation has another number of vectors than its lattice has nodes.",
+                     {{"field", "control"}});
+  }
+
+  Quality quality;
+  const Grid& fixedGrid = fixed.volume->grid;
+  const auto shortest = [](const Grid& grid) {
+    double least = 1e300;
+    for (int axis = 0; axis < 3; ++axis)
+      if (grid.dims[axis] > 1) least = std::min(least, grid.dims[axis] * grid.spacing_mm[axis]);
+    return least < 1e300 ? least : 1.0;
+  };
+  const double finest = std::min({fixedGrid.spacing_mm.x, fixedGrid.spacing_mm.y, fixedGrid.spacing_mm.z});
+  const double voxel_mm = std::max(finest, std::min({kVoxel_mm, shortest(fixedGrid) / 16.0, shortest(moving.volume->grid) / 16.0}));
+  PartOfProgress preparing(progress, 0.0, 0.4), comparing(progress, 0.4, 0.6), warping(progress, 0.6, 0.9);
+  const std::array<double, 1> sizes{voxel_mm};
+  ComparableOptions comparable;
+  comparable.threads = options.threads;
+  auto fixedImages = comparableImages(fixed, sizes, comparable, preparing);
+  if (!fixedImages) return passOn(fixedImages.error());
+  auto movingImages = comparableImages(moving, sizes, comparable, preparing);
+  if (!movingImages) return passOn(movingImages.error());
+  const ComparableImage &fixedImage = fixedImages->front(), &movingImage = movingImages->front();
+
+  const Deformation atStart{before, {}};
+  auto sideBefore = movedOnto(fixedImage, movingImage, atStart, options.threads, comparing);
+  if (!sideBefore) return passOn(sideBefore.error());
+  auto sideAfter = movedOnto(fixedImage, movingImage, fixedToMoving, options.threads, comparing);
+  if (!sideAfter) return passOn(sideAfter.error());
+  quality.before = agreementOf(fixedImage, movingImage, *sideBefore);
+  quality.after = agreementOf(fixedImage, movingImage, *sideAfter);
+  quality.localCorrelationBefore = localCorrelation(fixedImage, *sideBefore, options.window_mm);
+  quality.localCorrelationAfter = localCorrelation(fixedImage, *sideAfter, options.window_mm);
+  quality.jacobian = jacobianOf(fixedToMoving.control);
+
+  // Grey levels at the fixed volume's own voxels. Where a volume has no coverage, black outside the sector must not count.
+  const std::vector<std::uint8_t> fixedMask = coveredMask(*fixed.volume);
+  Volume masked;
+  const Volume* movingVolume = moving.volume;
+  if (moving.volume->coverage.empty()) {
+    masked.grid = moving.volume->grid;
+    masked.echo = moving.volume->echo;
+    masked.coverage = coveredMask(*moving.volume);
+    for (std::uint8_t& c : masked.coverage) c = static_cast<std::uint8_t>(c != 0 ? Coverage::measured : Coverage::absent);
+    movingVolume = &masked;
+  }
+  const Blocks regions(fixedGrid, options.region_mm);
+  const auto numberOf = [&](const glm::ivec3& block) {
+    return (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(regions.count.y) + static_cast<std::size_t>(block.y)) *
+               static_cast<std::size_t>(regions.count.x) +
+           static_cast<std::size_t>(block.x);
+  };
+  std::vector<std::size_t> covered(numberOf(regions.count - 1) + 1);
+  for (const bool after : {false, true}) {
+    PartOfProgress half(warping, after ? 0.5 : 0.0, after ? 1.0 : 0.5);
+    const auto seen = warped(*movingVolume, after ? fixedToMoving : atStart, fixedGrid, options.threads, half);
+    if (!seen) return passOn(seen.error());
+    Sums sums;
+    double squares = 0.0;
+    for (int k = 0; k < fixedGrid.dims.z; ++k) {
+      for (int j = 0; j < fixedGrid.dims.y; ++j) {
+        for (int i = 0; i < fixedGrid.dims.x; ++i) {
+          const std::size_t n = fixedGrid.indexOf(i, j, k);
+          if (fixedMask[n] == 0 || seen->coverageAt(n) == Coverage::absent) continue;
+          const int difference = static_cast<int>(fixed.volume->echo[n]) - static_cast<int>(seen->echo[n]);
+          sums.add(1.0, fixed.volume->echo[n], seen->echo[n]);
+          if (!after) continue;
+          squares += static_cast<double>(difference) * difference;
+          ++quality.residualHistogram[static_cast<std::size_t>(std::clamp((difference + 128) / 4, 0, 63))];
+          ++covered[numberOf((glm::ivec3(i, j, k) * regions.count + regions.count - 1) / regions.dims)];
+        }
+      }
+    }
+    (after ? quality.greyCorrelationAfter : quality.greyCorrelationBefore) = sums.correlation();
+    if (after && sums.count > 0) quality.residualRms_grey = std::sqrt(squares / static_cast<double>(sums.count));
+  }
+
+  const glm::dmat4 toImage = fixedImage.grid.worldToVoxel().matrix * fixedGrid.voxelToWorld().matrix;
+  std::size_t number = 0;
+  for (int c = 0; c < regions.count.z; ++c) {
+    if (progress.cancelRequested()) return passOn(cancelledError());
+    for (int b = 0; b < regions.count.y; ++b) {
+      for (int a = 0; a < regions.count.x; ++a, ++number) {
+        if (covered[number] == 0) continue;
+        const glm::ivec3 low = regions.low({a, b, c}), high = regions.high({a, b, c});
+        RegionQuality region;
+        region.centre_mm = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(low + high - 1)}).at;
+        region.voxels = covered[number];
+        // The block's voxels of the comparable image: those whose centres lie in it.
+        const glm::dvec3 first(toImage * glm::dvec4(glm::dvec3(low) - 0.5, 1.0)), last(toImage * glm::dvec4(glm::dvec3(high) - 0.5, 1.0));
+        const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(first - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
+        const glm::ivec3 to = glm::clamp(glm::ivec3(glm::ceil(last - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
+        Sums sums;
+        for (int k = from.z; k < to.z; ++k)
+          for (int j = from.y; j < to.y; ++j)
+            for (int i = from.x; i < to.x; ++i) {
+              const std::size_t n = fixedImage.grid.indexOf(i, j, k);
+              if (sideAfter->weight[n] > 0.0F)
+                sums.add(static_cast<double>(sideAfter->weight[n]), static_cast<double>(fixedImage.value[n]),
+                         static_cast<double>(sideAfter->moved[n]));
+            }
+        region.correlation = sums.correlation();
+        region.uncertainty_mm = uncertaintyOf(fixedImage, *sideAfter, from, to);
+        quality.regions.push_back(region);
+      }
+    }
+  }
+
+  if (backward != nullptr) {
+    const std::size_t step =
+        std::max<std::size_t>(1, fixedGrid.voxelCount() / kPointsThereAndBack) | 1U;  // odd: walks through rows unevenly
+    const glm::dmat4 toMovingVoxel = moving.volume->grid.worldToVoxel().matrix;
+    std::vector<double> errors;
+    for (std::size_t n = 0; n < fixedGrid.voxelCount(); n += step) {
+      if (n % 1024 == 0 && progress.cancelRequested()) return passOn(cancelledError());
+      if (fixedMask[n] == 0) continue;
+      const int nx = fixedGrid.dims.x, ny = fixedGrid.dims.y;
+      const glm::dvec3 voxel(static_cast<double>(n % static_cast<std::size_t>(nx)),
+                             static_cast<double>(n / static_cast<std::size_t>(nx) % static_cast<std::size_t>(ny)),
+                             static_cast<double>(n / static_cast<std::size_t>(nx) / static_cast<std::size_t>(ny)));
+      const glm::dvec3 p = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{voxel}).at;
+      const glm::dvec3 there = movingPoint(fixedToMoving, p);
+      const glm::ivec3 nearest(glm::round(glm::dvec3(toMovingVoxel * glm::dvec4(there, 1.0))));
+      if (!moving.volume->grid.contains(nearest)) continue;
+      if (movingVolume->coverageAt(moving.volume->grid.indexOf(nearest.x, nearest.y, nearest.z)) == Coverage::absent) continue;
+      errors.push_back(glm::length(movingPoint(*backward, there) - p));
+    }
+    if (!errors.empty()) {
+      quality.inverseConsistencyMedian_mm = medianOf(errors, 0.5);
+      quality.inverseConsistency95_mm = medianOf(errors, 0.95);
+    }
+  }
+  progress.report("Comparing", 1.0);
+  return quality;
+}
+
+double closureError_mm(const std::vector<glm::dmat4>& loop, double reach_mm) {
+  glm::dmat4 around(1.0);
+  for (const glm::dmat4& step : loop) around = step * around;
+  double largest = 0.0;
+  for (int n = 0; n < 8; ++n) {
+    const glm::dvec3 corner{(n & 1) != 0 ? reach_mm : -reach_mm, (n & 2) != 0 ? reach_mm : -reach_mm, (n & 4) != 0 ? reach_mm : -reach_mm};
+    const double error = glm::length(glm::dvec3(around * glm::dvec4(corner, 1.0)) - corner);
+    if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, error);
+  }
+  return largest;
+}
+
+}  // namespace ew::registration
