@@ -1,0 +1,460 @@
+#include "ew/registration/elastic.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include "elastic/levels.h"
+#include "registration/fields.h"
+#include "registration/tissue.h"
+#include "time_limit.h"
+
+namespace ew {
+namespace {
+
+using namespace registration;
+using test::imaged;
+using test::Tissue;
+using test::uprightGrid;
+
+constexpr double kTurn = 2.0 * 3.14159265358979323846;
+
+/// A bend of at most `amplitude_mm` that changes along all axes.
+glm::dvec3 bend(const glm::dvec3& p, double amplitude_mm) {
+  return amplitude_mm / 1.5 *
+         glm::dvec3(std::sin(kTurn * p.y / 70.0), std::cos(kTurn * (p.z + 10.0) / 80.0), std::sin(kTurn * (p.x + p.z) / 90.0));
+}
+
+struct Pair {
+  Volume fixed;
+  Volume moving;
+};
+
+/// The same tissue, bent by a known field: the moving volume shows it upright.
+Pair bentPair(const Grid& grid, double amplitude_mm, double noise, unsigned seed = 3) {
+  const Tissue tissue(seed);
+  return {imaged(
+              grid, [&](const glm::dvec3& p) { return tissue.at(p + bend(p, amplitude_mm)); }, noise, 11),
+          imaged(
+              grid, [&](const glm::dvec3& p) { return tissue.at(p); }, noise, 12)};
+}
+
+struct Errors {
+  double mean = 0.0;
+  double p95 = 0.0;
+};
+/// Over voxels whose true mate lies in the moving volume.
+Errors errorsOf(const Deformation& found, const Grid& fixed, const Grid& moving,
+                const std::function<glm::dvec3(const glm::dvec3&)>& truth) {
+  std::vector<double> errors;
+  const auto toWorld = fixed.voxelToWorld();
+  const auto toMoving = moving.worldToVoxel();
+  for (int k = 0; k < fixed.dims.z; k += 2) {
+    for (int j = 0; j < fixed.dims.y; j += 2) {
+      for (int i = 0; i < fixed.dims.x; i += 2) {
+        const glm::dvec3 p = (toWorld * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at, mate = truth(p);
+        const glm::dvec3 index = (toMoving * Point<frame::World>{mate}).at;
+        if (glm::any(glm::lessThan(index, glm::dvec3(0.0))) || glm::any(glm::greaterThan(index, glm::dvec3(moving.dims - 1)))) continue;
+        errors.push_back(glm::distance(movingPoint(found, p), mate));
+      }
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  Errors result;
+  for (const double e : errors) result.mean += e / static_cast<double>(errors.size());
+  result.p95 = errors[errors.size() * 95 / 100];
+  return result;
+}
+
+TEST(RegisterElastic, RecoversAKnownBendAndSaysThatTheVolumesAgree) {
+  const Grid grid = uprightGrid({48, 48, 48}, 1.0);
+  const Pair pair = bentPair(grid, 4.0, 6.0);
+  int levels = 0;
+  const auto found =
+      registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress(), [&](const Level&) { ++levels; });
+  ASSERT_TRUE(found) << found.error();
+  const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + bend(p, 4.0); });
+  EXPECT_LT(errors.mean, 0.35);  // 2.6 with nothing done
+  EXPECT_LT(errors.p95, 0.9);
+  EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
+  EXPECT_GT(found->after.correlation, found->before.correlation + 0.2);
+  EXPECT_EQ(static_cast<std::size_t>(levels), found->levels.size());
+  EXPECT_GE(found->jacobian.smallest, 0.15);
+  EXPECT_EQ(found->uncertainty.size(), found->fixedToMoving.control.nodes.voxelCount());
+  EXPECT_LT(*std::min_element(found->uncertainty.begin(), found->uncertainty.end()), 0.3F);
+}
+
+TEST(RegisterElastic, ReachesMotionLargerThanItsStructuresByTheWideSearch) {
+  const Grid grid = uprightGrid({44, 44, 44}, 1.25);
+  const Tissue tissue(8, 3.0);
+  const glm::dvec3 shift(15.0, -6.0, 4.0);
+  const auto truth = [&](const glm::dvec3& p) { return p + shift + bend(p, 2.0); };
+  const Volume fixed = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 1);
+  const Volume moving = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
+  ElasticOptions options;
+  options.largestMotion_mm = 18.0;
+  const auto wide = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
+  ASSERT_TRUE(wide) << wide.error();
+  EXPECT_LT(errorsOf(wide->fixedToMoving, grid, grid, truth).mean, 0.3);
+  options.largestMotion_mm = 0.0;
+  const auto local = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
+  ASSERT_TRUE(local) << local.error();
+  EXPECT_GT(errorsOf(local->fixedToMoving, grid, grid, truth).mean, 1.0);
+}
+
+TEST(RegisterElastic, FollowsARigidStartBetweenObliqueAndLeftHandedGrids) {
+  Grid fixedGrid = test::obliqueGrid({44, 38, 52}, 1.0);
+  fixedGrid.origin_mm = {5.0, -3.0, 60.0};
+  const Grid movingGrid = uprightGrid({64, 70, 60}, 1.0);
+  const Tissue tissue(5);
+  glm::dmat4 start(1.0);
+  const double angle = 0.4;
+  start[0] = glm::dvec4(std::cos(angle), 0.0, -std::sin(angle), 0.0);
+  start[2] = glm::dvec4(std::sin(angle), 0.0, std::cos(angle), 0.0);
+  // The middle of the fixed volume goes to that of the moving one.
+  const glm::dvec3 middle = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(fixedGrid.dims)}).at;
+  start[3] = glm::dvec4(glm::dvec3(32.0, 35.0, 30.0) - glm::dmat3(start) * middle, 1.0);
+  const auto truth = [&](const glm::dvec3& p) { return glm::dvec3(start * glm::dvec4(p + bend(p, 3.0), 1.0)); };
+  const Volume fixed = imaged(
+      fixedGrid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 1);
+  const Volume moving = imaged(
+      movingGrid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
+  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, start, {}, noProgress());
+  ASSERT_TRUE(found) << found.error();
+  EXPECT_EQ(found->verdict, Verdict::aligned);
+  EXPECT_LT(errorsOf(found->fixedToMoving, fixedGrid, movingGrid, truth).mean, 0.4);
+  EXPECT_GT(errorsOf({start, {}}, fixedGrid, movingGrid, truth).mean, 1.2);
+}
+
+TEST(RegisterElastic, IsBitEqualForOneTwoAndEightThreads) {
+  const Grid grid = uprightGrid({40, 36, 44}, 1.0);
+  const Pair pair = bentPair(grid, 3.0, 15.0);
+  ElasticOptions options;
+  options.threads = 1;
+  const auto one = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+  ASSERT_TRUE(one);
+  for (options.threads = 2; options.threads <= 8; options.threads *= 4) {
+    const auto other = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+    ASSERT_TRUE(other);
+    EXPECT_EQ(other->fixedToMoving.control, one->fixedToMoving.control);
+    EXPECT_EQ(other->uncertainty, one->uncertainty);
+    EXPECT_EQ(other->after, one->after);
+  }
+}
+
+TEST(RegisterElastic, IsStifferTheNoisierTheImages) {
+  const Grid grid = uprightGrid({40, 40, 40}, 1.0);
+  double before = 0.0;
+  for (const double noise : {4.0, 40.0}) {
+    const Pair pair = bentPair(grid, 2.0, noise);
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress());
+    ASSERT_TRUE(found);
+    // Noise lets the images decide less: every node is more of a guess.
+    double uncertain = 0.0;
+    for (const float u : found->uncertainty) uncertain += static_cast<double>(u);
+    EXPECT_GT(uncertain, before);
+    before = uncertain;
+    const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + bend(p, 2.0); });
+    EXPECT_LT(errors.mean, noise > 10.0 ? 0.9 : 0.3);
+  }
+}
+
+TEST(RegisterElastic, FillsAHoleFromItsSurroundingsAndMarksIt) {
+  const Grid grid = uprightGrid({64, 64, 64}, 1.0);
+  Pair pair = bentPair(grid, 3.0, 8.0);
+  std::vector<float> confidence(grid.voxelCount(), 1.0F);
+  const glm::dvec3 middle(32.0);
+  std::mt19937 random(1);
+  for (int k = 0; k < 64; ++k) {
+    for (int j = 0; j < 64; ++j) {
+      for (int i = 0; i < 64; ++i) {
+        if (glm::distance(glm::dvec3(i, j, k), middle) > 20.0) continue;
+        confidence[grid.indexOf(i, j, k)] = 0.0F;
+        pair.fixed.echo[grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(random() & 255U);
+      }
+    }
+  }
+  const auto found = registerElastic({&pair.fixed, confidence}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_LT(glm::distance(movingPoint(found->fixedToMoving, middle), middle + bend(middle, 3.0)), 0.8);
+  const Grid& nodes = found->fixedToMoving.control.nodes;
+  const glm::ivec3 centre(glm::round((nodes.worldToVoxel() * Point<frame::World>{middle}).at));
+  EXPECT_GT(found->uncertainty[nodes.indexOf(centre.x, centre.y, centre.z)], 0.5F);
+  EXPECT_LT(found->uncertainty[nodes.indexOf(centre.x, 1, 1)], 0.5F);
+}
+
+TEST(RegisterElastic, KeepsTheStartForUnrelatedTissueAndSaysNotAligned) {
+  const Grid grid = uprightGrid({56, 56, 56}, 1.0);
+  const Tissue one(3), other(4);
+  const Volume fixed = imaged(
+      grid, [&](const glm::dvec3& p) { return one.at(p); }, 10.0, 1);
+  const Volume moving = imaged(
+      grid, [&](const glm::dvec3& p) { return other.at(p); }, 10.0, 2);
+  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_NE(found->verdict, Verdict::aligned) << found->reason << " chance " << found->before.chance << " then " << found->after.chance;
+  EXPECT_EQ(found->largestMotion_mm, 0.0);
+}
+
+TEST(RegisterElastic, StopsInTimeAndReturnsWhatItHas) {
+  const Grid grid = uprightGrid({64, 64, 64}, 0.75);
+  const Pair pair = bentPair(grid, 3.0, 10.0);
+  ElasticOptions options;
+  options.maxTime_s = 1e-6;
+  const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->stop, StopReason::timeLimit);
+}
+
+class StopsAfter final : public Progress {
+ public:
+  explicit StopsAfter(int questions) : left_(questions) {}
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool cancelRequested() const override {
+    if (--left_ > 0) return false;
+    if (left_ == 0) asked_ = std::chrono::steady_clock::now();
+    return true;
+  }
+  [[nodiscard]] double secondsSinceWish() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_).count(); }
+
+ private:
+  mutable std::atomic<int> left_;
+  mutable std::chrono::steady_clock::time_point asked_;
+};
+
+TEST(RegisterElastic, IsCancelledWithinHalfASecondAtAnyPoint) {
+  const Grid grid = uprightGrid({80, 80, 80}, 0.6);
+  const Pair pair = bentPair(grid, 3.0, 10.0);
+  for (const int after : {1, 40, 200, 1000, 2500}) {
+    StopsAfter progress(after);
+    ElasticOptions options;
+    options.threads = 2;
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, progress);
+    ASSERT_FALSE(found) << after;
+    EXPECT_EQ(found.error().code, ErrorCode::cancelled);
+    EXPECT_LT(progress.secondsSinceWish(), 0.5 * test::kSlowdown);
+  }
+}
+
+TEST(RegisterElastic, NamesWhatIsWrongWithItsArguments) {
+  const Grid grid = uprightGrid({16, 16, 16}, 1.0);
+  const Pair pair = bentPair(grid, 1.0, 0.0);
+  const auto errorOf = [&](const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options) {
+    const auto found = registerElastic(fixed, moving, start, options, noProgress());
+    return found ? Error{} : found.error();
+  };
+  const Input fixed{&pair.fixed, {}}, moving{&pair.moving, {}};
+  const std::vector<float> few(7, 1.0F);
+  EXPECT_EQ(errorOf({&pair.fixed, few}, moving, glm::dmat4(1.0), {}).code, ErrorCode::badField);
+  std::vector<float> wrong(grid.voxelCount(), 1.0F);
+  wrong[9] = std::nanf("");
+  EXPECT_EQ(errorOf(fixed, {&pair.moving, wrong}, glm::dmat4(1.0), {}).code, ErrorCode::badField);
+  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(2.0), {}).code, ErrorCode::notRigid);
+  Volume uncovered = pair.fixed;
+  uncovered.coverage.assign(uncovered.echo.size(), 0);
+  EXPECT_EQ(errorOf({&uncovered, {}}, moving, glm::dmat4(1.0), {}).code, ErrorCode::emptyVolume);
+  Volume none;
+  EXPECT_EQ(errorOf({&none, {}}, moving, glm::dmat4(1.0), {}).code, ErrorCode::emptyVolume);
+  ElasticOptions options;
+  options.leastJacobian = 0.0;
+  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);
+  EXPECT_NE(errorOf(fixed, moving, glm::dmat4(1.0), options).sentence.find("leastJacobian"), std::string::npos);
+  options = {};
+  options.stiffness = -1.0;
+  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);
+}
+
+TEST(ForecastElastic, GrowsWithTheVolumeAndShrinksWithTheEffort) {
+  const Grid small = uprightGrid({64, 64, 64}, 0.5), large = uprightGrid({128, 128, 128}, 0.5);
+  ElasticOptions fast;
+  fast.effort = ElasticEffort::fast;
+  EXPECT_GT(forecastElastic_bytes(large, large, {}), 4 * forecastElastic_bytes(small, small, {}));
+  EXPECT_LT(forecastElastic_bytes(large, large, fast), forecastElastic_bytes(large, large, {}));
+  EXPECT_LT(forecastElastic_bytes(large, large, {}), std::uint64_t{150} << 20);
+}
+
+// The inside of the solver, through its own headers.
+
+LevelImage levelOf(const Volume& volume, double voxel_mm) {
+  LevelImage level;
+  EXPECT_TRUE(makeLevel({&volume, {}}, {}, voxel_mm, 6.0, 1, noProgress(), level));
+  return level;
+}
+
+TEST(ElasticLevel, HasTheSameValuesWhateverGainTheVolumeWasSeenWith) {
+  const Grid grid = uprightGrid({40, 40, 40}, 1.0);
+  const Tissue tissue(2, 5.0, 30.0);
+  const Volume dark = imaged(grid, [&](const glm::dvec3& p) { return tissue.at(p); });
+  const Volume bright = imaged(grid, [&](const glm::dvec3& p) { return tissue.at(p) + 20.0 + 0.8 * p.y; });
+  const LevelImage a = levelOf(dark, 2.0), b = levelOf(bright, 2.0);
+  double difference = 0.0, size = 0.0;
+  for (int k = 2; k < 18; ++k) {
+    for (int j = 2; j < 18; ++j) {
+      for (int i = 2; i < 18; ++i) {
+        const std::size_t at = a.rowOf(j, k) + static_cast<std::size_t>(i);
+        difference += std::pow(static_cast<double>(a.values[at] - b.values[at]), 2);
+        size += std::pow(static_cast<double>(a.values[at]), 2);
+      }
+    }
+  }
+  EXPECT_LT(std::sqrt(difference / size), 0.1);
+}
+
+TEST(ElasticLevel, TakesBlackThatReachesTheBorderForOutsideAndBlackWithinForTissue) {
+  const Grid grid = uprightGrid({40, 40, 40}, 1.0);
+  const Volume volume = imaged(grid, [](const glm::dvec3& p) {
+    if (std::abs(p.x - 20.0) > 4.0 + 0.35 * p.y) return 0.0;                   // outside a sector
+    return glm::distance(p, glm::dvec3(20.0, 26.0, 20.0)) < 7.0 ? 0.0 : 90.0;  // a vessel
+  });
+  const auto belief = beliefOf({&volume, {}});
+  ASSERT_EQ(belief.size(), grid.voxelCount());
+  EXPECT_EQ(belief[grid.indexOf(1, 5, 20)], 0);
+  EXPECT_EQ(belief[grid.indexOf(38, 5, 20)], 0);
+  EXPECT_EQ(belief[grid.indexOf(20, 26, 20)], 255);
+  EXPECT_EQ(belief[grid.indexOf(20, 10, 20)], 255);
+  EXPECT_TRUE(beliefOf({&volume, std::vector<float>()}).size() == grid.voxelCount());
+}
+
+TEST(ElasticCost, HasTheDerivativeThatDifferencesShow) {
+  const Grid grid = uprightGrid({30, 26, 28}, 1.0);
+  const Pair pair = bentPair(grid, 1.5, 0.0);
+  const LevelImage fixed = levelOf(pair.fixed, 1.0), moving = levelOf(pair.moving, 1.0);
+  const NodeGrid nodes = nodesFor(grid, 9.0);
+  LevelPair level(fixed, moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  NodeValues values(4 * nodes.count(), 0.0F);
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = 0.2F * std::sin(static_cast<float>(n));
+  CostOptions options;
+  options.scale = 0.8;
+  options.ofFixed = 0.0;
+  const auto costAt = [&](const NodeValues& at) {
+    PairSums sums;
+    EXPECT_TRUE(level.warp(at, noProgress()) && level.assemble(options, nullptr, sums, noProgress()));
+    return 0.5 * sums.at[1];
+  };
+  ASSERT_TRUE(level.warp(values, noProgress()));
+  NodeSystem system(nodes);
+  PairSums sums;
+  ASSERT_TRUE(level.assemble(options, &system, sums, noProgress()));
+  double agree = 0.0, own = 0.0, shown = 0.0;
+  for (std::size_t n = 0; n < nodes.count(); ++n) {
+    // Nodes within: at the border samples come and go.
+    const auto at = static_cast<int>(n);
+    const glm::ivec3 place(at % nodes.dims.x, at / nodes.dims.x % nodes.dims.y, at / (nodes.dims.x * nodes.dims.y));
+    if (glm::any(glm::equal(place, glm::ivec3(0))) || glm::any(glm::equal(place, nodes.dims - 1))) continue;
+    for (std::size_t c = 0; c < 4; ++c) {
+      NodeValues up = values, down = values;
+      up[4 * n + c] += 0.15F;
+      down[4 * n + c] -= 0.15F;
+      const double difference = (costAt(up) - costAt(down)) / 0.3, derivative = -static_cast<double>(system.right[4 * n + c]);
+      agree += difference * derivative;
+      own += derivative * derivative;
+      shown += difference * difference;
+    }
+  }
+  EXPECT_GT(agree / std::sqrt(own * shown), 0.995);
+  EXPECT_NEAR(std::sqrt(own / shown), 1.0, 0.05);
+}
+
+TEST(ElasticCost, HasTheMatrixOfItsGradients) {
+  // With r = 0 everywhere the matrix is the second derivative of the cost: shifting one node by e costs e^2 / 2 of its diagonal.
+  const Grid grid = uprightGrid({26, 26, 26}, 1.0);
+  const Tissue tissue(6, 6.0);
+  const Volume volume = imaged(grid, [&](const glm::dvec3& p) { return tissue.at(p); });
+  const LevelImage image = levelOf(volume, 1.0);
+  const NodeGrid nodes = nodesFor(grid, 8.7);
+  LevelPair level(image, image, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  NodeValues values(4 * nodes.count(), 0.0F);
+  CostOptions options;
+  options.scale = 100.0;
+  ASSERT_TRUE(level.warp(values, noProgress()));
+  NodeSystem system(nodes);
+  PairSums sums;
+  ASSERT_TRUE(level.assemble(options, &system, sums, noProgress()));
+  EXPECT_NEAR(sums.correlation(), 1.0, 1e-6);
+  const std::size_t node = nodes.indexOf(1, 2, 1);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (float& v : values) v = 0.0F;
+    values[4 * node + c] = 0.3F;
+    PairSums moved;
+    ASSERT_TRUE(level.warp(values, noProgress()) && level.assemble(options, nullptr, moved, noProgress()));
+    for (std::size_t n = system.first[node]; n < system.first[node + 1]; ++n) {
+      if (system.neighbour[n] != node) continue;
+      EXPECT_NEAR(moved.at[1] / (0.09 * static_cast<double>(system.blocks[16 * n + 5 * c])), 1.0, 0.1);
+    }
+  }
+}
+
+TEST(ElasticPrior, KnowsNoShiftAndItsBendingNoAffineField) {
+  const NodeGrid nodes{{5, 4, 6}, {8.0, 7.0, 9.0}, {0.0, 0.0, 0.0}};
+  NodeValues shift(4 * nodes.count()), affine(shift.size()), out;
+  for (int k = 0; k < 6; ++k) {
+    for (int j = 0; j < 4; ++j) {
+      for (int i = 0; i < 5; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          shift[4 * nodes.indexOf(i, j, k) + c] = 3.0F;
+          affine[4 * nodes.indexOf(i, j, k) + c] =
+              0.5F * static_cast<float>(i) - 0.25F * static_cast<float>(j) + 0.125F * static_cast<float>(k);
+        }
+      }
+    }
+  }
+  applyPrior(nodes, {1.0, 1.0, 1.0, 0.0}, shift, out);
+  for (const float v : out) EXPECT_NEAR(v, 0.0F, 1e-4F);
+  applyPrior(nodes, {0.0, 1.0, 0.0, 0.0}, affine, out);
+  for (const float v : out) EXPECT_NEAR(v, 0.0F, 1e-4F);
+  applyPrior(nodes, {1.0, 0.0, 0.0, 0.0}, affine, out);
+  EXPECT_GT(*std::max_element(out.begin(), out.end()), 1.0F);
+  const NodeValues diagonal = diagonalOf(nodes, {0.3, 0.7, 0.2, 0.1});
+  for (const std::size_t n : {std::size_t{0}, std::size_t{50}, std::size_t{203}}) {
+    NodeValues unit(shift.size(), 0.0F);
+    unit[n] = 1.0F;
+    applyPrior(nodes, {0.3, 0.7, 0.2, 0.1}, unit, out);
+    EXPECT_NEAR(out[n], diagonal[n], 1e-4F * diagonal[n]);
+  }
+}
+
+TEST(ElasticSolver, SolvesItsSystemAndNamesOneWithoutStiffness) {
+  const Grid grid = uprightGrid({40, 40, 40}, 1.0);
+  const Pair pair = bentPair(grid, 2.0, 5.0);
+  const LevelImage fixed = levelOf(pair.fixed, 2.0), moving = levelOf(pair.moving, 2.0);
+  const NodeGrid nodes = nodesFor(grid, 8.0);
+  LevelPair level(fixed, moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  NodeSystem system(nodes);
+  PairSums sums;
+  ASSERT_TRUE(level.warp(NodeValues(4 * nodes.count(), 0.0F), noProgress()) && level.assemble({}, &system, sums, noProgress()));
+  const Prior prior{1e-3, 1.0, 1e-2, 1e-3};
+  const Solution solution = solve(system, 0.5, prior, system.right, 1e-5, 300);
+  EXPECT_FALSE(solution.singular);
+  NodeValues data(system.right.size()), stiff;
+  multiplyData(system, 0.5, solution.values, data);
+  applyPrior(nodes, prior, solution.values, stiff);
+  double off = 0.0, size = 0.0;
+  for (std::size_t n = 0; n < data.size(); ++n) {
+    off += std::pow(static_cast<double>(data[n] + stiff[n] - system.right[n]), 2);
+    size += std::pow(static_cast<double>(system.right[n]), 2);
+  }
+  EXPECT_LT(std::sqrt(off / size), 1e-3);
+  EXPECT_LT(solution.iterations, 60);
+
+  const NodeSystem nothing(nodes);
+  EXPECT_TRUE(solve(nothing, 1.0, prior, system.right, 1e-3, 50).singular);
+}
+
+TEST(Unfold, BringsEveryCellAboveTheLeastJacobianAndLeavesTheRestAlone) {
+  const NodeGrid nodes{{8, 8, 8}, {6.0, 6.0, 6.0}, {0.0, 0.0, 0.0}};
+  NodeValues values(4 * nodes.count(), 0.0F);
+  values[4 * nodes.indexOf(3, 3, 3)] = 9.0F;
+  ASSERT_LT(leastJacobianOf(nodes, values), 0.0);
+  EXPECT_TRUE(unfold(nodes, 0.15, values));
+  EXPECT_GE(leastJacobianOf(nodes, values), 0.15);
+  EXPECT_GT(values[4 * nodes.indexOf(3, 3, 3)], 1.0F);
+  EXPECT_EQ(values[4 * nodes.indexOf(7, 7, 7)], 0.0F);
+}
+
+}  // namespace
+}  // namespace ew

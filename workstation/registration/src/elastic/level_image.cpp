@@ -1,0 +1,406 @@
+#include "elastic/level_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ew/core/parallel.h"
+
+namespace ew::registration {
+namespace {
+
+/// One axis of a resampling: out[i] = sum over n of weight[i][n] * in[first[i] + n].
+struct Taps {
+  int count = 1;
+  std::vector<int> first;
+  std::vector<float> weight;  // count per output
+};
+
+Taps tapsOf(int in, int out, double inPerOut, double sigma) {
+  Taps taps;
+  const int reach = std::max(1, static_cast<int>(std::ceil(2.6 * sigma)));
+  taps.count = out == in ? 1 : std::min(in, 2 * reach + 2);
+  taps.first.resize(static_cast<std::size_t>(out));
+  taps.weight.resize(static_cast<std::size_t>(out) * static_cast<std::size_t>(taps.count));
+  for (int i = 0; i < out; ++i) {
+    const double centre = (i + 0.5) * inPerOut - 0.5;
+    const int low = std::clamp(static_cast<int>(std::floor(centre)) - (taps.count - 1) / 2, 0, in - taps.count);
+    taps.first[static_cast<std::size_t>(i)] = low;
+    float* weight = taps.weight.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(taps.count);
+    double sum = 0.0;
+    for (int n = 0; n < taps.count; ++n) {
+      // A Gaussian blur of the linear interpolation; without blur the interpolation alone.
+      const double off = low + n - centre;
+      const double value = sigma > 0.0 ? std::exp(-0.5 * off * off / (sigma * sigma + 1.0 / 12.0)) : std::max(0.0, 1.0 - std::abs(off));
+      weight[n] = static_cast<float>(value);
+      sum += value;
+    }
+    for (int n = 0; n < taps.count; ++n)
+      weight[n] = sum > 0.0 ? weight[n] / static_cast<float>(sum) : 1.0F / static_cast<float>(taps.count);
+  }
+  return taps;
+}
+
+/// Values (and weights) of the input, resampled along x and y, one slice after the other.
+struct Slices {
+  std::vector<float> sum;     // of value times belief
+  std::vector<float> weight;  // of belief; empty without belief
+};
+
+void addRow(float factor, const float* in, int count, float* out) {
+  for (int i = 0; i < count; ++i) out[i] += factor * in[i];
+}
+
+/// Gaussian blur of a small block image along one axis, in place.
+void blur(std::vector<double>& image, const glm::ivec3& dims, int axis, double sigma) {
+  const int n = dims[axis];
+  if (n == 1 || sigma <= 0.0) return;
+  std::vector<double> weight(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) weight[static_cast<std::size_t>(i)] = i > 3.5 * sigma + 1.0 ? 0.0 : std::exp(-0.5 * i * i / (sigma * sigma));
+  const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(dims.x),
+                                          static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y)};
+  const std::size_t step = stride[static_cast<std::size_t>(axis)];
+  std::vector<double> line(static_cast<std::size_t>(n));
+  for (std::size_t start = 0; start < image.size(); ++start) {
+    if (start / step % static_cast<std::size_t>(n) != 0) continue;
+    for (int i = 0; i < n; ++i) line[static_cast<std::size_t>(i)] = image[start + static_cast<std::size_t>(i) * step];
+    for (int i = 0; i < n; ++i) {
+      double sum = 0.0;
+      for (int m = 0; m < n; ++m) sum += weight[static_cast<std::size_t>(std::abs(i - m))] * line[static_cast<std::size_t>(m)];
+      image[start + static_cast<std::size_t>(i) * step] = sum;
+    }
+  }
+}
+
+constexpr double kGreyFloor = 12.0;  // grey levels of deviation that noise alone may have: flat areas are not blown up to structure
+
+/// Takes local mean and deviation out of `level`, whose values are grey levels. Both are smooth, so blocks of about 3 mm suffice.
+bool normalise(LevelImage& level, double window_mm, int threads, Progress& progress) {
+  glm::ivec3 size, blocks;
+  for (int axis = 0; axis < 3; ++axis) {
+    size[axis] = std::max(1, static_cast<int>(std::lround(0.4 * window_mm / level.spacing_mm[axis])));
+    blocks[axis] = (level.dims[axis] + size[axis] - 1) / size[axis];
+  }
+  const std::size_t perSlab = static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y);
+  std::array<std::vector<double>, 3> moments;
+  for (auto& moment : moments) moment.assign(perSlab * static_cast<std::size_t>(blocks.z), 0.0);
+  if (!forEachTask(blocks.z, threads, progress, "Preparing the images", [&](int slab) {
+        const int last = std::min(level.dims.z, (slab + 1) * size.z);
+        for (int k = slab * size.z; k < last; ++k) {
+          for (int j = 0; j < level.dims.y; ++j) {
+            const float* value = level.values.data() + level.rowOf(j, k);
+            const float* weight = level.weights.empty() ? nullptr : level.weights.data() + level.rowOf(j, k);
+            for (int b = 0; b < blocks.x; ++b) {
+              float sums[3] = {0.0F, 0.0F, 0.0F};
+              const int end = std::min(level.dims.x, (b + 1) * size.x);
+              for (int i = b * size.x; i < end; ++i) {
+                const float w = weight != nullptr ? weight[i] : 1.0F;
+                sums[0] += w;
+                sums[1] += w * value[i];
+                sums[2] += w * value[i] * value[i];
+              }
+              const std::size_t at = static_cast<std::size_t>(slab) * perSlab + static_cast<std::size_t>(j / size.y * blocks.x + b);
+              for (std::size_t m = 0; m < 3; ++m) moments[m][at] += static_cast<double>(sums[m]);
+            }
+          }
+        }
+      }))
+    return false;
+  for (auto& moment : moments) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double block_mm = size[axis] * level.spacing_mm[axis];
+      blur(moment, blocks, axis, std::sqrt(std::max(0.0, window_mm * window_mm - block_mm * block_mm / 12.0)) / block_mm);
+    }
+  }
+  std::vector<float> mean(moments[0].size()), gain(moments[0].size());
+  for (std::size_t n = 0; n < mean.size(); ++n) {
+    const double weight = moments[0][n];
+    if (weight < 1e-6) continue;
+    const double m = moments[1][n] / weight;
+    mean[n] = static_cast<float>(m);
+    gain[n] = static_cast<float>(1.0 / (std::sqrt(std::max(0.0, moments[2][n] / weight - m * m)) + kGreyFloor));
+  }
+  // Linear between the blocks' centres.
+  struct Step {
+    int low, high;
+    float share;
+  };
+  std::array<std::vector<Step>, 3> steps;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < level.dims[axis]; ++i) {
+      const double at = std::clamp((i + 0.5) / size[axis] - 0.5, 0.0, static_cast<double>(blocks[axis] - 1));
+      const int low = static_cast<int>(at);
+      steps[static_cast<std::size_t>(axis)].push_back({low, std::min(low + 1, blocks[axis] - 1), static_cast<float>(at - low)});
+    }
+  }
+  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+    const Step z = steps[2][static_cast<std::size_t>(k)];
+    std::vector<float> lineMean(static_cast<std::size_t>(blocks.x)), lineGain(lineMean.size());
+    std::vector<float> rowMean(static_cast<std::size_t>(level.dims.x)), rowGain(rowMean.size());
+    for (int j = 0; j < level.dims.y; ++j) {
+      const Step y = steps[1][static_cast<std::size_t>(j)];
+      for (int b = 0; b < blocks.x; ++b) {
+        const auto blend = [&](const std::vector<float>& of) {
+          const auto at = [&](int v, int w) {
+            return of[static_cast<std::size_t>(w) * perSlab + static_cast<std::size_t>(v * blocks.x + b)];
+          };
+          const float low = at(y.low, z.low) + y.share * (at(y.high, z.low) - at(y.low, z.low));
+          const float high = at(y.low, z.high) + y.share * (at(y.high, z.high) - at(y.low, z.high));
+          return low + z.share * (high - low);
+        };
+        lineMean[static_cast<std::size_t>(b)] = blend(mean);
+        lineGain[static_cast<std::size_t>(b)] = blend(gain);
+      }
+      for (int i = 0; i < level.dims.x; ++i) {
+        const Step x = steps[0][static_cast<std::size_t>(i)];
+        const auto a = static_cast<std::size_t>(x.low), b = static_cast<std::size_t>(x.high), n = static_cast<std::size_t>(i);
+        rowMean[n] = lineMean[a] + x.share * (lineMean[b] - lineMean[a]);
+        rowGain[n] = lineGain[a] + x.share * (lineGain[b] - lineGain[a]);
+      }
+      float* row = level.values.data() + level.rowOf(j, k);
+      for (int i = 0; i < level.dims.x; ++i)
+        row[i] = (row[i] - rowMean[static_cast<std::size_t>(i)]) * rowGain[static_cast<std::size_t>(i)];
+      if (!level.weights.empty()) {
+        const float* weight = level.weights.data() + level.rowOf(j, k);
+        for (int i = 0; i < level.dims.x; ++i) {
+          if (weight[i] <= 0.0F) row[i] = 0.0F;
+        }
+      }
+      const int last = level.dims.x - 1;
+      row[-1] = last > 0 ? 2.0F * row[0] - row[1] : row[0];
+      row[last + 1] = last > 0 ? 2.0F * row[last] - row[last - 1] : row[0];
+    }
+  });
+}
+
+/// A difference across the edge of what is known is none of tissue: weights become the least of a voxel and its six neighbours.
+void shrinkWeights(LevelImage& level) {
+  const std::vector<float> before = level.weights;
+  for (int k = 0; k < level.dims.z; ++k) {
+    for (int j = 0; j < level.dims.y; ++j) {
+      for (int i = 0; i < level.dims.x; ++i) {
+        float least = before[level.rowOf(j, k) + static_cast<std::size_t>(i)];
+        const auto look = [&](int x, int y, int z) {
+          if (x >= 0 && y >= 0 && z >= 0 && x < level.dims.x && y < level.dims.y && z < level.dims.z)
+            least = std::min(least, before[level.rowOf(y, z) + static_cast<std::size_t>(x)]);
+        };
+        look(i - 1, j, k), look(i + 1, j, k), look(i, j - 1, k), look(i, j + 1, k), look(i, j, k - 1), look(i, j, k + 1);
+        level.weights[level.rowOf(j, k) + static_cast<std::size_t>(i)] = least;
+      }
+    }
+  }
+}
+
+/// Black blocks that black blocks join to the border of the volume.
+void darkenOutside(const Volume& volume, std::vector<std::uint8_t>& belief) {
+  constexpr int kBlock = 4;
+  const Grid& grid = volume.grid;
+  const glm::ivec3 blocks = (grid.dims + (kBlock - 1)) / kBlock;
+  const auto indexOf = [&](const glm::ivec3& b) { return static_cast<std::size_t>((b.z * blocks.y + b.y) * blocks.x + b.x); };
+  std::vector<std::uint8_t> state(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y) *
+                                  static_cast<std::size_t>(blocks.z));
+  std::vector<glm::ivec3> open;  // black blocks found to be outside
+  const auto isBlack = [&](const glm::ivec3& b) {
+    const glm::ivec3 end = glm::min((b + 1) * kBlock, grid.dims);
+    for (int k = b.z * kBlock; k < end.z; ++k) {
+      for (int j = b.y * kBlock; j < end.y; ++j) {
+        for (int i = b.x * kBlock; i < end.x; ++i) {
+          if (volume.echo[grid.indexOf(i, j, k)] != 0) return false;
+        }
+      }
+    }
+    return true;
+  };
+  const auto visit = [&](const glm::ivec3& b) {
+    std::uint8_t& mark = state[indexOf(b)];
+    if (mark != 0) return;
+    mark = isBlack(b) ? 2 : 1;
+    if (mark == 2) open.push_back(b);
+  };
+  for (int z = 0; z < blocks.z; ++z) {
+    for (int y = 0; y < blocks.y; ++y) {
+      for (int x = 0; x < blocks.x; ++x) {
+        if (x == 0 || y == 0 || z == 0 || x == blocks.x - 1 || y == blocks.y - 1 || z == blocks.z - 1) visit({x, y, z});
+      }
+    }
+  }
+  if (open.empty()) return;
+  while (!open.empty()) {
+    const glm::ivec3 b = open.back();
+    open.pop_back();
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = -1; side <= 1; side += 2) {
+        glm::ivec3 next = b;
+        next[axis] += side;
+        if (next[axis] >= 0 && next[axis] < blocks[axis]) visit(next);
+      }
+    }
+  }
+  belief.assign(volume.echo.size(), 255);
+  for (int k = 0; k < grid.dims.z; ++k) {
+    for (int j = 0; j < grid.dims.y; ++j) {
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const std::size_t index = grid.indexOf(i, j, k);
+        if (volume.echo[index] != 0) continue;
+        // Black voxels in a block beside an outside one belong to its ragged edge.
+        const glm::ivec3 b = glm::ivec3(i, j, k) / kBlock;
+        for (int n = -1; n < 6; ++n) {
+          glm::ivec3 near = b;
+          if (n >= 0) near[n / 2] = std::clamp(near[n / 2] + (n % 2 == 0 ? -1 : 1), 0, blocks[n / 2] - 1);
+          if (state[indexOf(near)] == 2) {
+            belief[index] = 0;
+            break;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int strideOf(int width) { return (width + 2 + 15) / 16 * 16; }
+
+std::size_t LevelImage::floats() const {
+  return static_cast<std::size_t>(dims.z) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(stride) + kOverrun;
+}
+
+std::vector<std::uint8_t> beliefOf(const Input& input) {
+  const Volume& volume = *input.volume;
+  std::vector<std::uint8_t> belief;
+  const bool allCovered = std::all_of(volume.coverage.begin(), volume.coverage.end(), [](std::uint8_t c) { return c != 0; });
+  if (!allCovered) {
+    belief.resize(volume.echo.size());
+    for (std::size_t n = 0; n < belief.size(); ++n) belief[n] = volume.coverage[n] != 0 ? 255 : 0;
+  } else if (volume.coverage.empty()) {
+    darkenOutside(volume, belief);
+  }
+  if (!input.confidence.empty()) {
+    if (belief.empty()) belief.assign(volume.echo.size(), 255);
+    for (std::size_t n = 0; n < belief.size(); ++n)
+      belief[n] = static_cast<std::uint8_t>(std::lround(static_cast<float>(belief[n]) * std::clamp(input.confidence[n], 0.0F, 1.0F)));
+  }
+  return belief;
+}
+
+bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, double voxel_mm, double window_mm, int threads,
+               Progress& progress, LevelImage& level) {
+  const Volume& volume = *input.volume;
+  const Grid& grid = volume.grid;
+  std::array<Taps, 3> taps;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spacing = grid.spacing_mm[axis];
+    const int in = grid.dims[axis];
+    const int out = voxel_mm < 1.3 * spacing ? in : std::clamp(static_cast<int>(std::lround(in * spacing / voxel_mm)), 1, in);
+    const double inPerOut = static_cast<double>(in) / out;
+    taps[static_cast<std::size_t>(axis)] = tapsOf(in, out, inPerOut, out == in ? 0.0 : 0.5 * (inPerOut - 1.0) + 0.3);
+    level.dims[axis] = out;
+    level.spacing_mm[axis] = spacing * inPerOut;
+    level.first_mm[axis] = 0.5 * (inPerOut - 1.0) * spacing;
+  }
+  level.stride = strideOf(level.dims.x);
+  level.values.assign(level.floats(), 0.0F);
+  level.weights.clear();
+  const bool weighted = !belief.empty();
+  const auto width = static_cast<std::size_t>(level.dims.x), perSlice = width * static_cast<std::size_t>(level.dims.y);
+  Slices slices;
+  const bool asItIs = level.dims == grid.dims;
+  if (weighted) level.weights.assign(level.floats(), 0.0F);
+  if (asItIs) {
+    for (int k = 0; k < grid.dims.z; ++k) {
+      for (int j = 0; j < grid.dims.y; ++j) {
+        const std::size_t in = grid.indexOf(0, j, k), out = level.rowOf(j, k);
+        for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
+        if (weighted) {
+          for (std::size_t i = 0; i < width; ++i) level.weights[out + i] = static_cast<float>(belief[in + i]) * (1.0F / 255.0F);
+        }
+      }
+    }
+  } else {
+    slices.sum.resize(perSlice * static_cast<std::size_t>(grid.dims.z));
+    if (weighted) slices.weight.resize(slices.sum.size());
+    if (!forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
+          std::vector<float> in(static_cast<std::size_t>(grid.dims.x)), row(width);
+          const auto resample = [&](const auto& source, std::vector<float>& into) {
+            float* slice = into.data() + static_cast<std::size_t>(k) * perSlice;
+            std::fill(slice, slice + perSlice, 0.0F);
+            const Taps& x = taps[0];
+            const Taps& y = taps[1];
+            // Rows of the input one after the other; each is a part of `count` rows of the output at most.
+            int from = 0;
+            for (int j = 0; j < grid.dims.y; ++j) {
+              while (from < level.dims.y && y.first[static_cast<std::size_t>(from)] + y.count <= j) ++from;
+              if (from == level.dims.y) break;
+              if (y.first[static_cast<std::size_t>(from)] > j) continue;
+              source(j, in.data());
+              if (x.count == 1) {
+                std::copy(in.begin(), in.end(), row.begin());
+              } else {
+                for (std::size_t i = 0; i < width; ++i) {
+                  const float* values = in.data() + x.first[i];
+                  const float* weight = x.weight.data() + i * static_cast<std::size_t>(x.count);
+                  float sum = 0.0F;
+                  for (int n = 0; n < x.count; ++n) sum += weight[n] * values[n];
+                  row[i] = sum;
+                }
+              }
+              for (int out = from; out < level.dims.y && y.first[static_cast<std::size_t>(out)] <= j; ++out) {
+                const int tap = j - y.first[static_cast<std::size_t>(out)];
+                if (tap >= y.count) continue;
+                addRow(y.weight[static_cast<std::size_t>(out * y.count + tap)], row.data(), level.dims.x,
+                       slice + static_cast<std::size_t>(out) * width);
+              }
+            }
+          };
+          resample(
+              [&](int j, float* into) {
+                const std::size_t at = grid.indexOf(0, j, k);
+                for (std::size_t i = 0; i < in.size(); ++i) into[i] = static_cast<float>(volume.echo[at + i]);
+                if (weighted) {
+                  for (std::size_t i = 0; i < in.size(); ++i) into[i] *= static_cast<float>(belief[at + i]) * (1.0F / 255.0F);
+                }
+              },
+              slices.sum);
+          if (weighted) {
+            resample(
+                [&](int j, float* into) {
+                  const std::size_t at = grid.indexOf(0, j, k);
+                  for (std::size_t i = 0; i < in.size(); ++i) into[i] = static_cast<float>(belief[at + i]) * (1.0F / 255.0F);
+                },
+                slices.weight);
+          }
+        }))
+      return false;
+    const Taps& z = taps[2];
+    if (!forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+          for (int j = 0; j < level.dims.y; ++j) {
+            float* row = level.values.data() + level.rowOf(j, k);
+            float* rowWeight = weighted ? level.weights.data() + level.rowOf(j, k) : nullptr;
+            for (int n = 0; n < z.count; ++n) {
+              const float factor = z.weight[static_cast<std::size_t>(k * z.count + n)];
+              const std::size_t from =
+                  static_cast<std::size_t>(z.first[static_cast<std::size_t>(k)] + n) * perSlice + static_cast<std::size_t>(j) * width;
+              addRow(factor, slices.sum.data() + from, level.dims.x, row);
+              if (weighted) addRow(factor, slices.weight.data() + from, level.dims.x, rowWeight);
+            }
+            if (weighted) {
+              for (int i = 0; i < level.dims.x; ++i) {
+                // Less than half known: the value would be one of a few voxels at its edge.
+                if (rowWeight[i] < 0.1F) {
+                  rowWeight[i] = row[i] = 0.0F;
+                } else {
+                  row[i] /= rowWeight[i];
+                }
+              }
+            }
+          }
+        }))
+      return false;
+    slices = {};
+  }
+  if (!normalise(level, window_mm, threads, progress)) return false;
+  if (weighted) shrinkWeights(level);
+  return true;
+}
+
+}  // namespace ew::registration

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "ew/core/progress.h"
+#include "ew/registration/verdict.h"
+
+namespace ew::registration {
+
+/// An image of one level of the pyramid: what a volume looks like at some millimetres a voxel, free of gain: (v - m) / (s + floor), with m
+/// and s the mean and deviation of a window of the millimetres around. Rows have one sample of continuation on either side, so that a
+/// central difference needs no special case, and whole vectors may be read from any of them.
+struct LevelImage {
+  glm::ivec3 dims{0};
+  glm::dvec3 spacing_mm{1.0};
+  glm::dvec3 first_mm{0.0};    ///< of sample (0, 0, 0), along the volume's axes from the centre of its voxel (0, 0, 0)
+  int stride = 0;              ///< floats from row to row; sample i of a row stands at 1 + i
+  std::vector<float> values;   ///< 0 where nothing is known
+  std::vector<float> weights;  ///< 0..1, 0 on the continuation; empty: 1 everywhere
+
+  [[nodiscard]] std::size_t rowOf(int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(stride) +
+           1;
+  }
+  [[nodiscard]] std::size_t floats() const;
+};
+
+/// Floats in a row of `width` samples, and beyond the last row so that vectors may overrun.
+[[nodiscard]] int strideOf(int width);
+inline constexpr std::size_t kOverrun = 80;
+
+/// How far each voxel is believed, 0..255, from coverage, confidence, and, where coverage says nothing, from black that reaches the border
+/// of the volume (outside a sector). Empty: everything equally.
+[[nodiscard]] std::vector<std::uint8_t> beliefOf(const Input& input);
+
+/// @param voxel_mm  of the level; never finer than the volume's own
+/// @param window_mm standard deviation of the window of mean and deviation
+/// @return false when cancelled
+[[nodiscard]] bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, double voxel_mm, double window_mm, int threads,
+                             Progress& progress, LevelImage& level);
+
+}  // namespace ew::registration

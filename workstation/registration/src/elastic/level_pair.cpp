@@ -1,0 +1,219 @@
+#include "elastic/level_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/core/contract.h"
+#include "ew/core/parallel.h"
+
+namespace ew::registration {
+
+AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving) {
+  const glm::dmat3 back = glm::inverse(moving.directions);
+  AxesTransform result;
+  result.turn = back * glm::dmat3(fixedToMoving) * fixed.directions;
+  result.shift_mm = back * (glm::dvec3(fixedToMoving * glm::dvec4(fixed.origin_mm, 1.0)) - moving.origin_mm);
+  return result;
+}
+
+double PairSums::correlation() const {
+  const double n = at[0];
+  if (!(n > 0.0)) return 0.0;
+  const double ff = at[4] - at[2] * at[2] / n, ww = at[5] - at[3] * at[3] / n, fw = at[6] - at[2] * at[3] / n;
+  return ff > 1e-9 * n && ww > 1e-9 * n ? fw / std::sqrt(ff * ww) : 0.0;
+}
+
+double PairSums::residualVolume(const glm::ivec3& dims) const {
+  double volume = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dims[axis] == 1 || !(at[7] > 0.0)) continue;
+    // A Gaussian of the same correlation at distance one: the sum of its correlations over all distances.
+    const double next = std::clamp(at[static_cast<std::size_t>(8 + axis)] / at[7], 0.0, 0.95);
+    double sum = 1.0;
+    for (int n = 1; n < 12; ++n) sum += 2.0 * std::pow(next, n * n);
+    volume *= sum;
+  }
+  return volume;
+}
+
+LevelPair::LevelPair(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& fixedToMoving, const NodeGrid& nodes,
+                     int threads)
+    : fixed_(&fixed), moving_(&moving), nodes_(nodes), threads_(threads) {
+  const glm::dvec3 perSpacing = 1.0 / moving.spacing_mm;
+  for (int column = 0; column < 3; ++column) perMm_[column] = fixedToMoving.turn[column] * perSpacing;
+  firstIndex_ = perMm_ * fixed.first_mm + (fixedToMoving.shift_mm - moving.first_mm) * perSpacing;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const int cells = nodes.cells()[axis];
+    begin_[a].assign(static_cast<std::size_t>(cells) + 1, fixed.dims[axis]);
+    for (int i = fixed.dims[axis] - 1; i >= 0; --i) {
+      const double at =
+          nodes.dims[axis] == 1
+              ? 0.0
+              : std::clamp((fixed.first_mm[axis] + i * fixed.spacing_mm[axis] - nodes.first_mm[axis]) / nodes.spacing_mm[axis], 0.0,
+                           static_cast<double>(cells));
+      const int cell = std::min(static_cast<int>(at), cells - 1);
+      cell_[a].push_back(cell);
+      share_[a].push_back(static_cast<float>(at - cell));
+      for (int c = cell; c >= 0 && begin_[a][static_cast<std::size_t>(c)] > i; --c) begin_[a][static_cast<std::size_t>(c)] = i;
+    }
+    std::reverse(cell_[a].begin(), cell_[a].end());
+    std::reverse(share_[a].begin(), share_[a].end());
+    // Cells before the first sample's begin where it stands; cells without samples end where they begin.
+    begin_[a][0] = 0;
+    for (std::size_t c = static_cast<std::size_t>(cells); c-- > 0;) begin_[a][c] = std::min(begin_[a][c], begin_[a][c + 1]);
+  }
+  const auto stride = static_cast<std::size_t>(fixed.stride) + kOverrun;
+  along_.assign(5 * stride, 0.0F);
+  for (std::size_t i = 0; i < share_[0].size(); ++i) {
+    const float s = share_[0][i];
+    along_[i] = (1.0F - s) * (1.0F - s);
+    along_[stride + i] = s * (1.0F - s);
+    along_[2 * stride + i] = s * s;
+    along_[3 * stride + i] = 1.0F - s;
+    along_[4 * stride + i] = s;
+  }
+  cell_[0].resize(stride, cell_[0].back());
+  share_[0].resize(stride, 0.0F);
+  moved_.assign(fixed.floats(), 0.0F);
+  movedWeights_.assign(fixed.floats(), 0.0F);
+}
+
+bool LevelPair::warp(const NodeValues& values, Progress& progress) {
+  EW_EXPECTS(values.size() == 4 * nodes_.count());
+  const glm::ivec3 dims = fixed_->dims;
+  return forEachTask(dims.z, threads_, progress, "Registering", [&](int k) {
+    const auto lineFloats = static_cast<std::size_t>(nodes_.dims.x);
+    std::vector<float> lines(8 * lineFloats);
+    std::vector<float> row(static_cast<std::size_t>(fixed_->stride) + kOverrun), rowWeights(row.size());
+    RowField field;
+    for (std::size_t c = 0; c < 4; ++c) {
+      field.low[c] = lines.data() + c * lineFloats;
+      field.rise[c] = lines.data() + (4 + c) * lineFloats;
+    }
+    field.cell = cell_[0].data();
+    field.share = share_[0].data();
+    RowSource source;
+    source.values = moving_->values.data() + 1;
+    source.weights = moving_->weights.empty() ? nullptr : moving_->weights.data() + 1;
+    source.rowStride = moving_->stride;
+    source.sliceStride = moving_->stride * moving_->dims.y;
+    for (int axis = 0; axis < 3; ++axis) {
+      source.dims[axis] = moving_->dims[axis];
+      source.step[axis] = static_cast<float>(perMm_[0][axis] * fixed_->spacing_mm.x);
+      for (int c = 0; c < 3; ++c) source.perMm[3 * axis + c] = static_cast<float>(perMm_[c][axis]);
+    }
+    const int z = cell_[2][static_cast<std::size_t>(k)], zNext = std::min(z + 1, nodes_.dims.z - 1);
+    const float zShare = share_[2][static_cast<std::size_t>(k)];
+    for (int j = 0; j < dims.y; ++j) {
+      const int y = cell_[1][static_cast<std::size_t>(j)], yNext = std::min(y + 1, nodes_.dims.y - 1);
+      const float yShare = share_[1][static_cast<std::size_t>(j)];
+      for (int i = 0; i < nodes_.dims.x; ++i) {
+        for (std::size_t c = 0; c < 4; ++c) {
+          const auto at = [&](int v, int w) { return values[4 * nodes_.indexOf(i, v, w) + c]; };
+          const float low = at(y, z) + yShare * (at(yNext, z) - at(y, z)), high = at(y, zNext) + yShare * (at(yNext, zNext) - at(y, zNext));
+          lines[c * lineFloats + static_cast<std::size_t>(i)] = low + zShare * (high - low);
+        }
+      }
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = 0; i + 1 < lineFloats; ++i)
+          lines[(4 + c) * lineFloats + i] = lines[c * lineFloats + i + 1] - lines[c * lineFloats + i];
+      }
+      const glm::dvec3 first = firstIndex_ + perMm_ * glm::dvec3(0.0, j * fixed_->spacing_mm.y, k * fixed_->spacing_mm.z);
+      for (int axis = 0; axis < 3; ++axis) source.first[axis] = static_cast<float>(first[axis]);
+      sampleRow(field, source, dims.x, row.data(), rowWeights.data());
+      const std::size_t at = fixed_->rowOf(j, k);
+      float* to = moved_.data() + at;
+      std::copy(row.begin(), row.begin() + dims.x, to);
+      to[-1] = dims.x > 1 ? 2.0F * row[0] - row[1] : row[0];
+      to[dims.x] = dims.x > 1 ? 2.0F * to[dims.x - 1] - to[dims.x - 2] : row[0];
+      std::copy(rowWeights.begin(), rowWeights.begin() + dims.x, movedWeights_.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+  });
+}
+
+bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const {
+  const glm::ivec3 dims = fixed_->dims, cells = nodes_.cells();
+  const int tasks = cells.y * cells.z;
+  constexpr std::size_t kCellProducts = 27 * kProducts, kCellRight = 8 * 4, kCell = kCellProducts + kCellRight;
+  const auto cellsAlong = static_cast<std::size_t>(cells.x);
+  std::vector<float> moments(system != nullptr ? kCell * cellsAlong * static_cast<std::size_t>(tasks) : 0, 0.0F);
+  std::vector<std::array<double, kSums>> parts(static_cast<std::size_t>(tasks));
+  if (!forEachTask(tasks, threads_, progress, "Registering", [&](int task) {
+        const auto cy = static_cast<std::size_t>(task % cells.y), cz = static_cast<std::size_t>(task / cells.y);
+        const int stride = fixed_->stride + static_cast<int>(kOverrun);
+        RowSums rows;
+        std::vector<float> scratch;
+        if (system != nullptr) scratch.resize((3 * kProducts + 8) * static_cast<std::size_t>(stride));
+        rows.products = scratch.data();
+        rows.right = scratch.data() + 3 * kProducts * static_cast<std::size_t>(stride);
+        rows.stride = stride;
+        RowPair pair;
+        pair.count = dims.x;
+        pair.perScale2 = static_cast<float>(1.0 / (options.scale * options.scale));
+        pair.ofFixed = static_cast<float>(options.ofFixed);
+        auto& part = parts[static_cast<std::size_t>(task)];
+        for (int k = begin_[2][cz]; k < begin_[2][cz + 1]; ++k) {
+          std::fill(scratch.begin(), scratch.end(), 0.0F);
+          Sums rowSums{};
+          for (int j = begin_[1][cy]; j < begin_[1][cy + 1]; ++j) {
+            const std::size_t at = fixed_->rowOf(j, k);
+            const int above = std::max(j - 1, 0), below = std::min(j + 1, dims.y - 1), before = std::max(k - 1, 0),
+                      behind = std::min(k + 1, dims.z - 1);
+            const std::array<std::size_t, 4> near{fixed_->rowOf(above, k), fixed_->rowOf(below, k), fixed_->rowOf(j, before),
+                                                  fixed_->rowOf(j, behind)};
+            pair.fixed = fixed_->values.data() + at;
+            pair.moved = moved_.data() + at;
+            for (std::size_t n = 0; n < 4; ++n) {
+              pair.fixedNear[n] = fixed_->values.data() + near[n];
+              pair.movedNear[n] = moved_.data() + near[n];
+            }
+            pair.fixedWeights = fixed_->weights.empty() ? nullptr : fixed_->weights.data() + at;
+            pair.movedWeights = movedWeights_.data() + at;
+            pair.slope[0] = dims.x > 1 ? static_cast<float>(0.5 / fixed_->spacing_mm.x) : 0.0F;
+            pair.slope[1] = below > above ? static_cast<float>(1.0 / ((below - above) * fixed_->spacing_mm.y)) : 0.0F;
+            pair.slope[2] = behind > before ? static_cast<float>(1.0 / ((behind - before) * fixed_->spacing_mm.z)) : 0.0F;
+            pair.share = share_[1][static_cast<std::size_t>(j)];
+            if (system != nullptr) {
+              accumulateRow(pair, rows, rowSums);
+            } else {
+              sumRow(pair, rowSums);
+            }
+          }
+          for (std::size_t s = 0; s < kSums; ++s) part[s] += static_cast<double>(rowSums[s]);
+          if (system == nullptr) continue;
+          const float t = share_[2][static_cast<std::size_t>(k)];
+          const float between[3] = {(1.0F - t) * (1.0F - t), t * (1.0F - t), t * t}, ends[2] = {1.0F - t, t};
+          for (std::size_t cx = 0; cx < cellsAlong; ++cx) {
+            float products[9 * kProducts], right[16];
+            gatherCell(rows, along_.data(), begin_[0][cx], begin_[0][cx + 1], products, right);
+            float* cell = moments.data() + kCell * (static_cast<std::size_t>(task) * cellsAlong + cx);
+            for (std::size_t xy = 0; xy < 9; ++xy) {
+              for (std::size_t z = 0; z < 3; ++z) {
+                for (std::size_t q = 0; q < kProducts; ++q) cell[(xy * 3 + z) * kProducts + q] += between[z] * products[xy * kProducts + q];
+              }
+            }
+            for (std::size_t xy = 0; xy < 4; ++xy) {
+              for (std::size_t z = 0; z < 2; ++z) {
+                for (std::size_t q = 0; q < 4; ++q) cell[kCellProducts + (xy * 2 + z) * 4 + q] += ends[z] * right[xy * 4 + q];
+              }
+            }
+          }
+        }
+      }))
+    return false;
+  sums = {};
+  for (const auto& part : parts) {
+    for (std::size_t s = 0; s < kSums; ++s) sums.at[s] += part[s];
+  }
+  if (system == nullptr) return true;
+  for (int task = 0; task < tasks; ++task) {
+    for (int x = 0; x < cells.x; ++x) {
+      const float* cell = moments.data() + kCell * (static_cast<std::size_t>(task) * cellsAlong + static_cast<std::size_t>(x));
+      system->addCell({x, task % cells.y, task / cells.y}, cell, cell + kCellProducts, static_cast<float>(options.matrixScale));
+    }
+  }
+  return true;
+}
+
+}  // namespace ew::registration

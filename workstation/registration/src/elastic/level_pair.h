@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "elastic/level_image.h"
+#include "elastic/node_system.h"
+#include "elastic/rows.h"
+#include "ew/core/progress.h"
+#include "ew/core/volume.h"
+
+namespace ew::registration {
+
+/// From mm along the fixed volume's axes to the moving volume's index space (mm along its axes), rigid part only.
+struct AxesTransform {
+  glm::dmat3 turn{1.0};
+  glm::dvec3 shift_mm{0.0};
+};
+[[nodiscard]] AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving);
+
+/// How cost and normal equations are formed.
+struct CostOptions {
+  double scale = 1.5;        ///< c of the robust cost r^2 / (1 + r^2 / c^2)
+  double ofFixed = 0.5;      ///< share of the fixed image's gradient; 0: the exact gradient of the cost
+  double matrixScale = 1.0;  ///< of displacement components in the matrix
+};
+
+/// Sums over the samples both sides cover, see Sums in elastic/rows.h.
+struct PairSums {
+  std::array<double, kSums> at{};
+  [[nodiscard]] double weight() const { return at[0]; }
+  [[nodiscard]] double meanCost() const { return at[0] > 0.0 ? at[1] / at[0] : 0.0; }
+  [[nodiscard]] double correlation() const;
+  /// Samples that tell the same: how far residuals of neighbours are alike, as the volume (in samples) of one independent residual.
+  [[nodiscard]] double residualVolume(const glm::ivec3& dims) const;
+  /// Share of the gradients' energy that both images have in common, at most 1.
+  [[nodiscard]] double commonGradient() const { return at[12] > 0.0 ? at[11] / at[12] : 0.0; }
+};
+
+/// Two images of one level, and the moving one as it looks on the fixed grid.
+class LevelPair {
+ public:
+  LevelPair(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& fixedToMoving, const NodeGrid& nodes, int threads);
+
+  /// @return false when cancelled; so are the others
+  [[nodiscard]] bool warp(const NodeValues& values, Progress& progress);
+  /// Of what was warped last. @param system null: sums alone
+  [[nodiscard]] bool assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const;
+
+  [[nodiscard]] const LevelImage& fixed() const { return *fixed_; }
+  [[nodiscard]] const std::vector<float>& moved() const { return moved_; }
+  [[nodiscard]] const std::vector<float>& movedWeights() const { return movedWeights_; }
+
+ private:
+  const LevelImage* fixed_;
+  const LevelImage* moving_;
+  NodeGrid nodes_;
+  int threads_;
+  glm::dmat3 perMm_{1.0};       // moving index per mm along the fixed axes
+  glm::dvec3 firstIndex_{0.0};  // moving index of fixed sample (0, 0, 0)
+  std::array<std::vector<int>, 3> cell_;
+  std::array<std::vector<float>, 3> share_;
+  std::array<std::vector<int>, 3> begin_;  // per cell, and one more: its first sample
+  std::vector<float> along_;               // see gatherCell
+  std::vector<float> moved_;
+  std::vector<float> movedWeights_;
+};
+
+}  // namespace ew::registration

@@ -1,0 +1,280 @@
+#include "elastic/node_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elastic/rows.h"
+#include "ew/core/contract.h"
+
+namespace ew::registration {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Calls difference(nodes, coefficients, count, weight) for every squared difference in the prior of one component.
+template <class Difference>
+void forEachDifference(const NodeGrid& grid, double membrane, double bending, const Difference& difference) {
+  const double volume = grid.cellVolume_mm3();
+  const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(grid.dims.x),
+                                        static_cast<std::size_t>(grid.dims.x) * static_cast<std::size_t>(grid.dims.y)};
+  const glm::dvec3 perSpacing2 = 1.0 / (grid.spacing_mm * grid.spacing_mm);
+  constexpr std::array<float, 4> kFirst{-1.0F, 1.0F, 0.0F, 0.0F}, kSecond{1.0F, -2.0F, 1.0F, 0.0F}, kMixed{1.0F, -1.0F, -1.0F, 1.0F};
+  for (int k = 0; k < grid.dims.z; ++k) {
+    for (int j = 0; j < grid.dims.y; ++j) {
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const std::size_t at = grid.indexOf(i, j, k);
+        const glm::ivec3 place(i, j, k);
+        for (int a = 0; a < 3; ++a) {
+          const std::size_t along = step[static_cast<std::size_t>(a)];
+          const bool one = place[a] + 1 < grid.dims[a], two = place[a] + 2 < grid.dims[a];
+          if (one && membrane > 0.0)
+            difference(std::array<std::size_t, 4>{at, at + along, at, at}, kFirst, 2, membrane * volume * perSpacing2[a]);
+          if (bending <= 0.0) continue;
+          if (two)
+            difference(std::array<std::size_t, 4>{at, at + along, at + 2 * along, at}, kSecond, 3,
+                       bending * volume * perSpacing2[a] * perSpacing2[a]);
+          for (int b = a + 1; one && b < 3; ++b) {
+            if (place[b] + 1 >= grid.dims[b]) continue;
+            const std::size_t across = step[static_cast<std::size_t>(b)];
+            difference(std::array<std::size_t, 4>{at, at + along, at + across, at + along + across}, kMixed, 4,
+                       2.0 * bending * volume * perSpacing2[a] * perSpacing2[b]);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Diagonalises the prior as if the second differences were those of a free membrane's Laplacian squared: exact for the membrane, near
+/// for the bending term.
+class Preconditioner {
+ public:
+  Preconditioner(const NodeGrid& grid, const Prior& prior, const std::array<double, 4>& data) : dims_(grid.dims) {
+    std::array<std::vector<double>, 3> eigen;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int n = dims_[axis];
+      std::vector<float>& basis = basis_[static_cast<std::size_t>(axis)];
+      basis.resize(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+      for (int m = 0; m < n; ++m) {
+        for (int x = 0; x < n; ++x)
+          basis[static_cast<std::size_t>(m * n + x)] =
+              static_cast<float>(std::sqrt((m == 0 ? 1.0 : 2.0) / n) * std::cos(kPi * m * (x + 0.5) / n));
+        eigen[static_cast<std::size_t>(axis)].push_back((2.0 - 2.0 * std::cos(kPi * m / n)) /
+                                                        (grid.spacing_mm[axis] * grid.spacing_mm[axis]));
+      }
+    }
+    const double volume = grid.cellVolume_mm3();
+    for (std::size_t k = 0; k < eigen[2].size(); ++k) {
+      for (std::size_t j = 0; j < eigen[1].size(); ++j) {
+        for (std::size_t i = 0; i < eigen[0].size(); ++i) {
+          const double laplace = eigen[0][i] + eigen[1][j] + eigen[2][k];
+          const double stiff = volume * (prior.membrane * laplace + prior.bending * laplace * laplace);
+          for (std::size_t c = 0; c < 3; ++c) inverse_.push_back(static_cast<float>(1.0 / (data[c] + stiff)));
+          inverse_.push_back(static_cast<float>(1.0 / (data[3] + volume * (prior.brightnessMembrane * laplace + prior.brightness))));
+        }
+      }
+    }
+  }
+
+  void apply(const NodeValues& in, NodeValues& out) {
+    out = in;
+    for (int axis = 0; axis < 3; ++axis) transform(axis, false, out);
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] *= inverse_[n];
+    for (int axis = 0; axis < 3; ++axis) transform(axis, true, out);
+  }
+
+ private:
+  void transform(int axis, bool back, NodeValues& values) {
+    const int n = dims_[axis];
+    if (n == 1) return;
+    const std::vector<float>& basis = basis_[static_cast<std::size_t>(axis)];
+    const std::size_t inner = 4 * static_cast<std::size_t>(axis == 0 ? 1 : axis == 1 ? dims_.x : dims_.x * dims_.y);
+    const std::size_t whole = inner * static_cast<std::size_t>(n);
+    scratch_.resize(whole);
+    for (std::size_t start = 0; start < values.size(); start += whole) {
+      std::fill(scratch_.begin(), scratch_.end(), 0.0F);
+      for (int m = 0; m < n; ++m) {
+        float* to = scratch_.data() + static_cast<std::size_t>(m) * inner;
+        for (int x = 0; x < n; ++x) {
+          const float factor = back ? basis[static_cast<std::size_t>(x * n + m)] : basis[static_cast<std::size_t>(m * n + x)];
+          const float* from = values.data() + start + static_cast<std::size_t>(x) * inner;
+          for (std::size_t s = 0; s < inner; ++s) to[s] += factor * from[s];
+        }
+      }
+      std::copy(scratch_.begin(), scratch_.end(), values.begin() + static_cast<std::ptrdiff_t>(start));
+    }
+  }
+
+  glm::ivec3 dims_;
+  std::array<std::vector<float>, 3> basis_;
+  std::vector<float> inverse_;
+  std::vector<float> scratch_;
+};
+
+/// One row of 4 x 4 blocks times x.
+void multiplyBlocks(const float* blocks, const std::size_t* nodes, std::size_t count, const float* x, float* out) {
+  float sums[16] = {};
+  for (std::size_t n = 0; n < count; ++n, blocks += 16) {
+    const float* v = x + 4 * nodes[n];
+    for (std::size_t m = 0; m < 16; ++m) sums[m] += blocks[m] * v[m / 4];
+  }
+  for (std::size_t c = 0; c < 4; ++c) out[c] = (sums[c] + sums[4 + c]) + (sums[8 + c] + sums[12 + c]);
+}
+
+double dot(const NodeValues& a, const NodeValues& b) {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n) sum += static_cast<double>(a[n]) * static_cast<double>(b[n]);
+  return sum;
+}
+
+}  // namespace
+
+void applyPrior(const NodeGrid& grid, const Prior& prior, const NodeValues& values, NodeValues& out) {
+  out.assign(values.size(), 0.0F);
+  forEachDifference(grid, prior.membrane, prior.bending, [&](const auto& nodes, const auto& factor, int count, double weight) {
+    const auto w = static_cast<float>(weight);
+    for (std::size_t c = 0; c < 3; ++c) {
+      float sum = 0.0F;
+      for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) sum += factor[n] * values[4 * nodes[n] + c];
+      sum *= w;
+      for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) out[4 * nodes[n] + c] += factor[n] * sum;
+    }
+  });
+  forEachDifference(grid, prior.brightnessMembrane, 0.0, [&](const auto& nodes, const auto&, int, double weight) {
+    const float pull = static_cast<float>(weight) * (values[4 * nodes[1] + 3] - values[4 * nodes[0] + 3]);
+    out[4 * nodes[1] + 3] += pull;
+    out[4 * nodes[0] + 3] -= pull;
+  });
+  const auto own = static_cast<float>(prior.brightness * grid.cellVolume_mm3());
+  for (std::size_t n = 3; n < values.size(); n += 4) out[n] += own * values[n];
+}
+
+NodeValues diagonalOf(const NodeGrid& grid, const Prior& prior) {
+  NodeValues diagonal(4 * grid.count(), 0.0F);
+  forEachDifference(grid, prior.membrane, prior.bending, [&](const auto& nodes, const auto& factor, int count, double weight) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+      for (std::size_t c = 0; c < 3; ++c) diagonal[4 * nodes[n] + c] += static_cast<float>(weight) * factor[n] * factor[n];
+    }
+  });
+  forEachDifference(grid, prior.brightnessMembrane, 0.0, [&](const auto& nodes, const auto&, int, double weight) {
+    diagonal[4 * nodes[0] + 3] += static_cast<float>(weight);
+    diagonal[4 * nodes[1] + 3] += static_cast<float>(weight);
+  });
+  for (std::size_t n = 3; n < diagonal.size(); n += 4) diagonal[n] += static_cast<float>(prior.brightness * grid.cellVolume_mm3());
+  return diagonal;
+}
+
+NodeSystem::NodeSystem(const NodeGrid& nodes) : grid(nodes) {
+  first.push_back(0);
+  for (int k = 0; k < grid.dims.z; ++k) {
+    for (int j = 0; j < grid.dims.y; ++j) {
+      for (int i = 0; i < grid.dims.x; ++i) {
+        for (int z = std::max(k - 1, 0); z <= std::min(k + 1, grid.dims.z - 1); ++z) {
+          for (int y = std::max(j - 1, 0); y <= std::min(j + 1, grid.dims.y - 1); ++y) {
+            for (int x = std::max(i - 1, 0); x <= std::min(i + 1, grid.dims.x - 1); ++x) neighbour.push_back(grid.indexOf(x, y, z));
+          }
+        }
+        first.push_back(neighbour.size());
+      }
+    }
+  }
+  blocks.assign(16 * neighbour.size(), 0.0F);
+  right.assign(4 * grid.count(), 0.0F);
+}
+
+void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const float* rights, float scale) {
+  const float root = std::sqrt(scale);
+  // An axis with one node has no upper corner.
+  const glm::ivec3 corners = glm::min(grid.dims, glm::ivec3(2));
+  for (int a = 0; a < 8; ++a) {
+    const glm::ivec3 of(a & 1, a >> 1 & 1, a >> 2 & 1);
+    if (of.x >= corners.x || of.y >= corners.y || of.z >= corners.z) continue;
+    const glm::ivec3 at = cell + of;
+    const std::size_t node = grid.indexOf(at.x, at.y, at.z);
+    const float* sum = rights + ((of.x * 2 + of.y) * 2 + of.z) * 4;
+    for (std::size_t c = 0; c < 4; ++c) right[4 * node + c] += sum[c];
+    // Where the neighbours of this node start and how many it has along x and y.
+    const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid.dims - 1);
+    const int wide = high.x - low.x + 1, tall = high.y - low.y + 1;
+    for (int b = 0; b < 8; ++b) {
+      const glm::ivec3 to(b & 1, b >> 1 & 1, b >> 2 & 1);
+      if (to.x >= corners.x || to.y >= corners.y || to.z >= corners.z) continue;
+      const glm::ivec3 other = cell + to - low;
+      float* block = blocks.data() + 16 * (first[node] + static_cast<std::size_t>((other.z * tall + other.y) * wide + other.x));
+      const glm::ivec3 kind = of + to;
+      const float* p = products + ((kind.x * 3 + kind.y) * 3 + kind.z) * kProducts;
+      const float xx = scale * p[0], xy = scale * p[1], xz = scale * p[2], x1 = root * p[3], yy = scale * p[4], yz = scale * p[5],
+                  y1 = root * p[6], zz = scale * p[7], z1 = root * p[8], one = p[9];
+      const float whole[16] = {xx, xy, xz, x1, xy, yy, yz, y1, xz, yz, zz, z1, x1, y1, z1, one};
+      for (int n = 0; n < 16; ++n) block[n] += whole[n];
+    }
+  }
+}
+
+void multiplyData(const NodeSystem& system, double weight, const NodeValues& in, NodeValues& out) {
+  const auto factor = static_cast<float>(weight);
+  for (std::size_t n = 0; n < system.grid.count(); ++n) {
+    float sum[4];
+    multiplyBlocks(system.blocks.data() + 16 * system.first[n], system.neighbour.data() + system.first[n],
+                   system.first[n + 1] - system.first[n], in.data(), sum);
+    for (std::size_t c = 0; c < 4; ++c) out[4 * n + c] = factor * sum[c];
+  }
+}
+
+Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, const NodeValues& right, double tolerance, int atMost) {
+  const std::size_t nodes = system.grid.count();
+  EW_EXPECTS(right.size() == 4 * nodes);
+  Solution solution;
+  solution.values.assign(right.size(), 0.0F);
+  // A smooth field sees all blocks of a node at once: their sum stands for the data in the preconditioner.
+  std::array<double, 4> data{};
+  for (std::size_t n = 0; n < system.blocks.size(); n += 16) {
+    for (std::size_t c = 0; c < 4; ++c) data[c] += static_cast<double>(system.blocks[n + 5 * c]);
+  }
+  const double mean = (data[0] + data[1] + data[2]) * dataWeight / (3.0 * static_cast<double>(nodes));
+  for (double& d : data) d *= dataWeight / static_cast<double>(nodes);
+  for (std::size_t c = 0; c < 3; ++c) data[c] = std::max(data[c], 1e-3 * mean);
+  if (!(mean > 0.0) || !std::isfinite(mean)) {
+    solution.singular = true;
+    return solution;
+  }
+  if (!(data[3] + prior.brightness > 0.0)) data[3] = 1.0;
+  Preconditioner preconditioner(system.grid, prior, data);
+  NodeValues residual = right, direction, product(right.size()), stiff, preconditioned;
+  const auto multiply = [&](const NodeValues& x) {
+    applyPrior(system.grid, prior, x, stiff);
+    multiplyData(system, dataWeight, x, product);
+    for (std::size_t n = 0; n < stiff.size(); ++n) product[n] += stiff[n];
+  };
+  preconditioner.apply(residual, preconditioned);
+  direction = preconditioned;
+  double rho = dot(residual, preconditioned);
+  const double start = rho;
+  if (!(start > 0.0)) return solution;
+  for (; solution.iterations < atMost; ++solution.iterations) {
+    multiply(direction);
+    const double curvature = dot(direction, product);
+    if (!(curvature > 0.0)) {
+      solution.singular = true;
+      break;
+    }
+    const auto step = static_cast<float>(rho / curvature);
+    for (std::size_t n = 0; n < residual.size(); ++n) {
+      solution.values[n] += step * direction[n];
+      residual[n] -= step * product[n];
+    }
+    preconditioner.apply(residual, preconditioned);
+    const double next = dot(residual, preconditioned);
+    solution.residual = std::sqrt(std::max(next, 0.0) / start);
+    if (solution.residual < tolerance) {
+      ++solution.iterations;
+      break;
+    }
+    const auto turn = static_cast<float>(next / rho);
+    rho = next;
+    for (std::size_t n = 0; n < direction.size(); ++n) direction[n] = preconditioned[n] + turn * direction[n];
+  }
+  return solution;
+}
+
+}  // namespace ew::registration

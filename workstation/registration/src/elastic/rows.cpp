@@ -1,0 +1,210 @@
+#include "elastic/rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "elastic/rows.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ew::registration::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Floats = hn::ScalableTag<float>;
+using Ints = hn::RebindToSigned<Floats>;
+
+template <class V, class I>
+HWY_INLINE V trilinear(const float* values, I at, I right, I below, I behind, V x, V y, V z) {
+  const Floats d;
+  const auto lerp = [](V a, V b, V t) { return hn::MulAdd(t, hn::Sub(b, a), a); };
+  const auto pair = [&](I start) {
+    const V a = hn::GatherIndex(d, values, start), b = hn::GatherIndex(d, values, hn::Add(start, right));
+    return lerp(a, b, x);
+  };
+  const I behindAt = hn::Add(at, behind);
+  const V low = lerp(pair(at), pair(hn::Add(at, below)), y);
+  const V high = lerp(pair(behindAt), pair(hn::Add(behindAt, below)), y);
+  return lerp(low, high, z);
+}
+
+void sampleRow(const RowField& field, const RowSource& source, int count, float* values, float* weights) {
+  const Floats d;
+  const Ints di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F), slack = hn::Set(d, 1e-3F);
+  const auto iota = hn::Iota(d, 0.0F);
+  for (int i = 0; i < count; i += lanes) {
+    const auto cell = hn::LoadU(di, field.cell + i);
+    const auto share = hn::LoadU(d, field.share + i);
+    const auto along = hn::Add(iota, hn::Set(d, static_cast<float>(i)));
+    decltype(hn::Zero(d)) u[4];
+    for (std::size_t c = 0; c < 4; ++c)
+      u[c] = hn::MulAdd(share, hn::GatherIndex(d, field.rise[c], cell), hn::GatherIndex(d, field.low[c], cell));
+    decltype(hn::Zero(d)) part[3];
+    decltype(hn::Zero(di)) low[3];
+    auto inside = one;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto at = hn::MulAdd(along, hn::Set(d, source.step[axis]), hn::Set(d, source.first[axis]));
+      for (int c = 0; c < 3; ++c) at = hn::MulAdd(u[c], hn::Set(d, source.perMm[3 * axis + c]), at);
+      const int last = source.dims[axis] - 1;
+      // A single layer is as thick as it says.
+      const auto edge = last == 0 ? hn::Set(d, 0.5F) : slack, end = hn::Set(d, static_cast<float>(last));
+      inside = hn::IfThenZeroElse(hn::Or(hn::Lt(hn::Add(at, edge), zero), hn::Gt(hn::Sub(at, edge), end)), inside);
+      const auto held = hn::Min(hn::Max(at, zero), end);
+      low[axis] = hn::Min(hn::ConvertTo(di, held), hn::Set(di, std::max(last - 1, 0)));
+      part[axis] = hn::Sub(held, hn::ConvertTo(d, low[axis]));
+    }
+    const auto start =
+        hn::Add(hn::Add(low[0], hn::Mul(low[1], hn::Set(di, source.rowStride))), hn::Mul(low[2], hn::Set(di, source.sliceStride)));
+    const auto right = hn::Set(di, source.dims[0] > 1 ? 1 : 0), below = hn::Set(di, source.dims[1] > 1 ? source.rowStride : 0),
+               behind = hn::Set(di, source.dims[2] > 1 ? source.sliceStride : 0);
+    hn::StoreU(hn::Add(trilinear(source.values, start, right, below, behind, part[0], part[1], part[2]), u[3]), d, values + i);
+    if (source.weights != nullptr)
+      inside = hn::Mul(inside, trilinear(source.weights, start, right, below, behind, part[0], part[1], part[2]));
+    hn::StoreU(inside, d, weights + i);
+  }
+}
+
+template <bool withProducts>
+void accumulate(const RowPair& pair, const RowSums& rows, Sums& sums) {
+  const Floats d;
+  using V = decltype(hn::Zero(d));
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto one = hn::Set(d, 1.0F), perScale2 = hn::Set(d, pair.perScale2);
+  const auto sx = hn::Set(d, pair.slope[0]), sy = hn::Set(d, pair.slope[1]), sz = hn::Set(d, pair.slope[2]);
+  const auto ofFixed = hn::Set(d, pair.ofFixed), ofMoved = hn::Set(d, 1.0F - pair.ofFixed);
+  const float t = pair.share;
+  const auto t0 = hn::Set(d, (1.0F - t) * (1.0F - t)), t1 = hn::Set(d, t * (1.0F - t)), t2 = hn::Set(d, t * t);
+  const auto r0 = hn::Set(d, 1.0F - t), r1 = hn::Set(d, t);
+  V total[kSums];
+  for (V& s : total) s = hn::Zero(d);
+  for (int i = 0; i < pair.count; i += lanes) {
+    auto weight = hn::LoadU(d, pair.movedWeights + i);
+    if (pair.fixedWeights != nullptr) weight = hn::Mul(weight, hn::LoadU(d, pair.fixedWeights + i));
+    const auto f = hn::LoadU(d, pair.fixed + i), w = hn::LoadU(d, pair.moved + i);
+    const auto fRight = hn::LoadU(d, pair.fixed + i + 1), wRight = hn::LoadU(d, pair.moved + i + 1);
+    const auto fBelow = hn::LoadU(d, pair.fixedNear[1] + i), wBelow = hn::LoadU(d, pair.movedNear[1] + i);
+    const auto fBehind = hn::LoadU(d, pair.fixedNear[3] + i), wBehind = hn::LoadU(d, pair.movedNear[3] + i);
+    const auto r = hn::Sub(f, w);
+    const auto rr = hn::Mul(r, r);
+    const auto robust = hn::Div(one, hn::MulAdd(rr, perScale2, one));
+    const auto weighted = hn::Mul(weight, hn::Mul(robust, robust));
+    const auto wr = hn::Mul(weight, r);
+    total[0] = hn::Add(total[0], weight);
+    total[1] = hn::MulAdd(weight, hn::Mul(rr, robust), total[1]);
+    total[2] = hn::MulAdd(weight, f, total[2]);
+    total[3] = hn::MulAdd(weight, w, total[3]);
+    total[4] = hn::MulAdd(weight, hn::Mul(f, f), total[4]);
+    total[5] = hn::MulAdd(weight, hn::Mul(w, w), total[5]);
+    total[6] = hn::MulAdd(weight, hn::Mul(f, w), total[6]);
+    if constexpr (withProducts) {
+      const auto fx = hn::Mul(sx, hn::Sub(fRight, hn::LoadU(d, pair.fixed + i - 1)));
+      const auto wx = hn::Mul(sx, hn::Sub(wRight, hn::LoadU(d, pair.moved + i - 1)));
+      const auto fy = hn::Mul(sy, hn::Sub(fBelow, hn::LoadU(d, pair.fixedNear[0] + i)));
+      const auto wy = hn::Mul(sy, hn::Sub(wBelow, hn::LoadU(d, pair.movedNear[0] + i)));
+      const auto fz = hn::Mul(sz, hn::Sub(fBehind, hn::LoadU(d, pair.fixedNear[2] + i)));
+      const auto wz = hn::Mul(sz, hn::Sub(wBehind, hn::LoadU(d, pair.movedNear[2] + i)));
+      total[7] = hn::MulAdd(weight, rr, total[7]);
+      total[8] = hn::MulAdd(wr, hn::Sub(fRight, wRight), total[8]);
+      total[9] = hn::MulAdd(wr, hn::Sub(fBelow, wBelow), total[9]);
+      total[10] = hn::MulAdd(wr, hn::Sub(fBehind, wBehind), total[10]);
+      total[11] = hn::MulAdd(weighted, hn::MulAdd(fx, wx, hn::MulAdd(fy, wy, hn::Mul(fz, wz))), total[11]);
+      const auto energy =
+          hn::Add(hn::MulAdd(fx, fx, hn::MulAdd(fy, fy, hn::Mul(fz, fz))), hn::MulAdd(wx, wx, hn::MulAdd(wy, wy, hn::Mul(wz, wz))));
+      total[12] = hn::MulAdd(weighted, hn::Mul(hn::Set(d, 0.5F), energy), total[12]);
+      total[13] = hn::Add(total[13], weighted);
+      total[14] = hn::MulAdd(weighted, rr, total[14]);
+      const V gx = hn::MulAdd(ofFixed, fx, hn::Mul(ofMoved, wx)), gy = hn::MulAdd(ofFixed, fy, hn::Mul(ofMoved, wy)),
+              gz = hn::MulAdd(ofFixed, fz, hn::Mul(ofMoved, wz));
+      const V ax = hn::Mul(weighted, gx), ay = hn::Mul(weighted, gy), az = hn::Mul(weighted, gz);
+      const V product[kProducts] = {
+          hn::Mul(ax, gx), hn::Mul(ax, gy), hn::Mul(ax, gz), ax, hn::Mul(ay, gy), hn::Mul(ay, gz), ay, hn::Mul(az, gz), az, weighted};
+      float* out = rows.products + i;
+      const std::ptrdiff_t stride = rows.stride;
+      for (int q = 0; q < kProducts; ++q) {
+        float* at = out + q * stride;
+        hn::StoreU(hn::MulAdd(t0, product[q], hn::LoadU(d, at)), d, at);
+        at += kProducts * stride;
+        hn::StoreU(hn::MulAdd(t1, product[q], hn::LoadU(d, at)), d, at);
+        at += kProducts * stride;
+        hn::StoreU(hn::MulAdd(t2, product[q], hn::LoadU(d, at)), d, at);
+      }
+      const V right[4] = {hn::Mul(ax, r), hn::Mul(ay, r), hn::Mul(az, r), hn::Mul(weighted, r)};
+      for (int q = 0; q < 4; ++q) {
+        float* at = rows.right + i + q * stride;
+        hn::StoreU(hn::MulAdd(r0, right[q], hn::LoadU(d, at)), d, at);
+        at += 4 * stride;
+        hn::StoreU(hn::MulAdd(r1, right[q], hn::LoadU(d, at)), d, at);
+      }
+    }
+  }
+  for (std::size_t s = 0; s < kSums; ++s) sums[s] += hn::GetLane(hn::SumOfLanes(d, total[s]));
+}
+
+void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums) { accumulate<true>(pair, rows, sums); }
+void sumRow(const RowPair& pair, Sums& sums) { accumulate<false>(pair, {}, sums); }
+
+void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right) {
+  const Floats d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto total = [&](auto v) { return hn::GetLane(hn::SumOfLanes(d, v)); };
+  const std::ptrdiff_t stride = rows.stride;
+  for (int y = 0; y < 3; ++y) {
+    for (int q = 0; q < kProducts; ++q) {
+      const float* row = rows.products + (y * kProducts + q) * stride;
+      auto s0 = hn::Zero(d), s1 = s0, s2 = s0;
+      for (int i = begin; i < end; i += lanes) {
+        auto v = hn::LoadU(d, row + i);
+        if (i + lanes > end) v = hn::IfThenElseZero(hn::FirstN(d, static_cast<std::size_t>(end - i)), v);
+        s0 = hn::MulAdd(v, hn::LoadU(d, along + i), s0);
+        s1 = hn::MulAdd(v, hn::LoadU(d, along + stride + i), s1);
+        s2 = hn::MulAdd(v, hn::LoadU(d, along + 2 * stride + i), s2);
+      }
+      products[(0 * 3 + y) * kProducts + q] = total(s0);
+      products[(1 * 3 + y) * kProducts + q] = total(s1);
+      products[(2 * 3 + y) * kProducts + q] = total(s2);
+    }
+  }
+  for (int y = 0; y < 2; ++y) {
+    for (int q = 0; q < 4; ++q) {
+      const float* row = rows.right + (y * 4 + q) * stride;
+      auto s0 = hn::Zero(d), s1 = s0;
+      for (int i = begin; i < end; i += lanes) {
+        auto v = hn::LoadU(d, row + i);
+        if (i + lanes > end) v = hn::IfThenElseZero(hn::FirstN(d, static_cast<std::size_t>(end - i)), v);
+        s0 = hn::MulAdd(v, hn::LoadU(d, along + 3 * stride + i), s0);
+        s1 = hn::MulAdd(v, hn::LoadU(d, along + 4 * stride + i), s1);
+      }
+      right[(0 * 2 + y) * 4 + q] = total(s0);
+      right[(1 * 2 + y) * 4 + q] = total(s1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ew::registration::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ew::registration {
+
+HWY_EXPORT(sampleRow);
+HWY_EXPORT(accumulateRow);
+HWY_EXPORT(sumRow);
+HWY_EXPORT(gatherCell);
+
+void sampleRow(const RowField& field, const RowSource& source, int count, float* values, float* weights) {
+  HWY_DYNAMIC_DISPATCH(sampleRow)(field, source, count, values, weights);
+}
+void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums) { HWY_DYNAMIC_DISPATCH(accumulateRow)(pair, rows, sums); }
+void sumRow(const RowPair& pair, Sums& sums) { HWY_DYNAMIC_DISPATCH(sumRow)(pair, sums); }
+void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right) {
+  HWY_DYNAMIC_DISPATCH(gatherCell)(rows, along, begin, end, products, right);
+}
+
+}  // namespace ew::registration
+#endif
