@@ -359,7 +359,9 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
                        : "No bending brought the volumes together; the start is kept.",
                   stopped ? stop : StopReason::noImprovement);
   }
-  if (after.agreement.correlation <= after.agreement.chance) {
+  // Where the start itself shows common tissue beyond doubt, bending only has to better it.
+  const bool shared = before.agreement.correlation > 2.0 * before.agreement.chance;
+  if (!shared && after.agreement.correlation <= after.agreement.chance) {
     const bool enough = after.agreement.chance < 0.35;
     state.values = nothing;
     return finish(enough ? Verdict::notAligned : Verdict::cannotTell,
