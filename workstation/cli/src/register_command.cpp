@@ -84,7 +84,7 @@ Result<Side> readSide(Run& run, const std::string& file, const std::string& cove
   return side;
 }
 
-[[maybe_unused]] void agreementInto(nlohmann::json& quality, const Agreement& before, const Agreement& after) {
+void agreementInto(nlohmann::json& quality, const Agreement& before, const Agreement& after) {
   quality["correlation_before"] = before.correlation;
   quality["correlation_after"] = after.correlation;
   quality["overlap_share"] = after.overlapShare;
@@ -124,6 +124,88 @@ Result<Found> byLandmarks(const RegisterArguments& arguments, const Side& fixed,
   return found;
 }
 
+/// Pictures: a displacement per pixel, brought into the coordinates of both headers.
+Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress,
+                          const OnLevel& onLevel) {
+  const Grid& f = fixed.volume.grid;
+  const Grid& m = moving.volume.grid;
+  if (f.dims.z != 1 || m.dims.z != 1)
+    return failure(ErrorCode::badUsage, "--method elastic2d takes two pictures, but '" +
+                                            (f.dims.z != 1 ? arguments.fixed : arguments.moving) +
+                                            "' is a volume; cut a slice out of it, or use --method elastic3d.");
+  const glm::dvec2 pixel_mm(f.spacing_mm.x, f.spacing_mm.y);
+  if (std::abs(m.spacing_mm.x / pixel_mm.x - 1.0) > 1e-3 || std::abs(m.spacing_mm.y / pixel_mm.y - 1.0) > 1e-3)
+    return failure(ErrorCode::badField, "The pixels of the two pictures are not of one size; resample one of them.",
+                   {{"field", "spacing"}});
+  Elastic2dOptions options;
+  options.singleResolution = arguments.singleResolution;
+  options.stiffness = arguments.stiffness.value_or(options.stiffness);
+  options.threads = arguments.threads;
+  run.report.options["single_resolution"] = options.singleResolution;
+  const auto view = [](const Volume& volume) {
+    return ImageView<const std::uint8_t>{volume.echo.data(), volume.grid.dims.x, volume.grid.dims.y, volume.grid.dims.x};
+  };
+  auto result = registerElastic2d(view(fixed.volume), view(moving.volume), pixel_mm, options, progress, onLevel);
+  if (!result) return passOn(result.error());
+  Found found;
+  found.verdict = result->verdict;
+  found.reason = result->reason;
+  found.stop = result->stop;
+  found.flat = true;
+  // Pixel (0, 0) lay on pixel (0, 0): the rigid part takes one header's place to the other's, the bend happens before it.
+  const glm::dmat3 turn = m.directions * glm::transpose(f.directions);
+  found.fixedToMoving.rigid = glm::dmat4(turn);
+  found.fixedToMoving.rigid[3] = glm::dvec4(m.origin_mm - turn * f.origin_mm, 1.0);
+  found.fixedToMoving.control.nodes = f;
+  found.fixedToMoving.control.displacement_mm.reserve(result->displacement_mm.size());
+  double largest_mm = 0.0;
+  for (const glm::vec2& d : result->displacement_mm) {
+    found.fixedToMoving.control.displacement_mm.emplace_back(f.directions * glm::dvec3(d.x, d.y, 0.0));
+    largest_mm = std::max(largest_mm, static_cast<double>(glm::length(d)));
+  }
+  found.quality = {{"correlation_before", result->correlationBefore},
+                   {"correlation_after", result->correlationAfter},
+                   {"jacobian_min", result->smallestJacobian},
+                   {"largest_motion_mm", largest_mm}};
+  return found;
+}
+
+Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed, const Side& moving, const glm::dmat4& start, Run& run,
+                          Progress& progress, const OnLevel& onLevel) {
+  ElasticOptions options;
+  options.effort = arguments.effort == "fast"       ? ElasticEffort::fast
+                   : arguments.effort == "accurate" ? ElasticEffort::accurate
+                                                    : ElasticEffort::balanced;
+  options.finestNode_mm = arguments.node_mm.value_or(options.finestNode_mm);
+  options.finestVoxel_mm = arguments.finest_mm.value_or(options.finestVoxel_mm);
+  options.stiffness = arguments.stiffness.value_or(options.stiffness);
+  options.largestMotion_mm = arguments.maxMotion_mm.value_or(options.largestMotion_mm);
+  options.maxTime_s = arguments.maxTime_s.value_or(options.maxTime_s);
+  options.threads = arguments.threads;
+  run.report.options["effort"] = arguments.effort;
+  const auto forecast = forecastElastic_bytes(fixed.volume.grid, moving.volume.grid, options);
+  auto result = registerElastic(fixed.input(), moving.input(), start, options, progress, onLevel);
+  if (!result) return passOn(result.error());
+  Found found;
+  found.verdict = result->verdict;
+  found.reason = result->reason;
+  found.stop = result->stop;
+  agreementInto(found.quality, result->before, result->after);
+  std::size_t unsure = 0;
+  for (const float share : result->uncertainty) unsure += share > 0.5F ? 1 : 0;
+  found.quality["jacobian_min"] = result->jacobian.smallest;
+  found.quality["jacobian_max"] = result->jacobian.largest;
+  found.quality["folded_cells"] = result->jacobian.folded;
+  found.quality["residual_rms"] = result->residualRms;
+  found.quality["stiffness"] = result->stiffness;
+  found.quality["largest_motion_mm"] = result->largestMotion_mm;
+  found.quality["unsure_node_share"] =
+      result->uncertainty.empty() ? 0.0 : static_cast<double>(unsure) / static_cast<double>(result->uncertainty.size());
+  found.quality["forecast_mib"] = static_cast<double>(forecast) / 1048576.0;
+  found.fixedToMoving = std::move(result->fixedToMoving);
+  return found;
+}
+
 bool isOneOf(const std::string& method, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* name) { return method == name; });
 }
@@ -158,9 +240,23 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
 }
 
 Result<Found> findTransform(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress) {
-  if (arguments.method == "landmarks") return byLandmarks(arguments, fixed, moving, run);
-  progress.report("Registering", 0.0);
-  return failure(ErrorCode::unsupported, "The method " + arguments.method + " is not in this build.");
+  const std::string& method = arguments.method;
+  glm::dmat4 start(1.0);
+  if (!arguments.start.empty()) {
+    const auto read = readTransform(arguments.start);
+    if (!read) return passOn(read.error());
+    start = *read;
+  }
+  std::vector<Level> levels;
+  const OnLevel onLevel = [&](const Level& level) { levels.push_back(level); };
+  auto found = [&]() -> Result<Found> {
+    if (method == "landmarks") return byLandmarks(arguments, fixed, moving, run);
+    if (method == "elastic2d") return byElastic2d(arguments, fixed, moving, run, progress, onLevel);
+    if (method == "elastic3d") return byElastic3d(arguments, fixed, moving, start, run, progress, onLevel);
+    return failure(ErrorCode::unsupported, "The method " + method + " is not in this build.");
+  }();
+  if (found) found->levels = std::move(levels);
+  return found;
 }
 
 /// The turn and the shift of the fixed volume's middle: what a person compares with what they expect.
