@@ -145,7 +145,7 @@ TEST_F(RegisterCommand, AFailureSaysWhyAndLeavesNothing) {
       {{"--landmarks", folder / "broken.json"}, "landmarks[0].fixed_mm must be a list of three numbers"},
       {{"--landmarks", folder / "pairs.json", "--coverage-fixed", folder / "m.mha"}, "lies on another grid"},
       {{"--landmarks", folder / "pairs.json", "--confidence-moving", folder / "f.mha"}, "lies on another grid"},
-      {{"--landmarks", folder / "pairs.json", "--field", folder / "none/field.mha"}, "field.mha"}};
+      {{"--landmarks", folder / "pairs.json", "--field", folder / "none/field.mha"}, "does not exist"}};
   for (auto [words, expected] : failing) {
     words.insert(words.end(), {"--method", "landmarks", "-o", folder / "t.txt"});
     const auto outcome = registered(words);
