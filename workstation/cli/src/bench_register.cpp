@@ -32,8 +32,8 @@ using nlohmann::json;
 constexpr double kVoxel_mm = 0.6;
 constexpr double kWideVoxel_mm = 0.9;  // of the pairs without a tracker
 constexpr double kPeak_mm = 5.0;
-constexpr double kWave_mm = 45.0;  // of the elastic motion: one smooth bend over a pair
-constexpr double kShared = 0.8;    // of the speckle's amplitude: two thirds of its power
+constexpr double kWave_mm = 100.0;  // of the elastic motion: smooth, as tissue under a probe moves
+constexpr double kShared = 0.8;     // of the speckle's amplitude: two thirds of its power
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
 
