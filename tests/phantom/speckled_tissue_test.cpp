@@ -29,11 +29,11 @@ TEST(SpeckledTissue, SpeckleHasTheSamePowerBetweenScatterersAsOnThemAndIsRayleig
   const SpeckledTissue tissue(3);
   std::mt19937 draw(1);
   std::uniform_real_distribution<double> side(-100.0, 100.0);
-  for (const double offset : {0.0, 0.15, 0.3}) {
+  for (const double offset : {0.0, 0.13, 0.265}) {
     double power = 0.0, envelope = 0.0;
     constexpr int kPoints = 40000;
     for (int n = 0; n < kPoints; ++n) {
-      const glm::dvec3 p = glm::floor(glm::dvec3(side(draw), side(draw), side(draw)) / 0.6) * 0.6 + offset;
+      const glm::dvec3 p = glm::floor(glm::dvec3(side(draw), side(draw), side(draw)) / 0.53) * 0.53 + offset;
       const glm::dvec2 f = tissue.field(p, 0);
       power += glm::dot(f, f) / kPoints;
       envelope += glm::length(f) / kPoints;

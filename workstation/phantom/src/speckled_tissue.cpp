@@ -1,6 +1,7 @@
 #include "ew/phantom/speckled_tissue.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +11,7 @@
 namespace ew {
 namespace {
 
-constexpr double kScatterer_mm = 0.6;  // between scatterers; the beam reaches over three of them
+constexpr double kScatterer_mm = 0.53;  // between scatterers; the beam reaches over three of them
 constexpr double kMiddle_grey = 150.0;
 
 /// In [0, 1), three numbers of one hash.
@@ -19,8 +20,11 @@ glm::dvec3 evenOf(std::uint64_t hash) {
           static_cast<double>(hash >> 42) * 0x1p-22};
 }
 
-/// One of four phases, as a complex number: cheap, and the sum of 27 of them is as good as normal.
-glm::dvec2 phaseOf(std::uint64_t hash) { return {(hash & 1u) != 0 ? 1.0 : -1.0, (hash & 2u) != 0 ? 1.0 : -1.0}; }
+/// A complex scatterer, each part nearly normal with deviation 1: the bits that are set among 32, less their mean, over their deviation.
+glm::dvec2 scattererOf(std::uint64_t hash) {
+  constexpr double kDeviation = 2.8284271247461903;  // of 32 fair bits: sqrt(32) / 2
+  return glm::dvec2(std::popcount(hash & 0xFFFFFFFFu) - 16, std::popcount(hash >> 32) - 16) / kDeviation;
+}
 
 /// Quadratic B-spline weights of the three places around x, of which `first` is the lowest.
 void weightsAt(double x, std::int64_t& first, double weight[3]) {
@@ -73,7 +77,7 @@ glm::dvec2 SpeckledTissue::field(const glm::dvec3& p_mm, std::uint64_t view) con
     for (int j = 0; j < 3; ++j) {
       const double outer = weight[2][k] * weight[1][j];
       for (int i = 0; i < 3; ++i)
-        sum += outer * weight[0][i] * phaseOf(hashOfPlace(seed_ + 1000 * view + 15, first[0] + i, first[1] + j, first[2] + k) >> 7);
+        sum += outer * weight[0][i] * scattererOf(hashOfPlace(seed_ + 1000 * view + 15, first[0] + i, first[1] + j, first[2] + k));
     }
   return sum / std::sqrt(2.0 * squares);  // the same power between scatterers as on them
 }
