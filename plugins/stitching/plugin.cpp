@@ -1,9 +1,11 @@
-#include <QCoreApplication>
+#include <QApplication>
+#include <memory>
 
 #include "ew/sdk/plugin.h"
 
 #include "logic/chain.h"
 #include "panel/stitch_panel.h"
+#include "panel/stitch_stage.h"
 
 namespace {
 
@@ -14,9 +16,18 @@ class StitchingPlugin final : public ew::sdk::Plugin {
     host.commands().add("stitch", usage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
       return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), host.log(), progress);
     });
-    host.panels().add("stitching", QCoreApplication::translate("ew::stitching", "Stitching").toStdString(),
-                      [&host](QWidget* parent) -> QWidget* { return new ew::stitching::StitchPanel(host, parent); });
+    // Without a window there is no panel, and the command line stays free of timers and folders.
+    if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) return;
+    session_ = std::make_unique<ew::stitching::StitchSession>(host);
+    ew::stitching::StitchSession& session = *session_;
+    host.panels().addStaged({"stitching", QCoreApplication::translate("ew::stitching", "Stitching").toStdString(),
+                             [&session](QWidget* parent) -> QWidget* { return new ew::stitching::StitchPanel(session, parent); },
+                             [&session](QWidget* parent) -> QWidget* { return new ew::stitching::StitchStage(session, parent); }, &session,
+                             ew::stitching::StitchStage::keyLines()});
   }
+
+ private:
+  std::unique_ptr<ew::stitching::StitchSession> session_;
 };
 
 }  // namespace

@@ -239,220 +239,1196 @@
     </message>
 </context>
 <context>
-    <name>ew::stitching::StitchPanel</name>
+    <name>ew::stitching::LevelChart</name>
     <message>
-        <source>Add volumes…</source>
-        <translation>Volumen hinzufügen…</translation>
+        <source>The curve grows while the pair is matched</source>
+        <translation>Die Kurve wächst, während das Paar zugeordnet wird</translation>
     </message>
     <message>
-        <source>Join volumes into one</source>
-        <translation>Volumen zu einem verbinden</translation>
+        <source>No levels yet: match the pair</source>
+        <translation>Noch keine Stufen: Ordnen Sie das Paar zu</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::PairGraph</name>
+    <message>
+        <source>Graph of pairs</source>
+        <translation>Graph der Paare</translation>
     </message>
     <message>
-        <source>Add two or more volumes whose places are known, or drop their files or a stitch project here.</source>
-        <translation>Fügen Sie zwei oder mehr Volumen mit bekannter Lage hinzu, oder ziehen Sie ihre Dateien oder ein Projekt hierher.</translation>
+        <source>%1 to %2: %3</source>
+        <translation>%1 zu %2: %3</translation>
     </message>
     <message>
-        <source>Volumes</source>
-        <translation>Volumen</translation>
+        <source>against what the other pairs say</source>
+        <translation>gegen das, was die anderen Paare sagen</translation>
     </message>
     <message>
-        <source>Add…</source>
-        <translation>Hinzufügen…</translation>
+        <source>changed since it was matched</source>
+        <translation>seit dem Zuordnen geändert</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::PairInspector</name>
+    <message>
+        <source>Correlation by level</source>
+        <translation>Korrelation je Stufe</translation>
     </message>
     <message>
-        <source>Add volume files or a stitch project</source>
-        <translation>Volumendateien oder ein Projekt hinzufügen</translation>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>This pair is right, whatever the figures say (Enter)</source>
+        <translation>Dieses Paar stimmt, was auch immer die Zahlen sagen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>This pair must not hold the whole together (Backspace)</source>
+        <translation>Dieses Paar darf das Ganze nicht zusammenhalten (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Of the smaller volume&apos;s covered part, how much both cover</source>
+        <translation>Wie viel vom erfassten Teil des kleineren Volumens beide erfassen</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>Before and after; without gain and speckle. In brackets what unrelated tissue reaches by chance</source>
+        <translation>Vorher und nachher, ohne Verstärkung und Speckle. In Klammern, was fremdes Gewebe durch Zufall erreicht</translation>
+    </message>
+    <message>
+        <source>Grey levels now</source>
+        <translation>Grauwerte jetzt</translation>
+    </message>
+    <message>
+        <source>Plain correlation of the grey levels as they lie now: for a hand that nudges, no verdict</source>
+        <translation>Einfache Korrelation der Grauwerte in der jetzigen Lage: eine Hilfe beim Schieben, kein Urteil</translation>
+    </message>
+    <message>
+        <source>Halves differ by</source>
+        <translation>Hälften weichen ab</translation>
+    </message>
+    <message>
+        <source>Two halves of the overlap, matched apart, would place the volume this much differently</source>
+        <translation>Zwei getrennt zugeordnete Hälften der Überlappung würden das Volumen um so viel anders legen</translation>
+    </message>
+    <message>
+        <source>Smallest Jacobian</source>
+        <translation>Kleinste Jacobi-Det.</translation>
+    </message>
+    <message>
+        <source>Of the elastic step: above 0 nothing folds; 1 is no change of volume</source>
+        <translation>Des elastischen Schritts: über 0 faltet sich nichts; 1 heißt keine Volumenänderung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>That matching this pair took</source>
+        <translation>Die das Zuordnen dieses Paares gebraucht hat</translation>
+    </message>
+    <message>
+        <source>Pose</source>
         <translation>Lage</translation>
     </message>
     <message>
-        <source>Transform…</source>
-        <translation>Transformation…</translation>
+        <source>Where the moving volume lies in the fixed one; in the views the arrow keys move it</source>
+        <translation>Wo das bewegte Volumen im festen liegt; in den Ansichten schieben es die Pfeiltasten</translation>
     </message>
     <message>
-        <source>Take the place from a file with 16 numbers, row by row</source>
-        <translation>Die Lage aus einer Datei mit 16 Zahlen lesen, Zeile für Zeile</translation>
+        <source>place %1 by figures</source>
+        <translation>%1 mit Zahlen legen</translation>
     </message>
     <message>
-        <source>Coverage…</source>
-        <translation>Abdeckung…</translation>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Say which voxels were measured, from a coverage file</source>
-        <translation>Aus einer Datei lesen, welche Voxel gemessen wurden</translation>
+        <source>+ pick in both</source>
+        <translation>+ in beiden setzen</translation>
+    </message>
+    <message>
+        <source>Click the same place in the fixed and in the moving view (P)</source>
+        <translation>Klicken Sie dieselbe Stelle in der festen und in der bewegten Ansicht an (P)</translation>
+    </message>
+    <message>
+        <source>Match by landmarks</source>
+        <translation>Nach Landmarken zuordnen</translation>
+    </message>
+    <message>
+        <source>Bring this pair together by these places alone</source>
+        <translation>Dieses Paar allein nach diesen Stellen zusammenbringen</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take this volume off the list; its file stays</source>
-        <translation>Dieses Volumen aus der Liste nehmen; seine Datei bleibt</translation>
+        <source>Remove the chosen landmark (Delete)</source>
+        <translation>Die gewählte Landmarke entfernen (Entf)</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
+        <source>Match this pair again</source>
+        <translation>Dieses Paar neu zuordnen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Search without places</source>
+        <translation>Suche ohne Lagen</translation>
+    </message>
+    <message>
+        <source>Refine from here</source>
+        <translation>Von hier aus verfeinern</translation>
+    </message>
+    <message>
+        <source>As placed by hand</source>
+        <translation>Wie von Hand gelegt</translation>
+    </message>
+    <message>
+        <source>Largest turn</source>
+        <translation>Größte Drehung</translation>
+    </message>
+    <message>
+        <source>Rotations searched in every direction; the time grows with the third power</source>
+        <translation>In allen Richtungen durchsuchte Drehungen; die Zeit wächst mit der dritten Potenz</translation>
+    </message>
+    <message>
+        <source>Match again</source>
+        <translation>Neu zuordnen</translation>
+    </message>
+    <message>
+        <source>keep the pair as it lies</source>
+        <translation>das Paar lassen, wie es liegt</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>accurate</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>For all pairs: how much time is spent on accuracy</source>
+        <translation>Für alle Paare: wie viel Zeit die Genauigkeit kosten darf</translation>
+    </message>
+    <message>
+        <source>elastic quality %1</source>
+        <translation>elastische Güte %1</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>That the elastic step of this pair takes at its peak, the volumes themselves not counted</source>
+        <translation>Den der elastische Schritt dieses Paares höchstens belegt, ohne die Volumen selbst</translation>
+    </message>
+    <message>
+        <source>%1 mm, off</source>
+        <translation>%1 mm, daneben</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>-</source>
+        <translation>-</translation>
+    </message>
+    <message>
+        <source>Double-click to rename</source>
+        <translation>Doppelklick zum Umbenennen</translation>
+    </message>
+    <message>
+        <source>This pair of places contradicts the others; look at it again or remove it</source>
+        <translation>Dieses Stellenpaar widerspricht den anderen; sehen Sie es noch einmal an oder entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>Now the same place in the moving view. Escape drops it.</source>
+        <translation>Nun dieselbe Stelle in der bewegten Ansicht. Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Now the same place in the fixed view. Escape drops it.</source>
+        <translation>Nun dieselbe Stelle in der festen Ansicht. Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Click a place in the fixed view, then the same one in the moving view.</source>
+        <translation>Klicken Sie eine Stelle in der festen Ansicht an, dann dieselbe in der bewegten.</translation>
+    </message>
+    <message>
+        <source>None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.</source>
+        <translation>Noch keine. Drei Stellen, die in beiden Volumen zu sehen sind, bringen ein Paar zusammen, wo die Bilder allein es nicht können.</translation>
+    </message>
+    <message>
+        <source>%1 mm on average, %2 mm to be expected at the far side</source>
+        <translation>%1 mm im Mittel, %2 mm am fernen Ende zu erwarten</translation>
+    </message>
+    <message>
+        <source>no overlap</source>
+        <translation>keine Überlappung</translation>
+    </message>
+    <message>
+        <source>Pair %1 to %2</source>
+        <translation>Paar %1 zu %2</translation>
+    </message>
+    <message>
+        <source>Rejected by hand: it does not hold the whole together.</source>
+        <translation>Von Hand verworfen: Es hält das Ganze nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Match it, mark landmarks in both volumes, or nudge it with the keys.</source>
+        <translation>Ordnen Sie es zu, setzen Sie Landmarken in beiden Volumen, oder schieben Sie es mit den Tasten.</translation>
+    </message>
+    <message>
+        <source>The other pairs contradict it.</source>
+        <translation>Die anderen Paare widersprechen ihm.</translation>
+    </message>
+    <message>
+        <source>Changed since: match again.</source>
+        <translation>Seitdem geändert: neu zuordnen.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (chance %3)</source>
+        <translation>%1 zu %2 (Zufall %3)</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>How well two volumes fit is told here, once there are two.</source>
+        <translation>Hier steht, wie gut zwei Volumen passen, sobald es zwei gibt.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::PlacementView</name>
+    <message>
+        <source>L</source>
+        <comment>patient left</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>posterior</comment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>head</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Drag a box to move it, with Ctrl to turn it; right drag turns the view</source>
+        <translation>Ziehen verschiebt einen Kasten, mit Strg dreht es ihn; rechts ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>turn %1 by %2°</source>
+        <translation>%1 um %2° drehen</translation>
+    </message>
+    <message>
+        <source>move %1 by %2 mm</source>
+        <translation>%1 um %2 mm verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::SliceView</name>
+    <message>
+        <source>No bend has been found yet. &apos;Elastic&apos; finds one.</source>
+        <translation>Noch ist keine Verformung gefunden. „Elastisch“ findet eine.</translation>
+    </message>
+    <message>
+        <source>The elastic step is switched off in this project.</source>
+        <translation>Der elastische Schritt ist in diesem Projekt ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>No seam has been cut yet. &apos;Seams and blend&apos; cuts it.</source>
+        <translation>Noch ist keine Naht geschnitten. „Nähte und Mischen“ schneidet sie.</translation>
+    </message>
+    <message>
+        <source>There is no stitched volume yet. &apos;Seams and blend&apos; makes it.</source>
+        <translation>Noch gibt es kein zusammengefügtes Volumen. „Nähte und Mischen“ macht es.</translation>
+    </message>
+    <message>
+        <source>Add a second volume; then pairs can be matched.</source>
+        <translation>Fügen Sie ein zweites Volumen hinzu; dann lassen sich Paare zuordnen.</translation>
+    </message>
+    <message>
+        <source>%1 is being read, or cannot be read.</source>
+        <translation>%1 wird gelesen oder ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>Both volumes are needed here; one of them cannot be read.</source>
+        <translation>Hier werden beide Volumen gebraucht; eines davon ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>patient left</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>patient right</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>posterior</comment>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <comment>anterior</comment>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <comment>head</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <comment>feet</comment>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
+    <message>
+        <source>prefer %1 at the seam</source>
+        <translation>%1 an der Naht vorziehen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::StitchPanel</name>
+    <message>
+        <source>Add volumes…</source>
+        <translation>Volumen hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Take the place from a file with 16 numbers, row by row</source>
+        <translation>Die Lage aus einer Datei mit 16 Zahlen lesen, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
-        <source>finest of the volumes</source>
-        <translation>der feinste der Volumen</translation>
-    </message>
-    <message>
-        <source>none: plain mean</source>
-        <translation>keiner: einfaches Mittel</translation>
-    </message>
-    <message>
-        <source>How far from a volume&apos;s border its weight reaches full height</source>
-        <translation>Wie weit vom Rand eines Volumens sein Gewicht die volle Höhe erreicht</translation>
-    </message>
-    <message>
-        <source>of the first volume</source>
-        <translation>des ersten Volumens</translation>
-    </message>
-    <message>
-        <source>of the body</source>
-        <translation>des Körpers</translation>
-    </message>
-    <message>
-        <source>Voxel spacing</source>
-        <translation>Voxelabstand</translation>
-    </message>
-    <message>
-        <source>Feather</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
         <source>Axes</source>
         <translation>Achsen</translation>
-    </message>
-    <message>
-        <source>Stitch</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Save result…</source>
-        <translation>Ergebnis speichern…</translation>
-    </message>
-    <message>
-        <source>Save project…</source>
-        <translation>Projekt speichern…</translation>
-    </message>
-    <message>
-        <source>Keep the list, the places and the options for later or for the command line</source>
-        <translation>Liste, Lagen und Optionen für später oder für die Kommandozeile aufheben</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>Transform of %1</source>
-        <translation>Transformation von %1</translation>
     </message>
     <message>
         <source>Transforms (*.txt *.tfm);;All files (*)</source>
         <translation>Transformationen (*.txt *.tfm);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Coverage of %1</source>
-        <translation>Abdeckung von %1</translation>
-    </message>
-    <message>
-        <source>Volumes (*.mha *.mhd *.nrrd *.nii *.nii.gz);;All files (*)</source>
-        <translation>Volumen (*.mha *.mhd *.nrrd *.nii *.nii.gz);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>%1 voxels of %2 × %3 × %4 mm</source>
         <translation>%1 Voxel zu %2 × %3 × %4 mm</translation>
-    </message>
-    <message>
-        <source>No coverage: every voxel counts as measured</source>
-        <translation>Keine Abdeckung: jeder Voxel gilt als gemessen</translation>
-    </message>
-    <message>
-        <source>Coverage from the volume&apos;s file</source>
-        <translation>Abdeckung aus der Volumendatei</translation>
-    </message>
-    <message>
-        <source>Coverage from %1</source>
-        <translation>Abdeckung aus %1</translation>
-    </message>
-    <message>
-        <source>%1 voxels of %2 × %3 × %4 mm; needs %5</source>
-        <translation>%1 Voxel zu %2 × %3 × %4 mm; braucht %5</translation>
-    </message>
-    <message>
-        <source> of %1 free</source>
-        <translation> von %1 frei</translation>
-    </message>
-    <message>
-        <source>Stitching…</source>
-        <translation>Verbindet…</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stitching %n volume(s)</source>
-        <translation>
-            <numerusform>%n Volumen wird verbunden</numerusform>
-            <numerusform>%n Volumen werden verbunden</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Done in %1 s.</source>
-        <translation>Fertig in %1 s.</translation>
-    </message>
-    <message>
-        <source> %1 % of the covered voxels overlap; there the volumes differ by %2 grey levels.</source>
-        <translation> %1 % der abgedeckten Voxel überlappen; dort unterscheiden sich die Volumen um %2 Graustufen.</translation>
-    </message>
-    <message>
-        <source>Stitched volume</source>
-        <translation>Verbundenes Volumen</translation>
-    </message>
-    <message>
-        <source>Saving the stitched volume</source>
-        <translation>Das verbundene Volumen wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.</source>
-        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha und provenance.json.</translation>
     </message>
     <message>
         <source>Add volumes</source>
         <translation>Volumen hinzufügen</translation>
     </message>
     <message>
-        <source>Volumes and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)</source>
-        <translation>Volumen und Projekte (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Folder for the stitched volume</source>
         <translation>Ordner für das verbundene Volumen</translation>
     </message>
     <message>
+        <source>Weave volumes into one</source>
+        <translation>Volumen zu einem verweben</translation>
+    </message>
+    <message>
+        <source>Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed.</source>
+        <translation>Fügen Sie zwei oder mehr Volumen oder Schwenks hinzu, die sich überlappen, oder ziehen Sie ihre Dateien oder ein Stitching-Projekt hierher. Ein Tracker ist nicht nötig.</translation>
+    </message>
+    <message>
+        <source>Reopen</source>
+        <translation>Wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Subvolumes</source>
+        <translation>Teilvolumen</translation>
+    </message>
+    <message>
+        <source>save</source>
+        <translation>sichern</translation>
+    </message>
+    <message>
+        <source>Save the stitch project; the command line runs it identically (Ctrl+S)</source>
+        <translation>Das Stitching-Projekt speichern; die Kommandozeile führt es genauso aus (Strg+S)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>öffnen</translation>
+    </message>
+    <message>
+        <source>Open a stitch project in place of this one</source>
+        <translation>Ein anderes Stitching-Projekt an Stelle dieses öffnen</translation>
+    </message>
+    <message>
+        <source>+ add</source>
+        <translation>+ neu</translation>
+    </message>
+    <message>
+        <source>Add volumes or sweeps</source>
+        <translation>Volumen oder Schwenks hinzufügen</translation>
+    </message>
+    <message>
+        <source>call %1 &apos;%2&apos;</source>
+        <translation>%1 „%2“ nennen</translation>
+    </message>
+    <message>
+        <source>move %1 in the list</source>
+        <translation>%1 in der Liste verschieben</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Where the chosen volume&apos;s place comes from: found by matching, believed as the tracker&apos;s, or a start by hand</source>
+        <translation>Woher die Lage des gewählten Volumens kommt: durch Zuordnen gefunden, dem Tracker geglaubt, oder von Hand als Anfang gesetzt</translation>
+    </message>
+    <message>
+        <source>Take this volume off the list; its file stays (Delete)</source>
+        <translation>Dieses Volumen von der Liste nehmen; seine Datei bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source>Match all without tracker</source>
+        <translation>Alle ohne Tracker zuordnen</translation>
+    </message>
+    <message>
+        <source>Find how all subvolumes lie to each other, whatever is recorded about their places</source>
+        <translation>Finden, wie alle Teilvolumen zueinander liegen, was auch immer über ihre Lage aufgezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Refine the places</source>
+        <translation>Lagen verfeinern</translation>
+    </message>
+    <message>
+        <source>Start from the places as they are recorded or put by hand, and let the images refine them</source>
+        <translation>Von den aufgezeichneten oder von Hand gesetzten Lagen ausgehen und sie nach den Bildern verfeinern</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Elastisch</translation>
+    </message>
+    <message>
+        <source>Bend the subvolumes so that they fit where they overlap</source>
+        <translation>Die Teilvolumen so verformen, dass sie in der Überlappung passen</translation>
+    </message>
+    <message>
+        <source>elastic step on</source>
+        <translation>elastischer Schritt an</translation>
+    </message>
+    <message>
+        <source>Seams and blend</source>
+        <translation>Nähte und Mischen</translation>
+    </message>
+    <message>
+        <source>Choose for every place the view that saw it best, and make one volume</source>
+        <translation>Für jede Stelle die Ansicht wählen, die sie am besten sah, und ein Volumen machen</translation>
+    </message>
+    <message>
+        <source>Into the case</source>
+        <translation>In den Fall</translation>
+    </message>
+    <message>
+        <source>The open case takes over the stitched volume</source>
+        <translation>Der offene Fall übernimmt das zusammengefügte Volumen</translation>
+    </message>
+    <message>
+        <source>Save volume…</source>
+        <translation>Volumen sichern…</translation>
+    </message>
+    <message>
+        <source>Save volume, coverage, source and provenance in a folder</source>
+        <translation>Volumen, Abdeckung, Quelle und Herkunft in einem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Fewer</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>finest</source>
+        <translation>feinster</translation>
+    </message>
+    <message>
+        <source>The bend is gone this far outside the overlap</source>
+        <translation>So weit außerhalb der Überlappung ist die Verformung abgeklungen</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>deepest view</source>
+        <translation>tiefste Ansicht</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Cut along the surface where the views differ least; or each place from the view in whose inside it lies deepest; or a mean, which smooths speckle</source>
+        <translation>Schnitt entlang der Fläche, an der sich die Ansichten am wenigsten unterscheiden; oder jede Stelle aus der Ansicht, in deren Innerem sie am tiefsten liegt; oder ein Mittel, das Speckle glättet</translation>
+    </message>
+    <message>
+        <source>first volume</source>
+        <translation>erstes Volumen</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Fall-off</source>
+        <translation>Abklingen</translation>
+    </message>
+    <message>
+        <source>voxel spacing</source>
+        <translation>Voxelabstand</translation>
+    </message>
+    <message>
+        <source>fall-off of the bend</source>
+        <translation>Abklingen der Verformung</translation>
+    </message>
+    <message>
+        <source>seam by %1</source>
+        <translation>Naht: %1</translation>
+    </message>
+    <message>
+        <source>axes of the %1</source>
+        <translation>Achsen: %1</translation>
+    </message>
+    <message>
+        <source>place unknown</source>
+        <translation>Lage unbekannt</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen…</translation>
+    </message>
+    <message>
+        <source>F2 renames, Alt + up and down move it, Delete takes it off the list</source>
+        <translation>F2 benennt um, Alt + auf und ab verschiebt, Entf nimmt es von der Liste</translation>
+    </message>
+    <message numerus="yes">
+        <source>A project of %n volumes was not saved when the program ended.</source>
+        <translation>
+            <numerusform>Ein Projekt mit einem Volumen war nicht gespeichert, als das Programm endete.</numerusform>
+            <numerusform>Ein Projekt mit %n Volumen war nicht gespeichert, als das Programm endete.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changes to &apos;%1&apos; were not saved when the program ended.</source>
+        <translation>Änderungen an „%1“ waren nicht gespeichert, als das Programm endete.</translation>
+    </message>
+    <message>
+        <source>all looked at</source>
+        <translation>alle angesehen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 need a look</source>
+        <translation>%1 von %2 ansehen</translation>
+    </message>
+    <message>
+        <source>What the stitched volume will be, and the memory that making it takes at its peak</source>
+        <translation>Was das zusammengefügte Volumen sein wird, und wie viel Speicher seine Herstellung höchstens belegt</translation>
+    </message>
+    <message>
+        <source>%1 are free</source>
+        <translation>%1 sind frei</translation>
+    </message>
+    <message>
+        <source>Whole: %1, %2</source>
+        <translation>Ganzes: %1, %2</translation>
+    </message>
+    <message>
+        <source>Volumes, sweeps and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)</source>
+        <translation>Volumen, Schwenks und Stitching-Projekte (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a stitch project</source>
+        <translation>Ein Stitching-Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Stitch projects (*.json);;All files (*)</source>
+        <translation>Stitching-Projekte (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Lage von %1</translation>
+    </message>
+    <message>
+        <source>place %1 from a file</source>
+        <translation>%1 nach einer Datei legen</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Edited since: &apos;Seams and blend&apos; renews the whole.</source>
+        <translation>Seitdem bearbeitet: „Nähte und Mischen“ erneuert das Ganze.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::StitchSession</name>
+    <message>
+        <source>aligned</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>unklar</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>passt nicht</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>not matched yet</source>
+        <translation>noch nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Stitching</translation>
+    </message>
+    <message>
+        <source>1 subvolume</source>
+        <translation>1 Teilvolumen</translation>
+    </message>
+    <message>
+        <source>%1 subvolumes</source>
+        <translation>%1 Teilvolumen</translation>
+    </message>
+    <message>
+        <source>Stitching: %1</source>
+        <translation>Stitching: %1</translation>
+    </message>
+    <message>
+        <source>Stitching: %1, %2</source>
+        <translation>Stitching: %1, %2</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>no pair needs a look</source>
+        <translation>kein Paar braucht einen Blick</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs need a look</source>
+        <translation>%1 von %2 Paaren brauchen einen Blick</translation>
+    </message>
+    <message>
+        <source>The project has no volume yet; add one before it is saved.</source>
+        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor Sie es speichern.</translation>
+    </message>
+    <message>
         <source>Save the stitch project</source>
-        <translation>Projekt speichern</translation>
+        <translation>Das Stitching-Projekt speichern</translation>
     </message>
     <message>
         <source>Stitch projects (*.json)</source>
-        <translation>Projekte (*.json)</translation>
+        <translation>Stitching-Projekte (*.json)</translation>
     </message>
     <message>
-        <source>The project was saved as %1.</source>
-        <translation>Das Projekt wurde als %1 gespeichert.</translation>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
     </message>
     <message numerus="yes">
         <source>Reading %n volumes</source>
         <translation>
-            <numerusform>%n Volumen werden gelesen</numerusform>
+            <numerusform>Ein Volumen wird gelesen</numerusform>
             <numerusform>%n Volumen werden gelesen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>add %n volumes</source>
+        <translation>
+            <numerusform>ein Volumen hinzufügen</numerusform>
+            <numerusform>%n Volumen hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>forget the place of %1</source>
+        <translation>Lage von %1 vergessen</translation>
+    </message>
+    <message>
+        <source>believe the tracker about %1</source>
+        <translation>dem Tracker bei %1 glauben</translation>
+    </message>
+    <message>
+        <source>take the place of %1 as a start</source>
+        <translation>Lage von %1 als Anfang nehmen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>place %1</source>
+        <translation>Stelle %1</translation>
+    </message>
+    <message>
+        <source>landmark %1 of %2</source>
+        <translation>Landmarke %1 von %2</translation>
+    </message>
+    <message>
+        <source>remove landmark %1</source>
+        <translation>Landmarke %1 entfernen</translation>
+    </message>
+    <message>
+        <source>A landmark needs a name; type one.</source>
+        <translation>Eine Landmarke braucht einen Namen; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>call landmark %1 &apos;%2&apos;</source>
+        <translation>Landmarke %1 „%2“ nennen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
+        <translation>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch eine in beiden Volumen.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch %n in beiden Volumen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>bring %1 together by landmarks</source>
+        <translation>%1 nach Landmarken zusammenbringen</translation>
+    </message>
+    <message>
+        <source>Matching %1 by landmarks</source>
+        <translation>%1 wird nach Landmarken zugeordnet</translation>
+    </message>
+    <message>
+        <source>accept %1</source>
+        <translation>%1 annehmen</translation>
+    </message>
+    <message>
+        <source>reject %1</source>
+        <translation>%1 verwerfen</translation>
+    </message>
+    <message>
+        <source>decide nothing about %1</source>
+        <translation>über %1 nichts entscheiden</translation>
+    </message>
+    <message>
+        <source>nudge %1 by %2 mm</source>
+        <translation>%1 um %2 mm schieben</translation>
+    </message>
+    <message>
+        <source>turn %1 by %2°</source>
+        <translation>%1 um %2° drehen</translation>
+    </message>
+    <message>
+        <source>Matching needs two volumes at least; add another one.</source>
+        <translation>Zum Zuordnen braucht es mindestens zwei Volumen; fügen Sie noch eines hinzu.</translation>
+    </message>
+    <message>
+        <source>match without tracker</source>
+        <translation>ohne Tracker zuordnen</translation>
+    </message>
+    <message>
+        <source>Matching without tracker</source>
+        <translation>Zuordnen ohne Tracker</translation>
+    </message>
+    <message>
+        <source>Refining the places</source>
+        <translation>Lagen werden verfeinert</translation>
+    </message>
+    <message>
+        <source>There is nothing to work on yet; add two volumes or more.</source>
+        <translation>Noch gibt es nichts zu tun; fügen Sie zwei oder mehr Volumen hinzu.</translation>
+    </message>
+    <message>
+        <source>redo %1</source>
+        <translation>%1 neu zuordnen</translation>
+    </message>
+    <message>
+        <source>Matching %1 again</source>
+        <translation>%1 wird neu zugeordnet</translation>
+    </message>
+    <message>
+        <source>Stitched volume</source>
+        <translation>Zusammengefügtes Volumen</translation>
+    </message>
+    <message>
+        <source>There is no stitched volume yet; run &apos;Seams and blend&apos; first.</source>
+        <translation>Noch gibt es kein zusammengefügtes Volumen; führen Sie erst „Nähte und Mischen“ aus.</translation>
+    </message>
+    <message>
+        <source>Saving the stitched volume</source>
+        <translation>Das zusammengefügte Volumen wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.</source>
+        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha und provenance.json.</translation>
+    </message>
+    <message>
+        <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>
+        <translation>Kein Fall ist offen, der das Volumen nehmen könnte; öffnen Sie einen (Strg+O) oder speichern Sie das Volumen als Datei.</translation>
+    </message>
+    <message>
+        <source>Handing the volume to the case</source>
+        <translation>Das Volumen geht in den Fall</translation>
+    </message>
+    <message>
+        <source>Another case was opened meanwhile; the volume lies in %1 and no case was changed.</source>
+        <translation>Inzwischen wurde ein anderer Fall geöffnet; das Volumen liegt in %1, und kein Fall wurde geändert.</translation>
+    </message>
+    <message>
+        <source>take over the stitched volume</source>
+        <translation>das zusammengefügte Volumen übernehmen</translation>
+    </message>
+    <message>
+        <source>The case now uses volumes/%1.mha.</source>
+        <translation>Der Fall nutzt jetzt volumes/%1.mha.</translation>
+    </message>
+    <message>
+        <source>It had unsaved changes before; save the case to keep them all.</source>
+        <translation>Er hatte schon ungespeicherte Änderungen; speichern Sie den Fall, um alle zu behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::StitchStage</name>
+    <message>
+        <source>Which way the plane lies (1, 2, 3); right drag in a view turns it</source>
+        <translation>Wie die Ebene liegt (1, 2, 3); rechts ziehen dreht sie</translation>
+    </message>
+    <message>
+        <source>axial</source>
+        <translation>axial</translation>
+    </message>
+    <message>
+        <source>coronal</source>
+        <translation>koronal</translation>
+    </message>
+    <message>
+        <source>sagittal</source>
+        <translation>sagittal</translation>
+    </message>
+    <message>
+        <source>Linked</source>
+        <translation>Verknüpft</translation>
+    </message>
+    <message>
+        <source>Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)</source>
+        <translation>Beide Fadenkreuze zeigen dieselbe Stelle; gelöst lässt sich jedes Volumen für sich ansehen (L)</translation>
+    </message>
+    <message>
+        <source>How both are laid over each other (C)</source>
+        <translation>Wie beide übereinandergelegt werden (C)</translation>
+    </message>
+    <message>
+        <source>checkerboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>flicker</source>
+        <translation>Wechsel</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>As it was at the start, as matched, or with the elastic step (X)</source>
+        <translation>Wie am Anfang, wie zugeordnet, oder mit dem elastischen Schritt (X)</translation>
+    </message>
+    <message>
+        <source>Before and after side by side: the start at the left, the present at the right (B)</source>
+        <translation>Vorher und nachher nebeneinander: links der Anfang, rechts jetzt (B)</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>What this view shows (G)</source>
+        <translation>Was diese Ansicht zeigt (G)</translation>
+    </message>
+    <message>
+        <source>placement</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Vorziehen</translation>
+    </message>
+    <message>
+        <source>Paint where a view is to be preferred (V); here and in the overlap</source>
+        <translation>Malen, wo eine Ansicht vorgezogen werden soll (V); hier und in der Überlappung</translation>
+    </message>
+    <message>
+        <source>The view that is preferred where you paint</source>
+        <translation>Die Ansicht, die dort vorgezogen wird, wo Sie malen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Radius of the brush ([ and ])</source>
+        <translation>Radius des Pinsels ([ und ])</translation>
+    </message>
+    <message>
+        <source>%1 fixed</source>
+        <translation>%1 fest</translation>
+    </message>
+    <message>
+        <source>%1 moving</source>
+        <translation>%1 bewegt</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 over each other</source>
+        <translation>%1 und %2 übereinander</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>where they lie</source>
+        <translation>wo sie liegen</translation>
+    </message>
+    <message>
+        <source>10 mm grid</source>
+        <translation>Gitter 10 mm</translation>
+    </message>
+    <message>
+        <source>which view is taken</source>
+        <translation>welche Ansicht genommen wird</translation>
+    </message>
+    <message>
+        <source>the whole</source>
+        <translation>das Ganze</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>matched</source>
+        <translation>zugeordnet</translation>
+    </message>
+    <message>
+        <source>elastic</source>
+        <translation>elastisch</translation>
+    </message>
+    <message>
+        <source>Arrows, PgUp, PgDown</source>
+        <translation>Pfeile, Bild auf, Bild ab</translation>
+    </message>
+    <message>
+        <source>nudge by 0.5 mm, with Shift 2 mm, with Ctrl 0.1 mm</source>
+        <translation>um 0,5 mm schieben, mit Umschalt 2 mm, mit Strg 0,1 mm</translation>
+    </message>
+    <message>
+        <source>turn in the plane by 1°, with Shift 5°</source>
+        <translation>in der Ebene um 1° drehen, mit Umschalt 5°</translation>
+    </message>
+    <message>
+        <source>turn out of the plane</source>
+        <translation>aus der Ebene drehen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>move the cross-hairs</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Wheel; , .</source>
+        <translation>Rad; , .</translation>
+    </message>
+    <message>
+        <source>step through by 1 mm, with Shift 5 mm</source>
+        <translation>um 1 mm durchblättern, mit Umschalt 5 mm</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel; + -; 0</source>
+        <translation>Strg + Rad; + -; 0</translation>
+    </message>
+    <message>
+        <source>zoom; everything in view</source>
+        <translation>Lupe; alles im Bild</translation>
+    </message>
+    <message>
+        <source>Right drag, middle drag</source>
+        <translation>Rechts ziehen, Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>turn the plane, shift it</source>
+        <translation>Ebene drehen, verschieben</translation>
+    </message>
+    <message>
+        <source>axial, coronal, sagittal</source>
+        <translation>axial, koronal, sagittal</translation>
+    </message>
+    <message>
+        <source>next, previous pair</source>
+        <translation>nächstes, voriges Paar</translation>
+    </message>
+    <message>
+        <source>overlay, start or result, before and after</source>
+        <translation>Überlagerung, Anfang oder Ergebnis, vorher und nachher</translation>
+    </message>
+    <message>
+        <source>placement, displacement, seam, result</source>
+        <translation>Anordnung, Verschiebung, Naht, Ergebnis</translation>
+    </message>
+    <message>
+        <source>cross-hairs linked or each for itself</source>
+        <translation>Fadenkreuze verknüpft oder jedes für sich</translation>
+    </message>
+    <message>
+        <source>pick landmarks, stop</source>
+        <translation>Landmarken setzen, aufhören</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove the chosen landmark</source>
+        <translation>gewählte Landmarke entfernen</translation>
+    </message>
+    <message>
+        <source>paint a preference, size of the brush</source>
+        <translation>Vorzug malen, Größe des Pinsels</translation>
+    </message>
+    <message>
+        <source>Enter, Backspace</source>
+        <translation>Eingabe, Rücktaste</translation>
+    </message>
+    <message>
+        <source>accept, reject the pair</source>
+        <translation>Paar annehmen, verwerfen</translation>
+    </message>
+    <message>
+        <source>undo, redo, save the project</source>
+        <translation>zurück, wieder, Projekt speichern</translation>
     </message>
 </context>
 <context>
@@ -2121,6 +3097,22 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Keep which frame each voxel came from&apos; switched on, and make the volume.</source>
         <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Behalten, aus welchem Bild jeder Voxel stammt“ eingeschaltet lassen und das Volumen machen.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>Projekt speichern &amp;unter…</translation>
     </message>
 </context>
 <context>

@@ -1,449 +1,622 @@
 #include "panel/stitch_panel.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QLocale>
 #include <QMimeData>
-#include <QPointer>
-#include <QScrollArea>
+#include <QPainter>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QUrl>
+#include <algorithm>
+
+#include "panel/look.h"
 
 namespace ew::stitching {
 namespace {
 
 namespace fs = std::filesystem;
 using sdk::kGap_px;
+using sdk::words;
 
-QString wordsOf(const fs::path& path) { return sdk::words(path.string()); }
+constexpr int kRow_px = 44;
+constexpr int kJobRoom_px = 104;  // a card of the window's jobs fits in
 
 QString mebibytes(double bytes) {
   const double mib = bytes / (1024.0 * 1024.0);
-  return mib < 1024.0 ? QStringLiteral("%1 MiB").arg(mib, 0, 'f', mib < 10.0 ? 1 : 0)
-                      : QStringLiteral("%1 GiB").arg(mib / 1024.0, 0, 'f', 1);
+  return mib < 1024.0 ? QStringLiteral("%1 MiB").arg(QLocale().toString(mib, 'f', mib < 10.0 ? 1 : 0))
+                      : QStringLiteral("%1 GiB").arg(QLocale().toString(mib / 1024.0, 'f', 1));
 }
 
 QString sizeOf(const Grid& grid) { return QStringLiteral("%1 × %2 × %3").arg(grid.dims.x).arg(grid.dims.y).arg(grid.dims.z); }
 
-bool isProject(const fs::path& file) { return file.extension() == ".json"; }
+enum Role { kLine = Qt::UserRole, kMark, kBroken };
+
+/// Letter, name, size and where it lies; at the right what holds it.
+class VolumeDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRow_px}; }
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QRect box = option.rect;
+    const QPalette& colours = option.palette;
+    if (option.state.testFlag(QStyle::State_Selected)) {
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(colours.color(QPalette::Button));
+      painter->drawRoundedRect(box.adjusted(2, 1, -2, -1), 4, 4);
+    }
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+      painter->setPen(QPen(colours.color(QPalette::Highlight), 1.0));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
+    }
+    const QRectF badge(box.left() + 10, box.top() + 11, 22, 22);
+    painter->setPen(QPen(colourOf(colourOfView(static_cast<std::size_t>(index.row()))), 2.0));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawEllipse(badge.adjusted(1, 1, -1, -1));
+    QFont font = option.font;
+    font.setPixelSize(12);
+    painter->setFont(font);
+    painter->setPen(colours.color(QPalette::WindowText));
+    painter->drawText(badge, Qt::AlignCenter, words(letterOf(static_cast<std::size_t>(index.row()))));
+    const int left = box.left() + 42;
+    const int wide = box.right() - 32 - left;
+    font.setPixelSize(13);
+    painter->setFont(font);
+    painter->drawText(QRect(left, box.top() + 4, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetrics(font).elidedText(index.data(Qt::EditRole).toString(), Qt::ElideMiddle, wide));
+    font.setPixelSize(12);
+    painter->setFont(font);
+    painter->setPen(colours.color(index.data(kBroken).toBool() ? QPalette::BrightText : QPalette::PlaceholderText));
+    painter->drawText(QRect(left, box.top() + 22, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
+    drawMark(*painter, QRectF(box.right() - 27, box.top() + 15, 14, 14), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
+             colours);
+    painter->restore();
+  }
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    editor->setGeometry(option.rect.adjusted(38, 6, -8, -6));
+  }
+};
+
+class LegendMark final : public QWidget {
+ public:
+  explicit LegendMark(StitchSession::Mark mark) : mark_(mark) { setFixedSize(40, 14); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPen pen(colourOfMark(mark_, palette()), 2.0);
+    if (mark_ == StitchSession::Mark::cannotTell) pen.setDashPattern({4.0, 3.0});
+    if (mark_ == StitchSession::Mark::notAligned) pen.setDashPattern({1.5, 2.0});
+    painter.setPen(pen);
+    painter.drawLine(QPointF(0, 7.5), QPointF(20, 7.5));
+    drawMark(painter, QRectF(25, 1, 13, 13), mark_, palette());
+  }
+
+ private:
+  StitchSession::Mark mark_;
+};
 
 }  // namespace
 
-StitchPanel::StitchPanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
+StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("stitchPanel"));
   setAcceptDrops(true);
+  setMinimumWidth(280);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  offer_ = makeOffer();
+  column->addWidget(offer_);
   pages_ = new QStackedWidget(this);
   auto* add = new QPushButton(tr("Add volumes…"));
   add->setObjectName(QStringLiteral("addFirst"));
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
-  pages_->addWidget(sdk::emptyState(tr("Join volumes into one"),
-                                    tr("Add two or more volumes whose places are known, or drop their files or a stitch project here."),
-                                    add));
+  pages_->addWidget(sdk::emptyState(
+      tr("Weave volumes into one"),
+      tr("Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed."), add));
   pages_->addWidget(makeWorkPage());
   column->addWidget(pages_, 1);
   problem_ = sdk::problemLabel(this);
   problem_->setObjectName(QStringLiteral("problem"));
   problem_->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   column->addWidget(problem_);
+  jobRoom_ = new QWidget;
+  jobRoom_->setFixedHeight(kJobRoom_px);
+  jobRoom_->hide();
+  column->addWidget(jobRoom_);
+  connect(&session_, &StitchSession::changed, this, &StitchPanel::refresh);
+  connect(&session_, &StitchSession::problem, this, [this](const QString& sentence) { sdk::setProblem(problem_, sentence); });
+  connect(&session_, &StitchSession::said, this, [this](const QString& sentence) {
+    outcome_->setText(sentence);
+    outcome_->setVisible(!sentence.isEmpty());
+  });
+  connect(&session_, &StitchSession::nextPairAsked, graph_, &PairGraph::chooseNext);
+  refresh();
+}
+
+QWidget* StitchPanel::makeOffer() {
+  auto* box = new QWidget;
+  box->setObjectName(QStringLiteral("recoveryOffer"));
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, kGap_px);
+  offerWord_ = new QLabel;
+  offerWord_->setWordWrap(true);
+  column->addWidget(offerWord_);
+  auto* row = new QHBoxLayout;
+  auto* reopen = new QPushButton(tr("Reopen"));
+  reopen->setObjectName(QStringLiteral("reopenLeft"));
+  reopen->setProperty("primary", true);
+  connect(reopen, &QPushButton::clicked, &session_, &StitchSession::reopenLeft);
+  auto* discard = new QPushButton(tr("Discard"));
+  discard->setObjectName(QStringLiteral("discardLeft"));
+  connect(discard, &QPushButton::clicked, &session_, &StitchSession::discardLeft);
+  row->addWidget(reopen);
+  row->addWidget(discard);
+  row->addStretch(1);
+  column->addLayout(row);
+  return box;
 }
 
 QWidget* StitchPanel::makeWorkPage() {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  column->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   column->setSpacing(kGap_px);
 
+  const auto flat = [this](const QString& text, const QString& hint, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setProperty("flat", true);
+    button->setToolTip(hint);
+    button->setObjectName(QLatin1String(name));
+    return button;
+  };
   auto* top = new QHBoxLayout;
-  top->addWidget(sdk::headingLabel(tr("Volumes")), 1);
-  auto* add = new QPushButton(tr("Add…"));
-  add->setProperty("flat", true);
-  add->setToolTip(tr("Add volume files or a stitch project"));
+  top->setSpacing(0);
+  top->addWidget(sdk::headingLabel(tr("Subvolumes")), 1);
+  saveProject_ = flat(tr("save"), tr("Save the stitch project; the command line runs it identically (Ctrl+S)"), "saveProject");
+  connect(saveProject_, &QPushButton::clicked, this, [this] { session_.save(false); });
+  top->addWidget(saveProject_);
+  auto* open = flat(tr("open"), tr("Open a stitch project in place of this one"), "openProject");
+  connect(open, &QPushButton::clicked, this, &StitchPanel::askForProject);
+  top->addWidget(open);
+  auto* add = flat(tr("+ add"), tr("Add volumes or sweeps"), "addMore");
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
   top->addWidget(add);
   column->addLayout(top);
 
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("volumes"));
-  list_->setMinimumHeight(12 * kGap_px);
-  connect(list_, &QListWidget::currentRowChanged, this, [this] { showSelected(); });
-  column->addWidget(list_, 1);
+  list_->setItemDelegate(new VolumeDelegate(list_));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->setDragDropMode(QAbstractItemView::InternalMove);
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setMinimumHeight(2 * kRow_px + 4);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  list_->installEventFilter(this);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (!showing_ && row >= 0) session_.chooseVolume(static_cast<std::size_t>(row));
+  });
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (showing_) return;
+    const auto at = static_cast<std::size_t>(list_->row(item));
+    const std::string name = item->text().trimmed().toStdString();
+    if (auto problem = problemOfName(session_.project(), at, name)) {
+      sdk::setProblem(problem_, words(problem->sentence));
+    } else {
+      StitchProject next = session_.project();
+      next.volumes[at].name = name;
+      sdk::setProblem(problem_, {});
+      session_.edit(std::move(next), tr("call %1 '%2'").arg(words(letterOf(at)), words(name)));
+    }
+    QMetaObject::invokeMethod(this, &StitchPanel::refresh, Qt::QueuedConnection);
+  });
+  connect(list_->model(), &QAbstractItemModel::rowsMoved, this, [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
+    if (showing_) return;
+    const auto at = static_cast<std::size_t>(from);
+    const auto there = static_cast<std::size_t>(to > from ? to - 1 : to);
+    // After the view is done with its own move.
+    QMetaObject::invokeMethod(
+        this,
+        [this, at, there] {
+          session_.edit(withVolumeMoved(session_.project(), at, there), tr("move %1 in the list").arg(words(letterOf(at))));
+          session_.chooseVolume(there);
+        },
+        Qt::QueuedConnection);
+  });
+  column->addWidget(list_, 3);
   column->addWidget(makeVolumeBox());
-  column->addSpacing(kGap_px);
+
+  pairsBox_ = new QWidget;
+  auto* pairs = new QVBoxLayout(pairsBox_);
+  pairs->setContentsMargins(0, 0, 0, 0);
+  pairs->setSpacing(kGap_px / 2);
+  auto* pairsTop = new QHBoxLayout;
+  pairsTop->addWidget(sdk::headingLabel(tr("Pairs")));
+  pairWord_ = sdk::quietLabel({});
+  pairWord_->setObjectName(QStringLiteral("pairWord"));
+  pairWord_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  pairsTop->addWidget(pairWord_, 1);
+  pairs->addLayout(pairsTop);
+  graph_ = new PairGraph(session_);
+  graph_->setMaximumHeight(280);
+  pairs->addWidget(graph_, 1);
+  pairs->addWidget(makeLegend());
+  column->addWidget(pairsBox_, 4);
+  column->addWidget(makeSteps());
   column->addWidget(makeResultBox());
-  scroll->setWidget(page);
-  return scroll;
+  column->addStretch(1);
+  return page;
 }
 
 QWidget* StitchPanel::makeVolumeBox() {
   volumeBox_ = new QWidget;
-  auto* column = new QVBoxLayout(volumeBox_);
+  auto* row = new QHBoxLayout(volumeBox_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap_px / 2);
+  placement_ = new QComboBox;
+  placement_->setObjectName(QStringLiteral("placement"));
+  placement_->addItem(tr("unknown"), static_cast<int>(Placement::unknown));
+  placement_->addItem(tr("recorded"), static_cast<int>(Placement::tracker));
+  placement_->addItem(tr("by hand"), static_cast<int>(Placement::hand));
+  placement_->setToolTip(
+      tr("Where the chosen volume's place comes from: found by matching, believed as the tracker's, or a start by hand"));
+  placement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(placement_, qOverload<int>(&QComboBox::activated), this, [this] {
+    if (const auto chosen = session_.chosenVolume())
+      session_.setPlacement(*chosen, static_cast<Placement>(placement_->currentData().toInt()));
+  });
+  row->addWidget(placement_, 1);
+  const auto small = [&](const QString& text, const QString& hint, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setProperty("compact", true);
+    button->setToolTip(hint);
+    button->setObjectName(QLatin1String(name));
+    row->addWidget(button);
+    return button;
+  };
+  connect(small(tr("File…"), tr("Take the place from a file with 16 numbers, row by row"), "placeFromFile"), &QPushButton::clicked, this,
+          &StitchPanel::chooseTransform);
+  connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
+          &StitchPanel::removeChosen);
+  return volumeBox_;
+}
+
+QWidget* StitchPanel::makeLegend() {
+  auto* box = new QWidget;
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(kGap_px);
+  grid->setVerticalSpacing(2);
+  int n = 0;
+  for (const auto mark :
+       {StitchSession::Mark::aligned, StitchSession::Mark::cannotTell, StitchSession::Mark::notAligned, StitchSession::Mark::rejected}) {
+    auto* word = sdk::quietLabel(wordsOfMark(mark));
+    word->setProperty("small", true);
+    word->setWordWrap(false);
+    grid->addWidget(new LegendMark(mark), n / 2, 2 * (n % 2));
+    grid->addWidget(word, n / 2, 2 * (n % 2) + 1);
+    ++n;
+  }
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  return box;
+}
+
+QWidget* StitchPanel::makeSteps() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kGap_px);
-  volumeLine_ = sdk::quietLabel({});
-  column->addWidget(volumeLine_);
-  column->addWidget(sdk::headingLabel(tr("Place")));
-  placement_ = new sdk::PlacementFields;
-  placement_->onChanged = [this](const glm::dmat4& matrix) {
-    if (Entry* entry = selected()) entry->place.toWorld = matrix;
-    showForecast();
+  const auto step = [&](const QString& text, const QString& hint, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setToolTip(hint);
+    button->setObjectName(QLatin1String(name));
+    return button;
   };
-  column->addWidget(placement_);
-  coverageLine_ = sdk::quietLabel({});
-  column->addWidget(coverageLine_);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
-  const auto button = [&](const QString& text, const QString& hint, void (StitchPanel::*does)()) {
-    auto* made = new QPushButton(text);
-    made->setToolTip(hint);
-    connect(made, &QPushButton::clicked, this, does);
-    buttons->addWidget(made);
-    return made;
-  };
-  button(tr("Transform…"), tr("Take the place from a file with 16 numbers, row by row"), &StitchPanel::chooseTransform);
-  button(tr("Coverage…"), tr("Say which voxels were measured, from a coverage file"), &StitchPanel::chooseCoverage);
-  button(tr("Remove"), tr("Take this volume off the list; its file stays"), &StitchPanel::removeSelected)
-      ->setObjectName(QStringLiteral("remove"));
-  buttons->addStretch(1);
-  column->addLayout(buttons);
-  return volumeBox_;
+  match_ = step(tr("Match all without tracker"), tr("Find how all subvolumes lie to each other, whatever is recorded about their places"),
+                "matchAll");
+  match_->setProperty("primary", true);
+  connect(match_, &QPushButton::clicked, this, [this] { session_.matchAll(true); });
+  column->addWidget(match_);
+  refine_ = step(tr("Refine the places"), tr("Start from the places as they are recorded or put by hand, and let the images refine them"),
+                 "refine");
+  connect(refine_, &QPushButton::clicked, this, [this] { session_.matchAll(false); });
+  column->addWidget(refine_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  elastic_ = step(tr("Elastic"), tr("Bend the subvolumes so that they fit where they overlap"), "elastic");
+  connect(elastic_, &QPushButton::clicked, this, [this] {
+    if (!session_.project().settings.elastic) {
+      StitchProject next = session_.project();
+      next.settings.elastic = true;
+      session_.edit(std::move(next), tr("elastic step on"));
+    }
+    session_.run(Step::elastic, tr("Elastic"));
+  });
+  seams_ = step(tr("Seams and blend"), tr("Choose for every place the view that saw it best, and make one volume"), "seams");
+  connect(seams_, &QPushButton::clicked, this, [this] { session_.run(Step::volume, tr("Seams and blend")); });
+  row->addWidget(elastic_, 2);
+  row->addWidget(seams_, 3);
+  column->addLayout(row);
+  return box;
 }
 
 QWidget* StitchPanel::makeResultBox() {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap_px);
-  column->addWidget(sdk::headingLabel(tr("Result")));
-  auto* form = new QFormLayout;
-  form->setSpacing(kGap_px);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  spacing_ = new sdk::NumberField(0.0, 20.0, 3, tr("mm"));
-  spacing_->setObjectName(QStringLiteral("spacing"));
-  spacing_->setSpecialValueText(tr("finest of the volumes"));
-  spacing_->setSingleStep(0.1);
-  feather_ = new sdk::NumberField(0.0, 200.0, 1, tr("mm"));
-  feather_->setObjectName(QStringLiteral("feather"));
-  feather_->setSpecialValueText(tr("none: plain mean"));
-  feather_->setValue(StitchOptions{}.featherWidth_mm);
-  feather_->setToolTip(tr("How far from a volume's border its weight reaches full height"));
-  axes_ = new QComboBox;
-  axes_->addItem(tr("of the first volume"));
-  axes_->addItem(tr("of the body"));
-  form->addRow(tr("Voxel spacing"), spacing_);
-  form->addRow(tr("Feather"), feather_);
-  form->addRow(tr("Axes"), axes_);
-  column->addLayout(form);
-  for (auto* field : {spacing_, feather_})
-    connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] { showForecast(); });
-  connect(axes_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { showForecast(); });
-
-  forecast_ = sdk::quietLabel({});
-  forecast_->setObjectName(QStringLiteral("forecast"));
-  column->addWidget(forecast_);
-  start_ = new QPushButton(tr("Stitch"));
-  start_->setObjectName(QStringLiteral("stitch"));
-  start_->setProperty("primary", true);
-  connect(start_, &QPushButton::clicked, this, &StitchPanel::startStitching);
-  column->addWidget(start_);
+  column->setSpacing(kGap_px / 2);
+  resultBox_ = new QWidget;
+  auto* row = new QHBoxLayout(resultBox_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap_px / 2);
+  const auto button = [&](const QString& text, const QString& hint, const char* name) {
+    auto* made = new QPushButton(text);
+    made->setProperty("compact", true);
+    made->setToolTip(hint);
+    made->setObjectName(QLatin1String(name));
+    row->addWidget(made, 1);
+    return made;
+  };
+  connect(button(tr("Into the case"), tr("The open case takes over the stitched volume"), "handToCase"), &QPushButton::clicked, &session_,
+          &StitchSession::handToCase);
+  connect(button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult"), &QPushButton::clicked,
+          this, [this] {
+            const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"));
+            if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
+          });
+  column->addWidget(resultBox_);
+  old_ = sdk::quietLabel(tr("Edited since: 'Seams and blend' renews the whole."));
+  old_->setObjectName(QStringLiteral("resultIsOld"));
+  old_->setProperty("small", true);
+  column->addWidget(old_);
   outcome_ = sdk::quietLabel({});
   outcome_->setObjectName(QStringLiteral("outcome"));
+  outcome_->hide();
   column->addWidget(outcome_);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap_px);
-  save_ = new QPushButton(tr("Save result…"));
-  save_->setObjectName(QStringLiteral("saveResult"));
-  save_->setVisible(false);
-  connect(save_, &QPushButton::clicked, this, &StitchPanel::askWhereToSave);
-  buttons->addWidget(save_);
-  auto* saveProject = new QPushButton(tr("Save project…"));
-  saveProject->setToolTip(tr("Keep the list, the places and the options for later or for the command line"));
-  connect(saveProject, &QPushButton::clicked, this, &StitchPanel::askWhereToSaveProject);
-  buttons->addWidget(saveProject);
-  buttons->addStretch(1);
-  column->addLayout(buttons);
+  auto* more = new QPushButton(tr("Options"));
+  more->setObjectName(QStringLiteral("moreOptions"));
+  more->setProperty("flat", true);
+  more->setCheckable(false);
+  forecast_ = sdk::quietLabel({});
+  forecast_->setObjectName(QStringLiteral("forecast"));
+  forecast_->setProperty("small", true);
+  auto* moreRow = new QHBoxLayout;
+  moreRow->addWidget(forecast_, 1);
+  moreRow->addWidget(more);
+  column->addLayout(moreRow);
+  options_ = makeOptions();
+  options_->hide();
+  column->addWidget(options_);
+  connect(more, &QPushButton::clicked, this, [this, more] {
+    options_->setVisible(!options_->isVisible());
+    more->setText(options_->isVisible() ? tr("Fewer") : tr("Options"));
+  });
   return box;
 }
 
-void StitchPanel::say(const Error& problem) {
-  if (problem.code == ErrorCode::cancelled) return;  // the user knows
-  host_.log().warn(problem.sentence);
-  sdk::setProblem(problem_, sdk::words(problem.sentence));
+QWidget* StitchPanel::makeOptions() {
+  auto* box = new QWidget;
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setSpacing(kGap_px);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  spacing_ = new sdk::NumberField(0.0, 20.0, 2, tr("mm"));
+  spacing_->setObjectName(QStringLiteral("spacing"));
+  spacing_->setSpecialValueText(tr("finest"));
+  spacing_->setSingleStep(0.1);
+  fallOff_ = new sdk::NumberField(0.0, 200.0, 0, tr("mm"));
+  fallOff_->setObjectName(QStringLiteral("fallOff"));
+  fallOff_->setToolTip(tr("The bend is gone this far outside the overlap"));
+  seamMethod_ = new QComboBox;
+  seamMethod_->addItem(tr("cut"), static_cast<int>(SeamMethod::graphCut));
+  seamMethod_->addItem(tr("deepest view"), static_cast<int>(SeamMethod::nearest));
+  seamMethod_->addItem(tr("mean"), static_cast<int>(SeamMethod::feather));
+  seamMethod_->setToolTip(
+      tr("Cut along the surface where the views differ least; or each place from the view in whose inside it lies deepest; or "
+         "a mean, which smooths speckle"));
+  axes_ = new QComboBox;
+  axes_->addItem(tr("first volume"), static_cast<int>(GridAxes::first));
+  axes_->addItem(tr("body"), static_cast<int>(GridAxes::world));
+  form->addRow(tr("Spacing"), spacing_);
+  form->addRow(tr("Seam"), seamMethod_);
+  form->addRow(tr("Fall-off"), fallOff_);
+  form->addRow(tr("Axes"), axes_);
+  for (QComboBox* each : {seamMethod_, axes_}) each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  const auto change = [this](const QString& what, const std::string& key, auto&& set) {
+    if (showing_) return;
+    StitchProject next = session_.project();
+    set(next.settings);
+    session_.edit(std::move(next), what, key);
+  };
+  connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [change](double value) {
+    change(tr("voxel spacing"), "spacing", [value](ProjectSettings& settings) { settings.join.grid.spacing_mm = value; });
+  });
+  connect(fallOff_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [change](double value) {
+    change(tr("fall-off of the bend"), "falloff", [value](ProjectSettings& settings) { settings.fallOff_mm = value; });
+  });
+  connect(seamMethod_, qOverload<int>(&QComboBox::activated), this, [this, change] {
+    change(tr("seam by %1").arg(seamMethod_->currentText()), {},
+           [this](ProjectSettings& settings) { settings.join.seam.method = static_cast<SeamMethod>(seamMethod_->currentData().toInt()); });
+  });
+  connect(axes_, qOverload<int>(&QComboBox::activated), this, [this, change] {
+    change(tr("axes of the %1").arg(axes_->currentText()), {},
+           [this](ProjectSettings& settings) { settings.join.grid.axes = static_cast<GridAxes>(axes_->currentData().toInt()); });
+  });
+  return box;
 }
 
-StitchPanel::Entry* StitchPanel::selected() {
-  const int row = list_->currentRow();
-  return row >= 0 && static_cast<std::size_t>(row) < entries_.size() ? &entries_[static_cast<std::size_t>(row)] : nullptr;
-}
-
-StitchProject StitchPanel::project() const {
-  StitchProject project;
-  for (const auto& entry : entries_) project.volumes.push_back(entry.place);
-  project.settings.join.grid.spacing_mm = spacing_->value();
-  project.settings.join.grid.featherWidth_mm = feather_->value();
-  project.settings.join.grid.axes = axes_->currentIndex() == 1 ? GridAxes::world : GridAxes::first;
-  return project;
-}
-
-void StitchPanel::addFiles(const std::vector<fs::path>& files) {
-  sdk::setProblem(problem_, {});
-  std::vector<ProjectVolume> places;
-  for (const auto& file : files) {
-    if (isProject(file)) {
-      const auto project = readProject(file);
-      places.insert(places.end(), project.begin(), project.end());
-    } else {
-      ProjectVolume place;
-      place.file = file;
-      place.name = file.filename().string();
-      places.push_back(std::move(place));
+void StitchPanel::showVolumes() {
+  const auto& volumes = session_.project().volumes;
+  list_->setMaximumHeight(static_cast<int>(std::max<std::size_t>(2, volumes.size())) * kRow_px + 4);
+  while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    QListWidgetItem* item = list_->item(static_cast<int>(n));
+    if (item == nullptr) {
+      item = new QListWidgetItem(list_);
+      item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
     }
+    const auto volume = session_.volume(n);
+    const QString place = volumes[n].placement == Placement::unknown   ? tr("place unknown")
+                          : volumes[n].placement == Placement::tracker ? tr("recorded")
+                                                                       : tr("by hand");
+    const auto mark = session_.markOf(n);
+    item->setText(words(volumes[n].name));
+    item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
+                         : session_.isUnreadable(n) ? tr("cannot be read")
+                                                    : tr("reading…"));
+    item->setData(kBroken, !volume && session_.isUnreadable(n));
+    item->setData(kMark, static_cast<int>(mark));
+    QString tip = words(volumes[n].name) + QLatin1Char('\n') + words(volumes[n].file.string());
+    if (volume) {
+      const Grid& grid = volume->grid;
+      const QLocale locale;
+      tip += QLatin1Char('\n') + tr("%1 voxels of %2 × %3 × %4 mm")
+                                     .arg(sizeOf(grid), locale.toString(grid.spacing_mm.x, 'g', 4),
+                                          locale.toString(grid.spacing_mm.y, 'g', 4), locale.toString(grid.spacing_mm.z, 'g', 4));
+    }
+    item->setToolTip(tip + QLatin1Char('\n') + wordsOfMark(mark) + QLatin1Char('\n') +
+                     tr("F2 renames, Alt + up and down move it, Delete takes it off the list"));
   }
-  if (!places.empty()) readEntries(std::move(places));
+  const auto chosen = session_.chosenVolume();
+  list_->setCurrentRow(chosen ? static_cast<int>(*chosen) : -1);
+  volumeBox_->setVisible(chosen.has_value());
+  if (chosen) placement_->setCurrentIndex(placement_->findData(static_cast<int>(volumes[*chosen].placement)));
 }
 
-std::vector<ProjectVolume> StitchPanel::readProject(const fs::path& file) {
-  auto text = host_.files().readText(file);
-  if (!text) {
-    say(text.error());
-    return {};
+void StitchPanel::refresh() {
+  const bool was = std::exchange(showing_, true);
+  const auto& left = session_.left();
+  offer_->setVisible(left.has_value());
+  if (left)
+    offerWord_->setText(
+        left->file.empty()
+            ? tr("A project of %n volumes was not saved when the program ended.", nullptr, static_cast<int>(left->project.volumes.size()))
+            : tr("Changes to '%1' were not saved when the program ended.").arg(words(left->file.stem().string())));
+  const auto& project = session_.project();
+  pages_->setCurrentIndex(project.volumes.empty() ? 0 : 1);
+  showVolumes();
+  const auto all = session_.pairs();
+  const int look = session_.pairsToLookAt();
+  const bool seen = std::any_of(all.begin(), all.end(), [](const auto& line) { return line.outcome != nullptr; });
+  pairWord_->setText(!seen ? QString() : look == 0 ? tr("all looked at") : tr("%1 of %2 need a look").arg(look).arg(all.size()));
+  pairsBox_->setVisible(project.volumes.size() >= 2);
+  const bool running = session_.isRunning();
+  jobRoom_->setVisible(running);
+  for (QPushButton* button : {match_, refine_, elastic_, seams_}) {
+    button->setEnabled(!running);
+    button->setVisible(project.volumes.size() >= 2);
   }
-  auto project = parseProject(*text, file.parent_path(), host_.files());
-  if (!project) {
-    say(project.error());
-    return {};
-  }
-  spacing_->setValue(project->settings.join.grid.spacing_mm);
-  feather_->setValue(project->settings.join.grid.featherWidth_mm);
-  axes_->setCurrentIndex(project->settings.join.grid.axes == GridAxes::world ? 1 : 0);
-  return project->volumes;
-}
-
-void StitchPanel::readEntries(std::vector<ProjectVolume> places) {
-  // One job for all: the first volume decides about the result's axes, so the order is the user's, not that of the fastest to read.
-  auto read = std::make_shared<std::vector<Entry>>();
-  auto& volumes = host_.volumes();
-  const QPointer<StitchPanel> here(this);
-  const QString what = places.size() == 1 ? tr("Reading %1").arg(wordsOf(places.front().file.filename()))
-                                          : tr("Reading %n volumes", nullptr, static_cast<int>(places.size()));
-  host_.jobs().start(
-      what.toStdString(),
-      [read, places = std::move(places), &volumes](Progress& progress) -> Result<void> {
-        const double share = 1.0 / static_cast<double>(places.size());
-        for (const ProjectVolume& place : places) {
-          const double from = share * static_cast<double>(&place - places.data());
-          PartOfProgress part(progress, from, from + share);
-          auto volume = volumes.read(place.file, part);
-          if (!volume) return passOn(volume.error());
-          if (!place.coverage.empty()) {
-            if (auto covered = volumes.readCoverageInto(*volume, place.coverage, part); !covered) return covered;
-          }
-          read->push_back({place, std::make_shared<Volume>(std::move(*volume))});
-        }
-        return {};
-      },
-      [here, read](const Result<void>& outcome) {
-        StitchPanel* panel = here.data();
-        if (panel == nullptr) return;
-        // What could be read before one that could not stays: its file may have taken minutes.
-        for (auto& entry : *read) panel->appendEntry(std::move(entry));
-        if (!outcome) panel->say(outcome.error());
-      });
-}
-
-void StitchPanel::appendEntry(Entry entry) {
-  auto* item = new QListWidgetItem(QStringLiteral("%1\n%2").arg(sdk::words(entry.place.name), sizeOf(entry.volume->grid)));
-  item->setToolTip(wordsOf(entry.place.file));
-  entries_.push_back(std::move(entry));
-  list_->addItem(item);
-  pages_->setCurrentIndex(1);
-  list_->setCurrentRow(list_->count() - 1);
-  showSelected();
+  refine_->setVisible(project.volumes.size() >= 2 && std::any_of(project.volumes.begin(), project.volumes.end(), [](const auto& volume) {
+                        return volume.placement != Placement::unknown;
+                      }));
+  saveProject_->setVisible(session_.document().hasUnsavedChanges());
+  resultBox_->setVisible(session_.result() != nullptr);
+  old_->setVisible(session_.result() != nullptr && !session_.isResultFresh());
+  spacing_->setValue(project.settings.join.grid.spacing_mm);
+  fallOff_->setValue(project.settings.fallOff_mm);
+  seamMethod_->setCurrentIndex(std::max(0, seamMethod_->findData(static_cast<int>(project.settings.join.seam.method))));
+  axes_->setCurrentIndex(std::max(0, axes_->findData(static_cast<int>(project.settings.join.grid.axes))));
   showForecast();
-}
-
-void StitchPanel::removeSelected() {
-  const int row = list_->currentRow();
-  if (row < 0) return;
-  entries_.erase(entries_.begin() + row);
-  delete list_->takeItem(row);
-  if (entries_.empty()) pages_->setCurrentIndex(0);
-  showSelected();
-  showForecast();
-}
-
-void StitchPanel::chooseTransform() {
-  Entry* entry = selected();
-  if (entry == nullptr) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Transform of %1").arg(sdk::words(entry->place.name)), {},
-                                                    tr("Transforms (*.txt *.tfm);;All files (*)"));
-  if (file.isEmpty()) return;
-  auto text = host_.files().readText(file.toStdString());
-  if (!text) return say(text.error());
-  auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
-  if (!matrix) return say(matrix.error());
-  sdk::setProblem(problem_, {});
-  entry->place.toWorld = *matrix;
-  showSelected();
-  showForecast();
-}
-
-void StitchPanel::chooseCoverage() {
-  Entry* entry = selected();
-  if (entry == nullptr) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Coverage of %1").arg(sdk::words(entry->place.name)), {},
-                                                    tr("Volumes (*.mha *.mhd *.nrrd *.nii *.nii.gz);;All files (*)"));
-  if (file.isEmpty()) return;
-  sdk::setProblem(problem_, {});
-  auto covered = std::make_shared<Volume>();
-  auto& volumes = host_.volumes();
-  const auto old = entry->volume;
-  const fs::path path = file.toStdString();
-  const QPointer<StitchPanel> here(this);
-  host_.jobs().start(
-      tr("Reading %1").arg(wordsOf(path.filename())).toStdString(),
-      [covered, old, path, &volumes](Progress& progress) -> Result<void> {
-        *covered = *old;
-        return volumes.readCoverageInto(*covered, path, progress);
-      },
-      [here, covered, old, path](const Result<void>& outcome) {
-        StitchPanel* panel = here.data();
-        if (panel == nullptr) return;
-        if (!outcome) return panel->say(outcome.error());
-        for (auto& each : panel->entries_)
-          if (each.volume == old) {
-            each.volume = covered;
-            each.place.coverage = path;
-          }
-        panel->showSelected();
-      });
-}
-
-void StitchPanel::showSelected() {
-  const Entry* entry = selected();
-  volumeBox_->setVisible(entry != nullptr);
-  if (entry == nullptr) return;
-  const Grid& grid = entry->volume->grid;
-  volumeLine_->setText(
-      tr("%1 voxels of %2 × %3 × %4 mm").arg(sizeOf(grid)).arg(grid.spacing_mm.x).arg(grid.spacing_mm.y).arg(grid.spacing_mm.z));
-  coverageLine_->setText(entry->volume->coverage.empty() ? tr("No coverage: every voxel counts as measured")
-                         : entry->place.coverage.empty() ? tr("Coverage from the volume's file")
-                                                         : tr("Coverage from %1").arg(wordsOf(entry->place.coverage.filename())));
-  placement_->setMatrix(entry->place.toWorld);
+  showing_ = was;
 }
 
 void StitchPanel::showForecast() {
-  if (entries_.empty()) return forecast_->clear();
   std::vector<PlacedGrid> grids;
-  for (const auto& entry : entries_) grids.push_back({entry.volume->grid, entry.place.toWorld, entry.place.name});
-  const auto forecast = forecastStitch(grids, project().settings.join.grid);
-  if (!forecast) return forecast_->setText(sdk::words(forecast.error().sentence));
-  const Grid& grid = forecast->grid;
-  QString text = tr("%1 voxels of %2 × %3 × %4 mm; needs %5")
-                     .arg(sizeOf(grid))
-                     .arg(grid.spacing_mm.x)
-                     .arg(grid.spacing_mm.y)
-                     .arg(grid.spacing_mm.z)
-                     .arg(mebibytes(static_cast<double>(forecast->bytes)));
-  if (const auto free = availableMemory_bytes()) text += tr(" of %1 free").arg(mebibytes(static_cast<double>(*free)));
-  forecast_->setText(text);
-}
-
-void StitchPanel::startStitching() {
-  if (entries_.empty() || stitching_) return;
-  sdk::setProblem(problem_, {});
-  const StitchProject asked = project();
-  std::vector<std::shared_ptr<const Volume>> held;
-  for (const auto& entry : entries_) held.push_back(entry.volume);
-  StitchOptions options = asked.settings.join.grid;
-  // The machine's own memory is the limit that counts here: swapping would freeze the window.
-  if (const auto free = availableMemory_bytes()) options.maxBytes = std::min(options.maxBytes, *free);
-  auto made = std::make_shared<Finished>();
-  made->project = asked;
-  stitching_ = true;
-  start_->setText(tr("Stitching…"));
-  const QPointer<StitchPanel> here(this);
-  host_.jobs().start(
-      tr("Stitching %n volume(s)", nullptr, static_cast<int>(held.size())).toStdString(),
-      [made, held, options](Progress& progress) -> Result<void> {
-        std::vector<PlacedView> inputs;
-        for (std::size_t n = 0; n < held.size(); ++n)
-          inputs.push_back({held[n].get(), made->project.volumes[n].toWorld, made->project.volumes[n].name});
-        auto result = stitch(inputs, options, progress);
-        if (!result) return passOn(result.error());
-        made->result = std::move(*result);
-        return {};
-      },
-      [here, made](const Result<void>& outcome) {
-        StitchPanel* panel = here.data();
-        if (panel == nullptr) return;
-        panel->stitching_ = false;
-        panel->start_->setText(tr("Stitch"));
-        if (!outcome) return panel->say(outcome.error());
-        panel->finished_ = made;
-        panel->showFinished();
-      });
-}
-
-void StitchPanel::showFinished() {
-  const StitchResult& result = finished_->result;
-  QString text = tr("Done in %1 s.").arg(result.seconds, 0, 'f', 2);
-  if (result.overlapShare > 0.0)
-    text += tr(" %1 % of the covered voxels overlap; there the volumes differ by %2 grey levels.")
-                .arg(100.0 * result.overlapShare, 0, 'f', 1)
-                .arg(result.disagreementRms, 0, 'f', 1);
-  for (const auto& note : result.notes) text += QStringLiteral(" ") + sdk::words(note);
-  outcome_->setText(text);
-  save_->setVisible(true);
-  host_.volumes().show(result.volume, tr("Stitched volume").toStdString());
-}
-
-void StitchPanel::saveResult(const fs::path& folder) {
-  if (!finished_) return;
-  sdk::setProblem(problem_, {});
-  const QPointer<StitchPanel> here(this);
-  host_.jobs().start(
-      tr("Saving the stitched volume").toStdString(),
-      [finished = finished_, folder, &volumes = host_.volumes(), &files = host_.files()](Progress& progress) -> Result<void> {
-        auto written = writeStitch(finished->result, finished->project, folder, volumes, files, progress);
-        if (!written) return passOn(written.error());
-        return {};
-      },
-      [here, folder](const Result<void>& outcome) {
-        StitchPanel* panel = here.data();
-        if (panel == nullptr) return;
-        if (!outcome) return panel->say(outcome.error());
-        panel->outcome_->setText(tr("Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.").arg(wordsOf(folder)));
-      });
+  for (std::size_t n = 0; n < session_.project().volumes.size(); ++n)
+    if (const auto volume = session_.volume(n)) grids.push_back({volume->grid, session_.toWorld(n), session_.project().volumes[n].name});
+  if (grids.empty()) return forecast_->clear();
+  const auto forecast = forecastJoin(grids, session_.project().settings.join);
+  if (!forecast) return forecast_->setText(words(forecast.error().sentence));
+  const QString needs = mebibytes(static_cast<double>(forecast->bytes));
+  QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
+  if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));
+  forecast_->setToolTip(tip);
+  forecast_->setText(tr("Whole: %1, %2").arg(sizeOf(forecast->grid), needs));
 }
 
 void StitchPanel::askForFiles() {
   const QStringList chosen = QFileDialog::getOpenFileNames(
-      this, tr("Add volumes"), {}, tr("Volumes and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)"));
+      this, tr("Add volumes"), {},
+      tr("Volumes, sweeps and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)"));
   std::vector<fs::path> files;
   for (const auto& each : chosen) files.emplace_back(each.toStdString());
-  addFiles(files);
+  if (!files.empty()) session_.addFiles(files);
 }
 
-void StitchPanel::askWhereToSave() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"));
-  if (!folder.isEmpty()) saveResult(folder.toStdString());
+void StitchPanel::askForProject() {
+  const QString chosen = QFileDialog::getOpenFileName(this, tr("Open a stitch project"), {}, tr("Stitch projects (*.json);;All files (*)"));
+  if (!chosen.isEmpty()) session_.openProject(chosen.toStdString());
 }
 
-void StitchPanel::askWhereToSaveProject() {
-  QString chosen = QFileDialog::getSaveFileName(this, tr("Save the stitch project"), {}, tr("Stitch projects (*.json)"));
-  if (chosen.isEmpty()) return;
-  if (!chosen.endsWith(QLatin1String(".json"))) chosen += QLatin1String(".json");
-  const fs::path file = chosen.toStdString();
-  if (auto written = host_.files().writeText(file, projectText(project(), file.parent_path())); !written) return say(written.error());
-  outcome_->setText(tr("The project was saved as %1.").arg(wordsOf(file.filename())));
+void StitchPanel::chooseTransform() {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Place of %1").arg(words(session_.project().volumes[*chosen].name)), {},
+                                                    tr("Transforms (*.txt *.tfm);;All files (*)"));
+  if (file.isEmpty()) return;
+  auto text = session_.host().files().readText(file.toStdString());
+  if (!text) return sdk::setProblem(problem_, words(text.error().sentence));
+  auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
+  if (!matrix) return sdk::setProblem(problem_, words(matrix.error().sentence));
+  sdk::setProblem(problem_, {});
+  session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
+                tr("place %1 from a file").arg(words(letterOf(*chosen))));
+}
+
+void StitchPanel::removeChosen() {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  session_.edit(withoutVolume(session_.project(), *chosen), tr("remove %1").arg(words(session_.project().volumes[*chosen].name)));
+}
+
+void StitchPanel::moveChosen(int step) {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  const int to = static_cast<int>(*chosen) + step;
+  if (to < 0 || to >= list_->count()) return;
+  session_.edit(withVolumeMoved(session_.project(), *chosen, static_cast<std::size_t>(to)),
+                tr("move %1 in the list").arg(words(letterOf(*chosen))));
+  session_.chooseVolume(static_cast<std::size_t>(to));
+}
+
+bool StitchPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == list_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool act = event->type() == QEvent::KeyPress;
+    const bool up = key->key() == Qt::Key_Up;
+    if (key->key() == Qt::Key_Delete && key->modifiers() == Qt::NoModifier) {
+      if (act)
+        removeChosen();
+      else
+        event->accept();
+      return true;
+    }
+    if ((up || key->key() == Qt::Key_Down) && key->modifiers().testFlag(Qt::AltModifier)) {
+      if (act)
+        moveChosen(up ? -1 : 1);
+      else
+        event->accept();
+      return true;
+    }
+    if (!act && (up || key->key() == Qt::Key_Down || key->key() == Qt::Key_F2)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void StitchPanel::dragEnterEvent(QDragEnterEvent* event) {
@@ -456,7 +629,7 @@ void StitchPanel::dropEvent(QDropEvent* event) {
     if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
   if (files.empty()) return;
   event->acceptProposedAction();
-  addFiles(files);
+  session_.addFiles(files);
 }
 
 }  // namespace ew::stitching

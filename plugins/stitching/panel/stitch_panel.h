@@ -1,89 +1,78 @@
 #pragma once
 
 #include <QWidget>
-#include <memory>
 #include <vector>
 
-#include "ew/sdk/host.h"
 #include "ew/sdk/panel.h"
-#include "logic/output.h"
+#include "panel/pair_graph.h"
+#include "panel/stitch_session.h"
 
 class QComboBox;
 class QLabel;
 class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 class QStackedWidget;
 
 namespace ew::stitching {
 
-/// Joins volumes by hand: a list with places, the options of the result, a forecast, and a job. Volumes are added with the button or by
-/// dropping files; a stitch project (.json) adds everything in it.
+/// The column beside the stage: subvolumes, graph of pairs, and the steps from them to one volume. Files are added with the button or
+/// dropped; a stitch project (.json) opens.
 class StitchPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StitchPanel(sdk::Host& host, QWidget* parent = nullptr);
-
-  /// Reads volumes (or stitch projects) in a job each and appends them to the list.
-  void addFiles(const std::vector<std::filesystem::path>& files);
-  /// Starts the job; the result is shown in the workstation.
-  void startStitching();
-  /// Writes the last result into `folder`, as `echoweave stitch` does.
-  void saveResult(const std::filesystem::path& folder);
-  [[nodiscard]] StitchProject project() const;
+  explicit StitchPanel(StitchSession& session, QWidget* parent = nullptr);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  struct Entry {
-    ProjectVolume place;
-    std::shared_ptr<const Volume> volume;
-  };
-  struct Finished {
-    StitchResult result;
-    StitchProject project;
-  };
-
+  QWidget* makeOffer();
   QWidget* makeWorkPage();
   QWidget* makeVolumeBox();
+  QWidget* makeLegend();
+  QWidget* makeSteps();
   QWidget* makeResultBox();
-  /// Takes over the project's options and gives its volumes; says why when it cannot.
-  std::vector<ProjectVolume> readProject(const std::filesystem::path& file);
-  void readEntries(std::vector<ProjectVolume> places);
-  void appendEntry(Entry entry);
-  void removeSelected();
-  void chooseTransform();
-  void chooseCoverage();
-  void askForFiles();
-  void askWhereToSave();
-  void askWhereToSaveProject();
-  void showSelected();
+  QWidget* makeOptions();
+  void refresh();
+  void showVolumes();
   void showForecast();
-  void showFinished();
-  void say(const Error& problem);
-  [[nodiscard]] Entry* selected();
+  void askForFiles();
+  void askForProject();
+  void chooseTransform();
+  void removeChosen();
+  void moveChosen(int step);
 
-  sdk::Host& host_;
-  std::vector<Entry> entries_;
-  std::shared_ptr<const Finished> finished_;
-  bool stitching_ = false;
-
+  StitchSession& session_;
+  QWidget* offer_ = nullptr;
+  QLabel* offerWord_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   QListWidget* list_ = nullptr;
   QWidget* volumeBox_ = nullptr;
-  QLabel* volumeLine_ = nullptr;
-  QLabel* coverageLine_ = nullptr;
-  sdk::PlacementFields* placement_ = nullptr;
+  QComboBox* placement_ = nullptr;
+  PairGraph* graph_ = nullptr;
+  QWidget* pairsBox_ = nullptr;
+  QLabel* pairWord_ = nullptr;
+  QPushButton* match_ = nullptr;
+  QPushButton* refine_ = nullptr;
+  QPushButton* elastic_ = nullptr;
+  QPushButton* seams_ = nullptr;
+  QPushButton* saveProject_ = nullptr;
+  QWidget* resultBox_ = nullptr;
+  QWidget* options_ = nullptr;
   sdk::NumberField* spacing_ = nullptr;
-  sdk::NumberField* feather_ = nullptr;
+  sdk::NumberField* fallOff_ = nullptr;
+  QComboBox* seamMethod_ = nullptr;
   QComboBox* axes_ = nullptr;
   QLabel* forecast_ = nullptr;
-  QLabel* problem_ = nullptr;
   QLabel* outcome_ = nullptr;
-  QPushButton* start_ = nullptr;
-  QPushButton* save_ = nullptr;
+  QLabel* old_ = nullptr;  ///< the result no longer is what the project asks for
+  QLabel* problem_ = nullptr;
+  QWidget* jobRoom_ = nullptr;
+  bool showing_ = false;
 };
 
 }  // namespace ew::stitching

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <cstdint>
+
+#include "logic/slices.h"
+#include "panel/stitch_session.h"
+
+/// Colours and words that list, graph, views and inspector share. Verdicts are told by colour, by a sign, and by a word: never colour
+/// alone.
+namespace ew::stitching {
+
+inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
+
+[[nodiscard]] inline QColor colourOfMark(StitchSession::Mark mark, const QPalette& palette) {
+  const bool dark = palette.color(QPalette::Window).lightness() < 128;
+  switch (mark) {
+    case StitchSession::Mark::aligned:
+      return dark ? QColor(0x5f, 0xb8, 0x6e) : QColor(0x2a, 0x80, 0x3c);
+    case StitchSession::Mark::cannotTell:
+      return dark ? QColor(0xd9, 0xb1, 0x4a) : QColor(0x8f, 0x66, 0x00);
+    case StitchSession::Mark::notAligned:
+      return palette.color(QPalette::BrightText);
+    case StitchSession::Mark::rejected:
+    case StitchSession::Mark::unknown:
+      return palette.color(QPalette::PlaceholderText);
+  }
+  return {};
+}
+
+[[nodiscard]] inline QString wordsOfMark(StitchSession::Mark mark) {
+  switch (mark) {
+    case StitchSession::Mark::aligned:
+      return StitchSession::tr("aligned");
+    case StitchSession::Mark::cannotTell:
+      return StitchSession::tr("cannot tell");
+    case StitchSession::Mark::notAligned:
+      return StitchSession::tr("not aligned");
+    case StitchSession::Mark::rejected:
+      return StitchSession::tr("rejected");
+    case StitchSession::Mark::unknown:
+      return StitchSession::tr("not matched yet");
+  }
+  return {};
+}
+
+/// A sign per verdict, so that it reads without colour: tick, question mark, cross, bar, ring.
+void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, const QPalette& palette);
+
+}  // namespace ew::stitching

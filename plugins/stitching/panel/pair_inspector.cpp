@@ -1,0 +1,501 @@
+#include "panel/pair_inspector.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QScrollArea>
+#include <QTableWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "logic/places.h"
+#include "panel/look.h"
+
+namespace ew::stitching {
+namespace {
+
+using sdk::kGap_px;
+using sdk::words;
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+QString mebibytes(double bytes) {
+  const double mib = bytes / (1024.0 * 1024.0);
+  return mib < 1024.0 ? QStringLiteral("%1 MiB").arg(number(mib, mib < 10.0 ? 1 : 0))
+                      : QStringLiteral("%1 GiB").arg(number(mib / 1024.0, 1));
+}
+
+/// A line of the inspector: what at the left, how much at the right.
+QLabel* addLine(QVBoxLayout* column, const QString& name, const QString& hint) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  auto* label = sdk::quietLabel(name);
+  label->setWordWrap(false);
+  label->setToolTip(hint);
+  auto* value = new QLabel;
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setToolTip(hint);
+  row->addWidget(label);
+  row->addWidget(value, 1);
+  column->addLayout(row);
+  return value;
+}
+
+QVBoxLayout* columnIn(QWidget* box) {
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px / 2);
+  return column;
+}
+
+class MarkBox final : public QWidget {
+ public:
+  explicit MarkBox(QWidget* parent = nullptr) : QWidget(parent) { setFixedSize(16, 16); }
+  StitchSession::Mark mark = StitchSession::Mark::unknown;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    drawMark(painter, QRectF(rect()).adjusted(1, 1, -1, -1), mark, palette());
+  }
+};
+
+}  // namespace
+
+LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("levelChart"));
+  setMinimumHeight(96);
+  connect(&session_, &StitchSession::levelsChanged, this, qOverload<>(&QWidget::update));
+  connect(&session_, &StitchSession::changed, this, qOverload<>(&QWidget::update));
+}
+
+void LevelChart::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(QPalette::Base));
+  painter.drawRoundedRect(rect(), 4, 4);
+  QFont font = this->font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+  const auto levels = session_.levels();
+  const QColor quiet = palette().color(QPalette::PlaceholderText);
+  if (levels.empty()) {
+    painter.setPen(quiet);
+    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                     session_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
+    return;
+  }
+  double low = 0.0, high = 0.1;
+  for (const auto& level : levels) {
+    low = std::min({low, level.correlationBefore, level.correlationAfter});
+    high = std::max({high, level.correlationBefore, level.correlationAfter});
+  }
+  const QRectF box = QRectF(rect()).adjusted(36, 12, -16, -24);
+  const auto at = [&](double n, double value) {
+    const double share = levels.size() < 2 ? 0.5 : n / static_cast<double>(levels.size() - 1);
+    return QPointF(box.left() + share * box.width(), box.bottom() - (value - low) / (high - low) * box.height());
+  };
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.drawLine(QPointF(box.left(), at(0, low).y()), QPointF(box.right(), at(0, low).y()));
+  painter.drawLine(QPointF(box.left(), at(0, high).y()), QPointF(box.right(), at(0, high).y()));
+  painter.setPen(quiet);
+  painter.drawText(QRectF(0, at(0, high).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(high, 2));
+  painter.drawText(QRectF(0, at(0, low).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(low, 2));
+  QPolygonF curve;
+  double free = -1e9;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const QPointF before = at(static_cast<double>(n), levels[n].correlationBefore);
+    const QPointF after = at(static_cast<double>(n), levels[n].correlationAfter);
+    curve << after;
+    // From hollow to full: what the level began with, and what it made of it.
+    painter.setPen(QPen(quiet, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(before, after);
+    painter.drawEllipse(before, 2.5, 2.5);
+    const QString word = QStringLiteral("%1 mm").arg(QLocale().toString(levels[n].voxel_mm, 'g', 2));
+    const double wide = painter.fontMetrics().horizontalAdvance(word);
+    const double left = std::clamp(after.x() - wide / 2, 4.0, width() - wide - 4.0);
+    if (left > free + 6) {
+      painter.drawText(QPointF(left, height() - 8.0), word);
+      free = left + wide;
+    }
+  }
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  painter.drawPolyline(curve);
+  painter.setBrush(palette().color(QPalette::Highlight));
+  painter.setPen(Qt::NoPen);
+  for (const QPointF& point : curve) painter.drawEllipse(point, 3.5, 3.5);
+}
+
+PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* parent) : QWidget(parent), session_(session), tools_(tools) {
+  setObjectName(QStringLiteral("pairInspector"));
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  body_ = new QWidget;
+  auto* column = new QVBoxLayout(body_);
+  column->setContentsMargins(2 * kGap_px, 2 * kGap_px, 2 * kGap_px, 2 * kGap_px);
+  column->setSpacing(kGap_px);
+  column->addWidget(makeHead());
+  column->addWidget(makeFigures());
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(sdk::headingLabel(tr("Correlation by level")));
+  chart_ = new LevelChart(session_);
+  column->addWidget(chart_);
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(makeLandmarks());
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(makePose());
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(makeRedo());
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(makeElastic());
+  column->addStretch(1);
+  scroll->setWidget(body_);
+  body_->setAutoFillBackground(false);
+  scroll->viewport()->setAutoFillBackground(false);
+  empty_ = sdk::quietLabel(tr("How well two volumes fit is told here, once there are two."));
+  static_cast<QLabel*>(empty_)->setAlignment(Qt::AlignCenter);
+  empty_->setContentsMargins(24, 24, 24, 24);
+  outer->addWidget(empty_, 1);
+  outer->addWidget(scroll, 1);
+  connect(&session_, &StitchSession::changed, this, &PairInspector::refresh);
+  connect(&session_, &StitchSession::lookChanged, this, [this] { showFigures(); });
+  refresh();
+}
+
+QWidget* PairInspector::makeHead() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kGap_px);
+  title_ = sdk::headingLabel({});
+  title_->setObjectName(QStringLiteral("pairTitle"));
+  mark_ = new MarkBox;
+  word_ = new QLabel;
+  word_->setObjectName(QStringLiteral("pairVerdict"));
+  row->addWidget(title_);
+  row->addSpacing(kGap_px);
+  row->addWidget(mark_);
+  row->addWidget(word_, 1);
+  column->addLayout(row);
+  reason_ = sdk::quietLabel({});
+  reason_->setObjectName(QStringLiteral("pairReason"));
+  column->addWidget(reason_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  const auto decide = [&](const QString& text, const QString& hint, const char* name, Decision decision) {
+    auto* button = new QPushButton(text);
+    button->setCheckable(true);
+    button->setToolTip(hint);
+    button->setObjectName(QLatin1String(name));
+    connect(button, &QPushButton::clicked, this, [this, decision] {
+      session_.setDecision(decision);
+      refresh();  // a button that was already down stays down
+    });
+    buttons->addWidget(button, 1);
+    return button;
+  };
+  accept_ = decide(tr("Accept"), tr("This pair is right, whatever the figures say (Enter)"), "acceptPair", Decision::accepted);
+  reject_ = decide(tr("Reject"), tr("This pair must not hold the whole together (Backspace)"), "rejectPair", Decision::rejected);
+  column->addSpacing(kGap_px / 2);
+  column->addLayout(buttons);
+  return box;
+}
+
+QWidget* PairInspector::makeFigures() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  overlap_ = addLine(column, tr("Overlap"), tr("Of the smaller volume's covered part, how much both cover"));
+  correlation_ = addLine(column, tr("Correlation"),
+                         tr("Before and after; without gain and speckle. In brackets what unrelated tissue reaches by chance"));
+  now_ = addLine(column, tr("Grey levels now"),
+                 tr("Plain correlation of the grey levels as they lie now: for a hand that nudges, no verdict"));
+  halves_ =
+      addLine(column, tr("Halves differ by"), tr("Two halves of the overlap, matched apart, would place the volume this much differently"));
+  jacobian_ = addLine(column, tr("Smallest Jacobian"), tr("Of the elastic step: above 0 nothing folds; 1 is no change of volume"));
+  time_ = addLine(column, tr("Time"), tr("That matching this pair took"));
+  overlap_->setObjectName(QStringLiteral("overlapFigure"));
+  correlation_->setObjectName(QStringLiteral("correlationFigure"));
+  now_->setObjectName(QStringLiteral("nowFigure"));
+  jacobian_->setObjectName(QStringLiteral("jacobianFigure"));
+  return box;
+}
+
+QWidget* PairInspector::makePose() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  auto* heading = sdk::headingLabel(tr("Pose"));
+  heading->setToolTip(tr("Where the moving volume lies in the fixed one; in the views the arrow keys move it"));
+  column->addWidget(heading);
+  pose_ = new sdk::PlacementFields;
+  pose_->onChanged = [this](const glm::dmat4& movingToFixed) {
+    if (showing_ || !session_.pair()) return;
+    session_.setTransform(rigidInverse(movingToFixed), tr("place %1 by figures").arg(words(letterOf(session_.pair()->moving))),
+                          "figures " + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
+  };
+  column->addWidget(pose_);
+  return box;
+}
+
+QWidget* PairInspector::makeLandmarks() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  auto* head = new QHBoxLayout;
+  head->addWidget(sdk::headingLabel(tr("Landmarks")), 1);
+  pick_ = new QPushButton(tr("+ pick in both"));
+  pick_->setObjectName(QStringLiteral("pickLandmarks"));
+  pick_->setProperty("flat", true);
+  pick_->setCheckable(true);
+  pick_->setToolTip(tr("Click the same place in the fixed and in the moving view (P)"));
+  connect(pick_, &QPushButton::toggled, this, [this](bool on) {
+    tools_.hand = on ? Tools::Hand::pick : Tools::Hand::look;
+    if (!on) session_.dropPick();
+    Q_EMIT handChosen();
+    refresh();
+  });
+  head->addWidget(pick_);
+  column->addLayout(head);
+  table_ = new QTableWidget(0, 3);
+  table_->setObjectName(QStringLiteral("landmarks"));
+  table_->horizontalHeader()->hide();
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(30);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setTextElideMode(Qt::ElideRight);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(table_, &QTableWidget::currentCellChanged, this, [this](int row, int, int, int) {
+    if (!showing_ && row >= 0) session_.chooseLandmark(row);
+  });
+  connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    if (!showing_ && item->column() == 1) session_.renameLandmark(item->row(), item->text());
+  });
+  column->addWidget(table_);
+  landmarkWord_ = sdk::quietLabel({});
+  landmarkWord_->setObjectName(QStringLiteral("landmarkWord"));
+  column->addWidget(landmarkWord_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  useMarks_ = new QPushButton(tr("Match by landmarks"));
+  useMarks_->setObjectName(QStringLiteral("useLandmarks"));
+  useMarks_->setToolTip(tr("Bring this pair together by these places alone"));
+  connect(useMarks_, &QPushButton::clicked, &session_, &StitchSession::useLandmarks);
+  removeMark_ = new QPushButton(tr("Remove"));
+  removeMark_->setObjectName(QStringLiteral("removeLandmark"));
+  removeMark_->setToolTip(tr("Remove the chosen landmark (Delete)"));
+  connect(removeMark_, &QPushButton::clicked, this, [this] { session_.removeLandmark(session_.chosenLandmark()); });
+  buttons->addWidget(useMarks_, 1);
+  buttons->addWidget(removeMark_);
+  column->addLayout(buttons);
+  return box;
+}
+
+QWidget* PairInspector::makeRedo() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  column->addWidget(sdk::headingLabel(tr("Match this pair again")));
+  method_ = new QComboBox;
+  method_->setObjectName(QStringLiteral("pairMethod"));
+  method_->addItem(tr("Automatic"), static_cast<int>(PairMethod::automatic));
+  method_->addItem(tr("Search without places"), static_cast<int>(PairMethod::search));
+  method_->addItem(tr("Refine from here"), static_cast<int>(PairMethod::refine));
+  method_->addItem(tr("As placed by hand"), static_cast<int>(PairMethod::byHand));
+  column->addWidget(method_);
+  turnRow_ = new QWidget;
+  auto* row = new QHBoxLayout(turnRow_);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* name = sdk::quietLabel(tr("Largest turn"));
+  name->setWordWrap(false);
+  turn_ = new sdk::NumberField(0.0, 180.0, 0, QStringLiteral("°"));
+  turn_->setObjectName(QStringLiteral("maxTurn"));
+  turn_->setValue(30.0);
+  turn_->setToolTip(tr("Rotations searched in every direction; the time grows with the third power"));
+  name->setBuddy(turn_);
+  row->addWidget(name, 1);
+  row->addWidget(turn_);
+  column->addWidget(turnRow_);
+  auto* redo = new QPushButton(tr("Match again"));
+  redo->setObjectName(QStringLiteral("redoPair"));
+  connect(redo, &QPushButton::clicked, this, [this] {
+    const auto method = static_cast<PairMethod>(method_->currentData().toInt());
+    if (method == PairMethod::byHand) return session_.setTransform(session_.transform(), tr("keep the pair as it lies"), {});
+    if (method == PairMethod::refine && session_.pair()) session_.pinStart();
+    session_.redoPair(method,
+                      method == PairMethod::search || method == PairMethod::automatic ? std::optional(turn_->value()) : std::nullopt);
+  });
+  connect(method_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    const auto method = static_cast<PairMethod>(method_->currentData().toInt());
+    turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
+  });
+  column->addWidget(redo);
+  return box;
+}
+
+QWidget* PairInspector::makeElastic() {
+  auto* box = new QWidget;
+  auto* column = columnIn(box);
+  column->addWidget(sdk::headingLabel(tr("Elastic")));
+  auto* row = new QHBoxLayout;
+  auto* name = sdk::quietLabel(tr("Quality"));
+  name->setWordWrap(false);
+  effort_ = new QComboBox;
+  effort_->setObjectName(QStringLiteral("effort"));
+  effort_->addItem(tr("fast"));
+  effort_->addItem(tr("balanced"));
+  effort_->addItem(tr("accurate"));
+  effort_->setToolTip(tr("For all pairs: how much time is spent on accuracy"));
+  connect(effort_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    StitchProject next = session_.project();
+    next.settings.effort = static_cast<registration::ElasticEffort>(index);
+    session_.edit(std::move(next), tr("elastic quality %1").arg(effort_->itemText(index)));
+  });
+  row->addWidget(name, 1);
+  row->addWidget(effort_);
+  column->addLayout(row);
+  memory_ = addLine(column, tr("Memory"), tr("That the elastic step of this pair takes at its peak, the volumes themselves not counted"));
+  memory_->setObjectName(QStringLiteral("elasticMemory"));
+  return box;
+}
+
+void PairInspector::showLandmarks() {
+  const auto marks = session_.landmarks();
+  const auto& result = session_.landmarkResult();
+  table_->setRowCount(static_cast<int>(marks.size()));
+  for (std::size_t n = 0; n < marks.size(); ++n) {
+    const int row = static_cast<int>(n);
+    const bool outlying = result && std::find(result->outlying.begin(), result->outlying.end(), n) != result->outlying.end();
+    const bool known = result && n < result->residual_mm.size() && result->verdict != registration::Verdict::cannotTell;
+    const QString texts[] = {QString::number(n + 1), words(marks[n].name),
+                             known ? (outlying ? tr("%1 mm, off") : tr("%1 mm")).arg(number(result->residual_mm[n], 1)) : tr("-")};
+    for (int c = 0; c < 3; ++c) {
+      auto* item = new QTableWidgetItem(texts[c]);
+      item->setFlags(c == 1 ? item->flags() | Qt::ItemIsEditable : item->flags() & ~Qt::ItemIsEditable);
+      if (c == 2) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      if (c != 1) item->setForeground(palette().color(QPalette::PlaceholderText));
+      if (outlying && c == 2) item->setForeground(palette().color(QPalette::BrightText));
+      item->setToolTip(c == 1     ? words(marks[n].name) + QLatin1Char('\n') + tr("Double-click to rename")
+                       : outlying ? tr("This pair of places contradicts the others; look at it again or remove it")
+                                  : QString());
+      table_->setItem(row, c, item);
+    }
+  }
+  table_->setVisible(!marks.empty());
+  table_->setFixedHeight(std::min<int>(6, static_cast<int>(marks.size())) * 30 + 4);
+  if (session_.chosenLandmark() >= 0 && session_.chosenLandmark() < table_->rowCount())
+    table_->setCurrentCell(session_.chosenLandmark(), table_->currentColumn() < 0 ? 1 : table_->currentColumn());
+  else
+    table_->clearSelection();
+  removeMark_->setVisible(session_.chosenLandmark() >= 0 && !marks.empty());
+  useMarks_->setVisible(marks.size() >= 3);
+  QString text;
+  if (tools_.hand == Tools::Hand::pick) {
+    text = session_.pickedFixed()    ? tr("Now the same place in the moving view. Escape drops it.")
+           : session_.pickedMoving() ? tr("Now the same place in the fixed view. Escape drops it.")
+                                     : tr("Click a place in the fixed view, then the same one in the moving view.");
+  } else if (marks.empty()) {
+    text = tr("None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.");
+  } else if (result && !result->reason.empty()) {
+    text = words(result->reason);
+  }
+  if (result && result->verdict == registration::Verdict::aligned && tools_.hand != Tools::Hand::pick)
+    text =
+        tr("%1 mm on average, %2 mm to be expected at the far side").arg(number(result->rms_mm, 1), number(result->expectedError_mm, 1)) +
+        (result->outlying.empty() ? QString() : QStringLiteral(". ") + words(result->reason));
+  landmarkWord_->setText(text);
+  landmarkWord_->setVisible(!text.isEmpty());
+}
+
+void PairInspector::showFigures() {
+  if (!session_.pair() || !isVisible()) return;
+  const QuickAgreement now = session_.agreement();
+  now_->setText(now.points < 200 ? tr("no overlap") : number(now.correlation, 2));
+  const bool was = std::exchange(showing_, true);
+  pose_->setMatrix(rigidInverse(session_.transform()));
+  showing_ = was;
+}
+
+void PairInspector::refresh() {
+  const bool any = session_.pair().has_value();
+  empty_->setVisible(!any);
+  body_->parentWidget()->parentWidget()->setVisible(any);
+  if (!any) return;
+  const bool was = std::exchange(showing_, true);
+  const auto [fixed, moving] = *session_.pair();
+  const auto line = session_.pairLine(fixed, moving);
+  const ProjectPair said = pairOf(session_.project(), fixed, moving);
+  title_->setText(tr("Pair %1 to %2").arg(words(letterOf(fixed)), words(letterOf(moving))));
+  title_->setToolTip(words(session_.project().volumes[fixed].name) + QStringLiteral(" → ") +
+                     words(session_.project().volumes[moving].name));
+  static_cast<MarkBox*>(mark_)->mark = line.mark;
+  mark_->update();
+  word_->setText(wordsOfMark(line.mark));
+  QPalette colours = palette();
+  colours.setColor(QPalette::WindowText, colourOfMark(line.mark, palette()));
+  word_->setPalette(colours);
+  QString reason;
+  if (said.decision == Decision::rejected)
+    reason = tr("Rejected by hand: it does not hold the whole together.");
+  else if (line.outcome != nullptr)
+    reason = words(line.outcome->rigid.reason);
+  else
+    reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
+  if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
+  if (line.stale) reason += QLatin1Char(' ') + tr("Changed since: match again.");
+  reason_->setText(reason);
+  accept_->setChecked(said.decision == Decision::accepted);
+  reject_->setChecked(said.decision == Decision::rejected);
+  const QString none = QStringLiteral("-");
+  if (line.outcome != nullptr) {
+    const auto& rigid = line.outcome->rigid;
+    overlap_->setText(tr("%1 %").arg(number(100.0 * rigid.after.overlapShare, 0)));
+    correlation_->setText(tr("%1 to %2 (chance %3)")
+                              .arg(number(rigid.before.correlation, 2), number(rigid.after.correlation, 2), number(rigid.after.chance, 2)));
+    halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
+    time_->setText(tr("%1 s").arg(number(rigid.seconds, 1)));
+  } else {
+    for (QLabel* label : {overlap_, correlation_, halves_, time_}) label->setText(none);
+  }
+  if (session_.hasElastic()) {
+    const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
+    const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+    double smallest = 1.0;
+    for (const auto* bend : {mine.bend, other.bend})
+      if (!bend->displacement_mm.empty()) smallest = std::min(smallest, registration::jacobianOf(*bend).smallest);
+    jacobian_->setText(number(smallest, 2));
+  } else {
+    jacobian_->setText(none);
+  }
+  showLandmarks();
+  pick_->setChecked(tools_.hand == Tools::Hand::pick);
+  const auto method = said.method == PairMethod::landmarks ? PairMethod::automatic : said.method;
+  method_->setCurrentIndex(std::max(0, method_->findData(static_cast<int>(method))));
+  turn_->setValue(said.maxTurn_deg.value_or(session_.project().settings.maxTurn_deg));
+  turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
+  effort_->setCurrentIndex(static_cast<int>(session_.project().settings.effort));
+  const auto a = session_.volume(fixed);
+  const auto b = session_.volume(moving);
+  if (a && b) {
+    registration::ElasticOptions options;
+    options.effort = session_.project().settings.effort;
+    memory_->setText(mebibytes(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
+  } else {
+    memory_->setText(none);
+  }
+  showing_ = was;
+  showFigures();
+}
+
+}  // namespace ew::stitching

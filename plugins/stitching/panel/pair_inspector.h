@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ew/sdk/panel.h"
+#include "panel/slice_view.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace ew::stitching {
+
+/// Correlation before and after each level, from the coarse to the fine; grows while a pair is being matched.
+class LevelChart final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LevelChart(StitchSession& session, QWidget* parent = nullptr);
+  [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  StitchSession& session_;
+};
+
+/// Everything about the pair that is looked at: what was found and why, its pose, its landmarks, and what to do about it.
+class PairInspector final : public QWidget {
+  Q_OBJECT
+
+ public:
+  PairInspector(StitchSession& session, Tools& tools, QWidget* parent = nullptr);
+  void refresh();
+
+ Q_SIGNALS:
+  void handChosen();
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeFigures();
+  QWidget* makePose();
+  QWidget* makeLandmarks();
+  QWidget* makeRedo();
+  QWidget* makeElastic();
+  void showLandmarks();
+  void showFigures();
+
+  StitchSession& session_;
+  Tools& tools_;
+  QWidget* body_ = nullptr;
+  QWidget* empty_ = nullptr;
+  QLabel* title_ = nullptr;
+  QWidget* mark_ = nullptr;
+  QLabel* word_ = nullptr;
+  QLabel* reason_ = nullptr;
+  QPushButton* accept_ = nullptr;
+  QPushButton* reject_ = nullptr;
+  QLabel* overlap_ = nullptr;
+  QLabel* correlation_ = nullptr;
+  QLabel* now_ = nullptr;
+  QLabel* jacobian_ = nullptr;
+  QLabel* halves_ = nullptr;
+  QLabel* time_ = nullptr;
+  LevelChart* chart_ = nullptr;
+  sdk::PlacementFields* pose_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QLabel* landmarkWord_ = nullptr;
+  QPushButton* pick_ = nullptr;
+  QPushButton* removeMark_ = nullptr;
+  QPushButton* useMarks_ = nullptr;
+  QComboBox* method_ = nullptr;
+  QWidget* turnRow_ = nullptr;
+  sdk::NumberField* turn_ = nullptr;
+  QComboBox* effort_ = nullptr;
+  QLabel* memory_ = nullptr;
+  QLabel* expected_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace ew::stitching

@@ -1,0 +1,466 @@
+#include "panel/slice_view.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "ew/sdk/panel.h"
+#include "logic/places.h"
+#include "panel/look.h"
+
+namespace ew::stitching {
+namespace {
+
+constexpr int kMostPixels = 400 * 1000;  // above it a plane is drawn coarser and smoothed: a drag must follow the hand
+constexpr double kLattice_mm = 10.0;
+const QColor kCross(0xd9, 0xb8, 0x4a);
+const QColor kAccent(0x4f, 0xb3, 0xbf);
+
+glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
+
+QImage imageOf(const GreyPicture& picture) {
+  QImage image(picture.size.x, picture.size.y, QImage::Format_Grayscale8);
+  for (int y = 0; y < picture.size.y; ++y)
+    std::copy_n(picture.grey.data() + static_cast<std::ptrdiff_t>(y) * picture.size.x, picture.size.x, image.scanLine(y));
+  return image;
+}
+
+QImage imageOf(const ColourPicture& picture) {
+  QImage image(picture.size.x, picture.size.y, QImage::Format_RGB888);
+  for (int y = 0; y < picture.size.y; ++y)
+    std::copy_n(picture.rgb.data()->data() + static_cast<std::ptrdiff_t>(y) * picture.size.x * 3, 3 * picture.size.x, image.scanLine(y));
+  return image;
+}
+
+}  // namespace
+
+SliceView::SliceView(Kind kind, StitchSession& session, Tools& tools, QWidget* parent)
+    : QWidget(parent), kind_(kind), session_(session), tools_(tools) {
+  setMinimumSize(160, 120);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  connect(&session_, &StitchSession::changed, this, &SliceView::refresh);
+  connect(&session_, &StitchSession::lookChanged, this, &SliceView::refresh);
+}
+
+void SliceView::refresh() {
+  dirty_ = true;
+  update();
+}
+
+Plane SliceView::plane() const { return isOwnMoving() ? session_.movingPlane() : session_.plane(); }
+void SliceView::setPlane(const Plane& next) {
+  if (isOwnMoving())
+    session_.setMovingPlane(next);
+  else
+    session_.setPlane(next);
+}
+glm::dvec3 SliceView::cross() const { return isOwnMoving() ? session_.movingCross() : session_.cross(); }
+void SliceView::setCross(const glm::dvec3& p_mm) {
+  if (isOwnMoving())
+    session_.setMovingCross(p_mm);
+  else
+    session_.setCross(p_mm);
+}
+
+glm::dvec3 SliceView::pointUnder(const QPointF& at) const {
+  QPointF where = at;
+  if (kind_ == Kind::overlap && tools_.sideBySide) {  // both halves show the same plane
+    const double half = width() / 2.0;
+    where.setX((where.x() >= half ? where.x() - half : where.x()) + half / 2.0);
+  }
+  return pointAt(plane(), {width(), height()}, {where.x() - 0.5, where.y() - 0.5});
+}
+
+QPointF SliceView::pixelAt(const glm::dvec3& p_mm) const {
+  const glm::dvec2 at = pixelOf(plane(), {width(), height()}, p_mm);
+  return {at.x + 0.5, at.y + 0.5};
+}
+
+QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, StitchSession::Stage stage) const {
+  const auto fixed = session_.volume(session_.pair()->fixed);
+  const auto moving = session_.volume(session_.pair()->moving);
+  if (!fixed || !moving) return {};
+  const int square = std::max(8, static_cast<int>(std::lround(std::min(size.x, size.y) / 7.0)));
+  return imageOf(overlaid(sliced(*fixed, shown, size, session_.fixedMapping(stage)),
+                          sliced(*moving, shown, size, session_.movingMapping(stage)), {tools_.overlay, square, tools_.flickerSecond}));
+}
+
+QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
+  const ChainState* found = session_.found();
+  const std::size_t fixed = session_.pair()->fixed;
+  const glm::dmat4 toWorld = session_.toWorld(fixed);
+  if (tools_.fourth == Tools::Fourth::displacement) {
+    if (!session_.hasElastic()) {
+      nothing_ = session_.project().settings.elastic ? tr("No bend has been found yet. 'Elastic' finds one.")
+                                                     : tr("The elastic step is switched off in this project.");
+      return {};
+    }
+    const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
+    const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+    // Every fourth pixel: a bend is smooth, and its colours are read in the large.
+    const glm::ivec2 coarse = glm::max(size / 4, glm::ivec2(1));
+    Plane wide = shown;
+    wide.pixel_mm *= static_cast<double>(size.x) / coarse.x;
+    std::vector<double> lengths;
+    longest_mm_ = 0.0;
+    for (int y = 0; y < coarse.y; ++y) {
+      for (int x = 0; x < coarse.x; ++x) {
+        const glm::dvec3 p = carried(mine.toBend, pointAt(wide, coarse, {x, y}));
+        const glm::dvec3 u = registration::displacementAt(*other.bend, p) - registration::displacementAt(*mine.bend, p);
+        lengths.push_back(glm::length(u));
+        longest_mm_ = std::max(longest_mm_, lengths.back());
+      }
+    }
+    longest_mm_ = std::max(0.1, longest_mm_);
+    ColourPicture picture{coarse, {}};
+    for (const double length : lengths) picture.rgb.push_back(colourOfLength(length, longest_mm_));
+    return imageOf(picture);
+  }
+  if (tools_.fourth == Tools::Fourth::seam) {
+    if (found == nullptr || !found->seams) {
+      nothing_ = tr("No seam has been cut yet. 'Seams and blend' cuts it.");
+      return {};
+    }
+    std::vector<SeenView> views;
+    for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
+      const glm::dmat4 world = session_.toWorld(n);
+      const auto* bend = n < found->bends.size() && session_.isFoundFresh() ? &found->bends[n] : nullptr;
+      views.push_back({session_.volume(n).get(), {toWorld, bend, rigidInverse(world)}});
+    }
+    return imageOf(seamPicture(*found->seams, views, shown, size, toWorld));
+  }
+  const auto result = session_.result();
+  if (!result) {
+    nothing_ = tr("There is no stitched volume yet. 'Seams and blend' makes it.");
+    return {};
+  }
+  return imageOf(sliced(*result, shown, size, {glm::dmat4(1.0), nullptr, toWorld}));
+}
+
+void SliceView::render() {
+  dirty_ = false;
+  nothing_.clear();
+  picture_ = {};
+  if (!session_.pair()) {
+    nothing_ = session_.project().volumes.empty() ? QString() : tr("Add a second volume; then pairs can be matched.");
+    return;
+  }
+  const auto side = kind_ == Kind::moving ? session_.pair()->moving : session_.pair()->fixed;
+  const auto volume = session_.volume(side);
+  if (!volume && kind_ != Kind::fourth) {
+    nothing_ = tr("%1 is being read, or cannot be read.").arg(sdk::words(session_.project().volumes[side].name));
+    return;
+  }
+  const bool halves = kind_ == Kind::overlap && tools_.sideBySide;
+  const int wide = halves ? width() / 2 : width();
+  const double coarser = std::max(1.0, std::sqrt(static_cast<double>(wide) * height() / kMostPixels));
+  const glm::ivec2 size = glm::max(glm::ivec2(1), glm::ivec2(glm::round(glm::dvec2(wide, height()) / coarser)));
+  Plane shown = plane();
+  shown.pixel_mm *= static_cast<double>(wide) / size.x;
+  const auto stage = session_.stage();
+  switch (kind_) {
+    case Kind::fixed:
+      picture_ = imageOf(sliced(*volume, shown, size, session_.fixedMapping(stage)));
+      break;
+    case Kind::moving:
+      picture_ = imageOf(sliced(*volume, shown, size, isOwnMoving() ? Mapping{} : session_.movingMapping(stage)));
+      break;
+    case Kind::overlap:
+      if (halves) {
+        const QImage before = pictureOfOverlap(shown, size, StitchSession::Stage::start);
+        const QImage after = pictureOfOverlap(shown, size, stage);
+        if (before.isNull()) break;
+        picture_ = QImage(2 * size.x, size.y, QImage::Format_RGB888);
+        QPainter both(&picture_);
+        both.drawImage(0, 0, before);
+        both.drawImage(size.x, 0, after);
+      } else {
+        picture_ = pictureOfOverlap(shown, size, stage);
+      }
+      if (picture_.isNull()) nothing_ = tr("Both volumes are needed here; one of them cannot be read.");
+      break;
+    case Kind::fourth:
+      picture_ = pictureOfFourth(shown, size);
+      break;
+  }
+}
+
+void SliceView::drawLattice(QPainter& painter) const {
+  const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
+  const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
+  const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toBend));
+  const auto lines = deformedLattice(plane(), {width(), height()}, kLattice_mm, [&](const glm::dvec3& p) {
+    const glm::dvec3 q = carried(mine.toBend, p);
+    return p + back * (registration::displacementAt(*other.bend, q) - registration::displacementAt(*mine.bend, q));
+  });
+  painter.setPen(QPen(QColor(255, 255, 255, 150), 1.0));
+  for (const auto& line : lines) {
+    QPolygonF points;
+    for (const auto& p : line) points << QPointF(p.x + 0.5, p.y + 0.5);
+    painter.drawPolyline(points);
+  }
+  // What the colours mean.
+  const QRectF bar(width() - 24.0, 24.0, 8.0, std::min(120.0, height() - 48.0));
+  for (int y = 0; y < static_cast<int>(bar.height()); ++y)
+    painter.fillRect(QRectF(bar.left(), bar.bottom() - y - 1, bar.width(), 1.0), colourOf(colourOfLength(y, bar.height())));
+  painter.setPen(QColor(0xe9, 0xeb, 0xed));
+  painter.drawText(QRectF(0, bar.top() - 20, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter,
+                   QStringLiteral("%1 mm").arg(longest_mm_, 0, 'f', 1));
+  painter.drawText(QRectF(0, bar.bottom() + 2, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
+}
+
+void SliceView::drawLandmarks(QPainter& painter) const {
+  const auto marks = session_.landmarks();
+  const auto& result = session_.landmarkResult();
+  const Plane shown = plane();
+  const bool moving = kind_ == Kind::moving;
+  const Mapping toMoving = session_.movingMapping(session_.stage());
+  const glm::dmat4 fromMoving = rigidInverse(toMoving.toGrid * toMoving.toBend);
+  const auto draw = [&](const glm::dvec3& own, const QString& word, const QColor& colour, bool chosen) {
+    const glm::dvec3 p = moving && !isOwnMoving() ? carried(fromMoving, own) : own;
+    const double off = std::abs(distanceTo(shown, p));
+    if (off > 12.0) return;
+    const QPointF at = pixelAt(p);
+    QColor pen = colour;
+    pen.setAlphaF(std::clamp(1.1 - off / 12.0, 0.25, 1.0));
+    painter.setPen(QPen(QColor(0, 0, 0, 180), chosen ? 5.0 : 3.5));
+    painter.setBrush(Qt::NoBrush);
+    const double r = off < 1.0 ? 6.0 : 4.0;
+    painter.drawEllipse(at, r, r);
+    painter.setPen(QPen(pen, chosen ? 2.5 : 1.5));
+    painter.drawEllipse(at, r, r);
+    QPainterPath path;
+    QFont font = painter.font();
+    font.setBold(chosen);
+    path.addText(at + QPointF(9, -5), font, word);
+    painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
+    painter.drawPath(path);
+    painter.fillPath(path, pen);
+  };
+  for (std::size_t n = 0; n < marks.size(); ++n) {
+    const bool outlying = result && std::find(result->outlying.begin(), result->outlying.end(), n) != result->outlying.end();
+    draw(moving ? marks[n].moving_mm : marks[n].fixed_mm, QString::number(n + 1) + (outlying ? QStringLiteral("!") : QString()),
+         outlying ? QColor(0xe0, 0x5a, 0x4e) : kCross, session_.chosenLandmark() == static_cast<int>(n));
+  }
+  const auto picked = moving ? session_.pickedMoving() : session_.pickedFixed();
+  if (picked) draw(*picked, QString::number(marks.size() + 1) + QStringLiteral("?"), kAccent, true);
+}
+
+void SliceView::drawStrokes(QPainter& painter) const {
+  const glm::dmat4 fromWorld = rigidInverse(session_.toWorld(session_.pair()->fixed));
+  const Plane shown = plane();
+  for (const SeamStroke& stroke : session_.project().settings.join.seam.strokes) {
+    const glm::dvec3 p = carried(fromWorld, stroke.at_mm);
+    const double off = distanceTo(shown, p);
+    if (std::abs(off) >= stroke.radius_mm) continue;
+    const double r = std::sqrt(stroke.radius_mm * stroke.radius_mm - off * off) / shown.pixel_mm;
+    QColor colour = colourOf(colourOfView(stroke.view));
+    painter.setPen(QPen(colour, 1.2, Qt::DashLine));
+    colour.setAlpha(50);
+    painter.setBrush(colour);
+    painter.drawEllipse(pixelAt(p), r, r);
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void SliceView::drawFrameWords(QPainter& painter) const {
+  // Which way the patient lies, by the axis that points most that way.
+  const glm::dmat3 turn =
+      session_.pair() ? glm::dmat3(isOwnMoving() ? session_.toWorld(session_.pair()->moving) : session_.toWorld(session_.pair()->fixed))
+                      : glm::dmat3(1.0);
+  const auto letter = [](const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const bool up = direction[axis] > 0.0;
+    return axis == 0   ? (up ? SliceView::tr("L", "patient left") : SliceView::tr("R", "patient right"))
+           : axis == 1 ? (up ? SliceView::tr("P", "posterior") : SliceView::tr("A", "anterior"))
+                       : (up ? SliceView::tr("H", "head") : SliceView::tr("F", "feet"));
+  };
+  const Plane shown = plane();
+  painter.setPen(QColor(0x9b, 0xa1, 0xa8));
+  const QRectF box = QRectF(rect()).adjusted(6, 4, -6, -4);
+  painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, letter(turn * shown.right));
+  painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, letter(-(turn * shown.right)));
+  painter.drawText(box, Qt::AlignHCenter | Qt::AlignBottom, letter(turn * shown.down));
+  painter.drawText(box, Qt::AlignHCenter | Qt::AlignTop, letter(-(turn * shown.down)));
+  // A length to compare with.
+  double bar_mm = 10.0;
+  while (bar_mm / shown.pixel_mm > width() / 3.0) bar_mm /= 2.0;
+  while (bar_mm / shown.pixel_mm < 24.0 && bar_mm < 1000.0) bar_mm *= 2.0;
+  const double length = bar_mm / shown.pixel_mm;
+  const QPointF end(width() - 10.0, height() - 10.0);
+  painter.setPen(QPen(QColor(0xc8, 0xcc, 0xd0), 2.0));
+  painter.drawLine(end - QPointF(length, 0), end);
+  painter.drawText(QRectF(end.x() - 100, end.y() - 20, 100, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("%1 mm").arg(bar_mm));
+}
+
+void SliceView::paintEvent(QPaintEvent*) {
+  if (dirty_) render();
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::black);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = this->font();
+  font.setPixelSize(12);
+  painter.setFont(font);
+  if (picture_.isNull()) {
+    painter.setPen(QColor(0x9b, 0xa1, 0xa8));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, nothing_);
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(rect(), picture_);
+  const bool halves = kind_ == Kind::overlap && tools_.sideBySide;
+  if (kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::displacement) {
+    drawLattice(painter);
+    drawFrameWords(painter);
+  } else if (!halves) {
+    drawFrameWords(painter);
+  }
+  if (halves) {
+    painter.setPen(QPen(QColor(0x9b, 0xa1, 0xa8), 1.0));
+    painter.drawLine(QPointF(width() / 2.0, 0), QPointF(width() / 2.0, height()));
+    painter.setPen(QColor(0xe9, 0xeb, 0xed));
+    painter.drawText(QRectF(8, height() - 24, width() / 2.0 - 16, 18), Qt::AlignLeft | Qt::AlignVCenter, tr("before"));
+    painter.drawText(QRectF(width() / 2.0 + 8, height() - 24, width() / 2.0 - 16, 18), Qt::AlignLeft | Qt::AlignVCenter, tr("after"));
+  }
+  const bool seam = kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::seam;
+  if (seam || (kind_ == Kind::overlap && tools_.hand == Tools::Hand::paint && !halves)) drawStrokes(painter);
+  if (seam) {
+    // Which colour is whose.
+    double y = height() - 12.0 - 16.0 * static_cast<double>(session_.project().volumes.size());
+    for (std::size_t n = 0; n < session_.project().volumes.size(); ++n, y += 16.0) {
+      painter.fillRect(QRectF(10, y + 3, 10, 10), colourOf(colourOfView(n)));
+      painter.setPen(QColor(0xe9, 0xeb, 0xed));
+      painter.drawText(QRectF(26, y, 60, 16), Qt::AlignLeft | Qt::AlignVCenter, sdk::words(letterOf(n)));
+    }
+  }
+  if (!halves) {
+    // A gap where the lines cross: what is looked at must be seen.
+    const QPointF at = pixelAt(cross());
+    QColor colour = kCross;
+    colour.setAlpha(kind_ == Kind::fourth ? 120 : 200);
+    painter.setPen(QPen(colour, 1.0));
+    constexpr double kGap = 6.0, kArm = 48.0;
+    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(at + kGap * way, at + kArm * way);
+  }
+  if (kind_ == Kind::fixed || kind_ == Kind::moving) drawLandmarks(painter);
+  if (tools_.hand == Tools::Hand::paint && pointer_.x() >= 0 && (kind_ == Kind::overlap || seam) && !halves) {
+    painter.setPen(QPen(colourOf(colourOfView(tools_.brushView)), 1.5));
+    painter.setBrush(Qt::NoBrush);
+    const double r = tools_.brush_mm / plane().pixel_mm;
+    painter.drawEllipse(pointer_, r, r);
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(kAccent, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+}
+
+void SliceView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  dirty_ = true;
+  if (kind_ == Kind::fixed) session_.setViewSide(std::min(width(), height()));
+}
+
+void SliceView::paintStroke(const QPointF& at) {
+  const glm::dvec3 p = carried(session_.toWorld(session_.pair()->fixed), pointUnder(at));
+  if (lastStroke_ && glm::length(*lastStroke_ - p) < 0.5 * tools_.brush_mm) return;
+  lastStroke_ = p;
+  session_.edit(withStroke(session_.project(), {tools_.brushView, p, tools_.brush_mm}),
+                tr("prefer %1 at the seam").arg(sdk::words(letterOf(tools_.brushView))), "stroke");
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  if (!session_.pair() || picture_.isNull()) return;
+  from_ = event->localPos();
+  planeFrom_ = plane();
+  dragging_ = event->button();
+  if (dragging_ != Qt::LeftButton) return;
+  const bool seam = kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::seam;
+  if (tools_.hand == Tools::Hand::pick && (kind_ == Kind::fixed || kind_ == Kind::moving)) {
+    dragging_ = Qt::NoButton;
+    const glm::dvec3 p = pointUnder(from_);
+    const bool moving = kind_ == Kind::moving;
+    session_.pick(moving, moving && !isOwnMoving() ? session_.movingMapping(session_.stage())(p) : p);
+  } else if (tools_.hand == Tools::Hand::paint && (seam || kind_ == Kind::overlap)) {
+    lastStroke_.reset();
+    session_.endMerging();
+    paintStroke(from_);
+  } else {
+    setCross(pointUnder(from_));
+  }
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  pointer_ = event->localPos();
+  if (tools_.hand == Tools::Hand::paint) update();
+  if (dragging_ == Qt::NoButton || !session_.pair()) return;
+  const QPointF way = pointer_ - from_;
+  const bool seam = kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::seam;
+  if (dragging_ == Qt::LeftButton) {
+    if (tools_.hand == Tools::Hand::paint && (seam || kind_ == Kind::overlap))
+      paintStroke(pointer_);
+    else
+      setCross(pointUnder(pointer_));
+  } else if (dragging_ == Qt::MiddleButton) {
+    Plane next = planeFrom_;
+    next.centre_mm -= next.pixel_mm * (way.x() * next.right + way.y() * next.down);
+    setPlane(next);
+  } else if (dragging_ == Qt::RightButton) {
+    setPlane(turned(planeFrom_, cross(), {-0.4 * way.y(), 0.4 * way.x(), 0.0}));
+  }
+}
+
+void SliceView::mouseReleaseEvent(QMouseEvent*) {
+  if (dragging_ == Qt::LeftButton && tools_.hand == Tools::Hand::paint) session_.endMerging();
+  dragging_ = Qt::NoButton;
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && tools_.hand == Tools::Hand::look) session_.fit();
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (!session_.pair()) return;
+  const double turns = event->angleDelta().y() / 120.0;
+  if (turns == 0.0) return;
+  Plane next = plane();
+  if (event->modifiers().testFlag(Qt::ControlModifier)) {
+    // What is under the pointer stays there.
+    const glm::dvec3 held = pointUnder(event->position());
+    const double factor = std::pow(1.2, -turns);
+    const double pixel_mm = std::clamp(next.pixel_mm * factor, 0.01, 5.0);
+    next.centre_mm = held + (next.centre_mm - held) * (pixel_mm / next.pixel_mm);
+    next.pixel_mm = pixel_mm;
+    setPlane(next);
+  } else {
+    const double step_mm = event->modifiers().testFlag(Qt::ShiftModifier) ? 5.0 : 1.0;
+    setCross(cross() + turns * step_mm * next.normal());
+  }
+  event->accept();
+}
+
+void SliceView::leaveEvent(QEvent*) {
+  pointer_ = {-1, -1};
+  update();
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  if (!keys || !keys(*event, true)) QWidget::keyPressEvent(event);
+}
+
+bool SliceView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && keys && keys(*static_cast<QKeyEvent*>(event), false)) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace ew::stitching

@@ -1,0 +1,224 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "ew/sdk/host.h"
+#include "logic/chain.h"
+#include "logic/slices.h"
+#include "logic/stitch_document.h"
+
+namespace ew::stitching {
+
+/// What panel and stage share: the project with its history, what was found, what is looked at. All on the window's thread; long work runs
+/// in the host's jobs on copies.
+class StitchSession final : public QObject, public sdk::PanelDocument {
+  Q_OBJECT
+
+ public:
+  /// @param folder for results and the recovery file; empty: the application's own data folder
+  explicit StitchSession(sdk::Host& host, std::filesystem::path folder = {});
+  ~StitchSession() override;
+
+  // The document, as the window sees it.
+  [[nodiscard]] std::string title() const override;
+  [[nodiscard]] std::string remark() const override;
+  [[nodiscard]] std::string note() const override;
+  [[nodiscard]] std::string undoText() const override { return document_.undoName(); }
+  [[nodiscard]] std::string redoText() const override { return document_.redoName(); }
+  void undo() override;
+  void redo() override;
+  void save(bool elsewhere) override;  ///< asks by a dialog where it must
+  [[nodiscard]] std::shared_ptr<void> onChanged(std::function<void()> callback) override;
+
+  [[nodiscard]] sdk::Host& host() { return host_; }
+  [[nodiscard]] const StitchDocument& document() const { return document_; }
+  [[nodiscard]] const StitchProject& project() const { return document_.project(); }
+  void edit(StitchProject next, const QString& what, const std::string& mergeKey = {});
+  void endMerging() { document_.endMerging(); }
+
+  /// Volumes, sweeps, or one project (which takes the place of an empty one, else its volumes are added).
+  void addFiles(const std::vector<std::filesystem::path>& files);
+  bool openProject(const std::filesystem::path& file);
+  bool saveAs(const std::filesystem::path& file);
+  /// The same for scripts that know no types of the plugin; the stage's property "session" leads here.
+  Q_INVOKABLE bool openProjectFile(const QString& file) { return openProject(file.toStdString()); }
+  Q_INVOKABLE bool saveProjectAs(const QString& file) { return saveAs(file.toStdString()); }
+  Q_INVOKABLE void chooseThePair(int a, int b) { choosePair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); }
+  Q_INVOKABLE QString projectAsText() const;
+  Q_INVOKABLE QString verdictOf(int a, int b) const;  ///< "aligned", …; empty: not matched
+  Q_INVOKABLE QList<double> transformNow() const;     ///< of the pair, fixed to moving, row by row
+  Q_INVOKABLE bool isElasticFound() const { return hasElastic(); }
+  Q_INVOKABLE int nodesOfResult() const { return result_ ? static_cast<int>(result_->grid.voxelCount()) : 0; }
+  void startAnew();
+  /// What an earlier run left unsaved.
+  [[nodiscard]] const std::optional<StitchDocument::Left>& left() const { return left_; }
+  void reopenLeft();
+  void discardLeft();
+
+  // What was found.
+  [[nodiscard]] std::shared_ptr<const Volume> volume(std::size_t index) const;  ///< null: not read yet, or it cannot be read
+  [[nodiscard]] bool isUnreadable(std::size_t index) const;
+  [[nodiscard]] bool isRunning() const { return running_; }
+  [[nodiscard]] const ChainState* found() const { return found_ ? found_.get() : nullptr; }
+  [[nodiscard]] bool isFoundFresh() const;  ///< nothing was edited since
+  [[nodiscard]] std::filesystem::path workFolder() const;
+
+  enum class Mark { unknown, aligned, cannotTell, notAligned, rejected };
+  struct PairLine {
+    std::size_t fixed = 0;
+    std::size_t moving = 0;
+    Mark mark = Mark::unknown;
+    bool stale = false;                    ///< edited since it was found
+    bool wrong = false;                    ///< the graph does not believe it
+    bool needsLook = false;                ///< not aligned, and nobody has decided
+    const PairOutcome* outcome = nullptr;  ///< of the last run; null: none
+  };
+  /// Every pair that a run has looked at or a person has spoken of; before the first run all of them.
+  [[nodiscard]] std::vector<PairLine> pairs() const;
+  [[nodiscard]] PairLine pairLine(std::size_t fixed, std::size_t moving) const;
+  [[nodiscard]] Mark markOf(std::size_t volume) const;  ///< the best of its pairs: what holds it
+  [[nodiscard]] int pairsToLookAt() const;
+  /// As found, else as placed. A volume placed anew since lies where it was put beside those that were not.
+  [[nodiscard]] glm::dmat4 toWorld(std::size_t volume) const;
+  /// Puts a volume where `shown` says, in the frame of toWorld.
+  void setPlace(std::size_t volume, const glm::dmat4& shown, const QString& what, const std::string& mergeKey);
+  void setPlacement(std::size_t volume, Placement placement);
+
+  // What is looked at.
+  struct Shown {
+    std::size_t fixed = 0;
+    std::size_t moving = 1;
+    bool operator==(const Shown&) const = default;
+  };
+  [[nodiscard]] const std::optional<Shown>& pair() const { return pair_; }
+  void choosePair(std::size_t a, std::size_t b);
+  [[nodiscard]] std::optional<std::size_t> chosenVolume() const { return chosenVolume_; }
+  void chooseVolume(std::size_t volume);
+  [[nodiscard]] int chosenLandmark() const { return chosenLandmark_; }
+  void chooseLandmark(int landmark);
+
+  /// Which transform the pair is seen with.
+  enum class Stage { start, rigid, elastic };
+  [[nodiscard]] Stage stage() const { return stage_; }
+  void setStage(Stage stage);
+  [[nodiscard]] bool hasElastic() const;
+  /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
+  [[nodiscard]] glm::dmat4 transform() const;
+  [[nodiscard]] glm::dmat4 startTransform() const;
+  /// From the fixed frame to each side's own grid, for a stage.
+  [[nodiscard]] Mapping fixedMapping(Stage stage) const;
+  [[nodiscard]] Mapping movingMapping(Stage stage) const;
+
+  // The two places that cross-hairs mark: linked, or each for itself.
+  [[nodiscard]] const Plane& plane() const { return plane_; }       ///< fixed frame
+  [[nodiscard]] const glm::dvec3& cross() const { return cross_; }  ///< fixed frame
+  [[nodiscard]] Plane movingPlane() const;                          ///< the moving volume's own frame
+  [[nodiscard]] glm::dvec3 movingCross() const;                     ///< the moving volume's own frame
+  void setPlane(const Plane& plane);
+  void setCross(const glm::dvec3& p_mm);        ///< the plane follows when the place lies off it
+  void setMovingPlane(const Plane& plane);      ///< linked: moves the fixed one
+  void setMovingCross(const glm::dvec3& p_mm);  ///< linked: moves the fixed one
+  [[nodiscard]] bool isLinked() const { return linked_; }
+  void setLinked(bool linked);
+  void setCut(Cut cut);
+  void setViewSide(int px);  ///< the shorter side of a view: what was seen stays seen when views grow
+  void fit();                ///< the whole of both volumes in view, cross-hairs in the middle of what both cover
+
+  // Landmarks of the pair.
+  [[nodiscard]] std::vector<registration::LandmarkPair> landmarks() const;
+  [[nodiscard]] const std::optional<registration::LandmarkResult>& landmarkResult() const { return landmarkResult_; }
+  [[nodiscard]] std::optional<glm::dvec3> pickedFixed() const { return pickedFixed_; }
+  [[nodiscard]] std::optional<glm::dvec3> pickedMoving() const { return pickedMoving_; }
+  void pick(bool moving, const glm::dvec3& p_mm);  ///< the second of two makes a landmark
+  void dropPick();
+  void removeLandmark(int landmark);
+  void renameLandmark(int landmark, const QString& name);
+  void useLandmarks();  ///< the pair's method becomes landmarks, and the pair is matched again
+
+  // Decisions and nudges.
+  void setDecision(Decision decision);
+  void nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);  ///< along and about the plane's right, down, normal
+  void setTransform(const glm::dmat4& fixedToMoving, const QString& what, const std::string& mergeKey);
+  [[nodiscard]] QuickAgreement agreement() const;  ///< at the present transform
+
+  // Work.
+  void matchAll(bool withoutPlaces);
+  void run(Step until, const QString& title);
+  void pinStart();  ///< what is seen now becomes the start of the next refinement; a step with it
+  void redoPair(PairMethod method, std::optional<double> maxTurn_deg);
+  struct LevelSeen {
+    std::size_t fixed = 0;
+    std::size_t moving = 0;
+    registration::Level level;
+  };
+  [[nodiscard]] std::vector<registration::Level> levels() const;  ///< of the pair: growing while it runs, else of its result
+  [[nodiscard]] std::shared_ptr<const Volume> result() const { return result_; }  ///< the whole; null: not made
+  [[nodiscard]] bool isResultFresh() const { return result_ && isFoundFresh(); }
+  void handToCase();
+  void saveResult(const std::filesystem::path& folder);  ///< volume, coverage, source and provenance
+  void showResult();
+
+ Q_SIGNALS:
+  void changed();      ///< the project, what was found, or what is chosen
+  void lookChanged();  ///< plane, cross-hairs, stage
+  void levelsChanged();
+  void problem(const QString& sentence);  ///< empty: none any more
+  void said(const QString& sentence);     ///< what was done, where it matters
+  void nextPairAsked(int step);
+
+ private:
+  struct Inbox;
+  void afterEdit();
+  void afterChoice();
+  void readVolumes();
+  void keep();
+  void tell();
+  void say(const Error& error);
+  void settle(ChainState state, StitchProject asked);
+  [[nodiscard]] std::optional<std::size_t> foundIndex(std::size_t volume) const;
+  [[nodiscard]] bool samePlaces(std::size_t volume) const;
+  [[nodiscard]] const glm::dmat4* foundPlace(std::size_t volume) const;  ///< null: none, or placed anew since
+  [[nodiscard]] glm::dmat4 placedToShown(std::size_t volume) const;      ///< from the project's world to the one that is shown
+  void editPair(const std::function<void(ProjectPair&)>& change, const QString& what, const std::string& mergeKey = {});
+  [[nodiscard]] QString nameOfPair() const;
+
+  sdk::Host& host_;
+  std::filesystem::path folder_;
+  StitchDocument document_;
+  std::optional<StitchDocument::Left> left_;
+  std::vector<std::weak_ptr<std::function<void()>>> callbacks_;
+  QTimer keepSoon_;
+  QTimer poll_;
+  std::shared_ptr<Inbox> inbox_;
+
+  std::map<std::string, std::shared_ptr<const Volume>> volumes_;  ///< by keyOf
+  std::set<std::string> unreadable_;
+  bool reading_ = false;
+  bool running_ = false;
+  std::shared_ptr<const ChainState> found_;
+  std::shared_ptr<const Volume> result_;
+  StitchProject asked_;  ///< of which found_ tells
+  std::vector<std::string> foundKeys_;
+
+  std::optional<Shown> pair_;
+  std::optional<std::size_t> chosenVolume_;
+  int chosenLandmark_ = -1;
+  Stage stage_ = Stage::rigid;
+  Plane plane_;
+  glm::dvec3 cross_{0.0};
+  Plane movingPlane_;
+  glm::dvec3 movingCross_{0.0};
+  bool linked_ = true;
+  int viewSide_px_ = 330;
+  std::optional<registration::LandmarkResult> landmarkResult_;
+  std::optional<glm::dvec3> pickedFixed_, pickedMoving_;
+  std::vector<LevelSeen> running_levels_;
+};
+
+}  // namespace ew::stitching

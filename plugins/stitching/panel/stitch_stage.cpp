@@ -1,0 +1,453 @@
+#include "panel/stitch_stage.h"
+
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QPainter>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QUrl>
+#include <algorithm>
+
+#include "panel/look.h"
+
+namespace ew::stitching {
+namespace {
+
+using sdk::kGap_px;
+using sdk::words;
+
+constexpr int kInspectorWidth_px = 312;
+
+/// A title that gives way: with too little room it ends in dots and tells the rest in its tooltip.
+class ElidedLabel final : public QLabel {
+ public:
+  using QLabel::QLabel;
+  [[nodiscard]] QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
+
+void chooseIn(QComboBox* box, int data) {
+  const int at = box->findData(data);
+  if (at >= 0) box->setCurrentIndex(at);
+}
+
+}  // namespace
+
+StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("stitchStage"));
+  setAcceptDrops(true);
+  setProperty("session", QVariant::fromValue<QObject*>(&session_));
+  setFocusPolicy(Qt::ClickFocus);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+
+  const auto view = [&](SliceView::Kind kind, const char* name) {
+    auto* made = new SliceView(kind, session_, tools_);
+    made->setObjectName(QLatin1String(name));
+    made->keys = [this](QKeyEvent& event, bool act) { return handleKey(event, act); };
+    return made;
+  };
+  fixed_ = view(SliceView::Kind::fixed, "fixedView");
+  moving_ = view(SliceView::Kind::moving, "movingView");
+  overlap_ = view(SliceView::Kind::overlap, "overlapView");
+  fourth_ = view(SliceView::Kind::fourth, "fourthView");
+  placement_ = new PlacementView(session_);
+  fourthPages_ = new QStackedWidget;
+  fourthPages_->addWidget(placement_);
+  fourthPages_->addWidget(fourth_);
+
+  const auto combo = [](const char* name, const QString& hint) {
+    auto* box = new QComboBox;
+    box->setObjectName(QLatin1String(name));
+    box->setToolTip(hint);
+    box->setProperty("small", true);
+    box->setFocusPolicy(Qt::TabFocus);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(5);
+    box->setMinimumWidth(72);
+    box->setMaximumWidth(128);
+    return box;
+  };
+  const auto toggle = [](const QString& text, const QString& hint, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    button->setCheckable(true);
+    button->setProperty("compact", true);
+    button->setProperty("small", true);
+    button->setToolTip(hint);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+  };
+  cut_ = combo("cut", tr("Which way the plane lies (1, 2, 3); right drag in a view turns it"));
+  cut_->addItem(tr("axial"), static_cast<int>(Cut::axial));
+  cut_->addItem(tr("coronal"), static_cast<int>(Cut::coronal));
+  cut_->addItem(tr("sagittal"), static_cast<int>(Cut::sagittal));
+  connect(cut_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setCut(static_cast<Cut>(cut_->currentData().toInt())); });
+  linked_ =
+      toggle(tr("Linked"), tr("Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)"), "linked");
+  connect(linked_, &QPushButton::clicked, this, [this](bool on) { session_.setLinked(on); });
+  overlay_ = combo("overlay", tr("How both are laid over each other (C)"));
+  overlay_->addItem(tr("checkerboard"), static_cast<int>(Overlay::checkerboard));
+  overlay_->addItem(tr("difference"), static_cast<int>(Overlay::difference));
+  overlay_->addItem(tr("flicker"), static_cast<int>(Overlay::flicker));
+  overlay_->addItem(tr("colours"), static_cast<int>(Overlay::colours));
+  overlay_->setMinimumWidth(124);
+  connect(overlay_, qOverload<int>(&QComboBox::activated), this,
+          [this] { setOverlay(static_cast<Overlay>(overlay_->currentData().toInt())); });
+  stageChoice_ = combo("stageChoice", tr("As it was at the start, as matched, or with the elastic step (X)"));
+  connect(stageChoice_, qOverload<int>(&QComboBox::activated), this,
+          [this] { session_.setStage(static_cast<StitchSession::Stage>(stageChoice_->currentData().toInt())); });
+  halves_ =
+      toggle(QStringLiteral("◧"), tr("Before and after side by side: the start at the left, the present at the right (B)"), "beforeAfter");
+  halves_->setAccessibleName(tr("Before and after"));
+  halves_->setFixedWidth(32);
+  connect(halves_, &QPushButton::clicked, this, [this](bool on) {
+    tools_.sideBySide = on;
+    toolsChanged();
+  });
+  fourthChoice_ = combo("fourthChoice", tr("What this view shows (G)"));
+  fourthChoice_->addItem(tr("placement"), static_cast<int>(Tools::Fourth::placement));
+  fourthChoice_->addItem(tr("displacement"), static_cast<int>(Tools::Fourth::displacement));
+  fourthChoice_->addItem(tr("seam"), static_cast<int>(Tools::Fourth::seam));
+  fourthChoice_->addItem(tr("result"), static_cast<int>(Tools::Fourth::result));
+  connect(fourthChoice_, qOverload<int>(&QComboBox::activated), this,
+          [this] { setFourth(static_cast<Tools::Fourth>(fourthChoice_->currentData().toInt())); });
+  brushRow_ = new QWidget;
+  auto* brushes = new QHBoxLayout(brushRow_);
+  brushes->setContentsMargins(0, 0, 0, 0);
+  brushes->setSpacing(kGap_px / 2);
+  paint_ = toggle(tr("Prefer"), tr("Paint where a view is to be preferred (V); here and in the overlap"), "paintSeam");
+  connect(paint_, &QPushButton::clicked, this, [this](bool on) { setHand(on ? Tools::Hand::paint : Tools::Hand::look); });
+  brushView_ = combo("brushView", tr("The view that is preferred where you paint"));
+  brushView_->setMinimumContentsLength(2);
+  connect(brushView_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    tools_.brushView = static_cast<std::size_t>(std::max(0, index));
+    toolsChanged();
+  });
+  brush_ = new sdk::NumberField(1.0, 50.0, 0, tr("mm"));
+  brush_->setObjectName(QStringLiteral("brush"));
+  brush_->setProperty("small", true);
+  brush_->setMinimumWidth(64);
+  brush_->setValue(tools_.brush_mm);
+  brush_->setToolTip(tr("Radius of the brush ([ and ])"));
+  connect(brush_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    tools_.brush_mm = value;
+    toolsChanged();
+  });
+  brushes->addWidget(paint_);
+  brushes->addWidget(brushView_);
+  brushes->addWidget(brush_);
+
+  auto* grid = new QWidget;
+  auto* cells = new QGridLayout(grid);
+  cells->setContentsMargins(0, 0, 0, 0);
+  cells->setSpacing(1);
+  cells->addWidget(makeFrame(titles_[0], fixed_, {cut_}), 0, 0);
+  cells->addWidget(makeFrame(titles_[1], overlap_, {overlay_, stageChoice_, halves_}), 0, 1);
+  cells->addWidget(makeFrame(titles_[2], moving_, {linked_}), 1, 0);
+  cells->addWidget(makeFrame(titles_[3], fourthPages_, {brushRow_, fourthChoice_}), 1, 1);
+  for (const int n : {0, 1}) {
+    cells->setRowStretch(n, 1);
+    cells->setColumnStretch(n, 1);
+  }
+  inspector_ = new PairInspector(session_, tools_);
+  inspector_->setFixedWidth(kInspectorWidth_px);
+  connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
+  row->addWidget(grid, 1);
+  auto* line = new QWidget;
+  line->setFixedWidth(1);
+  line->setAutoFillBackground(true);
+  line->setBackgroundRole(QPalette::Mid);
+  row->addWidget(line);
+  row->addWidget(inspector_);
+
+  flicker_.setInterval(450);
+  connect(&flicker_, &QTimer::timeout, this, [this] {
+    tools_.flickerSecond = !tools_.flickerSecond;
+    overlap_->refresh();
+    showTitles();
+  });
+  connect(&session_, &StitchSession::changed, this, &StitchStage::showTitles);
+  connect(&session_, &StitchSession::lookChanged, this, &StitchStage::showTitles);
+  showTitles();
+  setFourth(tools_.fourth);
+}
+
+QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vector<QWidget*>& controls) {
+  auto* frame = new QWidget;
+  frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // all four of one width, whatever stands in their heads
+  auto* column = new QVBoxLayout(frame);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* head = new QWidget;
+  head->setFixedHeight(36);
+  head->setAutoFillBackground(true);
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(kGap_px, 3, kGap_px / 2, 3);
+  row->setSpacing(kGap_px / 2);
+  title = new ElidedLabel;
+  title->setProperty("small", true);
+  row->addWidget(title, 1);
+  for (QWidget* control : controls) row->addWidget(control);
+  column->addWidget(head);
+  column->addWidget(content, 1);
+  return frame;
+}
+
+void StitchStage::showTitles() {
+  const bool was = std::exchange(showing_, true);
+  const auto& pair = session_.pair();
+  const auto& volumes = session_.project().volumes;
+  const auto put = [](QLabel* label, const QString& text, const QString& tip) {
+    label->setText(text);
+    label->setToolTip(tip);
+  };
+  if (pair) {
+    const QString a = words(letterOf(pair->fixed));
+    const QString b = words(letterOf(pair->moving));
+    put(titles_[0], tr("%1 fixed").arg(a) + QStringLiteral(" · ") + words(volumes[pair->fixed].name), words(volumes[pair->fixed].name));
+    put(titles_[2], tr("%1 moving").arg(b) + QStringLiteral(" · ") + words(volumes[pair->moving].name), words(volumes[pair->moving].name));
+    const bool flickers = tools_.overlay == Overlay::flicker;
+    put(titles_[1], flickers ? (tools_.flickerSecond ? b : a) : tr("%1 and %2").arg(a, b), tr("%1 and %2 over each other").arg(a, b));
+  } else {
+    put(titles_[0], tr("fixed"), {});
+    put(titles_[1], tr("both"), {});
+    put(titles_[2], tr("moving"), {});
+  }
+  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), tr("which view is taken"), tr("the whole")};
+  put(titles_[3], fourths[static_cast<int>(tools_.fourth)], {});
+  for (QWidget* control : {static_cast<QWidget*>(cut_), static_cast<QWidget*>(linked_), static_cast<QWidget*>(overlay_),
+                           static_cast<QWidget*>(stageChoice_), static_cast<QWidget*>(halves_), static_cast<QWidget*>(fourthChoice_)})
+    control->setVisible(pair.has_value());
+  linked_->setChecked(session_.isLinked());
+  const auto stage = session_.stage();
+  stageChoice_->clear();
+  stageChoice_->addItem(tr("start"), static_cast<int>(StitchSession::Stage::start));
+  stageChoice_->addItem(tr("matched"), static_cast<int>(StitchSession::Stage::rigid));
+  if (session_.hasElastic()) stageChoice_->addItem(tr("elastic"), static_cast<int>(StitchSession::Stage::elastic));
+  chooseIn(stageChoice_, static_cast<int>(stage));
+  if (brushView_->count() != static_cast<int>(volumes.size())) {
+    brushView_->clear();
+    for (std::size_t n = 0; n < volumes.size(); ++n) brushView_->addItem(words(letterOf(n)));
+    if (tools_.brushView >= volumes.size()) tools_.brushView = 0;
+    brushView_->setCurrentIndex(static_cast<int>(tools_.brushView));
+  }
+  showing_ = was;
+}
+
+void StitchStage::toolsChanged() {
+  if (tools_.overlay == Overlay::flicker && !flicker_.isActive()) flicker_.start();
+  if (tools_.overlay != Overlay::flicker) flicker_.stop();
+  chooseIn(overlay_, static_cast<int>(tools_.overlay));
+  chooseIn(fourthChoice_, static_cast<int>(tools_.fourth));
+  halves_->setChecked(tools_.sideBySide);
+  paint_->setChecked(tools_.hand == Tools::Hand::paint);
+  const Qt::CursorShape shape = tools_.hand == Tools::Hand::look ? Qt::ArrowCursor : Qt::CrossCursor;
+  for (SliceView* each : {fixed_, moving_, overlap_, fourth_}) {
+    each->setCursor(shape);
+    each->refresh();
+  }
+  showTitles();
+}
+
+void StitchStage::setFourth(Tools::Fourth fourth) {
+  tools_.fourth = fourth;
+  fourthPages_->setCurrentWidget(fourth == Tools::Fourth::placement ? static_cast<QWidget*>(placement_) : fourth_);
+  brushRow_->setVisible(fourth == Tools::Fourth::seam);
+  if (fourth != Tools::Fourth::seam && tools_.hand == Tools::Hand::paint) tools_.hand = Tools::Hand::look;
+  toolsChanged();
+}
+
+void StitchStage::setHand(Tools::Hand hand) {
+  if (hand == Tools::Hand::paint && tools_.fourth != Tools::Fourth::seam) setFourth(Tools::Fourth::seam);
+  if (tools_.hand == Tools::Hand::pick && hand != Tools::Hand::pick) session_.dropPick();
+  tools_.hand = hand;
+  toolsChanged();
+  inspector_->refresh();
+}
+
+void StitchStage::setOverlay(Overlay overlay) {
+  tools_.overlay = overlay;
+  tools_.flickerSecond = false;
+  toolsChanged();
+}
+
+std::vector<std::pair<std::string, std::string>> StitchStage::keyLines() {
+  const auto line = [](const char* keys, const QString& what) { return std::pair(std::string(keys), what.toStdString()); };
+  const auto said = [](const QString& keys, const QString& what) { return std::pair(keys.toStdString(), what.toStdString()); };
+  return {said(tr("Arrows, PgUp, PgDown"), tr("nudge by 0.5 mm, with Shift 2 mm, with Ctrl 0.1 mm")),
+          line("Q, E", tr("turn in the plane by 1°, with Shift 5°")),
+          line("A, D, W, S", tr("turn out of the plane")),
+          said(tr("Drag"), tr("move the cross-hairs")),
+          said(tr("Wheel; , ."), tr("step through by 1 mm, with Shift 5 mm")),
+          said(tr("Ctrl + wheel; + -; 0"), tr("zoom; everything in view")),
+          said(tr("Right drag, middle drag"), tr("turn the plane, shift it")),
+          line("1, 2, 3", tr("axial, coronal, sagittal")),
+          line("N, Shift+N", tr("next, previous pair")),
+          line("C, X, B", tr("overlay, start or result, before and after")),
+          line("G", tr("placement, displacement, seam, result")),
+          line("L", tr("cross-hairs linked or each for itself")),
+          line("P, Esc", tr("pick landmarks, stop")),
+          said(tr("Delete"), tr("remove the chosen landmark")),
+          line("V, [ ]", tr("paint a preference, size of the brush")),
+          said(tr("Enter, Backspace"), tr("accept, reject the pair")),
+          line("Ctrl+Z, Ctrl+Shift+Z, Ctrl+S", tr("undo, redo, save the project"))};
+}
+
+bool StitchStage::handleKey(QKeyEvent& event, bool act) {
+  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+  const bool ctrl = event.modifiers().testFlag(Qt::ControlModifier);
+  if (event.modifiers().testFlag(Qt::AltModifier)) return false;
+  const double mm = ctrl ? 0.1 : shift ? 2.0 : 0.5;
+  const double deg = shift ? 5.0 : 1.0;
+  const auto nudge = [&](const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+    if (!act) return true;
+    session_.nudge(shift_mm, turn_deg);
+    return true;
+  };
+  switch (event.key()) {
+    case Qt::Key_Left:
+      return nudge({-mm, 0, 0}, {});
+    case Qt::Key_Right:
+      return nudge({mm, 0, 0}, {});
+    case Qt::Key_Up:
+      return nudge({0, -mm, 0}, {});
+    case Qt::Key_Down:
+      return nudge({0, mm, 0}, {});
+    case Qt::Key_PageUp:
+      return nudge({0, 0, mm}, {});
+    case Qt::Key_PageDown:
+      return nudge({0, 0, -mm}, {});
+    default:
+      break;
+  }
+  if (!ctrl) {  // with Ctrl these letters are the window's
+    switch (event.key()) {
+      case Qt::Key_Q:
+        return nudge({}, {0, 0, -deg});
+      case Qt::Key_E:
+        return nudge({}, {0, 0, deg});
+      case Qt::Key_A:
+        return nudge({}, {0, -deg, 0});
+      case Qt::Key_D:
+        return nudge({}, {0, deg, 0});
+      case Qt::Key_W:
+        return nudge({}, {-deg, 0, 0});
+      case Qt::Key_S:
+        return nudge({}, {deg, 0, 0});
+      default:
+        break;
+    }
+  }
+  if (ctrl) return false;
+  const auto run = [act](auto&& does) {
+    if (act) does();
+    return true;
+  };
+  switch (event.key()) {
+    case Qt::Key_1:
+    case Qt::Key_2:
+    case Qt::Key_3:
+      return run([&] {
+        const int n = event.key() - Qt::Key_1;
+        cut_->setCurrentIndex(n);
+        session_.setCut(static_cast<Cut>(n));
+      });
+    case Qt::Key_0:
+      return run([&] { session_.fit(); });
+    case Qt::Key_Comma:
+    case Qt::Key_Less:
+    case Qt::Key_Semicolon:
+      return run([&] { session_.setCross(session_.cross() - (shift ? 5.0 : 1.0) * session_.plane().normal()); });
+    case Qt::Key_Period:
+    case Qt::Key_Greater:
+    case Qt::Key_Colon:
+      return run([&] { session_.setCross(session_.cross() + (shift ? 5.0 : 1.0) * session_.plane().normal()); });
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus:
+      return run([&] {
+        Plane plane = session_.plane();
+        plane.pixel_mm = std::clamp(plane.pixel_mm * (event.key() == Qt::Key_Minus ? 1.2 : 1.0 / 1.2), 0.01, 5.0);
+        session_.setPlane(plane);
+      });
+    case Qt::Key_N:
+      return run([&] { Q_EMIT session_.nextPairAsked(shift ? -1 : 1); });
+    case Qt::Key_C:
+      return run([&] { setOverlay(static_cast<Overlay>((static_cast<int>(tools_.overlay) + 1) % 4)); });
+    case Qt::Key_X:
+      return run([&] {
+        const int next = (static_cast<int>(session_.stage()) + 1) % (session_.hasElastic() ? 3 : 2);
+        session_.setStage(static_cast<StitchSession::Stage>(next));
+      });
+    case Qt::Key_B:
+      return run([&] {
+        tools_.sideBySide = !tools_.sideBySide;
+        toolsChanged();
+      });
+    case Qt::Key_G:
+      return run([&] { setFourth(static_cast<Tools::Fourth>((static_cast<int>(tools_.fourth) + 1) % 4)); });
+    case Qt::Key_L:
+      return run([&] { session_.setLinked(!session_.isLinked()); });
+    case Qt::Key_P:
+      return run([&] { setHand(tools_.hand == Tools::Hand::pick ? Tools::Hand::look : Tools::Hand::pick); });
+    case Qt::Key_V:
+      return run([&] { setHand(tools_.hand == Tools::Hand::paint ? Tools::Hand::look : Tools::Hand::paint); });
+    case Qt::Key_BracketLeft:
+    case Qt::Key_BracketRight:
+      return run([&] { brush_->setValue(brush_->value() + (event.key() == Qt::Key_BracketLeft ? -1.0 : 1.0)); });
+    case Qt::Key_Escape:
+      if (tools_.hand == Tools::Hand::look) return false;
+      return run([&] {
+        if (session_.pickedFixed() || session_.pickedMoving())
+          session_.dropPick();
+        else
+          setHand(Tools::Hand::look);
+        inspector_->refresh();
+      });
+    case Qt::Key_Delete:
+      return run([&] { session_.removeLandmark(session_.chosenLandmark()); });
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return run([&] { session_.setDecision(Decision::accepted); });
+    case Qt::Key_Backspace:
+      return run([&] { session_.setDecision(Decision::rejected); });
+    default:
+      return false;
+  }
+}
+
+void StitchStage::keyPressEvent(QKeyEvent* event) {
+  if (!handleKey(*event, true)) QWidget::keyPressEvent(event);
+}
+
+bool StitchStage::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && hasFocus() && handleKey(*static_cast<QKeyEvent*>(event), false)) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void StitchStage::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void StitchStage::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& url : event->mimeData()->urls())
+    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+  if (files.empty()) return;
+  event->acceptProposedAction();
+  session_.addFiles(files);
+}
+
+}  // namespace ew::stitching

@@ -1,0 +1,234 @@
+// From three subvolumes without places to a case: the way an author goes through the stitching panel, with the hand and the keys alone.
+// ECHOWEAVE_TEST_PICTURES names a folder for what was seen on the way.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStandardPaths>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTimer>
+#include <QUrl>
+#include <cmath>
+
+#include "ew/phantom/patient.h"
+#include "window_fixture.h"
+
+namespace ew::ui::testing {
+
+class StitchingJourneyTest : public WindowFixture {
+  Q_OBJECT
+
+ private:
+  struct Part {
+    QString file;
+    glm::dvec3 at_mm{0.0};  ///< of its origin in the patient: nothing in the file tells
+  };
+  std::vector<Part> parts_;
+  Volume truth_;
+
+  /// A piece of the patient in coordinates of its own.
+  [[nodiscard]] Part writePart(const QString& name, const glm::ivec3& from, const glm::ivec3& dims) const {
+    Volume piece;
+    piece.grid = truth_.grid;
+    piece.grid.dims = dims;
+    piece.grid.origin_mm = {0.0, 0.0, 0.0};
+    for (int k = 0; k < dims.z; ++k)
+      for (int j = 0; j < dims.y; ++j)
+        for (int i = 0; i < dims.x; ++i) piece.echo.push_back(truth_.echo[truth_.grid.indexOf(from.x + i, from.y + j, from.z + k)]);
+    const QString file = files_.path(name);
+    if (!writeVolume(piece, file.toStdString())) qFatal("'%s' was not written", qPrintable(file));
+    return {file, truth_.grid.spacing_mm * glm::dvec3(from)};
+  }
+
+  void keepPicture(const char* name) const {
+    const QString folder = qEnvironmentVariable("ECHOWEAVE_TEST_PICTURES");
+    if (folder.isEmpty()) return;
+    QTest::qWait(80);
+    window_->grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
+  }
+  [[nodiscard]] QTabWidget* tabs() const { return find<QTabWidget>("authorPanel"); }
+  [[nodiscard]] QWidget* panel() const { return find<QWidget>("stitchPanel"); }
+  [[nodiscard]] QWidget* view(const char* name) const { return find<QWidget>(name); }
+  [[nodiscard]] QObject* stitching() const { return find<QWidget>("stitchStage")->property("session").value<QObject*>(); }
+  template <class Value, class... Args>
+  Value ask(QObject* whom, const char* what, Args... args) const {
+    Value answer{};
+    const QReturnArgument<Value> returned(QMetaType::typeName(qMetaTypeId<Value>()), answer);
+    if (!QMetaObject::invokeMethod(whom, what, Qt::DirectConnection, returned, args...)) qFatal("nobody answers '%s'", what);
+    return answer;
+  }
+  [[nodiscard]] QString verdict(int a, int b) const { return ask<QString>(stitching(), "verdictOf", Q_ARG(int, a), Q_ARG(int, b)); }
+  [[nodiscard]] QJsonObject project() const {
+    return QJsonDocument::fromJson(ask<QString>(stitching(), "projectAsText").toUtf8()).object();
+  }
+  [[nodiscard]] int strokes() const {
+    return static_cast<int>(ask<QString>(stitching(), "projectAsText").count(QStringLiteral("radius_mm")));
+  }
+  [[nodiscard]] bool jobsEnd(int patience_ms = 240000) const {
+    return waitUntil(
+        [this] {
+          QApplication::processEvents();
+          return !window_->jobs().isRunning();
+        },
+        patience_ms);
+  }
+  void click(const char* button) const { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
+  /// Shows what a click needs to reach: the inspector scrolls.
+  void clickInspector(const char* button) const {
+    auto* target = find<QPushButton>(button);
+    for (QWidget* above = target->parentWidget(); above != nullptr; above = above->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(above)) scroll->ensureWidgetVisible(target);
+    QTest::mouseClick(target, Qt::LeftButton);
+  }
+  [[nodiscard]] QString problem() const {
+    const auto* label = panel()->findChild<QLabel*>(QStringLiteral("problem"));
+    return label->isVisible() ? label->text() : QString();
+  }
+  void drop(const std::vector<QString>& files) const {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const auto& file : files) urls << QUrl::fromLocalFile(file);
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(panel(), &event);
+  }
+  void choose(const char* box, int data) const {
+    auto* combo = find<QComboBox>(box);
+    const int at = combo->findData(data);
+    QVERIFY2(at >= 0, box);
+    combo->setCurrentIndex(at);
+    Q_EMIT combo->activated(at);
+  }
+  void openWindow(const QString& folder) {
+    showWindowWithCase(folder);
+    window_->openPlugins();
+    window_->setWorkspace(Workspace::author);
+    for (int n = 0; n < tabs()->count(); ++n)
+      if (tabs()->widget(n)->objectName() == QLatin1String("panel_stitching")) tabs()->setCurrentIndex(n);
+    QVERIFY(panel() != nullptr);
+    QVERIFY(view("stitchStage") != nullptr);
+    QVERIFY(view("stitchStage")->isVisible());
+    QVERIFY(!window_->scanView().isVisible());
+  }
+  /// How far the pair's transform is from what the cutting of the parts says, at the middle of the fixed one.
+  [[nodiscard]] double error_mm(int a, int b) const {
+    const auto m = ask<QList<double>>(stitching(), "transformNow");
+    const glm::dvec3 p{50.0, 40.0, 40.0};
+    const glm::dvec3 expected = p + parts_[static_cast<std::size_t>(a)].at_mm - parts_[static_cast<std::size_t>(b)].at_mm;
+    const glm::dvec3 found{m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+                           m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+    return glm::length(found - expected);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    auto patient = readPatient(EW_SOURCE_DIR "/cases/upper-abdomen-normal/patient.json");
+    QVERIFY2(patient.has_value(), patient ? "" : patient.error().sentence.c_str());
+    VoxeliseOptions options;
+    options.spacing_mm = 2.0;
+    auto voxels = voxelise(**patient, options, noProgress());
+    QVERIFY(voxels.has_value());
+    truth_ = std::move(voxels->volume);
+    parts_ = {writePart(QStringLiteral("right lateral.mha"), {36, 12, 40}, {48, 48, 40}),
+              writePart(QStringLiteral("right oblique with a rather long name.mha"), {58, 18, 46}, {48, 46, 40}),
+              writePart(QStringLiteral("midline.mha"), {50, 14, 62}, {46, 48, 38})};
+  }
+  void cleanup() {
+    window_.reset();
+    // What one test leaves unsaved is not the next one's.
+    QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).removeRecursively();
+  }
+
+  void nudgesAreOneStepAndUndoIsTheProjectsOwn() {
+    openWindow(files_.writeCase(QStringLiteral("nudge case")));
+    drop({parts_[0].file, parts_[1].file});
+    QVERIFY(jobsEnd());
+    const QJsonObject before = project();
+    view("fixedView")->setFocus();
+    for (int n = 0; n < 4; ++n) QTest::keyClick(view("fixedView"), Qt::Key_Right);
+    QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("nudge B by 2 mm")), qPrintable(find<QLabel>("lastEdit")->text()));
+    QTest::keyClick(view("fixedView"), Qt::Key_E);
+    QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("turn B by 1°")), qPrintable(find<QLabel>("lastEdit")->text()));
+    QVERIFY(!window_->document().hasUnsavedChanges());
+    QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(project() == before);
+    // A box is dragged: 40 pixels are one step, and the other box stays.
+    auto* placement = view("placementView");
+    const QPoint at = ask<QPointF>(placement, "pixelOfPoint", Q_ARG(double, 46.0), Q_ARG(double, 46.0), Q_ARG(double, 40.0)).toPoint();
+    QTest::mousePress(placement, Qt::LeftButton, Qt::NoModifier, at);
+    for (int n = 1; n <= 8; ++n) {
+      QMouseEvent move(QEvent::MouseMove, at + QPoint(5 * n, 0), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(placement, &move);
+    }
+    QTest::mouseRelease(placement, Qt::LeftButton, Qt::NoModifier, at + QPoint(40, 0));
+    QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("move ")), qPrintable(find<QLabel>("lastEdit")->text()));
+    QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(project() == before);
+    keepPicture("12-two");
+    window_->resize(1920, 1080);
+    QTest::qWait(100);
+    keepPicture("13-large");
+    window_->setDarkTheme(false);
+    keepPicture("14-light");
+    window_->setDarkTheme(true);
+    QTest::keyClick(view("fixedView"), Qt::Key_F1);
+    keepPicture("15-keys");
+  }
+
+  void whatIsNoVolumeIsASentenceAndNoLine() {
+    openWindow(files_.writeCase(QStringLiteral("bad case")));
+    const QString bad = files_.path(QStringLiteral("bad.mha"));
+    QVERIFY(writeFileSafely(bad.toStdString(), "no volume"));
+    drop({bad, parts_[0].file});
+    QVERIFY(jobsEnd());
+    QCOMPARE(find<QListWidget>("volumes")->count(), 1);
+    QVERIFY2(problem().contains(QStringLiteral("bad.mha")), qPrintable(problem()));
+    keepPicture("16-problem");
+  }
+
+  void closingInTheMiddleOfAJobLosesNothing() {
+    const QString folder = files_.writeCase(QStringLiteral("closed case"));
+    openWindow(folder);
+    drop({parts_[0].file, parts_[1].file, parts_[2].file});
+    QVERIFY(jobsEnd());
+    click("matchAll");
+    QTest::qWait(150);
+    const QJsonObject before = project();
+    window_->close();
+    window_.reset();
+    openWindow(folder);
+    QVERIFY(view("recoveryOffer")->isVisible());
+    keepPicture("17-offer");
+    click("reopenLeft");
+    QVERIFY(jobsEnd());
+    QVERIFY(project() == before);
+    QCOMPARE(find<QListWidget>("volumes")->count(), 3);
+  }
+};
+
+}  // namespace ew::ui::testing
+
+int main(int argc, char** argv) {
+  QTemporaryDir data;
+  qputenv("XDG_DATA_HOME", data.path().toUtf8());
+  QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());
+  QApplication app(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
+  QApplication::setApplicationName(QStringLiteral("EchoWeave tests"));
+  ew::ui::testing::StitchingJourneyTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "stitching_journey_test.moc"
