@@ -17,15 +17,24 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   EXPECT_EQ(version.out, std::string("echoweave ") + kVersion + "\n");
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"import", "reconstruct", "slice", "scan", "phantom", "case", "plugins", "bench"})
+  for (const char* command : {"import", "reconstruct", "register", "slice", "scan", "phantom", "case", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
 
 TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
-  const std::vector<std::vector<std::string>> commands{{"import"},          {"reconstruct"},     {"slice"},           {"scan"},
-                                                       {"phantom"},         {"case", "list"},    {"case", "show"},    {"case", "validate"},
-                                                       {"case", "prepare"}, {"plugins", "list"}, {"bench", "slicing"}};
+  const std::vector<std::vector<std::string>> commands{{"import"},
+                                                       {"reconstruct"},
+                                                       {"register"},
+                                                       {"slice"},
+                                                       {"scan"},
+                                                       {"phantom"},
+                                                       {"case", "list"},
+                                                       {"case", "show"},
+                                                       {"case", "validate"},
+                                                       {"case", "prepare"},
+                                                       {"plugins", "list"},
+                                                       {"bench", "slicing"}};
   for (auto words : commands) {
     words.push_back("--help");
     const auto help = run(words);

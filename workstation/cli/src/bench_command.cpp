@@ -4,6 +4,7 @@
 #include "bench_frame.h"
 #include "bench_page.h"
 #include "bench_reconstruct.h"
+#include "bench_register.h"
 #include "bench_slicing.h"
 #include "command.h"
 #include "ew/core/numbers.h"
@@ -25,6 +26,8 @@ struct BenchArguments {
   int sweepFrames = 60;
   int imageSide = 240;
   int views = 2;
+  int pairSide = 96;
+  std::uint64_t seed = 1;
   bool noPeers = false;
   bool large = false;
 };
@@ -46,6 +49,7 @@ void printResults(std::ostream& out, const json& measured) {
   std::size_t nameWidth = 4;
   for (const auto& row : measured.value("results", json::array())) nameWidth = std::max(nameWidth, textIn(row, "name").size());
   for (const auto& row : measured.value("results", json::array())) {
+    if (row.contains("removed_percent")) continue;
     std::string name = textIn(row, "name");
     name.resize(nameWidth + 2, ' ');
     out << name << right(numberIn(row, "median_us", 0), 8) << " us  ";
@@ -60,6 +64,18 @@ void printResults(std::ostream& out, const json& measured) {
     if (row.contains("psnr_double_db")) out << "  " << right(numberIn(row, "psnr_double_db", 1), 5) << " dB from double precision";
     out << "\n";
   }
+  for (const char* rows : {"results", "peers"})
+    for (const auto& row : measured.value(rows, json::array())) {
+      if (row.contains("failed")) out << textIn(row, "name") << ": " << textIn(row, "failed") << "\n";
+      if (!row.contains("removed_percent")) continue;
+      std::string name = textIn(row, "name");
+      name.resize(std::max(nameWidth + 2, name.size() + 1), ' ');
+      out << name << right(rounded(row["median_us"].get<double>() * 1e-3, 1), 9) << " ms  " << right(numberIn(row, "error_start_mm", 2), 6)
+          << " mm ->" << right(numberIn(row, "error_mm", 3), 7) << " mm, 95 % below" << right(numberIn(row, "error_p95_mm", 3), 7)
+          << " mm  " << (row.contains("verdict") ? textIn(row, "verdict") : std::string()) << "\n";
+    }
+  for (const auto& name : measured.value("peers_missing", json::array()))
+    out << name.get<std::string>() << " is not installed here; nothing was compared with it\n";
   for (const auto& row : measured.value("threads_measured", json::array()))
     if (row.contains("same_voxels"))
       out << textIn(row, "name") << ", two threads: " << numberIn(row, "times_faster", 2) << " times as fast as one, "
@@ -147,6 +163,18 @@ Result<json> reconstruction(const BenchArguments& arguments, Run& run, Progress&
   return benchReconstruct(options, progress);
 }
 
+Result<json> registering(const BenchArguments& arguments, Run& run, Progress& progress) {
+  RegisterBenchOptions options;
+  options.side = arguments.pairSide;
+  options.repetitions = arguments.repetitions > 0 ? arguments.repetitions : options.repetitions;
+  options.peers = !arguments.noPeers;
+  options.seed = arguments.seed;
+  run.report.options["register"] = {
+      {"side", options.side}, {"repetitions", options.repetitions}, {"peers", options.peers}, {"seed", options.seed}};
+  run.report.seed = options.seed;
+  return benchRegister(options, progress);
+}
+
 constexpr const char* kPage = "accuracy-and-time.html";
 
 Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, const std::vector<BenchSection>& sections) {
@@ -168,7 +196,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   return {};
 }
 
-enum class Bench { slicing, frame, reconstruct, all };
+enum class Bench { slicing, frame, reconstruct, registration, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty())
@@ -194,16 +222,20 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     return what == Bench::all ? PartOfProgress(run.progress, begin, end) : PartOfProgress(run.progress, 0.0, 1.0);
   };
   if (wants(Bench::frame)) {
-    PartOfProgress part = share(0.0, 0.35);
+    PartOfProgress part = share(0.0, 0.25);
     if (auto taken = take("frame", frame(arguments, run, part), frameSections); !taken) return passOn(taken.error());
   }
   if (wants(Bench::slicing)) {
-    PartOfProgress part = share(0.35, 0.7);
+    PartOfProgress part = share(0.25, 0.5);
     if (auto taken = take("slicing", slicing(arguments, run, part), slicingSections); !taken) return passOn(taken.error());
   }
   if (wants(Bench::reconstruct)) {
-    PartOfProgress part = share(0.7, 1.0);
+    PartOfProgress part = share(0.5, 0.7);
     if (auto taken = take("reconstruct", reconstruction(arguments, run, part), reconstructSections); !taken) return passOn(taken.error());
+  }
+  if (wants(Bench::registration)) {
+    PartOfProgress part = share(0.7, 1.0);
+    if (auto taken = take("register", registering(arguments, run, part), registerSections); !taken) return passOn(taken.error());
   }
   if (!arguments.html.empty())
     if (auto written = writePage(arguments, run, machine, sections); !written) return passOn(written.error());
@@ -221,7 +253,7 @@ void addBench(CLI::App& root, Selection& selection) {
         addCommand(group, selection, name, description, examples, [what, arguments](Run& run) { return bench(what, *arguments, run); });
     app.add_option("--html", arguments->html, std::string("Also write ") + kPage + ", the curves of accuracy against time")
         ->type_name("DIR");
-    const bool slices = what != Bench::reconstruct;
+    const bool slices = what != Bench::reconstruct && what != Bench::registration;
     if (slices)
       app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")
           ->type_name("COUNT");
@@ -238,8 +270,14 @@ void addBench(CLI::App& root, Selection& selection) {
       addCount(app, "--image", arguments->imageSide, 32, 1024, "Pixels a side of a sweep's frame, which shows 60 mm (240)");
       addCount(app, "--views", arguments->views, 1, 20, "Virtual frames of each probe for the confidence (2)");
     }
-    addCount(app, "--repetitions", arguments->repetitions, 1, 1000, "Interleaved repetitions (slices and frames 7, reconstructions 5)");
-    if (slices) app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice out");
+    if (what == Bench::registration || what == Bench::all) {
+      addCount(app, what == Bench::all ? "--pair-side" : "--side", arguments->pairSide, 48, 256,
+               "Voxels a side of a pair to register (96)");
+      addSeed(app, "--seed", arguments->seed, "Which pairs are registered (1)");
+    }
+    addCount(app, "--repetitions", arguments->repetitions, 1, 1000,
+             "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1)");
+    if (what != Bench::reconstruct) app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice, elastix and plastimatch out");
   };
   add(Bench::slicing, "slicing", "Every slicer against an exact answer and against VTK's, one thread, medians of one run",
       {"bench slicing", "bench slicing --html bench --report bench.json", "bench slicing --side 256 --repetitions 3"});
@@ -248,6 +286,9 @@ void addBench(CLI::App& root, Selection& selection) {
   add(Bench::reconstruct, "reconstruct",
       "Every way from a sweep to a volume against an exact field, and confidence maps against known shadows",
       {"bench reconstruct", "bench reconstruct --html bench --report bench.json", "bench reconstruct --spacing 0.5 --repetitions 3"});
+  add(Bench::registration, "register",
+      "Every way of registering against pairs whose truth is known, beside elastix and plastimatch where they are installed",
+      {"bench register", "bench register --html bench --report bench.json", "bench register --side 128 --no-peers"});
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
 }
 

@@ -46,7 +46,12 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
   for (const std::uint64_t size : meta.sizes) sizes += " " + std::to_string(size);
   text += "DimSize =" + sizes + "\n";
   if (!meta.kinds.empty()) text += "Kinds = " + meta.kinds + "\n";
-  text += std::string("ElementType = ") + (!meta.samples ? "MET_OTHER" : meta.wide ? "MET_USHORT" : "MET_UCHAR") + "\n";
+  text += std::string("ElementType = ") +
+          (!meta.samples ? "MET_OTHER"
+           : meta.real   ? "MET_FLOAT"
+           : meta.wide   ? "MET_USHORT"
+                         : "MET_UCHAR") +
+          "\n";
   for (const auto& [key, value] : meta.fields) text += key + " = " + value + "\n";
   return text;
 }
@@ -138,6 +143,23 @@ std::string plainVolumeHeader(const Grid& grid) {
   meta.sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y), static_cast<std::uint64_t>(grid.dims.z)};
   meta.geometry = grid;
   return headerText(meta, false, nullptr) + "ElementDataFile = LOCAL\n";
+}
+
+Result<void> writeMetaStream(const fs::path& file, const MetaText& meta, const std::function<Result<std::span<const std::uint8_t>>()>& more,
+                             Progress& progress) {
+  if (auto fits = checkFields(file, meta); !fits) return fits;
+  return writeFileSafely(file, [&](std::ostream& out) -> Result<void> {
+    std::size_t sizeAt = 0;
+    out << headerText(meta, false, &sizeAt) << "ElementDataFile = LOCAL\n";
+    while (true) {
+      if (progress.cancelRequested()) return stopped(file);
+      const auto part = more();
+      if (!part) return passOn(part.error());
+      if (part->empty()) return {};
+      out.write(reinterpret_cast<const char*>(part->data()), static_cast<std::streamsize>(part->size()));
+      if (!out) return notWritable(file, "the medium is full or gone");
+    }
+  });
 }
 
 Result<void> writeMetaPair(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, std::string_view what,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ struct MetaText {
   std::string kinds;    ///< "domain domain list"; empty for none
   bool samples = true;  ///< false for MET_OTHER
   bool wide = false;    ///< samples of 16 bits without sign, low byte first
+  bool real = false;    ///< samples of 32 bits, floating point, low byte first
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
@@ -27,6 +29,10 @@ struct MetaText {
 
 /// The header of a single file of uncompressed 8 bit voxels: what comes before the first of them.
 [[nodiscard]] std::string plainVolumeHeader(const Grid& grid);
+
+/// A single file whose samples are made while it is written: `more` gives the next piece, an empty one at the end.
+[[nodiscard]] Result<void> writeMetaStream(const std::filesystem::path& file, const MetaText& text,
+                                           const std::function<Result<std::span<const std::uint8_t>>()>& more, Progress& progress);
 
 /// A header and a raw file of the same name beside it: both are complete, or both are as before.
 [[nodiscard]] Result<void> writeMetaPair(const std::filesystem::path& file, const MetaText& text, std::span<const std::uint8_t> samples,

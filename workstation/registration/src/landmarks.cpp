@@ -19,6 +19,7 @@ using Matrix = Eigen::Matrix3d;
 constexpr double kMedianOfNorm = 1.5382;    // of three independent unit normal numbers
 constexpr double kOutlyingAt = 4.03;        // standard deviations: one good pair of a thousand lies farther away (chi square, 3 degrees)
 constexpr double kTukey = 7.45;             // so that the weight falls to 1/2 at kOutlyingAt
+constexpr double kAsLikely = 3.0;           // less than this much less likely (log) is as likely
 constexpr double kLargestScale = 3.0;       // tissue bends: residuals up to so many times the pick error are still the same tissue
 constexpr double kFreeTurn_rad = 0.25;      // a turn that is known worse than this about the line of the places is free
 constexpr std::size_t kMostTriples = 4000;  // tried in full up to 29 pairs, by fixed draws above
@@ -116,16 +117,13 @@ double tukeyWeight(double residual, double scale) {
   return u >= 1.0 ? 0.0 : (1.0 - u * u) * (1.0 - u * u);
 }
 
-double tukeyCost(double residual, double scale) {
-  const double u = residual / (kTukey * scale);
-  if (u >= 1.0) return 1.0;
-  const double v = 1.0 - u * u;
-  return 1.0 - v * v * v;
-}
-
-double costOf(std::span<const double> residual, double scale) {
+/// How unlikely the residuals are, each either of a good pair with this deviation or of a wrong one: -log of normal density, up to a
+/// constant, capped. A larger deviation has to pay for itself, or everything would agree with everything.
+double costOf(std::span<const double> residual, double scale, double pick_mm) {
+  constexpr double kWrong = 0.5 * kOutlyingAt * kOutlyingAt;
+  const double wider = 3.0 * std::log(scale / (std::sqrt(2.0) * pick_mm));
   double sum = 0.0;
-  for (const double r : residual) sum += tukeyCost(r, scale);
+  for (const double r : residual) sum += std::min(kWrong, 0.5 * r * r / (scale * scale) + wider);
   return sum;
 }
 
@@ -166,7 +164,7 @@ Fit reweighted(const Points& points, Fit fit, double pick_mm) {
     }
   }
   fit.scale = scaleOf(fit.residual, pick_mm);
-  fit.cost = costOf(fit.residual, fit.scale);
+  fit.cost = costOf(fit.residual, fit.scale, pick_mm);
   fit.weight.assign(points.size(), 0.0);
   fit.agreeing = 0;
   for (std::size_t i = 0; i < points.size(); ++i) fit.agreeing += (fit.weight[i] = tukeyWeight(fit.residual[i], fit.scale)) >= 0.5 ? 1 : 0;
@@ -198,7 +196,7 @@ std::vector<Fit> consensus(const Points& points, double pick_mm) {
   std::vector<std::pair<double, Rigid>> starts;
   const std::vector<double> all(n, 1.0);
   const Rigid plain = closedForm(points, all);
-  starts.emplace_back(costOf(residualsOf(points, plain), scale), plain);
+  starts.emplace_back(costOf(residualsOf(points, plain), scale, pick_mm), plain);
   const std::vector<double> three(3, 1.0);
   for (const auto& t : triples) {
     Points some;
@@ -208,15 +206,14 @@ std::vector<Fit> consensus(const Points& points, double pick_mm) {
     }
     if (scatterOf(some.fixed, three).deviation[1] < 0.5 * pick_mm) continue;  // says nothing about the turn
     const Rigid at = closedForm(some, three);
-    starts.emplace_back(costOf(residualsOf(points, at), scale), at);
+    starts.emplace_back(costOf(residualsOf(points, at), scale, pick_mm), at);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Fit> fits;
   for (std::size_t i = 0; i < std::min<std::size_t>(starts.size(), 40); ++i)
     fits.push_back(reweighted(points, {.at = starts[i].second, .residual = {}, .weight = {}}, pick_mm));
   fits.push_back(reweighted(points, {.at = plain, .residual = {}, .weight = {}}, pick_mm));
-  std::stable_sort(fits.begin(), fits.end(),
-                   [](const Fit& a, const Fit& b) { return a.agreeing != b.agreeing ? a.agreeing > b.agreeing : a.cost < b.cost; });
+  std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
   std::vector<Fit> different;
   for (Fit& fit : fits)
     if (std::none_of(different.begin(), different.end(), [&](const Fit& other) { return apart(points, other.at, fit.at) < 3.0 * pick_mm; }))
@@ -330,7 +327,7 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     }
     return;
   }
-  if (fits.size() > 1 && fits[1].agreeing >= best.agreeing && best.agreeing < n) {
+  if (fits.size() > 1 && fits[1].cost < best.cost + kAsLikely && best.agreeing < n) {
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < n; ++i)
       if (fits[1].weight[i] < 0.5) others.push_back(i);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "comparable.h"
 #include "elastic/levels.h"
 #include "elastic/wide_start.h"
 #include "ew/core/contract.h"
@@ -22,25 +23,12 @@ constexpr double kAgreement_mm = 2.0;  // voxels at which agreement is stated: s
 constexpr double kCoarsest_mm = 4.0;
 constexpr double kSearched = 3.0;  // measured on unrelated tissue, which reaches about 1.3 times the root of p / n
 
-Result<void> checkInput(const Input& input, const char* which) {
-  EW_EXPECTS(input.volume != nullptr);
-  const Volume& volume = *input.volume;
-  if (auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
-  const std::string name = which;
-  if (volume.echo.size() != volume.grid.voxelCount() || (!volume.coverage.empty() && volume.coverage.size() != volume.echo.size()))
-    return failure(ErrorCode::badField, "The " + name + " volume holds another number of voxels than its grid says; write it anew.");
-  if (!input.confidence.empty() && input.confidence.size() != volume.echo.size())
-    return failure(ErrorCode::badField, "The confidence of the " + name + " volume has " + std::to_string(input.confidence.size()) +
-                                            " values for " + std::to_string(volume.echo.size()) + " voxels; make it of this volume.");
-  for (const float c : input.confidence) {
-    if (!(c >= 0.0F && c <= 1.0F))
-      return failure(ErrorCode::badField, "The confidence of the " + name + " volume has values outside 0 to 1; make it anew.");
-  }
-  if (!volume.coverage.empty() && std::none_of(volume.coverage.begin(), volume.coverage.end(), [](std::uint8_t c) { return c != 0; }))
-    return failure(ErrorCode::emptyVolume, "The " + name + " volume has no covered voxel; there is nothing to register.");
-  // Places in a level are 32-bit; four levels of float beside the input must fit a machine.
-  if (volume.grid.voxelCount() > (std::size_t{1} << 30))
-    return failure(ErrorCode::tooLarge, "The " + name + " volume has more than 2^30 voxels; resample it to a coarser spacing first.");
+/// Places in a level are 32-bit numbers.
+Result<void> checkSize(const Input& input, const char* side) {
+  if (auto usable = checkInput(input, side); !usable) return passOn(usable.error());
+  if (input.volume->grid.voxelCount() > (std::size_t{1} << 30))
+    return failure(ErrorCode::tooLarge,
+                   std::string("The ") + side + " volume has more than 2^30 voxels; resample it to a coarser spacing first.");
   return {};
 }
 
@@ -222,8 +210,8 @@ std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const
 Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options,
                                       Progress& progress, const OnLevel& onLevel) {
   const auto begun = Clock::now();
-  if (auto usable = checkInput(fixed, "fixed"); !usable) return passOn(usable.error());
-  if (auto usable = checkInput(moving, "moving"); !usable) return passOn(usable.error());
+  if (auto usable = checkSize(fixed, "fixed"); !usable) return passOn(usable.error());
+  if (auto usable = checkSize(moving, "moving"); !usable) return passOn(usable.error());
   if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
   if (auto usable = checkRigid(start); !usable) return passOn(usable.error());
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "The elastic registration was cancelled."); };
@@ -298,7 +286,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
         if (n == 0 && tried.values == nothing) continue;
         if (!unfold(tried.nodes, settings.leastJacobian, tried.values)) continue;
         const LevelOutcome found =
-            refineLevel(fixedLevel, movingLevel, transform, step.iterations, settings, threads, outOfTime, tried, part);
+            refineLevel(fixedLevel, movingLevel, transform, step.iterations, false, settings, threads, outOfTime, tried, part);
         if (found.cancelled) return cancelled();
         if (found.singular || found.noOverlap) {
           if (n < 0) outcome = found;
@@ -312,7 +300,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
       }
       state = std::move(best);
     } else {
-      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, settings, threads, outOfTime, state, part);
+      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, s > 0, settings, threads, outOfTime, state, part);
     }
     if (outcome.cancelled) return cancelled();
     if (outcome.noOverlap)

@@ -76,14 +76,10 @@ constexpr double kGreyFloor = 12.0;  // grey levels of deviation that noise alon
 
 /// Takes local mean and deviation out of `level`, whose values are grey levels. Both are smooth, so blocks of about 3 mm suffice.
 bool normalise(LevelImage& level, double window_mm, int threads, Progress& progress) {
-  glm::ivec3 size, blocks;
-  for (int axis = 0; axis < 3; ++axis) {
-    size[axis] = std::max(1, static_cast<int>(std::lround(0.4 * window_mm / level.spacing_mm[axis])));
-    blocks[axis] = (level.dims[axis] + size[axis] - 1) / size[axis];
-  }
-  const std::size_t perSlab = static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y);
+  BlockMap mean(level, 0.4 * window_mm);
+  const glm::ivec3 size = mean.size, blocks = mean.blocks;
   std::array<std::vector<double>, 3> moments;
-  for (auto& moment : moments) moment.assign(perSlab * static_cast<std::size_t>(blocks.z), 0.0);
+  for (auto& moment : moments) moment.assign(mean.count(), 0.0);
   if (!forEachTask(blocks.z, threads, progress, "Preparing the images", [&](int slab) {
         const int last = std::min(level.dims.z, (slab + 1) * size.z);
         for (int k = slab * size.z; k < last; ++k) {
@@ -99,64 +95,27 @@ bool normalise(LevelImage& level, double window_mm, int threads, Progress& progr
                 sums[1] += w * value[i];
                 sums[2] += w * value[i] * value[i];
               }
-              const std::size_t at = static_cast<std::size_t>(slab) * perSlab + static_cast<std::size_t>(j / size.y * blocks.x + b);
+              const std::size_t at = mean.indexOf(b, j / size.y, slab);
               for (std::size_t m = 0; m < 3; ++m) moments[m][at] += static_cast<double>(sums[m]);
             }
           }
         }
       }))
     return false;
-  for (auto& moment : moments) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double block_mm = size[axis] * level.spacing_mm[axis];
-      blur(moment, blocks, axis, std::sqrt(std::max(0.0, window_mm * window_mm - block_mm * block_mm / 12.0)) / block_mm);
-    }
-  }
-  std::vector<float> mean(moments[0].size()), gain(moments[0].size());
-  for (std::size_t n = 0; n < mean.size(); ++n) {
+  for (auto& moment : moments) blurBlocks(moment, mean, level.spacing_mm, window_mm);
+  BlockMap gain = mean;
+  for (std::size_t n = 0; n < mean.values.size(); ++n) {
     const double weight = moments[0][n];
     if (weight < 1e-6) continue;
     const double m = moments[1][n] / weight;
-    mean[n] = static_cast<float>(m);
-    gain[n] = static_cast<float>(1.0 / (std::sqrt(std::max(0.0, moments[2][n] / weight - m * m)) + kGreyFloor));
-  }
-  // Linear between the blocks' centres.
-  struct Step {
-    int low, high;
-    float share;
-  };
-  std::array<std::vector<Step>, 3> steps;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < level.dims[axis]; ++i) {
-      const double at = std::clamp((i + 0.5) / size[axis] - 0.5, 0.0, static_cast<double>(blocks[axis] - 1));
-      const int low = static_cast<int>(at);
-      steps[static_cast<std::size_t>(axis)].push_back({low, std::min(low + 1, blocks[axis] - 1), static_cast<float>(at - low)});
-    }
+    mean.values[n] = static_cast<float>(m);
+    gain.values[n] = static_cast<float>(1.0 / (std::sqrt(std::max(0.0, moments[2][n] / weight - m * m)) + kGreyFloor));
   }
   return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
-    const Step z = steps[2][static_cast<std::size_t>(k)];
-    std::vector<float> lineMean(static_cast<std::size_t>(blocks.x)), lineGain(lineMean.size());
-    std::vector<float> rowMean(static_cast<std::size_t>(level.dims.x)), rowGain(rowMean.size());
+    std::vector<float> line, rowMean(static_cast<std::size_t>(level.dims.x)), rowGain(rowMean.size());
     for (int j = 0; j < level.dims.y; ++j) {
-      const Step y = steps[1][static_cast<std::size_t>(j)];
-      for (int b = 0; b < blocks.x; ++b) {
-        const auto blend = [&](const std::vector<float>& of) {
-          const auto at = [&](int v, int w) {
-            return of[static_cast<std::size_t>(w) * perSlab + static_cast<std::size_t>(v * blocks.x + b)];
-          };
-          const float low = at(y.low, z.low) + y.share * (at(y.high, z.low) - at(y.low, z.low));
-          const float high = at(y.low, z.high) + y.share * (at(y.high, z.high) - at(y.low, z.high));
-          return low + z.share * (high - low);
-        };
-        lineMean[static_cast<std::size_t>(b)] = blend(mean);
-        lineGain[static_cast<std::size_t>(b)] = blend(gain);
-      }
-      for (int i = 0; i < level.dims.x; ++i) {
-        const Step x = steps[0][static_cast<std::size_t>(i)];
-        const auto a = static_cast<std::size_t>(x.low), b = static_cast<std::size_t>(x.high), n = static_cast<std::size_t>(i);
-        rowMean[n] = lineMean[a] + x.share * (lineMean[b] - lineMean[a]);
-        rowGain[n] = lineGain[a] + x.share * (lineGain[b] - lineGain[a]);
-      }
+      mean.row(j, k, level.dims.x, line, rowMean.data());
+      gain.row(j, k, level.dims.x, line, rowGain.data());
       float* row = level.values.data() + level.rowOf(j, k);
       for (int i = 0; i < level.dims.x; ++i)
         row[i] = (row[i] - rowMean[static_cast<std::size_t>(i)]) * rowGain[static_cast<std::size_t>(i)];
@@ -258,6 +217,48 @@ void darkenOutside(const Volume& volume, std::vector<std::uint8_t>& belief) {
 }
 
 }  // namespace
+
+BlockMap::BlockMap(const LevelImage& image, double block_mm) {
+  for (int axis = 0; axis < 3; ++axis) {
+    size[axis] = std::max(1, static_cast<int>(std::lround(block_mm / image.spacing_mm[axis])));
+    blocks[axis] = (image.dims[axis] + size[axis] - 1) / size[axis];
+  }
+  values.assign(count(), 0.0F);
+}
+
+void BlockMap::row(int j, int k, int width, std::vector<float>& line, float* out) const {
+  const auto place = [&](int sample, int axis, int& low, int& high) {
+    const double at = std::clamp((sample + 0.5) / size[axis] - 0.5, 0.0, static_cast<double>(blocks[axis] - 1));
+    low = static_cast<int>(at);
+    high = std::min(low + 1, blocks[axis] - 1);
+    return static_cast<float>(at - low);
+  };
+  int y0, y1, z0, z1;
+  const float ty = place(j, 1, y0, y1), tz = place(k, 2, z0, z1);
+  line.resize(static_cast<std::size_t>(blocks.x));
+  for (int b = 0; b < blocks.x; ++b) {
+    const float low = values[indexOf(b, y0, z0)] + ty * (values[indexOf(b, y1, z0)] - values[indexOf(b, y0, z0)]);
+    const float high = values[indexOf(b, y0, z1)] + ty * (values[indexOf(b, y1, z1)] - values[indexOf(b, y0, z1)]);
+    line[static_cast<std::size_t>(b)] = low + tz * (high - low);
+  }
+  // Samples between the centres of blocks b and b + 1, one run after the other.
+  const float perSize = 1.0F / static_cast<float>(size.x);
+  for (int b = -1, i = 0; i < width; ++b) {
+    const float low = line[static_cast<std::size_t>(std::clamp(b, 0, blocks.x - 1))];
+    const float rise = line[static_cast<std::size_t>(std::clamp(b + 1, 0, blocks.x - 1))] - low;
+    const int end = std::min(width, (2 * (b + 1) * size.x + size.x) / 2);  // the first sample at or beyond the centre of b + 1
+    const float first = (static_cast<float>(i) + 0.5F) * perSize - 0.5F - static_cast<float>(b);
+    const int start = i;
+    for (; i < end; ++i) out[i] = low + rise * (first + static_cast<float>(i - start) * perSize);
+  }
+}
+
+void blurBlocks(std::vector<double>& values, const BlockMap& map, const glm::dvec3& spacing_mm, double sigma_mm) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double block_mm = map.size[axis] * spacing_mm[axis];
+    blur(values, map.blocks, axis, std::sqrt(std::max(0.0, sigma_mm * sigma_mm - block_mm * block_mm / 12.0)) / block_mm);
+  }
+}
 
 int strideOf(int width) { return (width + 2 + 15) / 16 * 16; }
 

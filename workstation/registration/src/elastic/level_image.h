@@ -33,6 +33,28 @@ struct LevelImage {
 [[nodiscard]] int strideOf(int width);
 inline constexpr std::size_t kOverrun = 80;
 
+/// Smooth values over an image, kept on blocks of samples and linear between their centres.
+struct BlockMap {
+  glm::ivec3 size{1};    ///< samples in a block
+  glm::ivec3 blocks{0};  ///< 0: no map
+  std::vector<float> values;
+
+  BlockMap() = default;
+  BlockMap(const LevelImage& image, double block_mm);
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(blocks.y) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(blocks.x) +
+           static_cast<std::size_t>(i);
+  }
+  [[nodiscard]] std::size_t count() const {
+    return static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y) * static_cast<std::size_t>(blocks.z);
+  }
+  /// Values along the row (j, k) of the image it was made for; `line` is scratch.
+  void row(int j, int k, int width, std::vector<float>& line, float* out) const;
+};
+/// Gaussian blur of values on blocks, in place, not normalised: sums of windows.
+void blurBlocks(std::vector<double>& values, const BlockMap& map, const glm::dvec3& spacing_mm, double sigma_mm);
+
 /// How far each voxel is believed, 0..255, from coverage, confidence, and, where coverage says nothing, from black that reaches the border
 /// of the volume (outside a sector). Empty: everything equally.
 [[nodiscard]] std::vector<std::uint8_t> beliefOf(const Input& input);

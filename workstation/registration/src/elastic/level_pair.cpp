@@ -85,7 +85,7 @@ bool LevelPair::warp(const NodeValues& values, Progress& progress) {
   return forEachTask(dims.z, threads_, progress, "Registering", [&](int k) {
     const auto lineFloats = static_cast<std::size_t>(nodes_.dims.x);
     std::vector<float> lines(8 * lineFloats);
-    std::vector<float> row(static_cast<std::size_t>(fixed_->stride) + kOverrun), rowWeights(row.size());
+    std::vector<float> row(static_cast<std::size_t>(fixed_->stride) + kOverrun), rowWeights(row.size()), rowTrust(row.size()), trustLine;
     RowField field;
     for (std::size_t c = 0; c < 4; ++c) {
       field.low[c] = lines.data() + c * lineFloats;
@@ -127,9 +127,73 @@ bool LevelPair::warp(const NodeValues& values, Progress& progress) {
       std::copy(row.begin(), row.begin() + dims.x, to);
       to[-1] = dims.x > 1 ? 2.0F * row[0] - row[1] : row[0];
       to[dims.x] = dims.x > 1 ? 2.0F * to[dims.x - 1] - to[dims.x - 2] : row[0];
+      if (!trust_.values.empty()) {
+        trust_.row(j, k, dims.x, trustLine, rowTrust.data());
+        for (int i = 0; i < dims.x; ++i) rowWeights[static_cast<std::size_t>(i)] *= rowTrust[static_cast<std::size_t>(i)];
+      }
       std::copy(rowWeights.begin(), rowWeights.begin() + dims.x, movedWeights_.begin() + static_cast<std::ptrdiff_t>(at));
     }
   });
+}
+
+bool LevelPair::trustAgreement(double window_mm, double least, double power, Progress& progress) {
+  BlockMap map(*fixed_, 0.5 * window_mm);
+  std::array<std::vector<double>, 6> moments;  // weight, f, w, ff, ww, fw
+  for (auto& moment : moments) moment.assign(map.count(), 0.0);
+  if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int slab) {
+        const int last = std::min(fixed_->dims.z, (slab + 1) * map.size.z);
+        for (int k = slab * map.size.z; k < last; ++k) {
+          for (int j = 0; j < fixed_->dims.y; ++j) {
+            const std::size_t row = fixed_->rowOf(j, k);
+            for (int b = 0; b < map.blocks.x; ++b) {
+              float sums[6] = {};
+              const int end = std::min(fixed_->dims.x, (b + 1) * map.size.x);
+              for (int i = b * map.size.x; i < end; ++i) {
+                const std::size_t at = row + static_cast<std::size_t>(i);
+                const float f = fixed_->values[at], w = moved_[at];
+                const float both = movedWeights_[at] * (fixed_->weights.empty() ? 1.0F : fixed_->weights[at]);
+                sums[0] += both;
+                sums[1] += both * f;
+                sums[2] += both * w;
+                sums[3] += both * f * f;
+                sums[4] += both * w * w;
+                sums[5] += both * f * w;
+              }
+              const std::size_t at = map.indexOf(b, j / map.size.y, slab);
+              for (std::size_t m = 0; m < 6; ++m) moments[m][at] += static_cast<double>(sums[m]);
+            }
+          }
+        }
+      }))
+    return false;
+  const auto correlationOf = [](const std::array<double, 6>& m) {
+    if (!(m[0] > 0.0)) return 0.0;
+    const double ff = m[3] - m[1] * m[1] / m[0], ww = m[4] - m[2] * m[2] / m[0], fw = m[5] - m[1] * m[2] / m[0];
+    return ff > 1e-9 * m[0] && ww > 1e-9 * m[0] ? fw / std::sqrt(ff * ww) : 0.0;
+  };
+  std::array<double, 6> all{};
+  for (std::size_t m = 0; m < 6; ++m) {
+    for (const double v : moments[m]) all[m] += v;
+    blurBlocks(moments[m], map, fixed_->spacing_mm, window_mm);
+  }
+  const double overall = correlationOf(all);
+  if (overall < 0.05) return true;  // nothing to measure by
+  for (std::size_t n = 0; n < map.values.size(); ++n) {
+    std::array<double, 6> here{};
+    for (std::size_t m = 0; m < 6; ++m) here[m] = moments[m][n];
+    map.values[n] = static_cast<float>(std::pow(std::clamp(correlationOf(here) / overall, least, 1.0), power));
+  }
+  trust_ = std::move(map);
+  // What was warped last is worth as much as what will be.
+  std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
+  for (int k = 0; k < fixed_->dims.z; ++k) {
+    for (int j = 0; j < fixed_->dims.y; ++j) {
+      trust_.row(j, k, fixed_->dims.x, line, row.data());
+      float* weights = movedWeights_.data() + fixed_->rowOf(j, k);
+      for (std::size_t i = 0; i < row.size(); ++i) weights[i] *= row[i];
+    }
+  }
+  return true;
 }
 
 bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const {

@@ -48,6 +48,10 @@ class LevelPair {
   /// Of what was warped last. @param system null: sums alone
   [[nodiscard]] bool assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const;
 
+  /// From now on samples count by how well what was warped last agrees around them: the local correlation (window of standard deviation
+  /// `window_mm`) over that of all, between `least` and 1. In a shadow only noise is left, which would pull as hard as tissue does.
+  [[nodiscard]] bool trustAgreement(double window_mm, double least, double power, Progress& progress);
+
   [[nodiscard]] const LevelImage& fixed() const { return *fixed_; }
   [[nodiscard]] const std::vector<float>& moved() const { return moved_; }
   [[nodiscard]] const std::vector<float>& movedWeights() const { return movedWeights_; }
@@ -63,6 +67,7 @@ class LevelPair {
   std::array<std::vector<float>, 3> share_;
   std::array<std::vector<int>, 3> begin_;  // per cell, and one more: its first sample
   std::vector<float> along_;               // see gatherCell
+  BlockMap trust_;                         // without blocks: 1 everywhere
   std::vector<float> moved_;
   std::vector<float> movedWeights_;
 };

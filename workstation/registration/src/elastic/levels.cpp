@@ -203,7 +203,7 @@ bool unfold(const NodeGrid& nodes, double least, NodeValues& values) {
   return allAbove(nodes, values, least);
 }
 
-LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations,
+LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, bool trusting,
                          const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
                          Progress& progress) {
   LevelOutcome outcome;
@@ -226,6 +226,9 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
   int halvings = 0;
   for (int iteration = 0; iteration <= iterations; ++iteration) {
     if (!pair.warp(state.values, progress)) return cancelled();
+    if (iteration == 0 && trusting && settings.trustWindow_mm > 0.0 &&
+        !pair.trustAgreement(settings.trustWindow_mm, settings.trustLeast, settings.trustPower, progress))
+      return cancelled();
     NodeSystem system(state.nodes);
     PairSums sums;
     const bool last = iteration == iterations;
@@ -267,6 +270,11 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
     if (outOfTime()) {
       outcome.timeUp = true;
       break;
+    }
+    // Rounding alone gives the gradients some energy; structure of a hundredth of the window's deviation has a thousand times that.
+    if (sums.at[12] < 1e-6 * sums.at[13]) {
+      outcome.singular = true;
+      return outcome;
     }
     const double common = std::clamp(sums.commonGradient(), settings.leastCommon, 1.0);
     // The matrix was formed with the whole of the gradients' energy; noise that only one image has stiffens it without pulling anywhere.

@@ -18,13 +18,16 @@ struct ElasticSettings {
   double node_mm = 8.0;
   double window_mm = 6.0;              ///< standard deviation of the normalisation's window
   Prior prior{1e-3, 1.0, 1e-2, 1e-3};  ///< of an ordinary field; its first two are multiplied by ElasticState::stiffness
-  bool measureStiffness = true;        ///< by the evidence; false: ElasticState::stiffness stays
-  double robust = 3.0;                 ///< c of the robust cost in standard deviations of the residual
-  double converged = 1.0;              ///< a level ends when an iteration gains less of the energy, which is a negative log-likelihood
+  double trustWindow_mm = 8.0;         ///< of the local correlation by which samples count after the first level; 0: all alike
+  double trustLeast = 0.1;
+  double trustPower = 2.0;
+  bool measureStiffness = true;  ///< by the evidence; false: ElasticState::stiffness stays
+  double robust = 3.0;           ///< c of the robust cost in standard deviations of the residual
+  double converged = 1.0;        ///< a level ends when an iteration gains less of the energy, which is a negative log-likelihood
   double longestStep_voxels = 2.0;
   double leastJacobian = 0.15;
   double leastCommon = 0.25;  ///< the matrix is scaled by the common share of the gradients, no lower than this
-  double evidence = 2.0;      ///< what an independent residual counts, see resources/docs/registration.md
+  double evidence = 1.5;      ///< what an independent residual counts, see resources/docs/registration.md
   double solveTolerance = 0.03;
   int solveIterations = 40;
 };
@@ -44,7 +47,7 @@ struct LevelOutcome {
   int iterations = 0;
   double correlationBefore = 0.0;
   double correlationAfter = 0.0;
-  double decided = 0.0;  ///< free parameters the images decided, as far as measured
+  double decided = 0.0;            ///< free parameters the images decided, as far as measured
   double worth = 0.0;              ///< at the end: log-likelihood of the correlation less the prior's energy, comparable between starts
   std::vector<float> uncertainty;  ///< per node, as in ElasticResult
   bool singular = false;
@@ -55,7 +58,7 @@ struct LevelOutcome {
 
 /// Gauss-Newton on one level from where `state` stands. `outOfTime` is asked once an iteration.
 [[nodiscard]] LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations,
-                                       const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime,
+                                       bool trusting, const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime,
                                        ElasticState& state, Progress& progress);
 
 /// Pulls nodes of cells whose Jacobian would fall below `least` towards their neighbours until none does.

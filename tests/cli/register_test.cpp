@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "cli/cli_world.h"
+#include "ew/core/frames.h"
+#include "ew/io/vector_file.h"
+#include "ew/io/volume_file.h"
+#include "registration_files.h"
+
+namespace ew::test {
+namespace {
+
+class RegisterCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    Volume fixed = rampVolume({12, 10, 8});
+    fixed.grid.origin_mm = {5.0, -3.0, 2.0};
+    ASSERT_TRUE(writeVolume(fixed, folder / "f.mha"));
+    ASSERT_TRUE(writeVolume(rampVolume({14, 12, 9}), folder / "m.mha"));
+  }
+  /// Four places, of which the named one may be wrong by so much along x.
+  void writePairs(const std::string& file, const std::string& wrong = {}, double by_mm = 0.0) const {
+    nlohmann::json list = nlohmann::json::array();
+    const std::vector<std::pair<std::string, glm::dvec3>> places{
+        {"gall bladder", {5, -3, 2}}, {"vein", {15, -3, 3}}, {"rib", {6, 6, 4}}, {"cyst", {9, 2, 9}}, {"node", {12, 5, 6}}};
+    for (const auto& [name, p] : places) {
+      glm::dvec3 q(truth * glm::dvec4(p, 1.0));
+      if (name == wrong) q.x += by_mm;
+      list.push_back({{"name", name}, {"fixed_mm", {p.x, p.y, p.z}}, {"moving_mm", {q.x, q.y, q.z}}});
+    }
+    writeText(file, nlohmann::json{{"landmarks", list}, {"pick_error_mm", 0.5}}.dump());
+  }
+  Outcome registered(std::vector<std::string> more) const {
+    std::vector<std::string> words{"register", folder / "f.mha", folder / "m.mha"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  const glm::dmat4 truth = glm::rotate(glm::translate(glm::dmat4(1.0), {-4.0, 2.5, 1.0}), 0.3, glm::dvec3(0.0, 0.6, 0.8));
+  TemporaryFolder folder;
+};
+
+TEST_F(RegisterCommand, BringsVolumesTogetherByLandmarksAndWritesWhatTheContractSays) {
+  writePairs(folder / "pairs.json");
+  const auto outcome = registered({"--method", "landmarks", "--landmarks", folder / "pairs.json", "-o", folder / "t.txt", "--field",
+                                   folder / "field.mha", "--moved", folder / "moved.mha", "--report", folder / "r.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Aligned: 5 pairs agree"), std::string::npos) << outcome.out;
+  const auto transform = cli::readTransform(folder / "t.txt");
+  ASSERT_TRUE(transform) << transform.error();
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r) EXPECT_NEAR((*transform)[c][r], truth[c][r], 1e-9);
+
+  const auto field = readVectorField(folder / "field.mha");
+  ASSERT_TRUE(field) << field.error();
+  EXPECT_EQ(field->components, 3);
+  const auto& grid = field->grid;
+  ASSERT_EQ(grid.dims, glm::ivec3(12, 10, 8));
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 12; ++i) {
+        const glm::dvec3 p(5.0 + i, -3.0 + j, 2.0 + k);
+        const glm::dvec3 u = glm::dvec3(truth * glm::dvec4(p, 1.0)) - p;
+        for (int axis = 0; axis < 3; ++axis)
+          ASSERT_NEAR(field->values[3 * grid.indexOf(i, j, k) + static_cast<std::size_t>(axis)], u[axis], 1e-5);
+      }
+
+  // The moving volume is a ramp: seen on the fixed grid it is the ramp at the moved places, wherever they lie inside.
+  const auto moved = readVolume(folder / "moved.mha");
+  ASSERT_TRUE(moved);
+  ASSERT_EQ(moved->volume.grid.dims, glm::ivec3(12, 10, 8));
+  int compared = 0;
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 12; ++i) {
+        const glm::dvec3 q(truth * glm::dvec4(5.0 + i, -3.0 + j, 2.0 + k, 1.0));
+        if (glm::any(glm::lessThan(q, glm::dvec3(0.0))) || glm::any(glm::greaterThan(q, glm::dvec3(13.0, 11.0, 8.0)))) continue;
+        ++compared;
+        EXPECT_NEAR(moved->volume.echo[moved->volume.grid.indexOf(i, j, k)], 20.0 + 3.0 * q.x + 5.0 * q.y + 7.0 * q.z, 0.51);
+      }
+  EXPECT_GT(compared, 100);
+
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["command"], "register");
+  EXPECT_EQ(report["verdict"], "aligned");
+  EXPECT_EQ(report["inputs"], nlohmann::json({folder / "f.mha", folder / "m.mha", folder / "pairs.json"}));
+  EXPECT_EQ(report["outputs"], nlohmann::json({folder / "t.txt", folder / "field.mha", folder / "moved.mha"}));
+  EXPECT_EQ(report["options"]["method"], "landmarks");
+  EXPECT_EQ(report["options"]["pick_error_mm"], 0.5);
+  EXPECT_LT(report["quality"]["rms_mm"], 1e-6);
+  EXPECT_GT(report["quality"]["expected_error_mm"], 0.1);
+  EXPECT_NEAR(report["quality"]["turn_deg"].get<double>(), glm::degrees(0.3), 1e-6);
+  EXPECT_EQ(report["landmarks"].size(), 5u);
+  EXPECT_EQ(report["steps"].size(), 3u);
+}
+
+TEST_F(RegisterCommand, NamesAWrongLandmarkAndGoesOnWithoutIt) {
+  writePairs(folder / "pairs.json", "rib", 20.0);
+  const auto outcome = registered({"--method", "landmarks", "--landmarks", folder / "pairs.json", "-o", folder / "t.txt"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("'rib' does not fit"), std::string::npos) << outcome.out;
+}
+
+TEST_F(RegisterCommand, AnHonestVerdictIsStatusThreeAndTheOutputsAreThereForALook) {
+  writeText(folder / "two.json", R"([{"fixed_mm": [1, 2, 3], "moving_mm": [4, 5, 6]}, {"fixed_mm": [9, 2, 3], "moving_mm": [12, 5, 6]}])");
+  const auto outcome = registered({"--method", "landmarks", "--landmarks", folder / "two.json", "-o", folder / "t.txt", "--field",
+                                   folder / "field.mha", "--report", folder / "r.json"});
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_NE(outcome.out.find("Cannot tell: Two places are too few"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("do not build on it"), std::string::npos);
+  EXPECT_TRUE(readVectorField(folder / "field.mha"));
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["verdict"], "cannot tell");
+  EXPECT_TRUE(report["quality"]["expected_error_mm"].is_null());
+}
+
+TEST_F(RegisterCommand, WrongUsageIsToldBeforeAnythingIsRead) {
+  writePairs(folder / "pairs.json");
+  writeText(folder / "start.txt", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--method", "landmarks"}, "--landmarks"},
+      {{"--method", "guess"}, "method"},
+      {{"--method", "rigid", "--landmarks", folder / "pairs.json"}, "--landmarks goes with --method landmarks"},
+      {{"--method", "landmarks", "--landmarks", folder / "pairs.json", "--start", folder / "start.txt"}, "--start goes with"},
+      {{"--method", "partial", "--effort", "fast"}, "--effort goes with"},
+      {{"--method", "elastic2d", "--node", "5"}, "--node goes with"},
+      {{"--method", "rigid", "--threads", "-1"}, "threads"}};
+  for (auto [words, expected] : wrong) {
+    words.insert(words.end(), {"-o", folder / "t.txt"});
+    const auto outcome = registered(words);
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"f.mha", "m.mha", "pairs.json", "start.txt"}));
+}
+
+TEST_F(RegisterCommand, AFailureSaysWhyAndLeavesNothing) {
+  writePairs(folder / "pairs.json");
+  writeText(folder / "broken.json", "{\"landmarks\": [{\"name\": \"x\", \"fixed_mm\": [1, 2], \"moving_mm\": [1, 2, 3]}]}");
+  const auto before = folder.names();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> failing{
+      {{"--landmarks", folder / "none.json"}, "none.json"},
+      {{"--landmarks", folder / "broken.json"}, "landmarks[0].fixed_mm must be a list of three numbers"},
+      {{"--landmarks", folder / "pairs.json", "--coverage-fixed", folder / "m.mha"}, "lies on another grid"},
+      {{"--landmarks", folder / "pairs.json", "--confidence-moving", folder / "f.mha"}, "lies on another grid"},
+      {{"--landmarks", folder / "pairs.json", "--field", folder / "none/field.mha"}, "does not exist"}};
+  for (auto [words, expected] : failing) {
+    words.insert(words.end(), {"--method", "landmarks", "-o", folder / "t.txt"});
+    const auto outcome = registered(words);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.names(), before);
+  }
+}
+
+TEST(RegistrationFiles, ATransformComesBackTheSameToTheLastBit) {
+  const TemporaryFolder folder;
+  const glm::dmat4 matrix = glm::rotate(glm::translate(glm::dmat4(1.0), {1.0 / 3.0, -1e6, 2e-9}), 0.7, glm::dvec3(1.0, 0.0, 0.0));
+  writeText(folder / "t.txt", "# made by hand\n" + cli::transformText(matrix));
+  const auto read = cli::readTransform(folder / "t.txt");
+  ASSERT_TRUE(read) << read.error();
+  EXPECT_EQ(*read, matrix);
+  for (const auto& [text, code] : {std::pair{std::string("1 2 3"), ErrorCode::badField},
+                                   {std::string("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1"), ErrorCode::notRigid},
+                                   {std::string("1 0 0 0 0 1 0 0 0 0 x 0 0 0 0 1"), ErrorCode::badField}}) {
+    writeText(folder / "bad.txt", text);
+    const auto bad = cli::readTransform(folder / "bad.txt");
+    ASSERT_FALSE(bad) << text;
+    EXPECT_EQ(bad.error().code, code) << bad.error();
+  }
+}
+
+}  // namespace
+}  // namespace ew::test
