@@ -34,6 +34,20 @@ std::optional<fs::path> findProgram(const std::string& program) {
   return std::nullopt;
 }
 
+/// The line of a program's words that says what went wrong, as far as one can tell.
+std::string complaintIn(const fs::path& log) {
+  const auto words = readTextFile(log);
+  if (!words) return {};
+  for (std::size_t begin = 0; begin < words->size();) {
+    const std::size_t end = std::min(words->find('\n', begin), words->size());
+    const std::string line = words->substr(begin, end - begin);
+    for (const char* sign : {"Description:", "ERROR", "Error:", "error:"})
+      if (line.find(sign) != std::string::npos && line.size() > 12) return " (" + line.substr(0, 200) + ")";
+    begin = end + 1;
+  }
+  return {};
+}
+
 /// Runs a program to its end, its words into a file; gives its processor time.
 Result<double> runProgram(const std::vector<std::string>& words, const fs::path& log, Progress& progress) {
   const auto program = findProgram(words.front());
@@ -76,7 +90,7 @@ Result<double> runProgram(const std::vector<std::string>& words, const fs::path&
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    return failure(ErrorCode::internal, words.front() + " failed on this pair; its words are in " + log.string() + ".");
+    return failure(ErrorCode::internal, words.front() + " failed on this pair" + complaintIn(log) + ".");
   const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
@@ -86,7 +100,8 @@ std::string elastixParameters(const std::string& metric) {
          "(FixedImageDimension 3)\n(MovingImageDimension 3)\n(UseDirectionCosines \"true\")\n"
          "(Registration \"MultiResolutionRegistration\")\n(NumberOfResolutions 4)\n"
          "(FixedImagePyramid \"FixedSmoothingImagePyramid\")\n(MovingImagePyramid \"MovingSmoothingImagePyramid\")\n"
-         "(Interpolator \"LinearInterpolator\")\n(ResampleInterpolator \"FinalLinearInterpolator\")\n(Resampler \"DefaultResampler\")\n"
+         "(Interpolator \"LinearInterpolator\")\n(ResampleInterpolator \"FinalBSplineInterpolator\")\n(FinalBSplineInterpolationOrder "
+         "1)\n(Resampler \"DefaultResampler\")\n"
          "(Transform \"BSplineTransform\")\n(FinalGridSpacingInPhysicalUnits 8)\n(GridSpacingSchedule 4 4 2 1)\n(MaximumStepLength "
          "1)\n(HowToCombineTransforms \"Compose\")\n"
          "(Metric \"" +
