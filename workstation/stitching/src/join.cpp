@@ -9,6 +9,7 @@
 #include "ew/core/parallel.h"
 #include "ew/stitching/distance.h"
 #include "joiner.h"
+#include "seam_measure.h"
 
 namespace ew::stitching {
 namespace {
@@ -94,6 +95,11 @@ void report(const Tally& sums, std::span<const View> views, bool seams, JoinRepo
 std::uint64_t blockBytes(const glm::ivec3& dims, int block) {
   const glm::ivec3 size = glm::min(dims, glm::ivec3(block));
   return 3ull * static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) * static_cast<std::uint64_t>(size.z);
+}
+
+/// How wide the passage from view to view is, for measuring it.
+double widthOf(const JoinOptions& options) {
+  return options.seam.method == SeamMethod::feather ? std::max(1.0, 0.5 * options.grid.featherWidth_mm) : options.seam.blend_mm;
 }
 
 /// What joining needs before its first block: one distance per voxel of every view, for a feather.
@@ -182,10 +188,11 @@ Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const Joi
   return forecast;
 }
 
-Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options, BlockSink& sink,
-                        Progress& progress) {
-  const auto started = std::chrono::steady_clock::now();
-  if (auto good = checkJoin(views, seams, result, options); !good) return passOn(good.error());
+namespace {
+
+/// @param measure sums for the seams' visibility, block by block; null when someone else measures the whole
+Result<JoinReport> joinBlocks(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
+                              BlockSink& sink, SeamMeasure* measure, Progress& progress) {
   const bool feathers = options.seam.method == SeamMethod::feather;
   const double begun = feathers && options.grid.featherWidth_mm > 0.0 ? 0.3 : 0.0;
   PartOfProgress first(progress, 0.0, begun);
@@ -216,22 +223,47 @@ Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const
     for (const Tally& tally : tallies) all.add(tally);
     const std::span<const std::uint8_t> made(voxels);
     if (auto put = sink.put(corner, size, made.first(each), made.subspan(each, each), made.last(each)); !put) return passOn(put.error());
+    if (measure != nullptr) measure->look(corner, size, made.first(each), made.last(each), [&] { return progress.cancelRequested(); });
   }
   JoinReport made;
   made.grid = result;
   report(all, views, !feathers, made);
-  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return made;
+}
+
+double since(std::chrono::steady_clock::time_point started) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+}  // namespace
+
+Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options, BlockSink& sink,
+                        Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  if (auto good = checkJoin(views, seams, result, options); !good) return passOn(good.error());
+  SeamMeasure measure(result.spacing_mm, widthOf(options));
+  auto made = joinBlocks(views, seams, result, options, sink, &measure, progress);
+  if (!made) return made;
+  if (progress.cancelRequested()) return stitchingCancelled();
+  made->seam = measure.result();
+  made->seconds = since(started);
   return made;
 }
 
 Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
                         Progress& progress) {
+  const auto started = std::chrono::steady_clock::now();
   if (auto good = checkJoin(views, seams, result, options); !good) return passOn(good.error());
   JoinResult made;
   MemorySink sink(result, made);
-  auto report = join(views, seams, result, options, sink, progress);
+  auto report = joinBlocks(views, seams, result, options, sink, nullptr, progress);
   if (!report) return passOn(report.error());
   made.report = std::move(*report);
+  SeamMeasure measure(result.spacing_mm, widthOf(options));
+  measure.look(glm::ivec3(0), result.dims, made.volume.echo, made.source, [&] { return progress.cancelRequested(); });
+  if (progress.cancelRequested()) return stitchingCancelled();
+  made.report.seam = measure.result();
+  made.report.seconds = since(started);
   return made;
 }
 

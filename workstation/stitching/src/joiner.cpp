@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "band.h"
 #include "ew/core/contract.h"
 
 namespace ew::stitching {
@@ -198,12 +199,7 @@ void Joiner::countOverlap(const std::vector<std::size_t>& reaching, const glm::i
 
 namespace {
 
-/// Where the voxels of a row lie among cells.
-struct Between {
-  int cell = 0;
-  float part = 0.0f;
-};
-Between betweenCells(int voxel, int ratio, int cells, bool sharp) {
+BetweenCells betweenCells(int voxel, int ratio, int cells, bool sharp) {
   if (sharp) return {voxel / ratio, 0.0f};
   const double along = std::clamp((voxel - 0.5 * (ratio - 1)) / ratio, 0.0, cells - 1.0);
   const int cell = std::min(static_cast<int>(along), std::max(cells - 2, 0));
@@ -228,20 +224,30 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
     cells.end[axis] = std::min(betweenCells(end[axis] - 1, ratio_[axis], dims[axis], sharp).cell + 2, dims[axis]);
   }
   const std::vector<Weights> weights = weightsOf(reaching, cells);
+  std::vector<std::size_t> blended;
+  std::vector<const float*> shares;
+  for (const Weights& each : weights) {
+    blended.push_back(each.view);
+    shares.push_back(each.cells.data());
+  }
+  if (sharp) blended.clear();
+  const Band band(samplers_, blended, shares, cells, seams_->cells, ratio_, stopped);
 
   const int length = end.x - begin.x;
   Row row(length);
-  std::vector<Between> along;
+  std::vector<BetweenCells> along;
   for (int i = begin.x; i < end.x; ++i) along.push_back(betweenCells(i, ratio_.x, dims.x, sharp));
   std::vector<float> line(static_cast<std::size_t>(cells.size().x));
   std::vector<std::vector<float>> rowWeights(weights.size(), std::vector<float>(static_cast<std::size_t>(length), 1.0f));
   std::vector<float> total(static_cast<std::size_t>(length), 1.0f);
+  std::vector<double> taken(static_cast<std::size_t>(length) * weights.size());  // what each view weighs at each voxel
   for (int k = begin.z; k < end.z; ++k)
     for (int j = begin.y; j < end.y && !stopped(); ++j) {
       row.clear();
+      const BetweenCells y = betweenCells(j, ratio_.y, dims.y, sharp);
+      const BetweenCells z = betweenCells(k, ratio_.z, dims.z, sharp);
       if (!weights.empty()) {
-        const Between y = betweenCells(j, ratio_.y, dims.y, sharp);
-        const Between z = betweenCells(k, ratio_.z, dims.z, sharp);
+        std::fill(taken.begin(), taken.end(), 0.0);
         std::fill(total.begin(), total.end(), 0.0f);
         for (std::size_t n = 0; n < weights.size(); ++n) {
           std::fill(line.begin(), line.end(), 0.0f);
@@ -266,9 +272,14 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
           const auto w = static_cast<double>(rowWeights[n][at]);
           if (w <= kLeastWeight * static_cast<double>(total[at])) return;
           const ViewSample sample = sampler.at(where);
-          if (sample.quality > 0.0) row.take(at, weights[n].view, sample, w * sample.quality, tally);
+          if (sample.quality <= 0.0) return;
+          taken[at * weights.size() + n] = w * sample.quality;
+          row.take(at, weights[n].view, sample, w * sample.quality, tally);
         });
       }
+      if (!band.empty())
+        for (std::size_t at = 0; at < along.size(); ++at)
+          if (row.inputs[at] > 1) row.mean[at] = band.blend(along[at], y, z, taken.data() + at * weights.size(), row.mean[at]);
       // Where the view that was chosen shows nothing after all (the border runs through the cell), the first that does.
       if (std::find(row.inputs.begin(), row.inputs.end(), 0) != row.inputs.end())
         for (const std::size_t n : reaching)
