@@ -1,7 +1,5 @@
 #include "ew/acquisition/equalise.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -9,9 +7,9 @@
 #include <map>
 #include <numeric>
 
-#include "body_signal.h"
 #include "clip_spans.h"
 #include "ew/core/contract.h"
+#include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
 
 namespace ew {
@@ -19,8 +17,6 @@ namespace {
 
 constexpr double kClippedShare = 0.02;
 constexpr double kFewestPixels = 8.0;
-constexpr int kRounds = 12;
-constexpr double kLongestCurve_mm = 1000.0;
 
 /// Depth below the face of every pixel, from the clip.
 class PixelDepth {
@@ -84,71 +80,6 @@ bool look(const SweepToEqualise& sweep, const ClipSpans& clip, const EqualiseOpt
   return true;
 }
 
-/// One cell that two sweeps saw.
-struct Pair {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double firstDepth_mm = 0.0;
-  double secondDepth_mm = 0.0;
-  double difference = 0.0;  ///< grey of the first less that of the second
-  double weight = 0.0;
-};
-
-/// A depth's two knots and the share of the second.
-struct Knots {
-  std::size_t at = 0;
-  double share = 0.0;
-};
-Knots knotsOf(double depth_mm, double knot_mm, std::size_t count) {
-  const double along = std::clamp(depth_mm / knot_mm, 0.0, static_cast<double>(count - 1));
-  const auto at = std::min(static_cast<std::size_t>(along), count - 2);
-  return {at, along - static_cast<double>(at)};
-}
-
-/// Least squares: unknown (sweep, knot) is column sweep * knots + knot.
-Eigen::VectorXd solved(const std::vector<Pair>& pairs, const std::vector<double>& weights, std::size_t sweeps, std::size_t knots,
-                       const EqualiseOptions& options) {
-  const auto size = static_cast<Eigen::Index>(sweeps * knots);
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(size);
-  double total = 0.0;
-  for (std::size_t n = 0; n < pairs.size(); ++n) {
-    const Pair& pair = pairs[n];
-    const Knots a = knotsOf(pair.firstDepth_mm, options.knot_mm, knots), b = knotsOf(pair.secondDepth_mm, options.knot_mm, knots);
-    const std::array<std::pair<Eigen::Index, double>, 4> row = {{{static_cast<Eigen::Index>(pair.first * knots + a.at), 1.0 - a.share},
-                                                                 {static_cast<Eigen::Index>(pair.first * knots + a.at + 1), a.share},
-                                                                 {static_cast<Eigen::Index>(pair.second * knots + b.at), b.share - 1.0},
-                                                                 {static_cast<Eigen::Index>(pair.second * knots + b.at + 1), -b.share}}};
-    for (const auto& [i, u] : row) {
-      right(i) -= weights[n] * u * pair.difference;
-      for (const auto& [j, v] : row) normal(i, j) += weights[n] * u * v;
-    }
-    total += weights[n];
-  }
-  const double share = total / static_cast<double>(sweeps * knots);
-  for (std::size_t s = 0; s < sweeps; ++s)
-    for (std::size_t k = 1; k + 1 < knots; ++k) {
-      const auto at = static_cast<Eigen::Index>(s * knots + k);
-      constexpr std::array<double, 3> bend{1.0, -2.0, 1.0};
-      for (Eigen::Index i = 0; i < 3; ++i)
-        for (Eigen::Index j = 0; j < 3; ++j)
-          normal(at - 1 + i, at - 1 + j) +=
-              options.smoothness * share * bend[static_cast<std::size_t>(i)] * bend[static_cast<std::size_t>(j)];
-    }
-  // The gauge: of all curves that agree as well, the smallest.
-  normal.diagonal().array() += 1e-5 * share + 1e-12;
-  return normal.ldlt().solve(right);
-}
-
-double residualOf(const Pair& pair, const Eigen::VectorXd& curves, std::size_t knots, double knot_mm) {
-  const auto at = [&](std::size_t sweep, double depth_mm) {
-    const Knots k = knotsOf(depth_mm, knot_mm, knots);
-    const auto first = static_cast<Eigen::Index>(sweep * knots + k.at);
-    return (1.0 - k.share) * curves(first) + k.share * curves(first + 1);
-  };
-  return pair.difference + at(pair.first, pair.firstDepth_mm) - at(pair.second, pair.secondDepth_mm);
-}
-
 Result<void> check(std::span<const SweepToEqualise> sweeps, const EqualiseOptions& options) {
   const auto refuse = [](std::string sentence) { return failure(ErrorCode::badField, std::move(sentence), {{"field", "equalise"}}); };
   if (sweeps.size() < 2) return refuse("There are fewer than two sweeps to compare; give all sweeps that are to be stitched.");
@@ -180,12 +111,7 @@ int groupsOf(const std::vector<std::vector<std::size_t>>& shared, int fewest, st
 
 }  // namespace
 
-double DepthCorrection::at(double depth_mm) const {
-  if (grey.empty()) return 0.0;
-  if (grey.size() == 1) return grey.front();
-  const Knots knots = knotsOf(depth_mm, knot_mm, grey.size());
-  return (1.0 - knots.share) * grey[knots.at] + knots.share * grey[knots.at + 1];
-}
+double DepthCorrection::at(double depth_mm) const { return atDepth(grey, knot_mm, depth_mm); }
 
 Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweeps, const EqualiseOptions& options, Progress& progress) {
   if (const auto checked = check(sweeps, options); !checked) return passOn(checked.error());
@@ -201,7 +127,7 @@ Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweep
                                 });
   if (!done || cut) return failure(ErrorCode::cancelled, "The equalisation was stopped before it was complete.");
 
-  std::vector<Pair> pairs;
+  std::vector<DepthDifference> pairs;
   std::vector<std::vector<std::size_t>> shared(sweeps.size(), std::vector<std::size_t>(sweeps.size(), 0));
   for (std::size_t a = 0; a < sweeps.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
@@ -215,42 +141,22 @@ Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweep
       shared[a][b] = pairs.size() - before;
       if (shared[a][b] < static_cast<std::size_t>(options.fewestCells)) pairs.resize(before);
     }
-  double deepest_mm = options.knot_mm;
-  for (const Pair& pair : pairs) deepest_mm = std::max({deepest_mm, pair.firstDepth_mm, pair.secondDepth_mm});
-  const auto knots = static_cast<std::size_t>(std::ceil(std::min(deepest_mm, kLongestCurve_mm) / options.knot_mm)) + 1;
-
   Equalisation result;
   result.sweeps.assign(sweeps.size(), {});
   for (auto& sweep : result.sweeps) sweep.knot_mm = options.knot_mm;
   result.groups = groupsOf(shared, options.fewestCells, result.sweeps);
   result.cells = pairs.size();
   const double dbPerGrey = options.dynamicRange_db / 255.0;
-  std::vector<double> weights, sizes(pairs.size());
-  for (std::size_t n = 0; n < pairs.size(); ++n) {
-    weights.push_back(pairs[n].weight);
-    sizes[n] = std::abs(pairs[n].difference);
-  }
-  result.disagreementBefore_db = medianValue(sizes) * dbPerGrey;
-  Eigen::VectorXd curves = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sweeps.size() * knots));
-  for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The equalisation was stopped before it was complete.");
-    curves = solved(pairs, weights, sweeps.size(), knots, options);
-    for (std::size_t n = 0; n < pairs.size(); ++n) sizes[n] = std::abs(residualOf(pairs[n], curves, knots, options.knot_mm));
-    // Below half a grey level residuals are rounding, and the scale must not follow them to 0.
-    const double scale = std::max(0.5, 1.4826 * medianValue(sizes));
-    for (std::size_t n = 0; n < pairs.size(); ++n) {
-      const double far = sizes[n] / (2.385 * scale);
-      // First Cauchy's weights, which find the way from anywhere, then Geman and McClure's, which forget what is far.
-      const double cauchy = 1.0 / (1.0 + far * far);
-      weights[n] = pairs[n].weight * (round < kRounds / 2 ? cauchy : cauchy * cauchy);
-    }
-  }
-  result.disagreementAfter_db = medianValue(sizes) * dbPerGrey;
+  DepthCurves curves;
+  if (!fitDepthCurves(pairs, sweeps.size(), {options.knot_mm, options.smoothness}, progress, curves))
+    return failure(ErrorCode::cancelled, "The equalisation was stopped before it was complete.");
+  result.disagreementBefore_db = curves.medianBefore * dbPerGrey;
+  result.disagreementAfter_db = curves.medianAfter * dbPerGrey;
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
     auto& sweep = result.sweeps[s];
-    for (std::size_t k = 0; k < knots; ++k) sweep.grey.push_back(curves(static_cast<Eigen::Index>(s * knots + k)));
+    sweep.grey = std::move(curves.grey[s]);
     double from_mm = 1e9, to_mm = 0.0;
-    for (const Pair& pair : pairs)
+    for (const DepthDifference& pair : pairs)
       for (const auto& [own, depth_mm] : {std::pair{pair.first, pair.firstDepth_mm}, std::pair{pair.second, pair.secondDepth_mm}})
         if (own == s) {
           from_mm = std::min(from_mm, depth_mm);

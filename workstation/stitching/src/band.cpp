@@ -46,6 +46,11 @@ glm::ivec3 Band::windowOf(const Grid& cells) {
   return glm::clamp(glm::ivec3(glm::round(kWindow_mm / cells.spacing_mm)), glm::ivec3(1), glm::ivec3(4));
 }
 
+std::uint64_t Band::bytesPerCell(std::uint64_t views) {
+  const std::uint64_t pairs = views * (views - 1) / 2;
+  return (views + pairs) * sizeof(Sums) + views * (2 + sizeof(Moments)) + pairs * 4;
+}
+
 Band::Band(const std::vector<ViewSampler>& samplers, const std::vector<std::size_t>& views, const std::vector<const float*>& weights,
            const CellBox& box, const Grid& cells, const glm::ivec3& ratio, const std::function<bool()>& stopped)
     : box_(box), views_(views.size()) {

@@ -33,6 +33,8 @@ class Band {
                              double plainMean) const;
 
   [[nodiscard]] static glm::ivec3 windowOf(const Grid& cells);
+  /// Of the box and its window, while so many views are looked at.
+  [[nodiscard]] static std::uint64_t bytesPerCell(std::uint64_t views);
 
  private:
   struct Moments {

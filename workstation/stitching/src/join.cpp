@@ -8,6 +8,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
 #include "ew/stitching/distance.h"
+#include "grid_flow.h"
 #include "joiner.h"
 #include "seam_measure.h"
 
@@ -18,6 +19,7 @@ constexpr std::size_t kMostViews = 255;  // a source is one byte per voxel
 /// The voxels one thread makes at a time: long along the rows, small enough that a cancel is heard soon.
 constexpr glm::ivec3 kTile{64, 32, 32};
 constexpr int kSmallestBlock = 8;
+constexpr double kFewestInCube = 64.0;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -102,6 +104,41 @@ double widthOf(const JoinOptions& options) {
   return options.seam.method == SeamMethod::feather ? std::max(1.0, 0.5 * options.grid.featherWidth_mm) : options.seam.blend_mm;
 }
 
+/// The cells that a view's box touches.
+CellBox boxOf(const PlacedGrid& view, const Grid& cells) {
+  const auto voxelToCell = cells.worldToVoxel() * placed(view.grid, view.toWorld).voxelToWorld();
+  glm::dvec3 low(1e300);
+  glm::dvec3 high(-1e300);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 last = view.grid.dims - 1;
+    const glm::dvec3 ijk((corner & 1) ? last.x : 0, (corner & 2) ? last.y : 0, (corner & 4) ? last.z : 0);
+    const glm::dvec3 at = (voxelToCell * Point<frame::Voxel>{ijk}).at;
+    low = glm::min(low, at);
+    high = glm::max(high, at);
+  }
+  return {glm::max(glm::ivec3(glm::floor(low)), glm::ivec3(0)), glm::min(glm::ivec3(glm::ceil(high)) + 1, cells.dims)};
+}
+
+/// What findSeams needs beside the map itself: what each view shows on the cells it reaches, and the largest cut.
+std::uint64_t seamBytes(std::span<const PlacedGrid> views, const Grid& cells, const SeamOptions& options) {
+  std::uint64_t kept = options.strokes.empty() ? 0 : cells.voxelCount();
+  std::uint64_t largest = 0;
+  std::vector<CellBox> boxes;
+  for (const PlacedGrid& view : views) boxes.push_back(boxOf(view, cells));
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    kept += boxes[n].count() * (2 + 1 + 1 + 2);                         // level, share, trust, cost
+    largest = std::max<std::uint64_t>(largest, boxes[n].count() * 12);  // two sums while looking, or distances with their coverage
+    CellBox contested{boxes[n].end, boxes[n].begin};
+    for (std::size_t m = 0; m < boxes.size(); ++m) {
+      const CellBox shared{glm::max(boxes[n].begin, boxes[m].begin), glm::min(boxes[n].end, boxes[m].end)};
+      if (m == n || shared.count() == 0) continue;
+      contested = {glm::min(contested.begin, shared.begin), glm::max(contested.end, shared.end)};
+    }
+    largest = std::max<std::uint64_t>(largest, contested.count() * GridFlow::kBytesPerCell);
+  }
+  return kept + largest + (options.method == SeamMethod::nearest ? 4 * cells.voxelCount() : 0);
+}
+
 /// What joining needs before its first block: one distance per voxel of every view, for a feather.
 Result<std::vector<std::vector<float>>> distancesOf(std::span<const View> views, const JoinOptions& options, Progress& progress) {
   std::vector<std::vector<float>> distances_mm;
@@ -169,17 +206,19 @@ Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const Joi
   auto forecast = forecastStitch(views, unlimited);
   if (!forecast) return forecast;
   const Grid& grid = forecast->grid;
-  const bool seams = options.seam.method != SeamMethod::feather;
+  const auto threads = static_cast<std::uint64_t>(threadCount(options.grid.threads));
+  const std::uint64_t blocks = blockBytes(grid.dims, std::max(options.block, kSmallestBlock));
   const glm::ivec3 ratio = cellRatio(grid, options.seam.cell_mm);
-  std::uint64_t kept = 0;
-  if (seams)
-    kept = cellGrid(grid, ratio).voxelCount();
-  else if (options.grid.featherWidth_mm > 0.0)
-    for (const PlacedGrid& view : views) kept += 4 * view.grid.voxelCount();
-  const std::uint64_t making =
-      blockBytes(grid.dims, std::max(options.block, kSmallestBlock)) +
-      static_cast<std::uint64_t>(threadCount(options.grid.threads)) * Joiner::scratchBytes(kTile, views.size(), ratio, seams);
-  forecast->bytes = kept + making;
+  const Grid cells = cellGrid(grid, ratio);
+  if (options.seam.method == SeamMethod::feather) {
+    std::uint64_t distances = 0;
+    if (options.grid.featherWidth_mm > 0.0)
+      for (const PlacedGrid& view : views) distances += 4 * view.grid.voxelCount();
+    forecast->bytes = distances + blocks + threads * Joiner::scratchBytes(kTile, 1, cells, ratio);
+  } else {
+    const std::uint64_t joining = blocks + threads * Joiner::scratchBytes(kTile, views.size(), cells, ratio);
+    forecast->bytes = cells.voxelCount() + std::max(joining, seamBytes(views, cells, options.seam));
+  }
   if (forecast->bytes > options.grid.maxBytes)
     return failure(ErrorCode::tooLarge,
                    "Joining would need " + std::to_string(forecast->bytes >> 20) + " MiB, and the limit is " +
@@ -228,7 +267,22 @@ Result<JoinReport> joinBlocks(std::span<const View> views, const SeamMap& seams,
   JoinReport made;
   made.grid = result;
   report(all, views, !feathers, made);
+  if (!feathers) {
+    CommonPart steps;
+    for (const auto& [place, sum] : all.steps)
+      if (sum.count >= kFewestInCube)
+        steps.add({place[0], place[1], 0}, kStepCube_mm * (glm::dvec3(place[2], place[3], place[4]) + 0.5), sum.difference / sum.count,
+                  sum.count);
+    made.seam.meanStep_db = kDbPerGrey * steps.rms();
+  }
   return made;
+}
+
+/// The views themselves tell a step of the mean from an edge of tissue that the seam follows; the joined volume alone cannot.
+void takeSeam(const SeamVisibility& measured, const JoinOptions& options, JoinReport& report) {
+  const double step_db = report.seam.meanStep_db;
+  report.seam = measured;
+  if (options.seam.method != SeamMethod::feather && options.seam.blend_mm > 0.0) report.seam.meanStep_db = step_db;
 }
 
 double since(std::chrono::steady_clock::time_point started) {
@@ -245,7 +299,7 @@ Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const
   auto made = joinBlocks(views, seams, result, options, sink, &measure, progress);
   if (!made) return made;
   if (progress.cancelRequested()) return stitchingCancelled();
-  made->seam = measure.result();
+  takeSeam(measure.result(), options, *made);
   made->seconds = since(started);
   return made;
 }
@@ -262,7 +316,7 @@ Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const
   SeamMeasure measure(result.spacing_mm, widthOf(options));
   measure.look(glm::ivec3(0), result.dims, made.volume.echo, made.source, [&] { return progress.cancelRequested(); });
   if (progress.cancelRequested()) return stitchingCancelled();
-  made.report.seam = measure.result();
+  takeSeam(measure.result(), options, made.report);
   made.report.seconds = since(started);
   return made;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "band.h"
 #include "ew/core/contract.h"
@@ -11,6 +12,9 @@ namespace {
 
 /// A view that would weigh less beside the others is left out: it could not change a grey level, and costs a sample.
 constexpr double kLeastWeight = 1.0 / 256.0;
+/// So many views meet in one tile at most, as a rule: what a forecast reckons with.
+constexpr std::size_t kMostBlended = 4;
+constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
 }  // namespace
 
@@ -19,6 +23,10 @@ void Tally::add(const Tally& other) {
   overlapping += other.overlapping;
   blended += other.blended;
   squaredSpread += other.squaredSpread;
+  for (const auto& [place, sum] : other.steps) {
+    steps[place].count += sum.count;
+    steps[place].difference += sum.difference;
+  }
   for (std::size_t n = 0; n < other.contributions.size(); ++n) {
     contributions[n].voxels += other.contributions[n].voxels;
     contributions[n].dominantVoxels += other.contributions[n].dominantVoxels;
@@ -225,13 +233,13 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
   }
   const std::vector<Weights> weights = weightsOf(reaching, cells);
   std::vector<std::size_t> blended;
-  std::vector<const float*> shares;
+  std::vector<const float*> cellWeights;
   for (const Weights& each : weights) {
     blended.push_back(each.view);
-    shares.push_back(each.cells.data());
+    cellWeights.push_back(each.cells.data());
   }
   if (sharp) blended.clear();
-  const Band band(samplers_, blended, shares, cells, seams_->cells, ratio_, stopped);
+  const Band band(samplers_, blended, cellWeights, cells, seams_->cells, ratio_, stopped);
 
   const int length = end.x - begin.x;
   Row row(length);
@@ -239,16 +247,15 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
   for (int i = begin.x; i < end.x; ++i) along.push_back(betweenCells(i, ratio_.x, dims.x, sharp));
   std::vector<float> line(static_cast<std::size_t>(cells.size().x));
   std::vector<std::vector<float>> rowWeights(weights.size(), std::vector<float>(static_cast<std::size_t>(length), 1.0f));
-  std::vector<float> total(static_cast<std::size_t>(length), 1.0f);
-  std::vector<double> taken(static_cast<std::size_t>(length) * weights.size());  // what each view weighs at each voxel
+  const std::size_t views = weights.size();
+  std::vector<ViewSample> samples(static_cast<std::size_t>(length) * views);  // empty between rows
+  std::vector<double> taken(views);
   for (int k = begin.z; k < end.z; ++k)
     for (int j = begin.y; j < end.y && !stopped(); ++j) {
       row.clear();
       const BetweenCells y = betweenCells(j, ratio_.y, dims.y, sharp);
       const BetweenCells z = betweenCells(k, ratio_.z, dims.z, sharp);
       if (!weights.empty()) {
-        std::fill(taken.begin(), taken.end(), 0.0);
-        std::fill(total.begin(), total.end(), 0.0f);
         for (std::size_t n = 0; n < weights.size(); ++n) {
           std::fill(line.begin(), line.end(), 0.0f);
           for (int corner = 0; corner < 4; ++corner) {
@@ -259,27 +266,44 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
           }
           for (std::size_t at = 0; at < along.size(); ++at) {
             const auto c = static_cast<std::size_t>(along[at].cell - cells.begin.x);
-            const float w = along[at].part > 0.0f ? line[c] + along[at].part * (line[c + 1] - line[c]) : line[c];
-            rowWeights[n][at] = w;
-            total[at] += w;
+            rowWeights[n][at] = along[at].part > 0.0f ? line[c] + along[at].part * (line[c + 1] - line[c]) : line[c];
           }
         }
       }
-      for (std::size_t n = 0; n < weights.size(); ++n) {
+      for (std::size_t n = 0; n < views; ++n) {
         const ViewSampler& sampler = samplers_[weights[n].view];
         sampler.alongRow(j, k, begin.x, end.x, [&](int i, const glm::dvec3& where) {
           const auto at = static_cast<std::size_t>(i - begin.x);
-          const auto w = static_cast<double>(rowWeights[n][at]);
-          if (w <= kLeastWeight * static_cast<double>(total[at])) return;
-          const ViewSample sample = sampler.at(where);
-          if (sample.quality <= 0.0) return;
-          taken[at * weights.size() + n] = w * sample.quality;
-          row.take(at, weights[n].view, sample, w * sample.quality, tally);
+          if (rowWeights[n][at] > 0.0f) samples[at * views + n] = sampler.at(where);
         });
       }
-      if (!band.empty())
-        for (std::size_t at = 0; at < along.size(); ++at)
-          if (row.inputs[at] > 1) row.mean[at] = band.blend(along[at], y, z, taken.data() + at * weights.size(), row.mean[at]);
+      for (std::size_t at = 0; at < along.size() && views > 0; ++at) {
+        ViewSample* const shown = samples.data() + at * views;
+        double total = 0.0;
+        for (std::size_t n = 0; n < views; ++n) {
+          taken[n] = static_cast<double>(rowWeights[n][at]) * shown[n].quality;
+          total += taken[n];
+        }
+        if (total <= 0.0) continue;
+        for (std::size_t n = 0; n < views; ++n) {
+          // Independent speckle a sin(t) + b cos(t) changes evenly with t: the blend then has no layer where it changes fastest.
+          const double share = taken[n] / total;
+          taken[n] = share < kLeastWeight ? 0.0 : share < 1.0 ? std::sin(kQuarterTurn * share) : 1.0;
+          if (taken[n] > 0.0) row.take(at, weights[n].view, shown[n], taken[n], tally);
+        }
+        if (row.inputs[at] > 1) {
+          if (!band.empty()) row.mean[at] = band.blend(along[at], y, z, taken.data(), row.mean[at]);
+          const glm::ivec3 cube(glm::dvec3(begin.x + static_cast<int>(at), j, k) * result_.spacing_mm / kStepCube_mm);
+          for (std::size_t a = 1; a < views; ++a)
+            for (std::size_t b = 0; b < a && taken[a] > 0.0; ++b) {
+              if (taken[b] <= 0.0) continue;
+              StepSum& sum = tally.steps[{static_cast<int>(weights[a].view), static_cast<int>(weights[b].view), cube.x, cube.y, cube.z}];
+              sum.count += 1.0;
+              sum.difference += shown[a].level - shown[b].level;
+            }
+        }
+        std::fill(shown, shown + views, ViewSample{});
+      }
       // Where the view that was chosen shows nothing after all (the border runs through the cell), the first that does.
       if (std::find(row.inputs.begin(), row.inputs.end(), 0) != row.inputs.end())
         for (const std::size_t n : reaching)
@@ -293,12 +317,15 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
     }
 }
 
-std::uint64_t Joiner::scratchBytes(const glm::ivec3& size, std::size_t views, const glm::ivec3& ratio, bool seams) {
-  const auto rows = static_cast<std::uint64_t>(size.x) * (4 * 8 + 4 + 2);
-  if (!seams) return rows;
-  const glm::ivec3 cells = size / ratio + 12;
-  const auto count = static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) * static_cast<std::uint64_t>(cells.z);
-  return rows + count * (4 * static_cast<std::uint64_t>(std::min<std::size_t>(views, 8)) + 16);
+std::uint64_t Joiner::scratchBytes(const glm::ivec3& size, std::size_t views, const Grid& cells, const glm::ivec3& ratio) {
+  const auto length = static_cast<std::uint64_t>(size.x);
+  const std::uint64_t blended = std::min<std::size_t>(views, kMostBlended);
+  const std::uint64_t rows = length * (4 * 8 + 4 + 2 + 8 + blended * (4 + sizeof(ViewSample)));
+  if (views < 2) return rows;
+  const glm::ivec3 halo = glm::ivec3(8) + 2 * Band::windowOf(cells);
+  const glm::dvec3 box(glm::min(size / ratio + halo, cells.dims));
+  const auto count = static_cast<std::uint64_t>(box.x * box.y * box.z);
+  return rows + count * (10 * blended + 16 + Band::bytesPerCell(blended));
 }
 
 }  // namespace ew::stitching

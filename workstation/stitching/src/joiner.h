@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <map>
 
 #include "cells.h"
 
@@ -26,6 +28,15 @@ struct BlockArrays {
   }
 };
 
+/// How much two views differ in a cube of the blend.
+struct StepSum {
+  double count = 0.0;
+  double difference = 0.0;
+};
+inline constexpr double kStepCube_mm = 6.0;
+/// The two views, and the cube's place along i, j, k.
+using StepPlace = std::array<int, 5>;
+
 /// Sums over a tile; added up in the order of the tiles, so that no thread count changes them.
 struct Tally {
   std::size_t covered = 0;      ///< voxels (cells, where there are seams)
@@ -33,6 +44,7 @@ struct Tally {
   std::size_t blended = 0;      ///< voxels made of two views or more
   double squaredSpread = 0.0;
   std::vector<Contribution> contributions;
+  std::map<StepPlace, StepSum> steps;
   void add(const Tally& other);
 };
 
@@ -48,7 +60,7 @@ class Joiner {
   void make(const glm::ivec3& begin, const glm::ivec3& end, const BlockArrays& block, Tally& tally, const Stopped& stopped) const;
 
   /// Memory that one thread takes for a box of these voxels.
-  [[nodiscard]] static std::uint64_t scratchBytes(const glm::ivec3& size, std::size_t views, const glm::ivec3& ratio, bool seams);
+  [[nodiscard]] static std::uint64_t scratchBytes(const glm::ivec3& size, std::size_t views, const Grid& cells, const glm::ivec3& ratio);
 
  private:
   struct Row;

@@ -21,6 +21,8 @@ constexpr double kFace_grey = 2.0;
 constexpr double kBlind_grey = 40.0;
 /// From this far inside, a view's border is no longer felt.
 constexpr double kInside_mm = 15.0;
+/// More than that within a blend's width of the border: a seam that has room leaves the blend whole.
+constexpr double kMargin_grey = 80.0;
 constexpr int kMostSweeps = 6;
 
 /// What it costs to take a view for a cell of its box.
@@ -29,9 +31,10 @@ std::vector<std::uint16_t> costsOf(const ViewSurvey& survey, std::span<const flo
   for (std::size_t c = 0; c < costs.size(); ++c) {
     const double doubt = 1.0 - survey.trust[c] / ViewSurvey::kFull;
     const double absent = 1.0 - survey.share[c] / ViewSurvey::kFull;
+    const double margin = options.blend_mm > 0.0 ? std::max(0.0, 1.0 - static_cast<double>(distance_mm[c]) / options.blend_mm) : 0.0;
     const double near = 1.0 - static_cast<double>(distance_mm[c]) / kInside_mm;
     const double grey = options.confidenceWeight * kShadow_grey * std::max(0.0, doubt - absent) + kAbsent_grey * absent +
-                        options.distanceWeight * kShadow_grey * near;
+                        options.distanceWeight * (kShadow_grey * near + kMargin_grey * margin);
     costs[c] = static_cast<std::uint16_t>(std::min(65535.0, std::round(kGrey * grey)));
   }
   return costs;

@@ -2,20 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ew/core/contract.h"
 
 namespace ew::stitching {
 namespace {
 
-constexpr int kBeside = 5;          // parallel surfaces on either side
-constexpr double kPatch_mm = 12.0;  // the mean may step up here and down there: steps are taken patch by patch
+constexpr int kBeside = 5;  // parallel surfaces on either side
+constexpr double kCube_mm = 6.0;
+constexpr double kPatch_mm = 24.0;  // the mean may step up here and down there: steps are taken patch by patch
+constexpr double kFewestCubes = 5.0;
 constexpr double kSlab_mm = 2.5;
-constexpr double kLag_mm = 3.0;  // farther apart than speckle is correlated
-constexpr double kFewestFaces = 30.0;
-constexpr double kDbPerGrey = 60.0 / 255.0;
+constexpr double kLag_mm = 2.0;  // farther apart than speckle is correlated
+constexpr double kFewestFaces = 20.0;
+
+/// Levels are whole numbers: the median lies within the middle one as far as those below it leave room. Medians, because edges of tissue
+/// make few but large differences.
+std::optional<double> medianOf(const std::array<std::size_t, 256>& counts) {
+  std::size_t all = 0;
+  for (const std::size_t count : counts) all += count;
+  if (all == 0) return std::nullopt;
+  double below = 0.0;
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    const auto here = static_cast<double>(counts[level]);
+    const double half = 0.5 * static_cast<double>(all);
+    // Differences that round to 0 come from one side only.
+    if (below + here >= half) return level == 0 ? 0.5 * half / here : static_cast<double>(level) - 0.5 + (half - below) / here;
+    below += here;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
+
+void CommonPart::add(const std::array<int, 3>& key, const glm::dvec3& p_mm, double difference, double weight) {
+  const glm::ivec3 patch(p_mm / kPatch_mm);
+  Sums& sums = patches_[{key[0], key[1], key[2], patch.x, patch.y, patch.z}];
+  sums.count += 1.0;
+  sums.weight += weight;
+  sums.first += difference;
+  sums.second += difference * difference;
+}
+
+double CommonPart::rms() const {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const auto& [place, sums] : patches_) {
+    if (sums.count < kFewestCubes) continue;
+    const double mean = sums.first / sums.count;
+    const double scatter = (sums.second / sums.count - mean * mean) / (sums.count - 1.0);  // of the mean
+    sum += sums.weight * (mean * mean - scatter);
+    weight += sums.weight;
+  }
+  return weight > 0.0 ? std::sqrt(std::max(0.0, sum / weight)) : 0.0;
+}
 
 SeamMeasure::SeamMeasure(const glm::dvec3& spacing_mm, double blend_mm) : spacing_mm_(spacing_mm) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -45,7 +86,7 @@ void SeamMeasure::look(const glm::ivec3& corner, const glm::ivec3& size, std::sp
           if (second == 0 || second == first) continue;
           // How far each view runs on from the face, in voxels, as far as anyone asks.
           const Reach& reach = reach_[static_cast<std::size_t>(axis)];
-          const int farthest = 3 * reach.blend + 2 * reach.slab;
+          const int farthest = 2 * reach.blend + reach.slab;
           const auto run = [&](std::ptrdiff_t from, std::ptrdiff_t towards, std::uint8_t own, int room) {
             int length = 0;
             for (std::ptrdiff_t p = from; length < std::min(room, farthest) && source[static_cast<std::size_t>(p)] == own; p += towards)
@@ -76,9 +117,7 @@ void SeamMeasure::look(const glm::ivec3& corner, const glm::ivec3& size, std::sp
                   if (a == axis || at[a] + lag >= size[a]) continue;
                   const std::ptrdiff_t q = p + lag * strides[a];
                   if (source[static_cast<std::size_t>(q)] != source[static_cast<std::size_t>(p)]) continue;
-                  const double difference = std::abs(grey(p) - grey(q));
-                  (n < reach.blend ? inside_ : outside_) += difference;
-                  ++(n < reach.blend ? insideCount_ : outsideCount_);
+                  ++(n < reach.blend ? inside_ : outside_)[static_cast<std::size_t>(std::abs(grey(p) - grey(q)))];
                 }
             }
           if (both < farthest) continue;
@@ -87,13 +126,10 @@ void SeamMeasure::look(const glm::ivec3& corner, const glm::ivec3& size, std::sp
             for (int n = from; n < from + reach.slab; ++n) sum += grey(face + n * towards);
             return static_cast<double>(sum) / reach.slab;
           };
-          const glm::ivec3 place((glm::dvec3(corner + at) * spacing_mm_) / kPatch_mm);
+          const glm::ivec3 place((glm::dvec3(corner + at) * spacing_mm_) / kCube_mm);
           Patch& patch = patches_[{axis, first, second, place.x, place.y, place.z}];
           patch.count += 1.0;
-          patch.nearFirst += layer(reach.blend, index, -step);
-          patch.nearSecond += layer(reach.blend, index + step, step);
-          patch.farFirst += layer(3 * reach.blend + reach.slab, index, -step);
-          patch.farSecond += layer(3 * reach.blend + reach.slab, index + step, step);
+          patch.step += layer(reach.blend, index + step, step) - layer(reach.blend, index, -step);
         }
       }
   }
@@ -103,20 +139,15 @@ SeamVisibility SeamMeasure::result() const {
   SeamVisibility seen;
   seen.voxels = 2 * faces_;
   if (beside_ > 0.0) seen.derivativeRatio = across_ / beside_;
-  if (insideCount_ > 0 && outsideCount_ > 0 && outside_ > 0.0)
-    seen.speckleRatio = inside_ / static_cast<double>(insideCount_) / (outside_ / static_cast<double>(outsideCount_));
-  double excess = 0.0;
-  double faces = 0.0;
-  for (const auto& [place, patch] : patches_) {
-    if (patch.count < kFewestFaces) continue;
-    // Tissue changes from layer to layer as well; what it does between layers of one view, equally far apart, is taken off.
-    const double step = (patch.nearSecond - patch.nearFirst) / patch.count;
-    const double one = (patch.farSecond - patch.nearSecond) / patch.count;
-    const double other = (patch.nearFirst - patch.farFirst) / patch.count;
-    excess += patch.count * (step * step - 0.5 * (one * one + other * other));
-    faces += patch.count;
-  }
-  if (faces > 0.0) seen.meanStep_db = kDbPerGrey * std::sqrt(std::max(0.0, excess / faces));
+  const auto in = medianOf(inside_);
+  const auto out = medianOf(outside_);
+  if (in && out && *out > 0.0) seen.speckleRatio = *in / *out;
+  CommonPart steps;
+  for (const auto& [place, patch] : patches_)
+    if (patch.count >= kFewestFaces)
+      steps.add({place[0], place[1], place[2]}, kCube_mm * (glm::dvec3(place[3], place[4], place[5]) + 0.5), patch.step / patch.count,
+                patch.count);
+  seen.meanStep_db = kDbPerGrey * steps.rms();
   return seen;
 }
 

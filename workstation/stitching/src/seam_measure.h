@@ -8,6 +8,24 @@
 
 namespace ew::stitching {
 
+/// A difference met over and over, each time from another place: how large is what all have in common? Places of one key that lie within
+/// 24 mm are taken together; what they scatter is taken off, so that speckle and tissue do not count as a step.
+class CommonPart {
+ public:
+  /// @param key what must be equal for two places to be comparable
+  void add(const std::array<int, 3>& key, const glm::dvec3& p_mm, double difference, double weight);
+  /// Root of the mean square, never below 0.
+  [[nodiscard]] double rms() const;
+
+ private:
+  struct Sums {
+    double count = 0.0, weight = 0.0, first = 0.0, second = 0.0;
+  };
+  std::map<std::array<int, 6>, Sums> patches_;
+};
+
+inline constexpr double kDbPerGrey = 60.0 / 255.0;
+
 /// Sums for SeamVisibility over boxes of voxels; a run across the seam that leaves the box is not counted.
 class SeamMeasure {
  public:
@@ -28,7 +46,7 @@ class SeamMeasure {
   /// Means of the layers beside a patch of the seam.
   struct Patch {
     double count = 0.0;
-    double nearFirst = 0.0, nearSecond = 0.0, farFirst = 0.0, farSecond = 0.0;
+    double step = 0.0;
   };
   using Place = std::array<int, 6>;  ///< axis, the two sources, patch along i, j, k
 
@@ -37,10 +55,8 @@ class SeamMeasure {
   std::size_t faces_ = 0;
   double across_ = 0.0;
   double beside_ = 0.0;
-  double inside_ = 0.0;
-  double outside_ = 0.0;
-  std::size_t insideCount_ = 0;
-  std::size_t outsideCount_ = 0;
+  std::array<std::size_t, 256> inside_{};  ///< how often two voxels of a layer differ by so many grey levels
+  std::array<std::size_t, 256> outside_{};
   std::map<Place, Patch> patches_;
 };
 

@@ -4,16 +4,14 @@
 #include <cmath>
 
 #include "ew/core/contract.h"
+#include "ew/core/depth_curves.h"
 
 namespace ew::stitching {
 
 double GreyCorrection::at(const glm::dvec3& p_mm) const {
   if (grey.empty()) return 0.0;
-  if (grey.size() == 1 || depthAxis == glm::dvec3(0.0)) return grey.front();
-  const double along = std::clamp((glm::dot(p_mm, depthAxis) - firstKnot_mm) / knot_mm, 0.0, static_cast<double>(grey.size() - 1));
-  const auto knot = std::min(static_cast<std::size_t>(along), grey.size() - 2);
-  const double share = along - static_cast<double>(knot);
-  return (1.0 - share) * grey[knot] + share * grey[knot + 1];
+  if (depthAxis == glm::dvec3(0.0)) return grey.front();
+  return atDepth(grey, knot_mm, glm::dot(p_mm, depthAxis) - firstKnot_mm);
 }
 
 ViewSampler::ViewSampler(const View& view, const Grid& result, double interpolatedWeight, const std::vector<float>* distance_mm)
@@ -94,11 +92,8 @@ std::pair<int, int> ViewSampler::insideOf(const glm::dvec3& start, const glm::dv
 
 double ViewSampler::correctionAt(const glm::dvec3& where) const {
   const std::vector<double>& grey = view_->correction.grey;
-  if (grey.empty()) return 0.0;
-  if (grey.size() == 1 || view_->correction.depthAxis == glm::dvec3(0.0)) return grey.front();
-  const double along = std::clamp(glm::dot(where, depthPerVoxel_) + depthOfFirst_knot_, 0.0, static_cast<double>(grey.size() - 1));
-  const auto knot = std::min(static_cast<std::size_t>(along), grey.size() - 2);
-  return grey[knot] + (along - static_cast<double>(knot)) * (grey[knot + 1] - grey[knot]);
+  if (view_->correction.depthAxis == glm::dvec3(0.0)) return grey.front();
+  return atDepth(grey, 1.0, glm::dot(where, depthPerVoxel_) + depthOfFirst_knot_);
 }
 
 ViewSample ViewSampler::at(const glm::dvec3& where) const {

@@ -53,7 +53,7 @@ enum class SeamMethod {
 struct SeamOptions {
   SeamMethod method = SeamMethod::graphCut;
   double cell_mm = 1.5;           ///< voxels on which the cut is sought, never finer than the result's
-  double blend_mm = 2.5;          ///< half width of the blend on either side of the seam; its weights keep the speckle's deviation
+  double blend_mm = 3.0;          ///< half width of the blend on either side of the seam; its weights keep the speckle's deviation
   double confidenceWeight = 1.0;  ///< how much a view that saw nothing there is shunned: a shadow is filled from another view
   double distanceWeight = 0.1;    ///< how much the middle of a view is preferred to its border
   std::vector<SeamStroke> strokes;
@@ -78,7 +78,7 @@ struct SeamMap {
 struct SeamVisibility {
   double derivativeRatio = 1.0;  ///< mean |derivative| across the seam over that across the 10 parallel surfaces beside it
   double speckleRatio = 1.0;     ///< deviation of speckle within the blend over that outside
-  double meanStep_db = 0.0;      ///< step of the local mean across the seam, at a dynamic range of 60 dB
+  double meanStep_db = 0.0;      ///< step of the local mean across the seam that patches of 24 mm have in common, at a range of 60 dB
   std::size_t voxels = 0;        ///< beside a seam
 };
 
@@ -100,9 +100,9 @@ class BlockSink {
 struct JoinReport {
   Grid grid;
   std::vector<Contribution> contributions;  ///< one per view
-  SeamVisibility seam;
-  double overlapShare = 0.0;
-  double disagreementRms = 0.0;
+  SeamVisibility seam;           ///< as seamVisibility, but the step is that between the views in the blend, which no tissue can feign
+  double overlapShare = 0.0;     ///< as in StitchResult; with seams it is counted cell by cell
+  double disagreementRms = 0.0;  ///< where views were blended
   std::vector<std::string> notes;
   double seconds = 0.0;
 };
@@ -110,7 +110,9 @@ struct JoinReport {
 /// Memory at the peak for making the result in blocks, the views themselves not counted.
 [[nodiscard]] Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const JoinOptions& options);
 
-/// Makes the whole, block by block: a blocked result equals the whole one, bit for bit.
+/// Makes the whole, block by block: a blocked result equals the whole one, bit for bit. The seam's visibility is then measured within
+/// blocks: what reaches over a block's edge is left out.
+/// @param seams of findSeams for this result; not looked at by SeamMethod::feather
 /// @error as findSeams, and what the sink says
 [[nodiscard]] Result<JoinReport> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
                                       BlockSink& sink, Progress& progress);
@@ -123,7 +125,8 @@ struct JoinResult {
 [[nodiscard]] Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
                                       Progress& progress);
 
-/// Measures a seam in any joined volume with its sources (ours or another program's).
+/// Measures a seam in any joined volume with its sources (ours or another program's). An edge of tissue along which the seam runs on
+/// purpose counts as a step: only who has the views can tell the two apart.
 [[nodiscard]] SeamVisibility seamVisibility(const Volume& joined, std::span<const std::uint8_t> source, double blend_mm);
 
 }  // namespace ew::stitching

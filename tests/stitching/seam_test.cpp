@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "ew/io/image_file.h"
+#include "ew/phantom/speckled_view.h"
+#include "ew/stitching/equalise_views.h"
+#include "stitching/views.h"
+
+/// Seams of views whose truth is known: what measure 20 says of them, and that it says so of those that are bad.
+namespace ew::stitching {
+namespace {
+
+/// Two views of one scene, side by side along x with an overlap, as pairs of recipe and view.
+struct TwoViews {
+  SpeckledView left, right;
+  std::vector<View> views;
+
+  TwoViews(SpeckledViewRecipe l, SpeckledViewRecipe r) : left(speckledView(l, 0)), right(speckledView(r, 0)) {
+    views = {viewOf(left.volume, "left", l.toWorld), viewOf(right.volume, "right", r.toWorld)};
+    views[0].confidence = left.confidence;
+    views[1].confidence = right.confidence;
+  }
+};
+
+SpeckledViewRecipe leftRecipe(bool scene) {
+  SpeckledViewRecipe recipe;
+  recipe.dims = {110, 110, 90};
+  recipe.scene = scene;
+  recipe.speckle = 1;
+  return recipe;
+}
+SpeckledViewRecipe rightRecipe(bool scene) {
+  SpeckledViewRecipe recipe = leftRecipe(scene);
+  recipe.origin_mm.x = 30.0;  // an overlap of 25 mm
+  recipe.speckle = 2;
+  return recipe;
+}
+
+JoinResult joined(const std::vector<View>& views, const JoinOptions& options) {
+  const Grid grid = gridFor(views, options.grid);
+  auto seams = findSeams(views, grid, options.seam, noProgress());
+  EXPECT_TRUE(seams) << (seams ? "" : seams.error().sentence);
+  auto result = join(views, *seams, grid, options, noProgress());
+  EXPECT_TRUE(result) << (result ? "" : result.error().sentence);
+  return std::move(*result);
+}
+
+void keepPicture(const JoinResult& result, const std::string& name) {
+  const char* folder = std::getenv("EW_SEAM_PICTURES");
+  if (folder == nullptr) return;
+  const Grid& grid = result.volume.grid;
+  for (const bool sources : {false, true}) {
+    GreyImage image(grid.dims.x, grid.dims.y);
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const std::size_t at = grid.indexOf(i, j, grid.dims.z / 2);
+        viewOf(image).at(i, j) = sources ? static_cast<std::uint8_t>(result.source[at] * 60) : result.volume.echo[at];
+      }
+    std::ignore =
+        writeImage(viewOf(std::as_const(image)), 0.5, std::filesystem::path(folder) / (name + (sources ? "-source.png" : ".png")));
+  }
+}
+
+bool within(const SeamVisibility& seen) {
+  return std::abs(seen.derivativeRatio - 1.0) <= 0.05 && seen.speckleRatio >= 0.95 && seen.speckleRatio <= 1.05 && seen.meanStep_db <= 0.5;
+}
+std::string textOf(const SeamVisibility& seen) {
+  return "derivative " + std::to_string(seen.derivativeRatio) + ", speckle " + std::to_string(seen.speckleRatio) + ", step " +
+         std::to_string(seen.meanStep_db) + " dB, voxels " + std::to_string(seen.voxels);
+}
+
+TEST(SeamVisibility, FindsNoSeamWhereOneViewMeetsItself) {
+  // The same speckle on both sides: a seam is there only by name.
+  SpeckledViewRecipe same = rightRecipe(true);
+  same.speckle = 1;
+  for (const bool scene : {false, true}) {
+    same.scene = scene;
+    const TwoViews two(leftRecipe(scene), same);
+    const auto result = joined(two.views, {});
+    keepPicture(result, scene ? "same-scene" : "same-even");
+    EXPECT_GT(result.report.seam.voxels, 5000u);
+    EXPECT_TRUE(within(result.report.seam)) << textOf(result.report.seam);
+  }
+}
+
+TEST(SeamVisibility, FailsARigidPasteAndALinearBlendOfIndependentSpeckle) {
+  const TwoViews two(leftRecipe(false), rightRecipe(false));
+  const auto good = joined(two.views, {});
+  Volume pasted = good.volume;
+  Volume blended = good.volume;
+  std::vector<std::uint8_t> source = good.source;
+  const Grid& grid = pasted.grid;
+  const Grid& l = two.left.volume.grid;
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i) {
+        const std::size_t at = grid.indexOf(i, j, k);
+        source[at] = i < 85 ? 1 : 2;
+        const bool hasLeft = i < l.dims.x;
+        const bool hasRight = i >= 60;
+        const double a = hasLeft ? two.left.volume.echo[l.indexOf(i, j, k)] : 0.0;
+        const double b = hasRight ? two.right.volume.echo[l.indexOf(i - 60, j, k)] : 0.0;
+        pasted.echo[at] = static_cast<std::uint8_t>(i < 85 ? a : b);
+        const double share = std::clamp((i - 84.5) / 10.0 + 0.5, 0.0, 1.0);
+        blended.echo[at] = static_cast<std::uint8_t>((1.0 - share) * a + share * b + 0.5);
+      }
+  const auto paste = seamVisibility(pasted, source, 2.5);
+  EXPECT_GT(paste.derivativeRatio, 1.05) << textOf(paste);
+  const auto blend = seamVisibility(blended, source, 2.5);
+  EXPECT_LT(blend.speckleRatio, 0.95) << textOf(blend);
+  EXPECT_TRUE(within(good.report.seam)) << textOf(good.report.seam);
+
+  // A gain that nobody took off.
+  Volume stepped = good.volume;
+  for (std::size_t v = 0; v < stepped.echo.size(); ++v)
+    if (good.source[v] == 2) stepped.echo[v] = static_cast<std::uint8_t>(std::min(255, stepped.echo[v] + 6));
+  const auto step = seamVisibility(stepped, good.source, 2.5);
+  EXPECT_NEAR(step.meanStep_db, 6.0 * 60.0 / 255.0, 0.3) << textOf(step);
+}
+
+TEST(SeamVisibility, IsMetByTheCutInAStructuredScene) {
+  const TwoViews two(leftRecipe(true), rightRecipe(true));
+  for (const SeamMethod method : {SeamMethod::feather, SeamMethod::nearest, SeamMethod::graphCut}) {
+    JoinOptions options;
+    options.seam.method = method;
+    const auto result = joined(two.views, options);
+    keepPicture(result, "scene-" + std::to_string(static_cast<int>(method)));
+    if (method == SeamMethod::feather)
+      EXPECT_FALSE(within(result.report.seam)) << textOf(result.report.seam);
+    else
+      EXPECT_TRUE(within(result.report.seam)) << textOf(result.report.seam);
+  }
+}
+
+TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
+  SpeckledViewRecipe shadowed = leftRecipe(true);
+  shadowed.shadow = SpeckledViewRecipe::Shadow{38.0, 47.0, 15.0, 30.0};
+  SpeckledViewRecipe other = rightRecipe(true);
+  other.gain_db = 4.0;
+  other.depthGain_db = 3.0;
+  TwoViews two(shadowed, other);
+  for (View& view : two.views) view.correction.depthAxis = {0.0, 1.0, 0.0};
+  const auto before = joined(two.views, {});
+  keepPicture(before, "shadow-uncorrected");
+
+  const auto equalised = equaliseViews(two.views, {}, noProgress());
+  ASSERT_TRUE(equalised);
+  EXPECT_EQ(equalised->groups, 1);
+  EXPECT_GT(equalised->disagreementBefore_db, 3.0);
+  EXPECT_LT(equalised->disagreementAfter_db, 1.3);  // of cells of 4 mm: speckle leaves so much
+  for (std::size_t n = 0; n < 2; ++n) two.views[n].correction = equalised->corrections[n];
+  // The gain between the views: -1 to 7 dB from the first row to the last.
+  for (const double depth_mm : {5.0, 15.0, 30.0, 45.0, 52.0}) {
+    const double found_db = (two.views[0].correction.at({0, depth_mm, 0}) - two.views[1].correction.at({0, depth_mm, 0})) * 60.0 / 255.0;
+    EXPECT_NEAR(found_db, 4.0 + 3.0 * (2.0 * depth_mm / 54.5 - 1.0), 0.8) << depth_mm;
+  }
+
+  const auto result = joined(two.views, {});
+  keepPicture(result, "shadow-filled");
+  EXPECT_TRUE(within(result.report.seam)) << textOf(result.report.seam);
+  // Inside the shadow, away from its edges, the voxels are the other view's, at the level of the tissue.
+  const Grid& grid = result.volume.grid;
+  double sum = 0.0, truth = 0.0, other_ = 0.0, voxels = 0.0;
+  for (int k = 5; k < grid.dims.z - 5; ++k)
+    for (int j = 40; j < grid.dims.y - 5; ++j)
+      for (int i = 84; i < 88; ++i) {
+        const std::size_t at = grid.indexOf(i, j, k);
+        other_ += result.source[at] == 2 ? 1.0 : 0.0;
+        const double adds_db = two.views[1].correction.at(0.5 * glm::dvec3(i, j, k)) * 60.0 / 255.0;
+        sum += result.volume.echo[at] * 60.0 / 255.0 - 60.0 - adds_db;
+        truth += speckledScene_db(0.5 * glm::dvec3(i, j, k)) - 2.5 + 4.0 + 3.0 * (2.0 * j / 109.0 - 1.0);
+        voxels += 1.0;
+      }
+  EXPECT_EQ(other_, voxels);
+  EXPECT_NEAR(sum / voxels, truth / voxels, 0.4);
+  // The nearest view would show the shadow.
+  JoinOptions nearest;
+  nearest.seam.method = SeamMethod::nearest;
+  const auto dark = joined(two.views, nearest);
+  keepPicture(dark, "shadow-nearest");
+  EXPECT_GT(dark.report.seam.meanStep_db, 3.0);
+}
+
+TEST(EqualiseViews, GivesTheSameCurvesOnAnyNumberOfThreads) {
+  SpeckledViewRecipe right = rightRecipe(true);
+  right.gain_db = 5.0;
+  TwoViews two(leftRecipe(true), right);
+  EqualiseViewsOptions options;
+  options.threads = 1;
+  const auto one = equaliseViews(two.views, options, noProgress());
+  ASSERT_TRUE(one);
+  for (const int threads : {2, 8}) {
+    options.threads = threads;
+    const auto many = equaliseViews(two.views, options, noProgress());
+    ASSERT_TRUE(many);
+    EXPECT_EQ(many->corrections, one->corrections);
+  }
+}
+
+}  // namespace
+}  // namespace ew::stitching
