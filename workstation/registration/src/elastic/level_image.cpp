@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "comparable.h"
 #include "ew/core/parallel.h"
 
 namespace ew::registration {
@@ -150,72 +151,6 @@ void shrinkWeights(LevelImage& level) {
   }
 }
 
-/// Black blocks that black blocks join to the border of the volume.
-void darkenOutside(const Volume& volume, std::vector<std::uint8_t>& belief) {
-  constexpr int kBlock = 4;
-  const Grid& grid = volume.grid;
-  const glm::ivec3 blocks = (grid.dims + (kBlock - 1)) / kBlock;
-  const auto indexOf = [&](const glm::ivec3& b) { return static_cast<std::size_t>((b.z * blocks.y + b.y) * blocks.x + b.x); };
-  std::vector<std::uint8_t> state(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y) *
-                                  static_cast<std::size_t>(blocks.z));
-  std::vector<glm::ivec3> open;  // black blocks found to be outside
-  const auto isBlack = [&](const glm::ivec3& b) {
-    const glm::ivec3 end = glm::min((b + 1) * kBlock, grid.dims);
-    for (int k = b.z * kBlock; k < end.z; ++k) {
-      for (int j = b.y * kBlock; j < end.y; ++j) {
-        for (int i = b.x * kBlock; i < end.x; ++i) {
-          if (volume.echo[grid.indexOf(i, j, k)] != 0) return false;
-        }
-      }
-    }
-    return true;
-  };
-  const auto visit = [&](const glm::ivec3& b) {
-    std::uint8_t& mark = state[indexOf(b)];
-    if (mark != 0) return;
-    mark = isBlack(b) ? 2 : 1;
-    if (mark == 2) open.push_back(b);
-  };
-  for (int z = 0; z < blocks.z; ++z) {
-    for (int y = 0; y < blocks.y; ++y) {
-      for (int x = 0; x < blocks.x; ++x) {
-        if (x == 0 || y == 0 || z == 0 || x == blocks.x - 1 || y == blocks.y - 1 || z == blocks.z - 1) visit({x, y, z});
-      }
-    }
-  }
-  if (open.empty()) return;
-  while (!open.empty()) {
-    const glm::ivec3 b = open.back();
-    open.pop_back();
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int side = -1; side <= 1; side += 2) {
-        glm::ivec3 next = b;
-        next[axis] += side;
-        if (next[axis] >= 0 && next[axis] < blocks[axis]) visit(next);
-      }
-    }
-  }
-  belief.assign(volume.echo.size(), 255);
-  for (int k = 0; k < grid.dims.z; ++k) {
-    for (int j = 0; j < grid.dims.y; ++j) {
-      for (int i = 0; i < grid.dims.x; ++i) {
-        const std::size_t index = grid.indexOf(i, j, k);
-        if (volume.echo[index] != 0) continue;
-        // Black voxels in a block beside an outside one belong to its ragged edge.
-        const glm::ivec3 b = glm::ivec3(i, j, k) / kBlock;
-        for (int n = -1; n < 6; ++n) {
-          glm::ivec3 near = b;
-          if (n >= 0) near[n / 2] = std::clamp(near[n / 2] + (n % 2 == 0 ? -1 : 1), 0, blocks[n / 2] - 1);
-          if (state[indexOf(near)] == 2) {
-            belief[index] = 0;
-            break;
-          }
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 
 BlockMap::BlockMap(const LevelImage& image, double block_mm) {
@@ -267,20 +202,12 @@ std::size_t LevelImage::floats() const {
 }
 
 std::vector<std::uint8_t> beliefOf(const Input& input) {
-  const Volume& volume = *input.volume;
-  std::vector<std::uint8_t> belief;
-  const bool allCovered = std::all_of(volume.coverage.begin(), volume.coverage.end(), [](std::uint8_t c) { return c != 0; });
-  if (!allCovered) {
-    belief.resize(volume.echo.size());
-    for (std::size_t n = 0; n < belief.size(); ++n) belief[n] = volume.coverage[n] != 0 ? 255 : 0;
-  } else if (volume.coverage.empty()) {
-    darkenOutside(volume, belief);
-  }
+  std::vector<std::uint8_t> belief = coveredMask(*input.volume);
   if (!input.confidence.empty()) {
-    if (belief.empty()) belief.assign(volume.echo.size(), 255);
     for (std::size_t n = 0; n < belief.size(); ++n)
       belief[n] = static_cast<std::uint8_t>(std::lround(static_cast<float>(belief[n]) * std::clamp(input.confidence[n], 0.0F, 1.0F)));
   }
+  if (std::all_of(belief.begin(), belief.end(), [](std::uint8_t b) { return b == 255; })) belief.clear();
   return belief;
 }
 
