@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Ceres 2.1 REQUIRED)
+find_package(kissfft REQUIRED COMPONENTS SHARED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(glm REQUIRED)

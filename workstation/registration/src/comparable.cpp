@@ -15,7 +15,8 @@ constexpr int kPlanesPerTask = 8;
 
 /// dst = max (or min) over 2 r + 1 neighbours along one axis; outside counts as `outside`.
 template <class Pick>
-void overNeighbours(std::vector<std::uint8_t>& data, const glm::ivec3& dims, int axis, int r, std::uint8_t outside, const Pick& pick) {
+void overNeighbours(std::vector<std::uint8_t>& data, const glm::ivec3& dims, int axis, int r, std::uint8_t outside, Progress& progress,
+                    const Pick& pick) {
   if (r <= 0) return;
   const std::size_t nx = dims.x;
   const std::size_t ny = dims.y;
@@ -29,6 +30,7 @@ void overNeighbours(std::vector<std::uint8_t>& data, const glm::ivec3& dims, int
     std::uint8_t* line = data.data() + slab * row * n;
     std::memcpy(padded.data() + r * lanes, line, n * lanes);
     for (int s = -r; s <= r; ++s) {
+      if (n * lanes > 100000 && progress.cancelRequested()) return;
       const std::uint8_t* from = padded.data() + (r + s) * lanes;
       if (s == -r) {
         std::memcpy(line, from, n * lanes);
@@ -38,17 +40,17 @@ void overNeighbours(std::vector<std::uint8_t>& data, const glm::ivec3& dims, int
     }
   }
 }
-void erode(std::vector<std::uint8_t>& data, const glm::ivec3& dims, const glm::ivec3& r, std::uint8_t outside) {
+void erode(std::vector<std::uint8_t>& data, const glm::ivec3& dims, const glm::ivec3& r, std::uint8_t outside, Progress& progress) {
   const auto least = [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); };
-  for (int axis = 0; axis < 3; ++axis) overNeighbours(data, dims, axis, r[axis], outside, least);
+  for (int axis = 0; axis < 3; ++axis) overNeighbours(data, dims, axis, r[axis], outside, progress, least);
 }
-void dilate(std::vector<std::uint8_t>& data, const glm::ivec3& dims, const glm::ivec3& r) {
+void dilate(std::vector<std::uint8_t>& data, const glm::ivec3& dims, const glm::ivec3& r, Progress& progress) {
   const auto most = [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); };
-  for (int axis = 0; axis < 3; ++axis) overNeighbours(data, dims, axis, r[axis], 0, most);
+  for (int axis = 0; axis < 3; ++axis) overNeighbours(data, dims, axis, r[axis], 0, progress, most);
 }
 
 /// Keeps of `area` (1 or 0) what is connected, over faces, to a voxel of `seeds`; those of `area` that are kept become 2.
-void growFrom(std::vector<std::uint8_t>& area, const std::vector<std::uint8_t>& seeds, const Grid& grid) {
+void growFrom(std::vector<std::uint8_t>& area, const std::vector<std::uint8_t>& seeds, const Grid& grid, Progress& progress) {
   struct Run {
     int begin, end, j, k;
   };
@@ -70,7 +72,9 @@ void growFrom(std::vector<std::uint8_t>& area, const std::vector<std::uint8_t>& 
       }
     }
   }
+  std::size_t taken = 0;
   while (!waiting.empty()) {
+    if ((++taken & 4095u) == 0 && progress.cancelRequested()) return;
     const Run run = waiting.back();
     waiting.pop_back();
     const std::array<glm::ivec2, 4> sides{{{run.j - 1, run.k}, {run.j + 1, run.k}, {run.j, run.k - 1}, {run.j, run.k + 1}}};
@@ -114,19 +118,6 @@ Taps tentTaps(int from, double from_mm, int to, double to_mm) {
     }
   }
   return taps;
-}
-
-Grid resampledGrid(const Grid& grid, double voxel_mm) {
-  Grid out = grid;
-  glm::dvec3 shift(0.0);
-  for (int a = 0; a < 3; ++a) {
-    const double extent = grid.dims[a] * grid.spacing_mm[a];
-    out.dims[a] = std::max(1, static_cast<int>(std::lround(extent / voxel_mm)));
-    out.spacing_mm[a] = voxel_mm;
-    shift[a] = 0.5 * ((grid.dims[a] - 1) * grid.spacing_mm[a] - (out.dims[a] - 1) * voxel_mm);
-  }
-  out.origin_mm = grid.origin_mm + grid.directions * shift;
-  return out;
 }
 
 /// An image on its way to another voxel size: echo times weight, and weight, both float.
@@ -247,7 +238,7 @@ bool normalise(Weighted image, const ComparableOptions& options, ComparableImage
   const Grid& grid = image.grid;
   const std::size_t n = grid.voxelCount();
   const double momentVoxel_mm = std::max(grid.spacing_mm.x, std::min(3.0, options.window_mm / 2.5));
-  const Grid coarse = resampledGrid(grid, momentVoxel_mm);
+  const Grid coarse = levelGrid(grid, momentVoxel_mm);
   std::vector<float> value(n);
   for (std::size_t q = 0; q < n; ++q) value[q] = image.weight[q] > 0.0f ? image.sum[q] / image.weight[q] : 0.0f;
 
@@ -310,12 +301,26 @@ bool normalise(Weighted image, const ComparableOptions& options, ComparableImage
   out.value = std::move(value);
   out.inner = out.weight;
   for (auto& w : out.inner) w = w != 0 ? 1 : 0;
-  erode(out.inner, grid.dims, glm::ivec3(1), 0);
+  erode(out.inner, grid.dims, glm::ivec3(1), 0, progress);
+  if (progress.cancelRequested()) return false;
   for (std::size_t q = 0; q < n; ++q) out.inner[q] = out.inner[q] != 0 ? out.weight[q] : std::uint8_t{0};
   return true;
 }
 
 }  // namespace
+
+Grid levelGrid(const Grid& grid, double voxel_mm) {
+  Grid out = grid;
+  glm::dvec3 shift(0.0);
+  for (int a = 0; a < 3; ++a) {
+    const double extent = grid.dims[a] * grid.spacing_mm[a];
+    out.dims[a] = std::max(1, static_cast<int>(std::lround(extent / voxel_mm)));
+    out.spacing_mm[a] = voxel_mm;
+    shift[a] = 0.5 * ((grid.dims[a] - 1) * grid.spacing_mm[a] - (out.dims[a] - 1) * voxel_mm);
+  }
+  out.origin_mm = grid.origin_mm + grid.directions * shift;
+  return out;
+}
 
 double ComparableImage::coveredVolume_mm3() const {
   double sum = 0.0;
@@ -323,7 +328,7 @@ double ComparableImage::coveredVolume_mm3() const {
   return sum * grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z;
 }
 
-std::vector<std::uint8_t> coveredMask(const Volume& volume) {
+Result<std::vector<std::uint8_t>> coveredMask(const Volume& volume, Progress& progress) {
   const std::size_t n = volume.grid.voxelCount();
   std::vector<std::uint8_t> mask(n, 255);
   if (!volume.coverage.empty()) {
@@ -341,9 +346,10 @@ std::vector<std::uint8_t> coveredMask(const Volume& volume) {
   const glm::ivec3 small(1);
   glm::ivec3 large(0);
   for (int a = 0; a < 3; ++a) large[a] = std::min(static_cast<int>(5.0 / volume.grid.spacing_mm[a]), 64);
-  erode(opened, dims, small, 1);
-  dilate(opened, dims, small);
-  erode(thick, dims, large, 1);
+  erode(opened, dims, small, 1, progress);
+  dilate(opened, dims, small, progress);
+  erode(thick, dims, large, 1, progress);
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
   // A part is outside when it holds such a thick place on the border itself.
   for (int k = 1; k < dims.z - 1; ++k) {
     for (int j = 1; j < dims.y - 1; ++j) {
@@ -354,7 +360,8 @@ std::vector<std::uint8_t> coveredMask(const Volume& volume) {
     }
   }
   for (std::size_t q = 0; q < n; ++q) opened[q] = opened[q] != 0 && volume.echo[q] == 0 ? 1 : 0;
-  growFrom(opened, thick, volume.grid);
+  growFrom(opened, thick, volume.grid, progress);
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
   for (std::size_t q = 0; q < n; ++q) mask[q] = opened[q] == 2 ? 0 : 255;
   return mask;
 }
@@ -406,8 +413,9 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
   Weighted image;
   image.grid = volume.grid;
   {
-    const auto mask = coveredMask(volume);
-    if (progress.cancelRequested()) return cancelled();
+    const auto covered = coveredMask(volume, progress);
+    if (!covered) return passOn(covered.error());
+    const auto& mask = *covered;
     image.weight.resize(n);
     image.sum.resize(n);
     for (std::size_t q = 0; q < n; ++q) {
@@ -418,12 +426,12 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
   }
   std::vector<ComparableImage> levels(voxel_mm.size());
   for (std::size_t l = voxel_mm.size(); l-- > 0;) {
-    const Grid grid = resampledGrid(image.grid, voxel_mm[l]);
+    const Grid grid = levelGrid(image.grid, voxel_mm[l]);
     if (!resample(image.sum, image.grid, grid, options.threads, progress)) return cancelled();
     if (!resample(image.weight, image.grid, grid, options.threads, progress)) return cancelled();
     image.grid = grid;
     Weighted level = image;
-    if (options.suppressed) {
+    if (voxel_mm[l] >= options.suppressFrom_mm) {
       const std::vector<float> binomial{0.25f, 0.5f, 0.25f};
       std::vector<float> soft = level.weight;
       if (!smoothWith(level.sum, grid.dims, binomial, options.threads, progress)) return cancelled();
@@ -453,7 +461,7 @@ ComparableMemory forecastComparable(const Grid& grid, std::span<const double> vo
   std::uint64_t before = grid.voxelCount();
   Grid from = grid;
   for (std::size_t l = voxel_mm.size(); l-- > 0;) {
-    from = resampledGrid(from, voxel_mm[l]);
+    from = levelGrid(from, voxel_mm[l]);
     const std::uint64_t n = from.voxelCount();
     // Two channels of the level, two of its copy, value, second moment and one pass's output on the way.
     memory.peak_bytes = std::max(memory.peak_bytes, memory.result_bytes + 8 * before + 4 * std::max(before, n));
@@ -461,6 +469,7 @@ ComparableMemory forecastComparable(const Grid& grid, std::span<const double> vo
     memory.result_bytes += n * 6;
     before = n;
   }
+  memory.peak_bytes += memory.peak_bytes / 16 + (1u << 16);  // rows, taps and coarse moments
   return memory;
 }
 

@@ -15,7 +15,8 @@ namespace ew::registration {
 /// One per voxel: 255 where the beam covered tissue, 0 elsewhere. With coverage in the volume that decides. Without it, black that reaches
 /// the border of the volume and is thick (10 mm somewhere, three voxels everywhere) is outside the sector; zeros scattered by the noise
 /// floor, thin vessels and black inside the tissue are not.
-[[nodiscard]] std::vector<std::uint8_t> coveredMask(const Volume& volume);
+/// @error cancelled
+[[nodiscard]] Result<std::vector<std::uint8_t>> coveredMask(const Volume& volume, Progress& progress);
 
 /// An echo image at one resolution, on the axes of its volume.
 struct ComparableImage {
@@ -29,9 +30,14 @@ struct ComparableImage {
 struct ComparableOptions {
   double window_mm = 8.0;  ///< standard deviation of the window of local mean and deviation
   double softness = 4.0;   ///< grey levels added to the deviation: what lies far below is flat
-  bool suppressed = true;  ///< one more smoothing over neighbouring voxels, against speckle and the grain of interpolation
+  /// Levels of such voxels and coarser are smoothed once more over neighbouring voxels, against speckle. Finer ones are not: where speckle
+  /// moves with the tissue it carries the last tenths of a millimetre.
+  double suppressFrom_mm = 1.0;
   int threads = 0;
 };
+
+/// The grid of `voxel_mm` cubes with the axes and the middle of `grid`.
+[[nodiscard]] Grid levelGrid(const Grid& grid, double voxel_mm);
 
 /// Voxels of the levels: finest (or the finer input, when that is coarser) times powers of two up to coarsest; coarse first.
 [[nodiscard]] std::vector<double> levelVoxels_mm(const Grid& fixed, const Grid& moving, double coarsest_mm, double finest_mm);

@@ -41,6 +41,7 @@ struct RigidResult {
   Agreement before;               ///< at the start
   Agreement after;
   std::optional<PoseCovariance> covariance;  ///< of the pose error; absent when the normal equations are singular
+  glm::dvec3 centre_mm{0.0};                 ///< the centre of the overlap that the covariance is about, in the fixed frame
   double conditioning = 0.0;                 ///< smallest over largest eigenvalue of the normal equations in mm and mm at 50 mm lever
   double halvesDisagree_mm = 0.0;            ///< independent halves of the overlap refined apart: how far they differ at its corners
   double residualRms = 0.0;                  ///< in units of the local deviation

@@ -1,0 +1,520 @@
+#include "ew/registration/rigid.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <thread>
+
+#include "comparable.h"
+#include "registration/ellipsoids.h"
+#include "rigid/normal_equations.h"
+#include "rigid/pose_search.h"
+#include "rigid/translations.h"
+#include "time_limit.h"
+
+namespace {
+
+// What the program holds of memory from operator new, and the most it held since the last reset.
+std::atomic<std::int64_t> held{0};
+std::atomic<std::int64_t> mostHeld{0};
+
+void* take(std::size_t size) {
+  void* block = std::malloc(size + 16);
+  if (block == nullptr) throw std::bad_alloc();
+  *static_cast<std::size_t*>(block) = size;
+  const std::int64_t now = held += static_cast<std::int64_t>(size);
+  std::int64_t most = mostHeld.load();
+  while (most < now && !mostHeld.compare_exchange_weak(most, now)) {
+  }
+  return static_cast<char*>(block) + 16;
+}
+void giveBack(void* place) noexcept {
+  if (place == nullptr) return;
+  void* block = static_cast<char*>(place) - 16;
+  held -= static_cast<std::int64_t>(*static_cast<std::size_t*>(block));
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void operator delete(void* place) noexcept { giveBack(place); }
+void operator delete(void* place, std::size_t) noexcept { giveBack(place); }
+
+namespace ew::registration {
+namespace {
+
+using test::apart_mm;
+using test::centred;
+using test::pose;
+using test::seen;
+using test::tissue;
+
+struct Pair {
+  Volume fixed;
+  Volume moving;
+  glm::dmat4 truth;  // fixedToMoving
+};
+Pair pairOf(const glm::dmat4& truth, unsigned seed = 1, int side = 44, double voxel_mm = 1.5, double speckle = 18.0) {
+  const auto all = tissue(seed, 1.8 * side * voxel_mm);
+  const Grid grid = centred(glm::ivec3(side), voxel_mm);
+  return {seen(all, grid, glm::dmat4(1.0), 100 + seed, speckle), seen(all, grid, glm::inverse(truth), 200 + seed, speckle, 0.8, 20.0),
+          truth};
+}
+
+TEST(Covered, BlackBesideTheSectorIsOutsideAndBlackInsideIsNot) {
+  Volume volume;
+  volume.grid = centred({40, 40, 40}, 1.0);
+  volume.echo.assign(64000, 90);
+  const auto set = [&](glm::ivec3 low, glm::ivec3 high, auto&& grey) {
+    for (int k = low.z; k < high.z; ++k) {
+      for (int j = low.y; j < high.y; ++j) {
+        for (int i = low.x; i < high.x; ++i) volume.echo[volume.grid.indexOf(i, j, k)] = grey(i, j, k);
+      }
+    }
+  };
+  const auto black = [](int, int, int) { return std::uint8_t{0}; };
+  set({0, 0, 0}, {12, 40, 40}, black);                     // beside the sector
+  set({22, 22, 22}, {36, 36, 36}, black);                  // a cyst within
+  set({20, 10, 0}, {25, 15, 40}, black);                   // a vessel to both borders, 5 mm thick
+  set({28, 5, 5}, {38, 15, 35}, [](int i, int j, int k) {  // the noise floor: one voxel in six still shows
+    return static_cast<std::uint8_t>((i * 7 + j * 13 + k * 29) % 6 == 0 ? 20 : 0);
+  });
+  const auto mask = coveredMask(volume, noProgress());
+  ASSERT_TRUE(mask);
+  const auto at = [&](int i, int j, int k) { return (*mask)[volume.grid.indexOf(i, j, k)]; };
+  EXPECT_EQ(at(5, 20, 20), 0);
+  EXPECT_EQ(at(11, 20, 20), 0);
+  EXPECT_EQ(at(12, 20, 20), 255);
+  EXPECT_EQ(at(29, 29, 29), 255) << "a cyst does not reach the border";
+  EXPECT_EQ(at(22, 12, 0), 255) << "a vessel is too thin to be outside";
+  std::size_t holes = 0;
+  for (int k = 5; k < 35; ++k) {
+    for (int j = 5; j < 15; ++j) {
+      for (int i = 28; i < 38; ++i) holes += at(i, j, k) == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(holes, 0u) << "voxels at the noise floor are covered";
+}
+
+TEST(Covered, FollowsTheCoverageOfTheVolumeWhenThereIsOne) {
+  Volume volume;
+  volume.grid = centred({20, 20, 20}, 1.0);
+  volume.echo.assign(8000, 0);
+  volume.coverage.assign(8000, 2);
+  volume.coverage[77] = 0;
+  volume.coverage[78] = 1;
+  const auto mask = coveredMask(volume, noProgress());
+  ASSERT_TRUE(mask);
+  EXPECT_EQ((*mask)[76], 255);
+  EXPECT_EQ((*mask)[77], 0);
+  EXPECT_EQ((*mask)[78], 255);
+}
+
+TEST(Comparable, GainAndDepthGainHardlyShow) {
+  const auto all = tissue(3, 60.0);
+  const Grid grid = centred({40, 40, 40}, 1.0);
+  Volume plain = seen(all, grid, glm::dmat4(1.0), 1, 6.0);
+  Volume gained = plain;
+  for (std::size_t q = 0; q < gained.echo.size(); ++q) {
+    const double depth = static_cast<double>(q / 40 % 40) / 40.0;
+    gained.echo[q] = static_cast<std::uint8_t>(std::clamp(0.6 * gained.echo[q] + 20.0 + 40.0 * depth, 0.0, 255.0));
+  }
+  const std::vector<double> voxels{2.0, 1.0};
+  const auto a = comparableImages({&plain}, voxels, {}, noProgress());
+  const auto b = comparableImages({&gained}, voxels, {}, noProgress());
+  ASSERT_TRUE(a && b);
+  for (std::size_t level = 0; level < 2; ++level) {
+    double ab = 0.0;
+    double aa = 0.0;
+    double bb = 0.0;
+    for (std::size_t q = 0; q < (*a)[level].value.size(); ++q) {
+      const double x = (*a)[level].value[q];
+      const double y = (*b)[level].value[q];
+      ab += x * y;
+      aa += x * x;
+      bb += y * y;
+    }
+    EXPECT_GT(ab / std::sqrt(aa * bb), 0.94) << level;
+    EXPECT_NEAR(std::sqrt(bb / aa), 1.0, 0.2) << level;
+  }
+}
+
+TEST(Comparable, LevelsKeepThePlaceOfThingsOnAnyAxes) {
+  // A bright plane tilted in the world must lie where it lay, whatever the voxels.
+  Grid grid = centred({50, 30, 20}, 1.0);
+  grid.spacing_mm = {0.8, 1.3, 2.0};
+  const glm::dmat3 turn(pose({}, {20.0, 30.0, -10.0}));
+  grid.directions = glm::dmat3(turn[0], turn[1], -turn[2]);  // left-handed
+  grid.origin_mm = {100.0, -50.0, 7.0};
+  const glm::dvec3 middle(grid.voxelToWorld().matrix * glm::dvec4(24.5, 14.5, 9.5, 1.0));
+  Volume volume;
+  volume.grid = grid;
+  volume.echo.resize(grid.voxelCount());
+  const glm::dvec3 n = glm::normalize(glm::dvec3(1.0, 0.4, 0.3));
+  const auto height = [&](const glm::dvec3& p) { return glm::dot(p - middle, n); };
+  for (int k = 0; k < 20; ++k) {
+    for (int j = 0; j < 30; ++j) {
+      for (int i = 0; i < 50; ++i) {
+        const double h = height(glm::dvec3(grid.voxelToWorld().matrix * glm::dvec4(i, j, k, 1.0)));
+        volume.echo[grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(60.0 + 150.0 * std::exp(-0.5 * h * h / 9.0));
+      }
+    }
+  }
+  const std::vector<double> voxels{2.6, 1.3};
+  const auto levels = comparableImages({&volume}, voxels, {}, noProgress());
+  ASSERT_TRUE(levels);
+  for (const ComparableImage& level : *levels) {
+    double sum = 0.0;
+    double moment = 0.0;
+    for (int k = 1; k < level.grid.dims.z - 1; ++k) {
+      for (int j = 1; j < level.grid.dims.y - 1; ++j) {
+        for (int i = 1; i < level.grid.dims.x - 1; ++i) {
+          const double v = std::max(0.0f, level.value[level.grid.indexOf(i, j, k)] - 0.5f);
+          const double h = height(glm::dvec3(level.grid.voxelToWorld().matrix * glm::dvec4(i, j, k, 1.0)));
+          if (std::abs(h) > 8.0) continue;
+          sum += v;
+          moment += v * h;
+        }
+      }
+    }
+    EXPECT_NEAR(moment / sum, 0.0, 0.15) << level.grid.spacing_mm.x;
+  }
+}
+
+TEST(NormalEquations, AreThoseOfAPlainSumOverVoxels) {
+  const Pair pair = pairOf(pose({2.0, -1.0, 1.5}, {4.0, -3.0, 5.0}), 4, 20, 2.0);
+  const std::vector<double> voxels{2.0};
+  const auto f = comparableImages({&pair.fixed}, voxels, {}, noProgress());
+  const auto m = comparableImages({&pair.moving}, voxels, {}, noProgress());
+  ASSERT_TRUE(f && m);
+  const ComparableImage& fixed = (*f)[0];
+  const PackedImage moving = packed((*m)[0]);
+  const glm::dvec3 centre(3.0, -2.0, 1.0);
+  const double loss = 1.5;
+  PairSums sums;
+  ASSERT_TRUE(sumOverPair(fixed, moving, pair.truth, centre, {loss, 0, -1, false, true}, 1, noProgress(), sums));
+
+  const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * pair.truth * fixed.grid.voxelToWorld().matrix;
+  const auto valueAt = [&](const glm::dvec3& p, bool& covered) {
+    const glm::ivec3 q(glm::floor(p));
+    covered = false;
+    for (int a = 0; a < 3; ++a) {
+      if (q[a] < 0 || q[a] > moving.grid.dims[a] - 2 || p[a] < 0.001 || p[a] > moving.grid.dims[a] - 1.001) return 0.0;
+    }
+    const glm::dvec3 t = p - glm::dvec3(q);
+    double sum = 0.0;
+    covered = true;
+    for (int c = 0; c < 8; ++c) {
+      const glm::ivec3 at = q + glm::ivec3(c & 1, c >> 1 & 1, c >> 2);
+      const std::size_t index = moving.grid.indexOf(at.x, at.y, at.z);
+      covered = covered && (*m)[0].weight[index] != 0;
+      sum += static_cast<double>((*m)[0].value[index]) * ((c & 1) != 0 ? t.x : 1.0 - t.x) * ((c & 2) != 0 ? t.y : 1.0 - t.y) *
+             ((c & 4) != 0 ? t.z : 1.0 - t.z);
+    }
+    return sum;
+  };
+  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+  double count = 0.0;
+  const glm::ivec3 dims = fixed.grid.dims;
+  for (int k = 1; k < dims.z - 1; ++k) {
+    for (int j = 1; j < dims.y - 1; ++j) {
+      for (int i = 1; i < dims.x - 1; ++i) {
+        const std::size_t at = fixed.grid.indexOf(i, j, k);
+        if (fixed.inner[at] == 0) continue;
+        const glm::dvec4 voxel(i, j, k, 1.0);
+        const glm::dvec3 p(toVoxel * voxel);
+        bool covered = false;
+        const double value = valueAt(p, covered);
+        if (!covered) continue;
+        ++count;
+        // Derivatives by differences, both taken in voxels of the fixed image.
+        glm::dvec3 gradient(0.0);
+        const std::size_t step[3]{1, static_cast<std::size_t>(dims.x), static_cast<std::size_t>(dims.x) * dims.y};
+        for (int a = 0; a < 3; ++a) {
+          glm::dvec3 moved(0.0);  // inside one cell the interpolant is smooth: its derivative along moving axes, by differences within it
+          for (int b = 0; b < 3; ++b) {
+            const double low = std::floor(p[b]);
+            glm::dvec3 q0 = p;
+            glm::dvec3 q1 = p;
+            q0[b] = low + 0.25;
+            q1[b] = low + 0.75;
+            bool ignored = false;
+            moved[b] = 2.0 * (valueAt(q1, ignored) - valueAt(q0, ignored));
+          }
+          gradient[a] = 0.25 * static_cast<double>(fixed.value[at + step[a]] - fixed.value[at - step[a]]) +
+                        0.5 * glm::dot(moved, glm::dvec3(toVoxel[a]));
+        }
+        const glm::dvec3 g = fixed.grid.directions * gradient / fixed.grid.spacing_mm.x;
+        const glm::dvec3 lever = glm::dvec3(fixed.grid.voxelToWorld().matrix * voxel) - centre;
+        const glm::dvec3 turn = glm::cross(lever, g);
+        Eigen::Matrix<double, 6, 1> row;
+        row << g.x, g.y, g.z, turn.x, turn.y, turn.z;
+        const double residual = static_cast<double>(fixed.value[at]) - value;
+        const double weight = 1.0 / (1.0 + residual * residual / (loss * loss));
+        normal += weight * row * row.transpose();
+        right += weight * residual * row;
+      }
+    }
+  }
+  EXPECT_EQ(sums.count, count);
+  ASSERT_GT(count, 1000.0);
+  for (int r = 0; r < 6; ++r) {
+    EXPECT_NEAR(sums.right[r], right[r], 2e-3 * std::sqrt(normal(r, r) * count));
+    for (int c = 0; c < 6; ++c) EXPECT_NEAR(sums.normal[6 * r + c], normal(r, c), 2e-3 * std::sqrt(normal(r, r) * normal(c, c))) << r << c;
+  }
+}
+
+TEST(Turns, EveryTurnWithinReachHasANeighbourOnTheLattice) {
+  for (const double most_deg : {30.0, 180.0}) {
+    const double step_deg = most_deg > 90.0 ? 20.0 : 10.0;
+    const auto turns = rotationLattice(most_deg * 0.0174532925, step_deg * 0.0174532925);
+    EXPECT_EQ(turns.front(), glm::dvec3(0.0));
+    std::mt19937 random(5);
+    double worst = 0.0;
+    for (int trial = 0; trial < 300; ++trial) {
+      glm::dvec3 axis;
+      do {
+        for (int a = 0; a < 3; ++a) axis[a] = static_cast<double>(random()) / 2147483648.0 - 1.0;
+      } while (glm::length(axis) > 1.0 || glm::length(axis) < 0.1);
+      const glm::dmat4 wanted(rotationBy(glm::normalize(axis) * most_deg * 0.0174532925 * (static_cast<double>(random()) / 4294967296.0)));
+      double nearest = 1e9;
+      for (const auto& turn : turns) nearest = std::min(nearest, turnBetween_rad(wanted, glm::dmat4(rotationBy(turn))));
+      worst = std::max(worst, nearest);
+    }
+    EXPECT_LT(worst * 57.2957795, 0.95 * step_deg) << most_deg;
+  }
+}
+
+TEST(Translations, AgreeWithAPlainSumOverEveryShift) {
+  const Pair pair = pairOf(pose({9.0, -6.0, 3.0}, {}), 6, 12, 3.0, 5.0);
+  const std::vector<double> voxels{3.0};
+  const auto f = comparableImages({&pair.fixed}, voxels, {}, noProgress());
+  const auto m = comparableImages({&pair.moving}, voxels, {}, noProgress());
+  ASSERT_TRUE(f && m);
+  const ComparableImage& fixed = (*f)[0];
+  const ComparableImage& moving = (*m)[0];
+  const auto peaks = correlateOverTranslations(fixed, moving, {glm::dvec3(0.0)}, {0.1, 1, 1}, noProgress());
+  ASSERT_EQ(peaks.size(), 1u);
+  double best = -1e9;
+  glm::ivec3 bestShift(0);
+  double bestCells = 0.0;
+  for (int dz = -11; dz <= 11; ++dz) {
+    for (int dy = -11; dy <= 11; ++dy) {
+      for (int dx = -11; dx <= 11; ++dx) {
+        double sum = 0.0;
+        double cells = 0.0;
+        for (int k = std::max(0, -dz); k < std::min(12, 12 - dz); ++k) {
+          for (int j = std::max(0, -dy); j < std::min(12, 12 - dy); ++j) {
+            for (int i = std::max(0, -dx); i < std::min(12, 12 - dx); ++i) {
+              sum +=
+                  static_cast<double>(fixed.value[fixed.grid.indexOf(i, j, k)] * moving.value[moving.grid.indexOf(i + dx, j + dy, k + dz)]);
+              cells += 1.0;
+            }
+          }
+        }
+        if (cells < 172.8 || sum / std::sqrt(cells) <= best) continue;
+        best = sum / std::sqrt(cells);
+        bestShift = {dx, dy, dz};
+        bestCells = cells;
+      }
+    }
+  }
+  EXPECT_NEAR(peaks[0].overlapCells, bestCells, 0.01);
+  EXPECT_LT(glm::length(glm::dvec3(peaks[0].fixedToMoving[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6);
+  EXPECT_LT(glm::length(glm::dvec3(pair.truth[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6) << "the phantom is too plain";
+}
+
+TEST(RefineRigid, FindsAKnownPoseFromFiveMillimetresAndEightDegreesOff) {
+  const Pair pair = pairOf(pose({6.0, -4.0, 3.0}, {5.0, 8.0, -3.0}));
+  int levels = 0;
+  const auto found = refineRigid({&pair.fixed}, {&pair.moving}, pair.truth * pose({3.0, 3.0, -2.5}, {5.0, -5.0, 4.0}), {}, noProgress(),
+                                 [&](const Level&) { ++levels; });
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
+  EXPECT_LT(apart_mm(found->fixedToMoving, pair.truth, pair.fixed.grid), 0.35);
+  EXPECT_EQ(levels, static_cast<int>(found->levels.size()));
+  EXPECT_GT(found->after.correlation, found->before.correlation + 0.2);
+  EXPECT_GT(found->after.correlation, found->after.chance);
+  EXPECT_TRUE(checkRigid(found->fixedToMoving, 1e-9));
+}
+
+TEST(RefineRigid, GivesTheSamePoseOnLeftHandedObliqueAndAnisotropicGrids) {
+  const auto all = tissue(8, 110.0);
+  Grid odd = centred({44, 44, 30}, 1.5);
+  odd.spacing_mm = {1.5, 1.2, 2.2};
+  const glm::dmat3 turn(pose({}, {40.0, -20.0, 60.0}));
+  odd.directions = glm::dmat3(turn[1], turn[0], turn[2]);
+  odd.origin_mm = -(odd.directions * (0.5 * odd.spacing_mm * glm::dvec3(odd.dims - 1)));
+  const glm::dmat4 truth = pose({5.0, 2.0, -4.0}, {6.0, -4.0, 5.0});
+  const Volume fixed = seen(all, centred(glm::ivec3(44), 1.5), glm::dmat4(1.0), 1);
+  const Volume moving = seen(all, odd, glm::inverse(truth), 2);
+  const auto found = refineRigid({&fixed}, {&moving}, truth * pose({2.0, -2.0, 1.0}, {3.0, 2.0, -3.0}), {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
+  EXPECT_LT(apart_mm(found->fixedToMoving, truth, fixed.grid), 0.5);
+}
+
+TEST(RefineRigid, StatesAnErrorThatMatchesTheSpreadOverTwelveSeeds) {
+  double normalised = 0.0;
+  int seeds = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const Pair pair = pairOf(pose({4.0, -3.0, 2.0}, {3.0, 4.0, -5.0}), seed, 36);
+    const auto found = refineRigid({&pair.fixed}, {&pair.moving}, pair.truth, {}, noProgress());
+    ASSERT_TRUE(found);
+    ASSERT_TRUE(found->covariance) << found->reason;
+    // found = truth * exp(error) about the centre, as the covariance says it.
+    const glm::dmat4 error = glm::inverse(pair.truth) * found->fixedToMoving;
+    const glm::dvec3 centre = found->centre_mm;
+    const glm::dvec3 shift = glm::dvec3(error * glm::dvec4(centre, 1.0)) - centre;
+    const glm::dvec3 turn = 0.5 * glm::dvec3(error[1][2] - error[2][1], error[2][0] - error[0][2], error[0][1] - error[1][0]);
+    Eigen::Matrix<double, 6, 1> e;
+    e << shift.x, shift.y, shift.z, turn.x, turn.y, turn.z;
+    const Eigen::Map<const Eigen::Matrix<double, 6, 6>> covariance(found->covariance->data());
+    normalised += e.dot(covariance.ldlt().solve(e)) / 6.0;
+    ++seeds;
+  }
+  normalised /= seeds;
+  EXPECT_GT(normalised, 0.4) << "stated errors are too large";
+  EXPECT_LT(normalised, 2.5) << "stated errors are too small";
+}
+
+TEST(RefineRigid, LeavesOutWhatConfidenceDistrusts) {
+  Pair pair = pairOf(pose({3.0, 1.0, -2.0}, {2.0, 3.0, 1.0}), 9);
+  // Half of the moving view shows another tissue, and is said to.
+  const auto other = tissue(99, 120.0);
+  const Volume wrong = seen(other, pair.moving.grid, glm::dmat4(1.0), 5);
+  std::vector<float> confidence(pair.moving.echo.size(), 1.0f);
+  for (std::size_t q = 0; q < pair.moving.echo.size(); ++q) {
+    if (q % 44 < 20) {
+      pair.moving.echo[q] = wrong.echo[q];
+      confidence[q] = 0.0f;
+    }
+  }
+  const glm::dmat4 start = pair.truth * pose({2.0, 1.0, -1.0}, {2.0, -2.0, 1.0});
+  const auto weighted = refineRigid({&pair.fixed}, {&pair.moving, confidence}, start, {}, noProgress());
+  ASSERT_TRUE(weighted);
+  EXPECT_EQ(weighted->verdict, Verdict::aligned) << weighted->reason;
+  EXPECT_LT(apart_mm(weighted->fixedToMoving, pair.truth, pair.fixed.grid), 0.5);
+  EXPECT_LT(weighted->after.overlapShare, 0.95);
+}
+
+TEST(MatchPartial, FindsThirtyPercentOverlapTurnedByTwentyDegreesWithoutAStart) {
+  const Pair pair = pairOf(pose({-24.0, 26.0, 3.0}, {12.0, -8.0, 14.0}), 3, 52);
+  const auto found = matchPartial({&pair.fixed}, {&pair.moving}, {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
+  EXPECT_LT(apart_mm(found->best.fixedToMoving, pair.truth, pair.fixed.grid), 0.8);
+  EXPECT_LT(found->best.after.overlapShare, 0.45);
+  EXPECT_GT(found->margin, 1.8);
+  ASSERT_FALSE(found->hypotheses.empty());
+  for (std::size_t h = 1; h < found->hypotheses.size(); ++h) {
+    EXPECT_LE(found->hypotheses[h].significance, found->hypotheses[h - 1].significance);
+  }
+}
+
+TEST(MatchPartial, RefusesTissueOfTwoDifferentPatients) {
+  const Grid grid = centred(glm::ivec3(48), 1.5);
+  const Volume fixed = seen(tissue(11, 110.0), grid, glm::dmat4(1.0), 1);
+  const Volume moving = seen(tissue(12, 110.0), grid, glm::dmat4(1.0), 2);
+  const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best.verdict, Verdict::notAligned) << found->best.reason;
+}
+
+TEST(MatchPartial, AndRefinementAreBitEqualForOneTwoAndEightThreads) {
+  const Pair pair = pairOf(pose({10.0, -8.0, 4.0}, {6.0, -8.0, 5.0}), 5, 36);
+  PartialOptions options;
+  options.threads = 1;
+  const auto one = matchPartial({&pair.fixed}, {&pair.moving}, options, noProgress());
+  ASSERT_TRUE(one);
+  for (const int threads : {2, 8}) {
+    options.threads = threads;
+    const auto many = matchPartial({&pair.fixed}, {&pair.moving}, options, noProgress());
+    ASSERT_TRUE(many);
+    EXPECT_EQ(one->best.fixedToMoving, many->best.fixedToMoving);
+    EXPECT_EQ(one->best.covariance, many->best.covariance);
+    EXPECT_EQ(one->margin, many->margin);
+    EXPECT_EQ(one->best.halvesDisagree_mm, many->best.halvesDisagree_mm);
+  }
+}
+
+class Cancelling final : public Progress {
+ public:
+  explicit Cancelling(double after) : after_(after) {}
+  void report(std::string_view, double fraction) override {
+    if (fraction >= after_ && !asked_.exchange(true)) since_ = std::chrono::steady_clock::now();
+  }
+  [[nodiscard]] bool cancelRequested() const override { return asked_; }
+  [[nodiscard]] double waited_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count(); }
+
+ private:
+  double after_;
+  std::atomic<bool> asked_{false};
+  std::chrono::steady_clock::time_point since_;
+};
+
+TEST(MatchPartial, StopsWithinHalfASecondWhereverItIs) {
+  const Pair pair = pairOf(pose({10.0, -8.0, 4.0}, {6.0, -8.0, 5.0}), 5, 64);
+  PartialOptions options;
+  options.maxTurn_deg = 10.0;
+  for (const double after : {0.01, 0.1, 0.3, 0.6, 0.72, 0.9}) {
+    Cancelling progress(after);
+    const auto found = matchPartial({&pair.fixed}, {&pair.moving}, options, progress);
+    ASSERT_FALSE(found) << after;
+    EXPECT_EQ(found.error().code, ErrorCode::cancelled);
+    EXPECT_LT(progress.waited_s(), 0.5 * ew::test::kSlowdown) << after;
+  }
+}
+
+TEST(MatchPartial, ForecastsTheMemoryItTakes) {
+  for (const int side : {40, 96}) {
+    Volume volume = seen(tissue(2, 60.0, 0.1), centred({side, side, side / 2}, 0.8), glm::dmat4(1.0), 3);
+    PartialOptions options;
+    options.maxTurn_deg = 5.0;
+    options.threads = 1;
+    const std::int64_t before = held;
+    mostHeld = before;
+    const auto found = matchPartial({&volume}, {&volume}, options, noProgress());
+    ASSERT_TRUE(found);
+    const auto took = static_cast<double>(mostHeld - before);
+    const auto said = static_cast<double>(forecastPartial_bytes(volume.grid, volume.grid, options));
+    EXPECT_LT(took, 1.02 * said + 1e5) << side;
+    EXPECT_GT(took, 0.5 * said - 1e6) << side;
+  }
+}
+
+TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
+  Pair pair = pairOf(glm::dmat4(1.0), 1, 16, 3.0);
+  const auto code = [&](const Input& f, const Input& m, const glm::dmat4& start, const RefineOptions& options = {}) {
+    const auto found = refineRigid(f, m, start, options, noProgress());
+    return found ? ErrorCode::internal : found.error().code;
+  };
+  const glm::dmat4 one(1.0);
+  std::vector<float> few(7, 1.0f);
+  EXPECT_EQ(code({&pair.fixed, few}, {&pair.moving}, one), ErrorCode::badField);
+  std::vector<float> wild(pair.fixed.echo.size(), 1.5f);
+  EXPECT_EQ(code({&pair.fixed, wild}, {&pair.moving}, one), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, 2.0 * one), ErrorCode::notRigid);
+  EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, one, {.finest_mm = -1.0}), ErrorCode::badField);
+  Volume none;
+  EXPECT_EQ(code({&none}, {&pair.moving}, one), ErrorCode::emptyVolume);
+  Volume unseen = pair.fixed;
+  unseen.coverage.assign(unseen.echo.size(), 0);
+  EXPECT_EQ(code({&unseen}, {&pair.moving}, one), ErrorCode::emptyVolume);
+  PartialOptions partial;
+  partial.maxTurn_deg = 200.0;
+  const auto found = matchPartial({&pair.fixed}, {&pair.moving}, partial, noProgress());
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::badField);
+  EXPECT_NE(found.error().sentence.find("maxTurn_deg"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ew::registration

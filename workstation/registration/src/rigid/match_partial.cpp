@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "ew/core/parallel.h"
+#include "ew/registration/rigid.h"
+#include "refine.h"
+#include "sentences.h"
+#include "translations.h"
+
+namespace ew::registration {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr int kPeaksPerTurn = 3;
+constexpr int kCandidatesPerHypothesis = 4;  // descended at the cells of the search, for each that goes on
+// Poses further apart than this after descending are different answers; descents that end are within a tenth of it.
+constexpr double kSame_mm = 4.0;
+constexpr double kSame_deg = 4.0;
+constexpr double kDifferent_mm = 10.0;
+constexpr double kDifferent_deg = 10.0;
+constexpr double kAsGood = 0.8;
+
+struct Candidate {
+  glm::dmat4 start;   ///< as the search found it
+  glm::dmat4 coarse;  ///< descended at the cells of the search
+  glm::dmat4 pose;
+  Evidence evidence;
+};
+
+/// Levels of refinement with the cells of the search among them, and which that is.
+std::vector<double> voxelsFor(const Grid& fixed, const Grid& moving, const PartialOptions& options, std::size_t& search) {
+  auto voxels = levelVoxels_mm(fixed, moving, options.refine.coarsest_mm, options.refine.finest_mm);
+  const double cell_mm = std::max(options.cell_mm, voxels.back());
+  for (search = 0; search < voxels.size(); ++search) {
+    if (std::abs(voxels[search] / cell_mm - 1.0) < 0.15) return voxels;
+  }
+  search = 0;
+  while (search < voxels.size() && voxels[search] > cell_mm) ++search;
+  voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(search), cell_mm);
+  return voxels;
+}
+
+/// Best first, without those that repeat a better one.
+void keepDifferent(std::vector<Candidate>& pool, const glm::dvec3& at_mm, double same_mm, double same_deg, std::size_t most) {
+  std::stable_sort(pool.begin(), pool.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.evidence.significance > b.evidence.significance; });
+  std::vector<Candidate> kept;
+  for (const Candidate& candidate : pool) {
+    if (kept.size() >= most) break;
+    const bool repeats = std::any_of(kept.begin(), kept.end(), [&](const Candidate& better) {
+      const PoseDifference d = differenceOf(better.pose, candidate.pose, at_mm);
+      return d.turn_deg <= same_deg && d.shift_mm <= same_mm;
+    });
+    if (!repeats) kept.push_back(candidate);
+  }
+  pool = std::move(kept);
+}
+
+Result<void> checkOptions(const PartialOptions& options) {
+  const auto wrong = [](const char* field, double found, const char* expected) {
+    return failure(ErrorCode::badField,
+                   std::string("The matching option ") + field + " is " + std::to_string(found) + "; it must be " + expected + ".");
+  };
+  if (!(options.maxTurn_deg >= 0.0 && options.maxTurn_deg <= 180.0)) return wrong("maxTurn_deg", options.maxTurn_deg, "from 0 to 180");
+  if (!(options.stepTurn_deg >= 2.0 && options.stepTurn_deg <= 90.0)) return wrong("stepTurn_deg", options.stepTurn_deg, "from 2 to 90");
+  if (!(options.cell_mm > 0.0 && options.cell_mm <= 100.0)) return wrong("cell_mm", options.cell_mm, "above 0 and at most 100");
+  if (!(options.leastOverlap > 0.0 && options.leastOverlap < 1.0)) return wrong("leastOverlap", options.leastOverlap, "between 0 and 1");
+  if (options.hypotheses < 1 || options.hypotheses > 1000) return wrong("hypotheses", options.hypotheses, "from 1 to 1000");
+  return checkOptions(options.refine);
+}
+
+}  // namespace
+
+std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const PartialOptions& options) {
+  std::size_t search = 0;
+  const auto voxels = voxelsFor(fixed, moving, options, search);
+  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree).size();
+  const ComparableMemory f = forecastComparable(fixed, voxels);
+  const ComparableMemory m = forecastComparable(moving, voxels);
+  return std::max(forecastPair_bytes(fixed, moving, voxels),
+                  f.result_bytes + m.result_bytes +
+                      forecastTranslations_bytes(levelGrid(fixed, voxels[search]), levelGrid(moving, voxels[search]),
+                                                 threadCount(options.threads), turns));
+}
+
+Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, const PartialOptions& options, Progress& progress,
+                                   const OnLevel& onLevel) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  const int threads = threadCount(options.threads);
+  std::size_t search = 0;
+  const auto voxels = voxelsFor(fixed.volume->grid, moving.volume->grid, options, search);
+  PartOfProgress preparing(progress, 0.0, 0.15);
+  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
+  if (!prepared) return passOn(prepared.error());
+  const PairLevels& pair = *prepared;
+  PartialResult result;
+  const auto finish = [&](Verdict verdict, std::string reason) {
+    result.best.verdict = verdict;
+    result.best.reason = std::move(reason);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.best.seconds = result.seconds;
+    return result;
+  };
+  if (std::string why = whyNothingCanBeSaid(pair); !why.empty()) {
+    result.best.stop = StopReason::noOverlap;
+    return finish(Verdict::cannotTell, std::move(why));
+  }
+
+  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree);
+  result.poses = static_cast<int>(turns.size());
+  PartOfProgress searching(progress, 0.15, 0.7);
+  const auto peaks =
+      correlateOverTranslations(pair.fixed[search], pair.moving[search], turns, {options.leastOverlap, kPeaksPerTurn, threads}, searching);
+  if (progress.cancelRequested()) return cancelled();
+
+  // The most significant peaks descend at the cells of the search, the best of them at the level of agreement.
+  PartOfProgress descending(progress, 0.7, 0.85);
+  const std::size_t at = std::max(pair.agreement, search);
+  const double perCell = search == pair.agreement ? pair.voxelsPerSample : voxelsPerSample(pair.fixed[search], pair.moving[search]);
+  const glm::dmat4 toWorld = pair.fixed[search].grid.voxelToWorld().matrix;
+  const glm::dvec3 middle(toWorld * glm::dvec4(0.5 * glm::dvec3(pair.fixed[search].grid.dims - 1), 1.0));
+  std::vector<Candidate> pool;
+  for (std::size_t p = 0; p < peaks.size() && static_cast<int>(p) < kCandidatesPerHypothesis * options.hypotheses; ++p) {
+    pool.push_back({peaks[p].fixedToMoving, peaks[p].fixedToMoving, peaks[p].fixedToMoving, {}});
+  }
+  const auto descendAll = [&](std::size_t level, double perSample, int iterations) {
+    const double voxel = pair.fixed[level].grid.spacing_mm.x;
+    DescentOptions descent;
+    descent.iterations = iterations;
+    descent.stop_mm = 0.03 * voxel;
+    descent.limit_mm = 2.0 * voxel;
+    for (Candidate& candidate : pool) {
+      const Descent found = descend(pair.fixed[level], pair.packedMoving[level], candidate.pose, descent, threads, descending);
+      if (found.stop == StopReason::cancelled) return false;
+      candidate.pose = found.fixedToMoving;
+      if (!evidenceAt(pair, level, candidate.pose, perSample, threads, descending, candidate.evidence)) return false;
+      // Descents may slide to where hardly anything overlaps and anything agrees.
+      if (candidate.evidence.agreement.overlapShare < 0.6 * options.leastOverlap) candidate.evidence.significance = 0.0;
+    }
+    return true;
+  };
+  if (!descendAll(search, perCell, 12)) return cancelled();
+  for (Candidate& candidate : pool) candidate.coarse = candidate.pose;
+  keepDifferent(pool, middle, kSame_mm, kSame_deg, static_cast<std::size_t>(options.hypotheses));
+  for (std::size_t level = search + 1; level <= at; ++level) {
+    if (!descendAll(level, level == at ? pair.voxelsPerSample : voxelsPerSample(pair.fixed[level], pair.moving[level]), 20))
+      return cancelled();
+  }
+  keepDifferent(pool, middle, kSame_mm, kSame_deg, static_cast<std::size_t>(options.hypotheses));
+  if (pool.empty() || pool[0].evidence.significance <= 0.0) {
+    result.best.stop = StopReason::noOverlap;
+    return finish(Verdict::notAligned, "No pose brings the two volumes into agreement over " + percent(options.leastOverlap) + " overlap.");
+  }
+  const Candidate best = pool[0];
+  // A different answer lies further off than descents go astray; one that is near counts only when it is about as good, as it is where
+  // structure repeats within less than that.
+  const double near = pool.size() > 1 ? pool[1].evidence.significance : 0.0;
+  keepDifferent(pool, middle, kDifferent_mm, kDifferent_deg, pool.size());
+  const double far = pool.size() > 1 ? pool[1].evidence.significance : 0.0;
+  const double rival = near > kAsGood * best.evidence.significance ? std::max(near, far) : far;
+  result.margin = best.evidence.significance / std::max(1.0, rival);
+  for (const Candidate& c : pool) {
+    result.hypotheses.push_back({c.pose, c.evidence.significance, c.evidence.agreement.correlation, c.evidence.agreement.overlapShare});
+  }
+
+  RigidResult& found = result.best;
+  PartOfProgress finishing(progress, 0.85, 1.0);
+  Evidence before;
+  if (!evidenceAt(pair, at, best.start, pair.voxelsPerSample, threads, finishing, before)) return cancelled();
+  found.before = before.agreement;
+  if (!halvesApart(pair, search, at, best.coarse, threads, finishing, found.halvesDisagree_mm)) return cancelled();
+  const std::size_t first = std::min(at + 1, voxels.size() - 1);
+  if (!refineThrough(pair, first, voxels.size() - 1, best.pose, options.refine, threads, finishing, onLevel, found)) return cancelled();
+  Evidence after;
+  if (!evidenceAt(pair, at, found.fixedToMoving, pair.voxelsPerSample, threads, finishing, after)) return cancelled();
+  if (after.significance < 0.9 * best.evidence.significance) {
+    // The finest images led astray what coarser ones had found.
+    found.fixedToMoving = best.pose;
+    found.covariance.reset();
+    found.stop = StopReason::noImprovement;
+    after = best.evidence;
+  }
+  found.after = after.agreement;
+
+  const std::string figures = agreementFigures(after);
+  if (after.significance < kChanceOfSearch) {
+    if (mostSignificance(after) < kSureOfSearch) {
+      return finish(Verdict::cannotTell, "The overlap found is too small to tell it from chance (" + figures + ").");
+    }
+    return finish(Verdict::notAligned, "The best of " + std::to_string(result.poses) +
+                                           " turns with all shifts agrees no better than unrelated tissue does (" + figures + ").");
+  }
+  if (after.significance < kSureOfSearch) {
+    return finish(Verdict::cannotTell, "The best pose agrees hardly better than unrelated tissue does (" + figures + ").");
+  }
+  if (result.margin < kLeastMargin) {
+    return finish(Verdict::cannotTell, "Two different poses agree almost equally (margin " + withDigits(result.margin, 2) +
+                                           "): the structure repeats, a start or landmarks must choose (" + figures + ").");
+  }
+  if (!(found.halvesDisagree_mm <= kHalvesApart_mm)) {
+    return finish(Verdict::cannotTell, "Halves of the overlap registered apart contradict each other by " +
+                                           millimetres(found.halvesDisagree_mm) + " (" + figures + ").");
+  }
+  return finish(Verdict::aligned, "One pose stands out by a margin of " + withDigits(result.margin, 1) +
+                                      ", and halves of the overlap registered apart agree to " + millimetres(found.halvesDisagree_mm) +
+                                      " (" + figures + ").");
+}
+
+}  // namespace ew::registration

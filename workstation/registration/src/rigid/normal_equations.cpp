@@ -1,0 +1,212 @@
+#include "normal_equations.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "ew/core/parallel.h"
+#include "row_sums.h"
+
+namespace ew::registration {
+namespace {
+
+constexpr int kPlanesPerTask = 4;
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+
+/// rows of A = [1; [p]x], 6 x 3, so that J = A g
+struct Lever {
+  std::array<std::array<double, 3>, 6> rows;
+};
+Lever leverOf(const glm::dvec3& p, double unit) {
+  return {{{{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}, {0, -p.z, p.y}, {p.z, 0, -p.x}, {-p.y, p.x, 0}}}};
+}
+
+/// normal += scale * (A M B^T), and its transpose too when A and B differ
+void addProduct(std::array<double, 36>& normal, const Lever& a, const Matrix3& m, const Lever& b, bool symmetric) {
+  for (int r = 0; r < 6; ++r) {
+    std::array<double, 3> am{};
+    for (int s = 0; s < 3; ++s) am[s] = a.rows[r][0] * m[0][s] + a.rows[r][1] * m[1][s] + a.rows[r][2] * m[2][s];
+    for (int c = 0; c < 6; ++c) {
+      const double v = am[0] * b.rows[c][0] + am[1] * b.rows[c][1] + am[2] * b.rows[c][2];
+      normal[6 * r + c] += v;
+      if (!symmetric) normal[6 * c + r] += v;
+    }
+  }
+}
+
+Matrix3 toWorld(const double (&moment)[6], const glm::dmat3& axes) {
+  const glm::dmat3 lattice(glm::dvec3(moment[0], moment[1], moment[2]), glm::dvec3(moment[1], moment[3], moment[4]),
+                           glm::dvec3(moment[2], moment[4], moment[5]));
+  const glm::dmat3 world = axes * lattice * glm::transpose(axes);
+  Matrix3 out;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) out[r][c] = world[c][r];
+  }
+  return out;
+}
+
+}  // namespace
+
+PackedImage packed(const ComparableImage& image) {
+  PackedImage out{image.grid, std::vector<float>(image.value.size())};
+  for (std::size_t q = 0; q < image.value.size(); ++q) {
+    const std::uint32_t weight = image.weight[q];
+    float value = image.value[q];
+    // A value of nothing with a weight would be a denormal number, which is slow.
+    if (weight != 0 && std::abs(value) < 1e-6f) value = 1e-6f;
+    out.value[q] = std::bit_cast<float>((std::bit_cast<std::uint32_t>(value) & ~255u) | weight);
+  }
+  return out;
+}
+
+void PairSums::add(const PairSums& other) {
+  count += other.count;
+  weight += other.weight;
+  f += other.f;
+  m += other.m;
+  ff += other.ff;
+  mm += other.mm;
+  fm += other.fm;
+  residual += other.residual;
+  robustWeight += other.robustWeight;
+  bothGradients += other.bothGradients;
+  fixedGradient += other.fixedGradient;
+  movingGradient += other.movingGradient;
+  for (int q = 0; q < 36; ++q) normal[q] += other.normal[q];
+  for (int q = 0; q < 6; ++q) right[q] += other.right[q];
+  lowest = glm::min(lowest, other.lowest);
+  highest = glm::max(highest, other.highest);
+}
+
+double PairSums::correlation() const {
+  if (weight <= 0.0) return 0.0;
+  const double vf = ff - f * f / weight;
+  const double vm = mm - m * m / weight;
+  if (!(vf > 1e-9 * weight) || !(vm > 1e-9 * weight)) return 0.0;
+  return std::clamp((fm - f * m / weight) / std::sqrt(vf * vm), -1.0, 1.0);
+}
+
+double PairSums::stiffness() const {
+  const double mean = 0.25 * (fixedGradient + 2.0 * bothGradients + movingGradient);
+  return bothGradients > 0.05 * mean ? std::max(1.0, mean / bothGradients) : 20.0;
+}
+
+double PairSums::residualRms() const { return robustWeight > 0.0 ? std::sqrt(residual / robustWeight) : 0.0; }
+
+bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
+                 const PassOptions& options, int threads, Progress& progress, PairSums& sums, std::vector<PairSums>* blockSums) {
+  sums = {};
+  const glm::ivec3 dims = fixed.grid.dims;
+  const glm::ivec3 cubes = options.blockVoxels > 0 ? (dims + options.blockVoxels - 1) / options.blockVoxels : glm::ivec3(1);
+  if (options.perBlock && blockSums != nullptr) {
+    blockSums->assign(static_cast<std::size_t>(cubes.x) * cubes.y * cubes.z, {});
+  }
+  if (std::min({dims.x, dims.y, dims.z}) < 3) return true;
+  const glm::ivec3 movingDims = moving.grid.dims;
+  if (std::min({movingDims.x, movingDims.y, movingDims.z}) < 2) return true;
+
+  const glm::dmat4 toMovingVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving * fixed.grid.voxelToWorld().matrix;
+  const double voxel_mm = fixed.grid.spacing_mm.x;
+  const glm::dmat3 axes = fixed.grid.directions * (1.0 / voxel_mm);
+  RowJob common;
+  common.fixedRow = dims.x;
+  common.fixedPlane = dims.x * dims.y;
+  common.moving = moving.value.data();
+  for (int a = 0; a < 3; ++a) {
+    common.movingDims[a] = movingDims[a];
+    common.step[a] = static_cast<float>(toMovingVoxel[0][a]);
+    for (int b = 0; b < 3; ++b) common.turn[3 * a + b] = static_cast<float>(toMovingVoxel[a][b]);
+  }
+  common.perLoss2 = options.lossScale > 0.0 ? static_cast<float>(1.0 / (options.lossScale * options.lossScale)) : 0.0f;
+  common.middle = static_cast<float>(0.5 * dims.x);
+  common.perMiddle = static_cast<float>(2.0 / dims.x);
+  common.derivatives = options.derivatives;
+  const glm::dvec3 alongRow = fixed.grid.directions[0] * (voxel_mm / static_cast<double>(common.perMiddle));
+
+  // Whole layers of cubes go to one task, so that no two tasks add to the same cube.
+  const int planes = options.perBlock ? options.blockVoxels : kPlanesPerTask;
+  const int tasks = (dims.z + planes - 1) / planes;
+  std::vector<PairSums> partial(tasks);
+  const bool done = forEachTask(tasks, threads, progress, "Comparing images", [&](int task) {
+    PairSums& mine = partial[task];
+    for (int k = std::max(1, task * planes); k < std::min(dims.z - 1, (task + 1) * planes); ++k) {
+      for (int j = 1; j < dims.y - 1; ++j) {
+        const glm::dvec3 start(toMovingVoxel * glm::dvec4(0.0, j, k, 1.0));
+        double low = 1.0;
+        double high = dims.x - 1.0;
+        bool misses = false;
+        for (int a = 0; a < 3; ++a) {
+          const double step = toMovingVoxel[0][a];
+          const double top = movingDims[a] - 1.001;
+          if (std::abs(step) < 1e-9) {
+            misses = misses || start[a] < 0.0 || start[a] > top;
+            continue;
+          }
+          const double to0 = (0.001 - start[a]) / step;
+          const double toTop = (top - start[a]) / step;
+          low = std::max(low, std::min(to0, toTop));
+          high = std::min(high, std::max(to0, toTop));
+        }
+        if (misses || !(low < high)) continue;
+        RowJob job = common;
+        const std::size_t at = fixed.grid.indexOf(0, j, k);
+        job.fixedValue = fixed.value.data() + at;
+        job.fixedWeight = fixed.inner.data() + at;
+        for (int a = 0; a < 3; ++a) job.at[a] = static_cast<float>(start[a]);
+        const int begin = std::clamp(static_cast<int>(std::ceil(low)), 1, dims.x - 1);
+        const int end = std::clamp(static_cast<int>(std::floor(high)) + 1, begin, dims.x - 1);
+        const int stretch = options.blockVoxels > 0 ? options.blockVoxels : dims.x;
+        for (int from = begin / stretch * stretch; from < end; from += stretch) {
+          job.begin = std::max(begin, from);
+          job.end = std::min(end, from + stretch);
+          glm::ivec3 cube(0);
+          if (options.blockVoxels > 0) {
+            cube = glm::ivec3(from, j, k) / options.blockVoxels;
+            if (options.half >= 0 && ((cube.x + cube.y + cube.z) & 1) != options.half) continue;
+          }
+          RowSums row;
+          sumRow(job, row);
+          if (row.count == 0.0) continue;
+          PairSums& into = options.perBlock && blockSums != nullptr
+                               ? (*blockSums)[(static_cast<std::size_t>(cube.z) * cubes.y + cube.y) * cubes.x + cube.x]
+                               : mine;
+          into.count += row.count;
+          into.weight += row.weight;
+          into.f += row.f;
+          into.m += row.m;
+          into.ff += row.ff;
+          into.mm += row.mm;
+          into.fm += row.fm;
+          into.lowest = glm::min(into.lowest, glm::dvec3(job.begin, j, k));
+          into.highest = glm::max(into.highest, glm::dvec3(job.end - 1, j, k));
+          if (!options.derivatives) continue;
+          into.residual += row.residual;
+          into.robustWeight += row.robustWeight;
+          into.bothGradients += row.bothGradients;
+          into.fixedGradient += row.fixedGradient;
+          into.movingGradient += row.movingGradient;
+          const glm::dvec3 p(fixed.grid.voxelToWorld().matrix * glm::dvec4(0.5 * dims.x, j, k, 1.0) - glm::dvec4(centre_mm, 0.0));
+          const Lever zeroth = leverOf(p, 1.0);
+          const Lever first = leverOf(alongRow, 0.0);
+          addProduct(into.normal, zeroth, toWorld(row.moment[0], axes), zeroth, true);
+          addProduct(into.normal, zeroth, toWorld(row.moment[1], axes), first, false);
+          addProduct(into.normal, first, toWorld(row.moment[2], axes), first, true);
+          const glm::dvec3 right0 = axes * glm::dvec3(row.right[0][0], row.right[0][1], row.right[0][2]);
+          const glm::dvec3 right1 = axes * glm::dvec3(row.right[1][0], row.right[1][1], row.right[1][2]);
+          for (int q = 0; q < 6; ++q) {
+            for (int s = 0; s < 3; ++s) into.right[q] += zeroth.rows[q][s] * right0[s] + first.rows[q][s] * right1[s];
+          }
+        }
+      }
+    }
+  });
+  if (!done) return false;
+  for (const PairSums& part : partial) sums.add(part);
+  if (options.perBlock && blockSums != nullptr) {
+    for (const PairSums& part : *blockSums) sums.add(part);
+  }
+  return true;
+}
+
+}  // namespace ew::registration

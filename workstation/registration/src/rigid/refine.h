@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "../comparable.h"
+#include "ew/registration/rigid.h"
+#include "pose_search.h"
+
+namespace ew::registration {
+
+/// Both sides at every level, coarse first, ready for descents.
+struct PairLevels {
+  std::vector<ComparableImage> fixed;
+  std::vector<ComparableImage> moving;  ///< values and weights of the levels nobody searches are given up after packing
+  std::vector<PackedImage> packedMoving;
+  std::size_t agreement = 0;     ///< the level figures of agreement are taken from: the finest of 1.4 mm or coarser, else the coarsest
+  double voxelsPerSample = 1.0;  ///< there
+  double fixedCovered_mm3 = 0.0;
+  double movingCovered_mm3 = 0.0;
+};
+/// @error as comparableImages; tooLarge
+[[nodiscard]] Result<PairLevels> preparePair(const Input& fixed, const Input& moving, const std::vector<double>& voxel_mm, int threads,
+                                             Progress& progress);
+[[nodiscard]] std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const std::vector<double>& voxel_mm);
+
+/// Why nothing can be said about this pair whatever the pose, or empty.
+[[nodiscard]] std::string whyNothingCanBeSaid(const PairLevels& pair);
+
+/// Agreement at a pose, and its significance.
+struct Evidence {
+  Agreement agreement;
+  double samples = 0.0;       ///< independent ones in the overlap
+  double significance = 0.0;  ///< Fisher z times the root of the samples
+};
+/// @return false when cancelled
+[[nodiscard]] bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fixedToMoving, double voxelsPerSample,
+                              int threads, Progress& progress, Evidence& evidence);
+
+/// From `start` through levels [first, last]; fills everything of the result but verdict, reason, before, after and halves.
+/// @return false when cancelled
+[[nodiscard]] bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start,
+                                 const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel,
+                                 RigidResult& result);
+
+/// Halves of the overlap (two colours of a checkerboard) refined apart from `start`: largest distance between where they take the corners
+/// of the overlap. Infinite when one has nothing to go by.
+/// @return false when cancelled
+[[nodiscard]] bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads,
+                               Progress& progress, double& disagree_mm);
+
+/// @error badField
+[[nodiscard]] Result<void> checkOptions(const RefineOptions& options);
+
+// Where verdicts change; resources/docs/registration.md says how far true and false pairs stay away from them.
+constexpr double kChanceOfSearch = 8.0;   ///< significance the best of a whole search may reach without common tissue
+constexpr double kSureOfSearch = 13.0;    ///< and above which a found pose is believed
+constexpr double kChanceOfDescent = 6.0;  ///< the same of one descent from a given start
+constexpr double kSureOfDescent = 9.0;
+constexpr double kLeastMargin = 1.8;  ///< over the runner-up
+constexpr double kHalvesApart_mm = 3.0;
+
+}  // namespace ew::registration

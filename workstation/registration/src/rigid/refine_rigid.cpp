@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "ew/core/parallel.h"
+#include "ew/registration/rigid.h"
+#include "refine.h"
+#include "sentences.h"
+
+namespace ew::registration {
+
+Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
+                                Progress& progress, const OnLevel& onLevel) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
+  const int threads = threadCount(options.threads);
+  const auto voxels = levelVoxels_mm(fixed.volume->grid, moving.volume->grid, options.coarsest_mm, options.finest_mm);
+  PartOfProgress preparing(progress, 0.0, 0.3);
+  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
+  if (!prepared) return passOn(prepared.error());
+  const PairLevels& pair = *prepared;
+  RigidResult result;
+  result.fixedToMoving = start;
+  const auto finish = [&](Verdict verdict, std::string reason) {
+    result.verdict = verdict;
+    result.reason = std::move(reason);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return result;
+  };
+  if (std::string why = whyNothingCanBeSaid(pair); !why.empty()) {
+    result.stop = StopReason::noOverlap;
+    return finish(Verdict::cannotTell, std::move(why));
+  }
+  const std::size_t at = pair.agreement;
+  Evidence before;
+  if (!evidenceAt(pair, at, start, pair.voxelsPerSample, threads, progress, before)) return cancelled();
+  result.before = before.agreement;
+  if (before.agreement.overlapShare <= 0.0) {
+    result.stop = StopReason::noOverlap;
+    return finish(Verdict::cannotTell, "The two volumes do not overlap at the start: bring them closer, or match without a start.");
+  }
+  PartOfProgress refining(progress, 0.3, 0.9);
+  if (!refineThrough(pair, 0, voxels.size() - 1, start, options, threads, refining, onLevel, result)) return cancelled();
+  if (result.stop == StopReason::noOverlap || result.stop == StopReason::singular) {
+    const bool lost = result.stop == StopReason::noOverlap;
+    result.fixedToMoving = start;
+    result.after = result.before;
+    return finish(Verdict::cannotTell, lost ? "The overlap is too small to register: fewer than 50 voxels are covered by both volumes."
+                                            : "The overlap does not hold the pose: the normal equations are singular.");
+  }
+  Evidence after;
+  if (!evidenceAt(pair, at, result.fixedToMoving, pair.voxelsPerSample, threads, progress, after)) return cancelled();
+  PartOfProgress halves(progress, 0.9, 1.0);
+  if (!halvesApart(pair, 0, at, start, threads, halves, result.halvesDisagree_mm)) return cancelled();
+  if (after.significance < before.significance) {
+    // Nothing gained: the start is no worse than what was found.
+    result.fixedToMoving = start;
+    after = before;
+    result.covariance.reset();
+    result.stop = StopReason::noImprovement;
+  }
+  result.after = after.agreement;
+  const std::string figures = agreementFigures(after);
+  if (after.significance < kChanceOfDescent) {
+    if (mostSignificance(after) < kSureOfDescent) {
+      return finish(Verdict::cannotTell, "The overlap is too small to tell (" + figures + ").");
+    }
+    return finish(Verdict::notAligned, "Near this start the images agree no better than unrelated tissue does (" + figures + ").");
+  }
+  if (after.significance < kSureOfDescent) {
+    return finish(Verdict::cannotTell, "The images agree hardly better than unrelated tissue does (" + figures + ").");
+  }
+  if (!(result.halvesDisagree_mm <= kHalvesApart_mm)) {
+    return finish(Verdict::cannotTell, "Halves of the overlap registered apart contradict each other by " +
+                                           millimetres(result.halvesDisagree_mm) + " (" + figures + "): the start may be too far off.");
+  }
+  return finish(Verdict::aligned,
+                "Halves of the overlap registered apart agree to " + millimetres(result.halvesDisagree_mm) + " (" + figures + ").");
+}
+
+}  // namespace ew::registration

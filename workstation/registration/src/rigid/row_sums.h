@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ew::registration {
+
+/// A stretch of one row of fixed voxels and where its mates lie. Private to the passes over pairs.
+struct RowJob {
+  const float* fixedValue = nullptr;          ///< of voxel i = 0 of the row
+  const std::uint8_t* fixedWeight = nullptr;  ///< likewise; > 0 only where all neighbours exist
+  int fixedRow = 0;                           ///< floats to the next row and plane
+  int fixedPlane = 0;
+  int begin = 0;
+  int end = 0;
+  const float* moving = nullptr;  ///< packed
+  int movingDims[3]{};
+  float at[3]{};          ///< moving voxel of i = 0
+  float step[3]{};        ///< per fixed voxel
+  float turn[9]{};        ///< fixed axis a takes turn[3 a + b] of the moving derivative along b
+  float perLoss2 = 0.0f;  ///< 1 / lossScale^2
+  float middle = 0.0f;    ///< powers of (i - middle) * perMiddle
+  float perMiddle = 1.0f;
+  bool derivatives = true;
+};
+
+/// Sums over the stretch: value sums, then gradient moments for powers 0, 1, 2 of the place along the row (xx xy xz yy yz zz), then
+/// gradient times residual for powers 0 and 1.
+struct RowSums {
+  double count = 0.0, weight = 0.0, f = 0.0, m = 0.0, ff = 0.0, mm = 0.0, fm = 0.0, residual = 0.0, robustWeight = 0.0;
+  double bothGradients = 0.0, fixedGradient = 0.0, movingGradient = 0.0;  // products and squares, with the robust weights
+  double moment[3][6]{};
+  double right[2][3]{};
+};
+
+void sumRow(const RowJob& job, RowSums& sums);
+
+}  // namespace ew::registration
