@@ -197,7 +197,7 @@ TEST(NormalEquations, AreThoseOfAPlainSumOverVoxels) {
   const PackedImage moving = packed((*m)[0]);
   const glm::dvec3 centre(3.0, -2.0, 1.0);
   const double loss = 1.5;
-  PairSums sums;
+  PoseSums sums;
   ASSERT_TRUE(sumOverPair(fixed, moving, pair.truth, centre, {loss, 0, -1, false, true}, 1, noProgress(), sums));
 
   const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * pair.truth * fixed.grid.voxelToWorld().matrix;

@@ -17,6 +17,7 @@ namespace ew::registration {
 /// floor, thin vessels and black inside the tissue are not.
 /// @error cancelled
 [[nodiscard]] Result<std::vector<std::uint8_t>> coveredMask(const Volume& volume, Progress& progress);
+[[nodiscard]] inline std::vector<std::uint8_t> coveredMask(const Volume& volume) { return *coveredMask(volume, noProgress()); }
 
 /// An echo image at one resolution, on the axes of its volume.
 struct ComparableImage {

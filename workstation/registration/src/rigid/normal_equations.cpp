@@ -60,7 +60,7 @@ PackedImage packed(const ComparableImage& image) {
   return out;
 }
 
-void PairSums::add(const PairSums& other) {
+void PoseSums::add(const PoseSums& other) {
   count += other.count;
   weight += other.weight;
   f += other.f;
@@ -79,7 +79,7 @@ void PairSums::add(const PairSums& other) {
   highest = glm::max(highest, other.highest);
 }
 
-double PairSums::correlation() const {
+double PoseSums::correlation() const {
   if (weight <= 0.0) return 0.0;
   const double vf = ff - f * f / weight;
   const double vm = mm - m * m / weight;
@@ -87,15 +87,15 @@ double PairSums::correlation() const {
   return std::clamp((fm - f * m / weight) / std::sqrt(vf * vm), -1.0, 1.0);
 }
 
-double PairSums::stiffness() const {
+double PoseSums::stiffness() const {
   const double mean = 0.25 * (fixedGradient + 2.0 * bothGradients + movingGradient);
   return bothGradients > 0.05 * mean ? std::max(1.0, mean / bothGradients) : 20.0;
 }
 
-double PairSums::residualRms() const { return robustWeight > 0.0 ? std::sqrt(residual / robustWeight) : 0.0; }
+double PoseSums::residualRms() const { return robustWeight > 0.0 ? std::sqrt(residual / robustWeight) : 0.0; }
 
 bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-                 const PassOptions& options, int threads, Progress& progress, PairSums& sums, std::vector<PairSums>* blockSums) {
+                 const PassOptions& options, int threads, Progress& progress, PoseSums& sums, std::vector<PoseSums>* blockSums) {
   sums = {};
   const glm::ivec3 dims = fixed.grid.dims;
   const glm::ivec3 cubes = options.blockVoxels > 0 ? (dims + options.blockVoxels - 1) / options.blockVoxels : glm::ivec3(1);
@@ -109,7 +109,7 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
   const glm::dmat4 toMovingVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving * fixed.grid.voxelToWorld().matrix;
   const double voxel_mm = fixed.grid.spacing_mm.x;
   const glm::dmat3 axes = fixed.grid.directions * (1.0 / voxel_mm);
-  RowJob common;
+  PoseRow common;
   common.fixedRow = dims.x;
   common.fixedPlane = dims.x * dims.y;
   common.moving = moving.value.data();
@@ -127,9 +127,9 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
   // Whole layers of cubes go to one task, so that no two tasks add to the same cube.
   const int planes = options.perBlock ? options.blockVoxels : kPlanesPerTask;
   const int tasks = (dims.z + planes - 1) / planes;
-  std::vector<PairSums> partial(tasks);
+  std::vector<PoseSums> partial(tasks);
   const bool done = forEachTask(tasks, threads, progress, "Comparing images", [&](int task) {
-    PairSums& mine = partial[task];
+    PoseSums& mine = partial[task];
     for (int k = std::max(1, task * planes); k < std::min(dims.z - 1, (task + 1) * planes); ++k) {
       for (int j = 1; j < dims.y - 1; ++j) {
         const glm::dvec3 start(toMovingVoxel * glm::dvec4(0.0, j, k, 1.0));
@@ -149,7 +149,7 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
           high = std::min(high, std::max(to0, toTop));
         }
         if (misses || !(low < high)) continue;
-        RowJob job = common;
+        PoseRow job = common;
         const std::size_t at = fixed.grid.indexOf(0, j, k);
         job.fixedValue = fixed.value.data() + at;
         job.fixedWeight = fixed.inner.data() + at;
@@ -165,10 +165,10 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
             cube = glm::ivec3(from, j, k) / options.blockVoxels;
             if (options.half >= 0 && ((cube.x + cube.y + cube.z) & 1) != options.half) continue;
           }
-          RowSums row;
-          sumRow(job, row);
+          PoseRowSums row;
+          sumPoseRow(job, row);
           if (row.count == 0.0) continue;
-          PairSums& into = options.perBlock && blockSums != nullptr
+          PoseSums& into = options.perBlock && blockSums != nullptr
                                ? (*blockSums)[(static_cast<std::size_t>(cube.z) * cubes.y + cube.y) * cubes.x + cube.x]
                                : mine;
           into.count += row.count;
@@ -202,9 +202,9 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
     }
   });
   if (!done) return false;
-  for (const PairSums& part : partial) sums.add(part);
+  for (const PoseSums& part : partial) sums.add(part);
   if (options.perBlock && blockSums != nullptr) {
-    for (const PairSums& part : *blockSums) sums.add(part);
+    for (const PoseSums& part : *blockSums) sums.add(part);
   }
   return true;
 }

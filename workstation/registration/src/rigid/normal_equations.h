@@ -18,7 +18,7 @@ struct PackedImage {
 [[nodiscard]] PackedImage packed(const ComparableImage& image);
 
 /// What one pass over the overlap of a pair sums up. Rotations are about `centre` of the pass, in the fixed frame.
-struct PairSums {
+struct PoseSums {
   double count = 0.0;   ///< fixed voxels whose mate is covered
   double weight = 0.0;  ///< of confidence, without the robust loss
   double f = 0.0;       ///< weighted sums of fixed and moving values and their products
@@ -36,7 +36,7 @@ struct PairSums {
   glm::dvec3 lowest{1e300};         ///< corners of the overlap in voxels of the fixed image
   glm::dvec3 highest{-1e300};
 
-  void add(const PairSums& other);
+  void add(const PoseSums& other);
   [[nodiscard]] double correlation() const;
   [[nodiscard]] double residualRms() const;
   /// How much stiffer the normal equations are than the agreement they stand for: the mean of both gradients holds the speckle that the two
@@ -56,6 +56,6 @@ struct PassOptions {
 /// @param blockSums     one per cube, filled when perBlock
 /// @return false when cancelled
 bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-                 const PassOptions& options, int threads, Progress& progress, PairSums& sums, std::vector<PairSums>* blockSums = nullptr);
+                 const PassOptions& options, int threads, Progress& progress, PoseSums& sums, std::vector<PoseSums>* blockSums = nullptr);
 
 }  // namespace ew::registration

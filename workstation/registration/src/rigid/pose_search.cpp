@@ -50,7 +50,7 @@ Descent descend(const ComparableImage& fixed, const PackedImage& moving, const g
       out.stop = StopReason::cancelled;
       return out;
     }
-    const PairSums& sums = out.sums;
+    const PoseSums& sums = out.sums;
     if (iteration == 0) out.correlationBefore = sums.correlation();
     if (sums.count < 50.0) {
       out.stop = StopReason::noOverlap;

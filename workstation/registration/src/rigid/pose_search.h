@@ -33,7 +33,7 @@ struct DescentOptions {
 /// Gauss-Newton on six parameters at one level.
 struct Descent {
   glm::dmat4 fixedToMoving{1.0};
-  PairSums sums;              ///< of the last pass, at the pose before the last step
+  PoseSums sums;              ///< of the last pass, at the pose before the last step
   glm::dvec3 centre_mm{0.0};  ///< about which the normal equations are
   double lever_mm = 50.0;     ///< half the overlap's diagonal: turns are compared with shifts by it
   int iterations = 0;

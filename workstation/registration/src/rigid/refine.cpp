@@ -118,7 +118,7 @@ Result<void> checkOptions(const RefineOptions& options) {
 bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fixedToMoving, double perSample, int threads,
                 Progress& progress, Evidence& evidence) {
   const ComparableImage& fixed = pair.fixed[level];
-  PairSums sums;
+  PoseSums sums;
   const glm::dvec3 centre(0.0);
   if (!sumOverPair(fixed, pair.packedMoving[level], fixedToMoving, centre, {0.0, 0, -1, false, false}, threads, progress, sums))
     return false;
@@ -164,8 +164,8 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
   pass.lossScale = 2.0 * descent.sums.residualRms();
   pass.blockVoxels = std::max(2, static_cast<int>(std::lround(kBlock_mm / fixed.grid.spacing_mm.x)));
   pass.perBlock = true;
-  PairSums sums;
-  std::vector<PairSums> blocks;
+  PoseSums sums;
+  std::vector<PoseSums> blocks;
   const glm::dvec3 centre = descent.centre_mm;
   result.centre_mm = centre;
   if (!sumOverPair(fixed, pair.packedMoving[last], result.fixedToMoving, centre, pass, threads, progress, sums, &blocks)) return false;
@@ -182,7 +182,7 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
   const Matrix6 inverse = normal.inverse() * sums.stiffness();
   Matrix6 spread = Matrix6::Zero();
   int used = 0;
-  for (const PairSums& block : blocks) {
+  for (const PoseSums& block : blocks) {
     if (block.count <= 0.0) continue;
     Eigen::Matrix<double, 6, 1> pull;
     for (int r = 0; r < 6; ++r) pull[r] = block.right[r] / (r < 3 ? 1.0 : 50.0);

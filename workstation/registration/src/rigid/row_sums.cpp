@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ew::registration::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void sumRow(const RowJob& job, RowSums& out) {
+void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   const hn::Rebind<std::uint8_t, decltype(d)> du8;
@@ -173,7 +173,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ew::registration {
-HWY_EXPORT(sumRow);
-void sumRow(const RowJob& job, RowSums& sums) { HWY_DYNAMIC_DISPATCH(sumRow)(job, sums); }
+HWY_EXPORT(sumPoseRow);
+void sumPoseRow(const PoseRow& job, PoseRowSums& sums) { HWY_DYNAMIC_DISPATCH(sumPoseRow)(job, sums); }
 }  // namespace ew::registration
 #endif

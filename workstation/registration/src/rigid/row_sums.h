@@ -5,7 +5,7 @@
 namespace ew::registration {
 
 /// A stretch of one row of fixed voxels and where its mates lie. Private to the passes over pairs.
-struct RowJob {
+struct PoseRow {
   const float* fixedValue = nullptr;          ///< of voxel i = 0 of the row
   const std::uint8_t* fixedWeight = nullptr;  ///< likewise; > 0 only where all neighbours exist
   int fixedRow = 0;                           ///< floats to the next row and plane
@@ -25,13 +25,13 @@ struct RowJob {
 
 /// Sums over the stretch: value sums, then gradient moments for powers 0, 1, 2 of the place along the row (xx xy xz yy yz zz), then
 /// gradient times residual for powers 0 and 1.
-struct RowSums {
+struct PoseRowSums {
   double count = 0.0, weight = 0.0, f = 0.0, m = 0.0, ff = 0.0, mm = 0.0, fm = 0.0, residual = 0.0, robustWeight = 0.0;
   double bothGradients = 0.0, fixedGradient = 0.0, movingGradient = 0.0;  // products and squares, with the robust weights
   double moment[3][6]{};
   double right[2][3]{};
 };
 
-void sumRow(const RowJob& job, RowSums& sums);
+void sumPoseRow(const PoseRow& job, PoseRowSums& sums);
 
 }  // namespace ew::registration
