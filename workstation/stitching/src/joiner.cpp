@@ -16,6 +16,11 @@ constexpr double kLeastWeight = 1.0 / 256.0;
 constexpr std::size_t kMostBlended = 4;
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
+/// What nobody trusts is still shown where there is nothing else.
+double trustIn(const ViewSample& sample, const SeamOptions& options) {
+  return std::max(1e-3, 1.0 - std::min(1.0, options.confidenceWeight) * (1.0 - sample.confidence));
+}
+
 }  // namespace
 
 void Tally::add(const Tally& other) {
@@ -110,7 +115,6 @@ void Joiner::feather(const glm::ivec3& begin, const glm::ivec3& end, const Block
   for (std::size_t n = 0; n < views_.size(); ++n)
     if (samplers_[n].mayReach(begin, end - 1)) reaching.push_back(n);
   const double width_mm = options_.grid.featherWidth_mm;
-  const double shunned = std::clamp(options_.seam.confidenceWeight, 0.0, 1.0);
   Row row(end.x - begin.x);
   for (int k = begin.z; k < end.z; ++k)
     for (int j = begin.y; j < end.y && !stopped(); ++j) {
@@ -121,7 +125,7 @@ void Joiner::feather(const glm::ivec3& begin, const glm::ivec3& end, const Block
           double weight = sample.quality;
           if (width_mm > 0.0) weight *= std::min(1.0, sample.distance / width_mm);
           // What nobody trusts is still shown where there is nothing else.
-          if (!views_[n].confidence.empty()) weight *= std::max(1e-3, 1.0 - shunned * (1.0 - sample.confidence));
+          weight *= trustIn(sample, options_.seam);
           if (weight > 0.0) row.take(static_cast<std::size_t>(i - begin.x), n, sample, weight, tally);
         });
       row.put(block, begin.x, j, k, tally);
@@ -281,7 +285,7 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
         ViewSample* const shown = samples.data() + at * views;
         double total = 0.0;
         for (std::size_t n = 0; n < views; ++n) {
-          taken[n] = static_cast<double>(rowWeights[n][at]) * shown[n].quality;
+          taken[n] = static_cast<double>(rowWeights[n][at]) * shown[n].quality * trustIn(shown[n], options_.seam);
           total += taken[n];
         }
         if (total <= 0.0) continue;
@@ -298,8 +302,10 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
             for (std::size_t b = 0; b < a && taken[a] > 0.0; ++b) {
               if (taken[b] <= 0.0) continue;
               StepSum& sum = tally.steps[{static_cast<int>(weights[a].view), static_cast<int>(weights[b].view), cube.x, cube.y, cube.z}];
-              sum.count += 1.0;
-              sum.difference += shown[a].level - shown[b].level;
+              // What hardly weighs is hardly seen.
+              const double seen = 4.0 * taken[a] * taken[b] / ((taken[a] + taken[b]) * (taken[a] + taken[b]));
+              sum.count += seen;
+              sum.difference += seen * (shown[a].level - shown[b].level);
             }
         }
         std::fill(shown, shown + views, ViewSample{});
