@@ -6,6 +6,7 @@
 #include "bench_reconstruct.h"
 #include "bench_register.h"
 #include "bench_slicing.h"
+#include "bench_stitch.h"
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
@@ -27,6 +28,7 @@ struct BenchArguments {
   int imageSide = 240;
   int views = 2;
   int pairSide = 96;
+  int viewSide = 128;
   std::uint64_t seed = 1;
   bool noPeers = false;
   bool large = false;
@@ -49,7 +51,7 @@ void printResults(std::ostream& out, const json& measured) {
   std::size_t nameWidth = 4;
   for (const auto& row : measured.value("results", json::array())) nameWidth = std::max(nameWidth, textIn(row, "name").size());
   for (const auto& row : measured.value("results", json::array())) {
-    if (row.contains("removed_percent")) continue;
+    if (row.contains("removed_percent") || row.contains("derivative_ratio")) continue;
     std::string name = textIn(row, "name");
     name.resize(nameWidth + 2, ' ');
     out << name << right(numberIn(row, "median_us", 0), 8) << " us  ";
@@ -74,6 +76,11 @@ void printResults(std::ostream& out, const json& measured) {
           << " mm ->" << right(numberIn(row, "error_mm", 3), 7) << " mm, 95 % below" << right(numberIn(row, "error_p95_mm", 3), 7)
           << " mm  " << (row.contains("verdict") ? textIn(row, "verdict") : std::string()) << "\n";
     }
+  for (const auto& row : measured.value("results", json::array()))
+    if (row.contains("derivative_ratio"))
+      out << textIn(row, "name") << ": " << rounded(row["median_us"].get<double>() * 1e-3, 1) << " ms, derivative across the seam "
+          << numberIn(row, "derivative_ratio", 3) << ", speckle " << numberIn(row, "speckle_ratio", 3) << ", step "
+          << numberIn(row, "step_db", 2) << " dB, shadow off by " << numberIn(row, "shadow_error_db", 2) << " dB\n";
   for (const auto& name : measured.value("peers_missing", json::array()))
     out << name.get<std::string>() << " is not installed here; nothing was compared with it\n";
   for (const auto& row : measured.value("threads_measured", json::array()))
@@ -175,6 +182,16 @@ Result<json> registering(const BenchArguments& arguments, Run& run, Progress& pr
   return benchRegister(options, progress);
 }
 
+Result<json> stitching(const BenchArguments& arguments, Run& run, Progress& progress) {
+  StitchBenchOptions options;
+  options.side = arguments.viewSide;
+  options.repetitions = arguments.repetitions > 0 ? arguments.repetitions : options.repetitions;
+  options.seed = arguments.seed;
+  run.report.options["stitch"] = {{"side", options.side}, {"repetitions", options.repetitions}, {"seed", options.seed}};
+  run.report.seed = options.seed;
+  return benchStitch(options, progress);
+}
+
 constexpr const char* kPage = "accuracy-and-time.html";
 
 Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, const std::vector<BenchSection>& sections) {
@@ -196,7 +213,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   return {};
 }
 
-enum class Bench { slicing, frame, reconstruct, registration, all };
+enum class Bench { slicing, frame, reconstruct, registration, stitch, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty())
@@ -234,8 +251,12 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     if (auto taken = take("reconstruct", reconstruction(arguments, run, part), reconstructSections); !taken) return passOn(taken.error());
   }
   if (wants(Bench::registration)) {
-    PartOfProgress part = share(0.7, 1.0);
+    PartOfProgress part = share(0.7, 0.9);
     if (auto taken = take("register", registering(arguments, run, part), registerSections); !taken) return passOn(taken.error());
+  }
+  if (wants(Bench::stitch)) {
+    PartOfProgress part = share(0.9, 1.0);
+    if (auto taken = take("stitch", stitching(arguments, run, part), stitchSections); !taken) return passOn(taken.error());
   }
   if (!arguments.html.empty())
     if (auto written = writePage(arguments, run, machine, sections); !written) return passOn(written.error());
@@ -253,7 +274,7 @@ void addBench(CLI::App& root, Selection& selection) {
         addCommand(group, selection, name, description, examples, [what, arguments](Run& run) { return bench(what, *arguments, run); });
     app.add_option("--html", arguments->html, std::string("Also write ") + kPage + ", the curves of accuracy against time")
         ->type_name("DIR");
-    const bool slices = what != Bench::reconstruct && what != Bench::registration;
+    const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch;
     if (slices)
       app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")
           ->type_name("COUNT");
@@ -273,11 +294,15 @@ void addBench(CLI::App& root, Selection& selection) {
     if (what == Bench::registration || what == Bench::all) {
       addCount(app, what == Bench::all ? "--pair-side" : "--side", arguments->pairSide, 48, 256,
                "Voxels a side of a pair to register (96)");
-      addSeed(app, "--seed", arguments->seed, "Which pairs are registered (1)");
     }
+    if (what == Bench::stitch || what == Bench::all)
+      addCount(app, what == Bench::all ? "--view-side" : "--side", arguments->viewSide, 64, 320, "Voxels a side of a view to join (128)");
+    if (what == Bench::registration || what == Bench::stitch || what == Bench::all)
+      addSeed(app, "--seed", arguments->seed, "Which pairs are registered, which speckle is joined (1)");
     addCount(app, "--repetitions", arguments->repetitions, 1, 1000,
-             "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1)");
-    if (what != Bench::reconstruct) app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice, elastix and plastimatch out");
+             "Interleaved repetitions (slices and frames 7, reconstructions 5, registrations 1, joining 3)");
+    if (what != Bench::reconstruct && what != Bench::stitch)
+      app.add_flag("--no-peers", arguments->noPeers, "Leave VTK's reslice, elastix and plastimatch out");
   };
   add(Bench::slicing, "slicing", "Every slicer against an exact answer and against VTK's, one thread, medians of one run",
       {"bench slicing", "bench slicing --html bench --report bench.json", "bench slicing --side 256 --repetitions 3"});
@@ -289,6 +314,8 @@ void addBench(CLI::App& root, Selection& selection) {
   add(Bench::registration, "register",
       "Every way of registering against pairs whose truth is known, beside elastix and plastimatch where they are installed",
       {"bench register", "bench register --html bench --report bench.json", "bench register --side 128 --no-peers"});
+  add(Bench::stitch, "stitch", "Every way to join two views of one scene: how visible the seam is, and what it costs",
+      {"bench stitch", "bench stitch --html bench --report bench.json", "bench stitch --side 96 --repetitions 5"});
   add(Bench::all, "all", "All of it, on one page", {"bench all --html bench --report bench.json"});
 }
 
