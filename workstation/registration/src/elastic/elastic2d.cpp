@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "elastic/planar_registration.h"
@@ -17,9 +18,9 @@ double unitOf(ImageView<const std::uint8_t> fixed, glm::dvec2 pixel_mm) {
 }
 
 /// Stiff where pixels are large (there a pixel holds little but speckle and chance), then as the speckle says.
-PlanarLevel levelOf(double scale, double node_mm, double units) {
+PlanarLevel levelOf(double scale, double node_mm, double units, bool first) {
   PlanarLevel level{scale, node_mm, 0.4, 0.6, 15.0};
-  if (units > 3.0) {
+  if (units > 3.0 && first) {
     level.leastStiffness = 25.0 * units;
     level.mostStiffness = 1000.0;
   } else if (units > 1.7) {
@@ -63,6 +64,72 @@ Agreement agreementOf(const PlanarAgreement& found, double coverable) {
   out.correlation = found.correlation;
   out.overlapShare = coverable > 0.0 ? std::min(1.0, found.weight / coverable) : 0.0;
   out.chance = found.independent > 4.0 ? std::tanh(1.645 / std::sqrt(found.independent - 3.0)) : 1.0;
+  return out;
+}
+
+/// What a warp found on one half of the plane is worth on the other half.
+struct HeldOut {
+  double share = 1.0;  ///< of the motion that agrees best where it was not fitted; 0: none agrees better than nothing does
+  double gain = 0.0;   ///< of correlation there, at that share
+  double error = 1.0;  ///< standard error of a correlation there
+};
+
+/// Fits the warp twice, each time on every other square of a checkerboard, and judges each on the other squares. A warp that only fits
+/// grain to grain gains nothing there.
+/// @return nothing when cancelled
+std::optional<HeldOut> heldOut(const PlanarPair& coarse, const PlanarLevel& coarseLevel, const PlanarPair& fine,
+                               const PlanarLevel& fineLevel, const PlanarState& start, double square_mm, const PlanarSettings& settings,
+                               Progress& progress) {
+  constexpr int kShares = 5;  // 0, 1/4 .. 1
+  std::array<double, kShares> agreed{};
+  HeldOut out;
+  double independent = 0.0;
+  const auto half = [&](const PlanarPair& pair, int which, double guard_mm) {
+    PlanarPair part = pair;
+    for (int y = 0; y < part.fixed.height; ++y) {
+      for (int x = 0; x < part.fixed.width; ++x) {
+        const int a = static_cast<int>((x + 0.5) * part.fixed.pixel_mm.x / square_mm),
+                  b = static_cast<int>((y + 0.5) * part.fixed.pixel_mm.y / square_mm);
+        // Smoothed grain reaches over a border: what is judged keeps away from it.
+        const double inX = (x + 0.5) * part.fixed.pixel_mm.x - a * square_mm, inY = (y + 0.5) * part.fixed.pixel_mm.y - b * square_mm;
+        const bool atBorder = std::min({inX, inY, square_mm - inX, square_mm - inY}) < guard_mm;
+        if ((a + b) % 2 != which || atBorder)
+          part.fixed.weight[static_cast<std::size_t>(y) * static_cast<std::size_t>(part.fixed.width) + static_cast<std::size_t>(x)] = 0.0F;
+      }
+    }
+    return part;
+  };
+  const glm::dvec2 extent_mm{fine.fixed.width * fine.fixed.pixel_mm.x, fine.fixed.height * fine.fixed.pixel_mm.y};
+  for (const int which : {0, 1}) {
+    PlanarState state = start;
+    if (!refinePlanar(half(coarse, which, 0.0), coarseLevel, settings, state, progress)) return std::nullopt;
+    PlanarState next;
+    next.x = splineAxis(extent_mm.x, fineLevel.node_mm, fine.fixed.pixel_mm.x, fine.fixed.width);
+    next.y = splineAxis(extent_mm.y, fineLevel.node_mm, fine.fixed.pixel_mm.y, fine.fixed.height);
+    for (std::size_t k = 0; k < 3; ++k) next.field.part[k] = carriedOver(state.x, state.y, state.field.part[k], next.x, next.y);
+    next.coherence = state.coherence;
+    if (!refinePlanar(half(fine, which, 0.0), fineLevel, settings, next, progress)) return std::nullopt;
+    const PlanarPair judged = half(fine, 1 - which, 1.6 * fine.fixed.pixel_mm.x);
+    std::vector<float> ux, uy, x, y;
+    evaluate(next.x, next.y, next.field.part[0], ux);
+    evaluate(next.x, next.y, next.field.part[1], uy);
+    x = ux;
+    y = uy;
+    for (int n = 0; n < kShares; ++n) {
+      const float share = static_cast<float>(n) / (kShares - 1);
+      for (std::size_t k = 0; k < ux.size(); ++k) {
+        x[k] = share * ux[k];
+        y[k] = share * uy[k];
+      }
+      const PlanarAgreement found = planarAgreement(judged, x, y);
+      agreed[static_cast<std::size_t>(n)] += 0.5 * found.correlation;
+      if (n == 0) independent += found.independent;
+    }
+  }
+  const auto best = std::max_element(agreed.begin(), agreed.end());
+  out.share = static_cast<double>(best - agreed.begin()) / (kShares - 1);
+  out.gain = *best - agreed[0];
+  out.error = 1.0 / std::sqrt(std::max(1.0, independent));
   return out;
 }
 
@@ -113,13 +180,13 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
   if (chosen) {
     // Which of the two last levels is used depends on the speckle, once the second has measured it.
     for (const auto& [units, nodes] : {std::pair{4.0, 16.0}, std::pair{2.0, 12.0}, std::pair{1.5, 12.0}, std::pair{1.0, 10.0}})
-      levels.push_back(levelOf(std::max(1.0, units * unit / finestPixel), nodes * lengths, units));
+      levels.push_back(levelOf(std::max(1.0, units * unit / finestPixel), nodes * lengths, units, levels.empty()));
   } else {
     std::vector<double> factors = options.factors;
     std::sort(factors.rbegin(), factors.rend());
     for (const double factor : factors) {
       const double scale = std::max(1.0, factor / 6.0);  // six pixels of its level from node to node, as the paper's last level has
-      levels.push_back(levelOf(scale, factor * finestPixel, scale * finestPixel / unit));
+      levels.push_back(levelOf(scale, factor * finestPixel, scale * finestPixel / unit, levels.empty()));
     }
   }
   if (options.singleResolution) levels.erase(levels.begin(), levels.end() - 1);
@@ -152,6 +219,12 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
   PlanarState state;
   bool first = true;
   double done = 0.0;
+  struct Kept {
+    PlanarPair pair;
+    PlanarLevel level;
+  };
+  std::vector<Kept> firstLevels;  // for the judgement by halves
+  PlanarState startState;
   PlanarState kept;  // the last one that folds nowhere at full resolution
   for (std::size_t n = 0; n < levels.size(); ++n) {
     const PlanarLevel& level = levels[n];
@@ -163,7 +236,9 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
     const auto began = std::chrono::steady_clock::now();
     progress.report("Registering", done);
     if (progress.cancelRequested()) return cancelled();
-    const PlanarPair pair = planarPair(fixed, moving, level.scale, settings);
+    if (firstLevels.size() < 2) firstLevels.push_back({planarPair(fixed, moving, level.scale, settings), level});
+    const PlanarPair later = firstLevels.size() < 2 || n >= 2 ? planarPair(fixed, moving, level.scale, settings) : PlanarPair{};
+    const PlanarPair& pair = n < firstLevels.size() ? firstLevels[n].pair : later;
     const auto start = [&](PlanarState& fresh, glm::dvec2 shift_mm) {
       fresh.x = splineAxis(extent_mm.x, level.node_mm, pair.fixed.pixel_mm.x, pair.fixed.width);
       fresh.y = splineAxis(extent_mm.y, level.node_mm, pair.fixed.pixel_mm.y, pair.fixed.height);
@@ -186,7 +261,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
             evaluate(of.x, of.y, of.field.part[0], x);
             evaluate(of.x, of.y, of.field.part[1], y);
             const PlanarAgreement a = planarAgreement(pair, x, y);
-            return std::atanh(std::min(0.999, a.correlation)) * std::sqrt(a.weight);
+            return std::atanh(std::min(0.999, a.correlation)) * std::sqrt(std::max(0.0, a.independent - 3.0));
           };
           const double atRest = agreed(state);
           if (agreed(other) > 1.05 * atRest)
@@ -196,6 +271,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
         }
       }
       first = false;
+      startState = state;
     } else {
       PlanarState next;
       start(next, glm::dvec2(0.0));
@@ -205,6 +281,16 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
     }
     if (!refinePlanar(pair, level, settings, state, progress)) return cancelled();
     shown(state, grey.fixed, fullX, fullY);
+    if (chosen && n == 0 && !options.singleResolution) {
+      float farthest = 0.0F;
+      for (std::size_t k = 0; k < count; ++k) farthest = std::max(farthest, std::hypot(fullX[k], fullY[k]));
+      // A motion this large under so stiff a warp is larger in truth: the same pixels follow it more freely before the finer ones come.
+      if (static_cast<double>(farthest) > 8.0 * unit) {
+        PlanarLevel freer = levelOf(level.scale, level.node_mm, 4.0, false);
+        if (!refinePlanar(pair, freer, settings, state, progress)) return cancelled();
+        shown(state, grey.fixed, fullX, fullY);
+      }
+    }
     const double least = smallestJacobian(fullX, fullY, result.columns, result.rows, pixel_mm.x, pixel_mm.y);
     Level report;
     report.voxel_mm = std::sqrt(pair.fixed.pixel_mm.x * pair.fixed.pixel_mm.y);
@@ -256,6 +342,36 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
         state.stop == StopReason::singular
             ? "An image is flat where the other one shows something: there is nothing to go by, and the displacement is left at zero."
             : "The two images show almost nothing in common places: check how they lie to each other.");
+  }
+  // Where the speckle is another one, the agreement of the fitted pixels proves little: the warp is asked to agree where it was not fitted.
+  if (chosen && !options.singleResolution && firstLevels.size() == 2 && state.coherence < 0.6) {
+    PlanarSettings quick = settings;
+    quick.iterations = std::min(settings.iterations, 8);
+    const auto held = heldOut(firstLevels[0].pair, firstLevels[0].level, firstLevels[1].pair, firstLevels[1].level, startState, 16.0 * unit,
+                              quick, progress);
+    if (!held) return cancelled();
+    // Images that agree no better than by chance as they lie have to show much more.
+    const double needed = result.before.correlation > result.before.chance ? 0.7 : 6.0;
+    if (held->share <= 0.0 || held->gain < needed * held->error) {
+      const bool common = result.before.correlation > result.before.chance;
+      nothing();
+      return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
+                    std::string(common ? "The images agree as they lie, and no warp" : "No warp") +
+                        " agrees better where it was not fitted: the displacement is left at zero (gain of correlation there " +
+                        percent(held->gain) + ", its error " + percent(held->error) + ").");
+    }
+    // Half of the evidence makes twice the noise: the best share of the motion found from all of it lies nearer to 1.
+    const double keep = 2.0 * held->share / (1.0 + held->share);
+    if (keep < 1.0) {
+      for (float& u : fullX) u *= static_cast<float>(keep);
+      for (float& u : fullY) u *= static_cast<float>(keep);
+      for (float& u : ux) u *= static_cast<float>(keep);
+      for (float& u : uy) u *= static_cast<float>(keep);
+      result.smallestJacobian = smallestJacobian(fullX, fullY, result.columns, result.rows, pixel_mm.x, pixel_mm.y);
+      result.correlationAfter = planarAgreement(grey, fullX, fullY).correlation;
+      result.after = agreementOf(planarAgreement(judged, ux, uy),
+                                 coverable * static_cast<double>(judged.fixed.value.size()) / static_cast<double>(count));
+    }
   }
   const std::string figures = "(correlation " + percent(result.before.correlation) + " before, " + percent(result.after.correlation) +
                               " after, " + percent(result.after.chance) + " by chance)";

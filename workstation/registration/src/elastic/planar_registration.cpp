@@ -143,7 +143,7 @@ PlanarAgreement planarAgreement(const PlanarPair& pair, const std::vector<float>
   }
   PlanarAgreement out;
   out.weight = sw;
-  if (!(ff > 1e-12 * sw) || !(mm > 1e-12 * sw)) return out;
+  if (!(ff > 1e-4 * sw) || !(mm > 1e-4 * sw)) return out;  // a hundredth of a deviation: rounding, not tissue
   out.correlation = std::clamp(fm / std::sqrt(ff * mm), -1.0, 1.0);
   const auto fewer = [](double likeness) {
     const double a = std::clamp(likeness, 0.0, 0.98);

@@ -241,7 +241,8 @@ double uncertaintyOf(const ComparableImage& fixed, const Side& side, const glm::
     }
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shape(a);
-  if (!(shape.eigenvalues()(0) > 1e-3 * shape.eigenvalues()(size - 1)) || !(shape.eigenvalues()(0) > 1e-9)) return kOpen;
+  if (!(shape.eigenvalues()(0) > 1e-3 * shape.eigenvalues()(size - 1)) || !(shape.eigenvalues()(0) > 1e-6 * static_cast<double>(count)))
+    return kOpen;  // flat: what is left is rounding
   const Eigen::MatrixXd inverse = a.inverse();
   return std::sqrt(std::max(0.0, (inverse * b * inverse).trace()));
 }

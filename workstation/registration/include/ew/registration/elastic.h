@@ -92,9 +92,10 @@ struct Elastic2dResult {
 /// Barber's method: Gauss-Newton on the optical-flow equation of images normalised by local mean and deviation, with the mean of both
 /// images' gradients and a brightness component; cubic B-splines on a lattice of nodes; bending and slope of the TOTAL displacement
 /// regularised, the stiffer the less of the speckle the images share; coarse to fine. No step is taken that squeezes a cell below a
-/// Jacobian of 0.1. When the result agrees no better than doing nothing does, the displacement is zero and the reason says so.
-/// Source: Barber, Phys. Med. Biol. 37, 1992; the pyramid: Aiger and Cohen-Or 1998. Ours departs from both in normalisation, robust
-/// weights, splines, regulariser and the stiffness that follows the measured correlation.
+/// Jacobian of 0.1. Where less than 0.6 of the speckle is shared, the warp is fitted on halves of the plane and must agree on the other
+/// halves; the share of the motion that does best there is kept. When the result agrees no better than doing nothing does, the displacement
+/// is zero and the reason says so. Source: Barber, Phys. Med. Biol. 37, 1992; the pyramid: Aiger and Cohen-Or 1998. Ours departs from both
+/// in normalisation, robust weights, splines, regulariser and the stiffness that follows the measured correlation.
 /// @param fixed, moving grey levels of the same pixel size; 0 is outside the beam; the centres of their first pixels are one point
 /// @param pixel_mm distance of pixels in x and y, > 0
 /// @error emptyVolume, badField, cancelled
