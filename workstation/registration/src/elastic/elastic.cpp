@@ -72,10 +72,13 @@ ElasticSettings settingsFor(const ElasticOptions& options, const Grid& fixed) {
       break;
     case ElasticEffort::balanced:
       settings.node_mm = 8.0;
+      settings.converged = 0.1;
+      iterations = 20;
       break;
     case ElasticEffort::accurate:
       settings.node_mm = 6.0;
-      iterations = 20;
+      settings.converged = 0.05;
+      iterations = 30;
       break;
   }
   if (options.finestNode_mm > 0.0) settings.node_mm = options.finestNode_mm;

@@ -57,6 +57,7 @@ void blur(std::vector<double>& image, const glm::ivec3& dims, int axis, double s
   const int n = dims[axis];
   if (n == 1 || sigma <= 0.0) return;
   std::vector<double> weight(static_cast<std::size_t>(n));
+  const int reach = static_cast<int>(3.5 * sigma + 1.0);
   for (int i = 0; i < n; ++i) weight[static_cast<std::size_t>(i)] = i > 3.5 * sigma + 1.0 ? 0.0 : std::exp(-0.5 * i * i / (sigma * sigma));
   const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(dims.x),
                                           static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y)};
@@ -67,7 +68,8 @@ void blur(std::vector<double>& image, const glm::ivec3& dims, int axis, double s
     for (int i = 0; i < n; ++i) line[static_cast<std::size_t>(i)] = image[start + static_cast<std::size_t>(i) * step];
     for (int i = 0; i < n; ++i) {
       double sum = 0.0;
-      for (int m = 0; m < n; ++m) sum += weight[static_cast<std::size_t>(std::abs(i - m))] * line[static_cast<std::size_t>(m)];
+      for (int m = std::max(0, i - reach); m <= std::min(n - 1, i + reach); ++m)
+        sum += weight[static_cast<std::size_t>(std::abs(i - m))] * line[static_cast<std::size_t>(m)];
       image[start + static_cast<std::size_t>(i) * step] = sum;
     }
   }
@@ -235,15 +237,16 @@ bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, doub
   const bool asItIs = level.dims == grid.dims;
   if (weighted) level.weights.assign(level.floats(), 0.0F);
   if (asItIs) {
-    for (int k = 0; k < grid.dims.z; ++k) {
-      for (int j = 0; j < grid.dims.y; ++j) {
-        const std::size_t in = grid.indexOf(0, j, k), out = level.rowOf(j, k);
-        for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
-        if (weighted) {
-          for (std::size_t i = 0; i < width; ++i) level.weights[out + i] = static_cast<float>(belief[in + i]) * (1.0F / 255.0F);
-        }
-      }
-    }
+    if (!forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
+          for (int j = 0; j < grid.dims.y; ++j) {
+            const std::size_t in = grid.indexOf(0, j, k), out = level.rowOf(j, k);
+            for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
+            if (weighted) {
+              for (std::size_t i = 0; i < width; ++i) level.weights[out + i] = static_cast<float>(belief[in + i]) * (1.0F / 255.0F);
+            }
+          }
+        }))
+      return false;
   } else {
     slices.sum.resize(perSlice * static_cast<std::size_t>(grid.dims.z));
     if (weighted) slices.weight.resize(slices.sum.size());

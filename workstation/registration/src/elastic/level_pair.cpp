@@ -185,15 +185,14 @@ bool LevelPair::trustAgreement(double window_mm, double least, double power, Pro
   }
   trust_ = std::move(map);
   // What was warped last is worth as much as what will be.
-  std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
-  for (int k = 0; k < fixed_->dims.z; ++k) {
+  return forEachTask(fixed_->dims.z, threads_, progress, "Registering", [&](int k) {
+    std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
     for (int j = 0; j < fixed_->dims.y; ++j) {
       trust_.row(j, k, fixed_->dims.x, line, row.data());
       float* weights = movedWeights_.data() + fixed_->rowOf(j, k);
       for (std::size_t i = 0; i < row.size(); ++i) weights[i] *= row[i];
     }
-  }
-  return true;
+  });
 }
 
 bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const {
