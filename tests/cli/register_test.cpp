@@ -8,6 +8,7 @@
 #include "ew/core/frames.h"
 #include "ew/io/vector_file.h"
 #include "ew/io/volume_file.h"
+#include "ew/phantom/speckled_tissue.h"
 #include "registration_files.h"
 
 namespace ew::test {
@@ -153,6 +154,136 @@ TEST_F(RegisterCommand, AFailureSaysWhyAndLeavesNothing) {
     EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
     EXPECT_EQ(folder.names(), before);
   }
+}
+
+/// Two views of speckled tissue: 40 voxels of 1.5 mm, the moving one turned by 8 degrees and shifted by 12 mm.
+class RegisterImages : public testing::Test {
+ protected:
+  static TissueView viewOfSide(int side, double voxel_mm) {
+    TissueView view;
+    view.grid.dims = glm::ivec3(side);
+    view.grid.spacing_mm = glm::dvec3(voxel_mm);
+    view.shared = 0.8;
+    return view;
+  }
+  void write(const SpeckledTissue& tissue, const TissueView& view, const std::string& name) const {
+    const auto image = imageOf(tissue, view, 0, noProgress());
+    ASSERT_TRUE(image);
+    ASSERT_TRUE(writeVolume(*image, folder / name));
+  }
+  void SetUp() override {
+    const SpeckledTissue tissue(4), other(40);
+    TissueView view = viewOfSide(48, 1.25);
+    write(tissue, view, "f.mha");
+    view.view = 2;
+    view.toTissue = [this](const glm::dvec3& q) { return glm::dvec3(glm::inverse(truth) * glm::dvec4(q, 1.0)); };
+    write(tissue, view, "m.mha");
+    write(other, view, "o.mha");
+  }
+  /// Worst error of a written transform at the corners of the fixed volume.
+  double errorOf(const std::string& file) const {
+    const auto found = cli::readTransform(folder / file);
+    if (!found) return 1e9;
+    double worst = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::dvec4 p(corner & 1 ? 59.0 : 0.0, corner & 2 ? 59.0 : 0.0, corner & 4 ? 59.0 : 0.0, 1.0);
+      worst = std::max(worst, glm::length(glm::dvec3((*found - truth) * p)));
+    }
+    return worst;
+  }
+  const glm::dmat4 truth = glm::rotate(glm::translate(glm::dmat4(1.0), {12.0, -3.0, 2.0}), 0.14, glm::normalize(glm::dvec3(0.2, 1.0, 0.4)));
+  TemporaryFolder folder;
+};
+
+TEST_F(RegisterImages, WithoutAnyStartTheVolumesAreMatchedAndThenRefinedFromThere) {
+  const auto matched = run({"register", folder / "f.mha", folder / "m.mha", "--method", "partial", "--max-turn", "15", "-o",
+                            folder / "t.txt", "--report", folder / "r.json"});
+  ASSERT_EQ(matched.status, 0) << matched.out << matched.err;
+  EXPECT_LT(errorOf("t.txt"), 1.0);
+  const auto report = readJson(folder / "r.json");
+  EXPECT_EQ(report["verdict"], "aligned");
+  EXPECT_GT(report["quality"]["margin"].get<double>(), 1.0);
+  EXPECT_NEAR(report["quality"]["turn_deg"].get<double>(), glm::degrees(0.14), 1.0);
+  EXPECT_FALSE(report["hypotheses"].empty());
+  EXPECT_FALSE(report["levels"].empty());
+
+  const auto refined = run({"register", folder / "f.mha", folder / "m.mha", "--method", "rigid", "--start", folder / "t.txt", "-o",
+                            folder / "u.txt", "--assess", "--report", folder / "r.json"});
+  ASSERT_EQ(refined.status, 0) << refined.out << refined.err;
+  EXPECT_LT(errorOf("u.txt"), 0.6);
+  const auto figures = readJson(folder / "r.json");
+  EXPECT_GT(figures["quality"]["local_correlation_after"].get<double>(), 0.3);
+  EXPECT_FALSE(figures["regions"].empty());
+  EXPECT_EQ(figures["covariance"].size(), 36u);
+}
+
+TEST_F(RegisterImages, StrangersAreRefusedWithStatusThree) {
+  const auto outcome =
+      run({"register", folder / "f.mha", folder / "o.mha", "--method", "partial", "--max-turn", "15", "-o", folder / "t.txt"});
+  EXPECT_EQ(outcome.status, 3) << outcome.out << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("Not aligned: ") || outcome.out.starts_with("Cannot tell: ")) << outcome.out;
+}
+
+TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds) {
+  const SpeckledTissue tissue(9);
+  TissueView view = viewOfSide(48, 0.8);
+  write(tissue, view, "a.mha");
+  const auto bend = [](const glm::dvec3& p) { return 2.5 * glm::dvec3(std::sin(p.y / 12.0), std::sin(p.z / 14.0), std::sin(p.x / 13.0)); };
+  view.view = 2;
+  view.toTissue = [&](const glm::dvec3& q) {
+    glm::dvec3 p = q;
+    for (int step = 0; step < 30; ++step) p = q - bend(p);
+    return p;
+  };
+  write(tissue, view, "b.mha");
+  const auto outcome = run({"register", folder / "a.mha", folder / "b.mha", "--method", "elastic3d", "--threads", "1", "-o",
+                            folder / "t.txt", "--field", folder / "field.mha", "--report", folder / "r.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const auto field = readVectorField(folder / "field.mha");
+  ASSERT_TRUE(field);
+  double before = 0.0;
+  double after = 0.0;
+  for (int k = 4; k < 44; k += 4)
+    for (int j = 4; j < 44; j += 4)
+      for (int i = 4; i < 44; i += 4) {
+        const glm::dvec3 u = bend(0.8 * glm::dvec3(i, j, k));
+        const float* found = field->values.data() + 3 * field->grid.indexOf(i, j, k);
+        before += glm::length(u) / 1000.0;
+        after += glm::length(glm::dvec3(found[0], found[1], found[2]) - u) / 1000.0;
+      }
+  EXPECT_LT(after, 0.35 * before) << before << " mm undone";
+  const auto report = readJson(folder / "r.json");
+  EXPECT_GT(report["quality"]["jacobian_min"].get<double>(), 0.0);
+  EXPECT_EQ(report["quality"]["folded_cells"], 0);
+  EXPECT_GT(report["levels"].size(), 1u);
+}
+
+TEST_F(RegisterImages, PicturesGiveATwoDimensionalFieldInTheCoordinatesOfBothHeaders) {
+  const SpeckledTissue tissue(12);
+  TissueView view = viewOfSide(128, 0.4);
+  view.grid.dims.z = 1;
+  view.grid.origin_mm = {3.0, 4.0, 0.0};
+  write(tissue, view, "a.mha");
+  view.view = 2;
+  view.toTissue = [](const glm::dvec3& q) { return q - glm::dvec3(1.2, -0.8, 0.0); };
+  write(tissue, view, "b.mha");
+  const auto outcome = run({"register", folder / "a.mha", folder / "b.mha", "--method", "elastic2d", "-o", folder / "t.txt", "--field",
+                            folder / "field.mha", "--moved", folder / "moved.mha"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const auto field = readVectorField(folder / "field.mha");
+  ASSERT_TRUE(field) << field.error();
+  EXPECT_EQ(field->components, 2);
+  EXPECT_NE(readText(folder / "field.mha").find("NDims = 2"), std::string::npos);
+  double worst = 0.0;
+  for (int j = 20; j < 108; j += 8)
+    for (int i = 20; i < 108; i += 8) {
+      const float* found = field->values.data() + 2 * field->grid.indexOf(i, j, 0);
+      worst = std::max(worst, std::hypot(static_cast<double>(found[0]) - 1.2, static_cast<double>(found[1]) + 0.8));
+    }
+  EXPECT_LT(worst, 0.5);
+  const auto refused = run({"register", folder / "f.mha", folder / "m.mha", "--method", "elastic2d", "-o", folder / "t.txt"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("takes two pictures"), std::string::npos) << refused.err;
 }
 
 TEST(RegistrationFiles, ATransformComesBackTheSameToTheLastBit) {

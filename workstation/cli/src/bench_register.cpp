@@ -291,6 +291,50 @@ std::vector<Trial> elastic3dTrials(const Pair& pair) {
   return trials;
 }
 
+std::vector<Trial> rigidTrials(const Pair& pair) {
+  std::vector<Trial> trials;
+  for (const double finest_mm : {3.0, 1.5, 0.9})
+    trials.push_back(
+        {"rigid", "voxels down to " + textOf(finest_mm) + " mm", &pair, [&pair, finest_mm](Progress& progress) -> Result<Answer> {
+           RefineOptions options;
+           options.finest_mm = finest_mm;
+           options.threads = 1;
+           auto result = refineRigid({&pair.fixed}, {&pair.moving}, pair.start, options, progress);
+           if (!result) return passOn(result.error());
+           return answerOf({.rigid = result->fixedToMoving, .control = {}}, result->verdict);
+         }});
+  return trials;
+}
+
+std::vector<Trial> partialTrials(const Pairs& pairs) {
+  std::vector<Trial> trials;
+  const auto add = [&](const Pair& pair, const std::string& setting, PartialOptions options) {
+    options.threads = options.refine.threads = 1;
+    trials.push_back({"partial", setting, &pair, [&pair, options](Progress& progress) -> Result<Answer> {
+                        auto result = matchPartial({&pair.fixed}, {&pair.moving}, options, progress);
+                        if (!result) return passOn(result.error());
+                        return answerOf({.rigid = result->best.fixedToMoving, .control = {}}, result->best.verdict);
+                      }});
+  };
+  for (const Pair& pair : pairs.partial) {
+    add(pair, "as it comes", {});
+    PartialOptions turns;
+    turns.stepTurn_deg = 15.0;
+    add(pair, "turns of 15 degrees", turns);
+    PartialOptions cells;
+    cells.cell_mm = 4.5;
+    add(pair, "cells of 4.5 mm", cells);
+    PartialOptions coarse;
+    coarse.refine.finest_mm = 1.8;
+    add(pair, "refined to 1.8 mm", coarse);
+    PartialOptions few;
+    few.hypotheses = 3;
+    add(pair, "3 hypotheses", few);
+  }
+  add(pairs.strangers, "as it comes", {});
+  return trials;
+}
+
 /// Landmarks picked with an error of 1 mm, one in five of them wrong: a figure per number of pairs, over many draws.
 json landmarkRows(std::uint64_t seed, Progress& progress) {
   json rows = json::array();
@@ -434,6 +478,8 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
     for (auto& trial : more) trials.push_back(std::move(trial));
   };
   append(elastic3dTrials(pairs->elastic));
+  append(rigidTrials(pairs->turned));
+  append(partialTrials(*pairs));
   append(elastic2dTrials(pairs->flat));
 
   json report = {{"machine", machineName()}, {"side", options.side},   {"repetitions", options.repetitions}, {"seed", options.seed},

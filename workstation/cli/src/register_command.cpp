@@ -9,6 +9,7 @@
 #include "ew/registration/deformation.h"
 #include "ew/registration/elastic.h"
 #include "ew/registration/landmarks.h"
+#include "ew/registration/quality.h"
 #include "ew/registration/rigid.h"
 #include "registration_files.h"
 
@@ -42,6 +43,7 @@ struct RegisterArguments {
   std::optional<double> maxMotion_mm;
   std::optional<double> maxTime_s;
   bool singleResolution = false;
+  bool assess = false;
 };
 
 /// A side as read: the volume and what goes with it.
@@ -206,6 +208,62 @@ Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed,
   return found;
 }
 
+void rigidInto(Found& found, const RigidResult& result) {
+  found.verdict = result.verdict;
+  found.reason = result.reason;
+  found.stop = result.stop;
+  found.fixedToMoving.rigid = result.fixedToMoving;
+  agreementInto(found.quality, result.before, result.after);
+  found.quality["conditioning"] = result.conditioning;
+  found.quality["halves_disagree_mm"] = result.halvesDisagree_mm;
+  found.quality["residual_rms"] = result.residualRms;
+  if (result.covariance) {
+    found.details["covariance"] = *result.covariance;
+    found.details["covariance_centre_mm"] = {result.centre_mm.x, result.centre_mm.y, result.centre_mm.z};
+  }
+}
+
+Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, const Side& moving, const glm::dmat4& start,
+                      Progress& progress, const OnLevel& onLevel) {
+  RefineOptions options;
+  options.finest_mm = arguments.finest_mm.value_or(options.finest_mm);
+  options.coarsest_mm = std::max(options.coarsest_mm, options.finest_mm);
+  options.threads = arguments.threads;
+  const auto result = refineRigid(fixed.input(), moving.input(), start, options, progress, onLevel);
+  if (!result) return passOn(result.error());
+  Found found;
+  rigidInto(found, *result);
+  return found;
+}
+
+Result<Found> byPartial(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress,
+                        const OnLevel& onLevel) {
+  PartialOptions options;
+  options.maxTurn_deg = arguments.maxTurn_deg.value_or(options.maxTurn_deg);
+  options.stepTurn_deg = arguments.stepTurn_deg.value_or(options.stepTurn_deg);
+  options.leastOverlap = arguments.leastOverlap.value_or(options.leastOverlap);
+  options.refine.finest_mm = arguments.finest_mm.value_or(options.refine.finest_mm);
+  options.refine.coarsest_mm = std::max(options.refine.coarsest_mm, options.refine.finest_mm);
+  options.threads = options.refine.threads = arguments.threads;
+  run.report.options["max_turn_deg"] = options.maxTurn_deg;
+  run.report.options["step_turn_deg"] = options.stepTurn_deg;
+  const auto forecast = forecastPartial_bytes(fixed.volume.grid, moving.volume.grid, options);
+  const auto result = matchPartial(fixed.input(), moving.input(), options, progress, onLevel);
+  if (!result) return passOn(result.error());
+  Found found;
+  rigidInto(found, result->best);
+  found.quality["margin"] = result->margin;
+  found.quality["poses_searched"] = result->poses;
+  found.quality["forecast_mib"] = static_cast<double>(forecast) / 1048576.0;
+  auto& rows = found.details["hypotheses"] = nlohmann::json::array();
+  for (const auto& hypothesis : result->hypotheses)
+    rows.push_back({{"fixed_to_moving", rowsOf(hypothesis.fixedToMoving)},
+                    {"significance", hypothesis.significance},
+                    {"correlation", hypothesis.correlation},
+                    {"overlap_share", hypothesis.overlapShare}});
+  return found;
+}
+
 bool isOneOf(const std::string& method, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* name) { return method == name; });
 }
@@ -253,10 +311,38 @@ Result<Found> findTransform(const RegisterArguments& arguments, const Side& fixe
     if (method == "landmarks") return byLandmarks(arguments, fixed, moving, run);
     if (method == "elastic2d") return byElastic2d(arguments, fixed, moving, run, progress, onLevel);
     if (method == "elastic3d") return byElastic3d(arguments, fixed, moving, start, run, progress, onLevel);
-    return failure(ErrorCode::unsupported, "The method " + method + " is not in this build.");
+    if (method == "rigid") return byRigid(arguments, fixed, moving, start, progress, onLevel);
+    return byPartial(arguments, fixed, moving, run, progress, onLevel);
   }();
   if (found) found->levels = std::move(levels);
   return found;
+}
+
+/// `--assess`: the figures of ew/registration/quality.h, against where it started.
+Result<void> assess(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Found& found, Progress& progress) {
+  glm::dmat4 before(1.0);
+  if (!arguments.start.empty()) {
+    const auto start = readTransform(arguments.start);
+    if (!start) return passOn(start.error());
+    before = *start;
+  }
+  QualityOptions options;
+  options.threads = arguments.threads;
+  const auto quality = assessQuality(fixed.input(), moving.input(), before, found.fixedToMoving, nullptr, options, progress);
+  if (!quality) return passOn(quality.error());
+  found.quality["grey_correlation_before"] = quality->greyCorrelationBefore;
+  found.quality["grey_correlation_after"] = quality->greyCorrelationAfter;
+  found.quality["local_correlation_before"] = quality->localCorrelationBefore;
+  found.quality["local_correlation_after"] = quality->localCorrelationAfter;
+  found.quality["residual_rms_grey"] = quality->residualRms_grey;
+  found.details["residual_histogram"] = quality->residualHistogram;
+  auto& rows = found.details["regions"] = nlohmann::json::array();
+  for (const RegionQuality& region : quality->regions)
+    rows.push_back({{"centre_mm", {region.centre_mm.x, region.centre_mm.y, region.centre_mm.z}},
+                    {"voxels", region.voxels},
+                    {"correlation", region.correlation},
+                    {"uncertainty_mm", std::isfinite(region.uncertainty_mm) ? nlohmann::json(region.uncertainty_mm) : nlohmann::json()}});
+  return {};
 }
 
 /// The turn and the shift of the fixed volume's middle: what a person compares with what they expect.
@@ -297,10 +383,15 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
   }
   auto found = [&] {
     const StepClock clock(run.report, "register");
-    PartOfProgress registering(run.progress, 0.06, 0.9);
+    PartOfProgress registering(run.progress, 0.06, arguments.assess ? 0.85 : 0.9);
     return findTransform(arguments, fixed, moving, run, registering);
   }();
   if (!found) return passOn(found.error());
+  if (arguments.assess) {
+    const StepClock clock(run.report, "assess");
+    PartOfProgress assessing(run.progress, 0.85, 0.9);
+    if (auto assessed = assess(arguments, fixed, moving, *found, assessing); !assessed) return passOn(assessed.error());
+  }
   if (arguments.moved.empty()) moving = {};  // the field needs the memory more
 
   {
@@ -399,6 +490,8 @@ void addRegister(CLI::App& root, Selection& selection) {
   addNumber(app, "--max-motion", arguments->maxMotion_mm, {0.0, 100.0}, "elastic3d: how far the first search looks, mm; 0: none (12)");
   addNumber(app, "--max-time", arguments->maxTime_s, {0.01, 1e6}, "elastic3d: stop with the best so far after so many seconds (no limit)");
   app.add_flag("--single-resolution", arguments->singleResolution, "elastic2d: the finest level alone, which fails where several converge");
+  app.add_flag("--assess", arguments->assess,
+               "Also report local correlation, residuals and what is known of each region (not of pictures); a second or more");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the result does not depend on it (0)");
 }
 
