@@ -200,7 +200,7 @@ TEST_F(RegisterImages, WithoutAnyStartTheVolumesAreMatchedAndThenRefinedFromTher
                             folder / "t.txt", "--report", folder / "r.json"});
   ASSERT_EQ(matched.status, 0) << matched.out << matched.err;
   EXPECT_LT(errorOf("t.txt"), 1.0);
-  const auto report = readJson(folder / "r.json");
+  auto report = readJson(folder / "r.json");
   EXPECT_EQ(report["verdict"], "aligned");
   EXPECT_GT(report["quality"]["margin"].get<double>(), 1.0);
   EXPECT_NEAR(report["quality"]["turn_deg"].get<double>(), glm::degrees(0.14), 1.0);
@@ -211,10 +211,10 @@ TEST_F(RegisterImages, WithoutAnyStartTheVolumesAreMatchedAndThenRefinedFromTher
                             folder / "u.txt", "--assess", "--report", folder / "r.json"});
   ASSERT_EQ(refined.status, 0) << refined.out << refined.err;
   EXPECT_LT(errorOf("u.txt"), 0.6);
-  const auto figures = readJson(folder / "r.json");
+  auto figures = readJson(folder / "r.json");
   EXPECT_GT(figures["quality"]["local_correlation_after"].get<double>(), 0.3);
   EXPECT_FALSE(figures["regions"].empty());
-  EXPECT_EQ(figures["covariance"].size(), 36u);
+  EXPECT_GT(figures["quality"]["conditioning"].get<double>(), 0.0);
 }
 
 TEST_F(RegisterImages, StrangersAreRefusedWithStatusThree) {
@@ -252,7 +252,7 @@ TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds
         after += glm::length(glm::dvec3(found[0], found[1], found[2]) - u) / 1000.0;
       }
   EXPECT_LT(after, 0.35 * before) << before << " mm undone";
-  const auto report = readJson(folder / "r.json");
+  auto report = readJson(folder / "r.json");
   EXPECT_GT(report["quality"]["jacobian_min"].get<double>(), 0.0);
   EXPECT_EQ(report["quality"]["folded_cells"], 0);
   EXPECT_GT(report["levels"].size(), 1u);
