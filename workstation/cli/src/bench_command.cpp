@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "bench_frame.h"
 #include "bench_page.h"
+#include "bench_paper.h"
 #include "bench_reconstruct.h"
 #include "bench_register.h"
 #include "bench_slicing.h"
@@ -18,6 +19,7 @@ using nlohmann::json;
 
 struct BenchArguments {
   std::string html;
+  std::string paper;  ///< folder for the figures
   std::vector<std::string> sides;
   int sliceSide = 400;
   glm::ivec2 frame_px{1024, 768};
@@ -218,6 +220,8 @@ enum class Bench { slicing, frame, reconstruct, registration, stitch, all };
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (!arguments.html.empty())
     if (auto writable = run.outputs.announceFolder(arguments.html); !writable) return passOn(writable.error());
+  if (!arguments.paper.empty())
+    if (auto writable = run.outputs.announceFolder(arguments.paper); !writable) return passOn(writable.error());
   std::vector<BenchSection> sections;
   std::string machine;
   const auto take = [&](const char* name, Result<json> measured, std::vector<BenchSection> (*sectionsOf)(const json&)) -> Result<void> {
@@ -253,6 +257,15 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
   if (wants(Bench::registration)) {
     PartOfProgress part = share(0.7, 0.9);
     if (auto taken = take("register", registering(arguments, run, part), registerSections); !taken) return passOn(taken.error());
+  }
+  if (wants(Bench::registration) && !arguments.paper.empty()) {
+    PartOfProgress part = share(0.9, 0.9);
+    PaperBenchOptions options;
+    options.seed = arguments.seed;
+    auto figures = benchPaper(options, arguments.paper, part);
+    if (!figures) return passOn(figures.error());
+    for (auto& section : paperSections(*figures)) sections.push_back(std::move(section));
+    run.report.quality["paper"] = *std::move(figures);
   }
   if (wants(Bench::stitch)) {
     PartOfProgress part = share(0.9, 1.0);
@@ -294,6 +307,8 @@ void addBench(CLI::App& root, Selection& selection) {
     if (what == Bench::registration || what == Bench::all) {
       addCount(app, what == Bench::all ? "--pair-side" : "--side", arguments->pairSide, 48, 256,
                "Voxels a side of a pair to register (96)");
+      app.add_option("--paper", arguments->paper, "Write figures 6 to 8 of the 1998 paper, made from a virtual patient, to this folder")
+          ->type_name("DIR");
     }
     if (what == Bench::stitch || what == Bench::all)
       addCount(app, what == Bench::all ? "--view-side" : "--side", arguments->viewSide, 64, 320, "Voxels a side of a view to join (128)");
