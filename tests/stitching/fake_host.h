@@ -54,6 +54,12 @@ class MemoryVolumes final : public sdk::Volumes {
   explicit MemoryVolumes(sdk::Files& files) : files_(files) {}
   std::map<std::string, Volume> volumes;
   std::map<std::string, Volume> written;
+  /// The last volume written to a file whose name ends like this.
+  [[nodiscard]] Volume writtenAs(const std::string& ending) const {
+    for (const auto& [name, volume] : written)
+      if (name.ends_with(ending)) return volume;
+    return {};
+  }
   int writesLeft = 1000;
 
  private:

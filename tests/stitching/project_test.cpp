@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "logic/chain.h"
 
@@ -134,6 +135,35 @@ TEST(StitchProject, DiffersFromItselfWithAnyFieldOfTheFileChanged) {
     ASSERT_TRUE(read) << pointer << read.error();
     EXPECT_FALSE(*read == plain()) << pointer;
   }
+}
+
+/// Names of all fields, "pairs[].landmarks[].name" and so on.
+void fieldsOf(const json& value, const std::string& name, std::set<std::string>& fields) {
+  if (value.is_object()) {
+    for (const auto& [key, each] : value.items()) {
+      const std::string path = name.empty() ? key : name + "." + key;
+      fields.insert(path);
+      fieldsOf(each, path, fields);
+    }
+  } else if (value.is_array()) {
+    for (const auto& each : value) fieldsOf(each, name + "[]", fields);
+  }
+}
+
+void fieldsOfSchema(const json& schema, const std::string& name, std::set<std::string>& fields) {
+  for (const auto& [key, each] : schema.value("properties", json::object()).items()) {
+    const std::string path = name.empty() ? key : name + "." + key;
+    fields.insert(path);
+    fieldsOfSchema(each, path, fields);
+  }
+  if (schema.contains("items")) fieldsOfSchema(schema["items"], name + "[]", fields);
+}
+
+TEST(StitchProject, HasTheFieldsOfItsSchemaAndNoOthers) {
+  std::set<std::string> written, described;
+  fieldsOf(json::parse(projectText(fullProject(), "/data")), "", written);
+  fieldsOfSchema(json::parse(textOf(EW_SOURCE_DIR "/resources/schemas/stitch.schema.json")), "", described);
+  EXPECT_EQ(written, described);
 }
 
 TEST(StitchProject, OfTheFirstFormatJoinsVolumesAsTheyLie) {
@@ -326,28 +356,29 @@ TEST_F(StitchCommand, WritesVolumeCoverageSourceAndProvenance) {
   ASSERT_TRUE(outcome) << outcome.error();
   EXPECT_EQ(outcome->outputs.size(), 4u);
   for (const auto& file : outcome->outputs) EXPECT_TRUE(std::filesystem::exists(file)) << file;
-  EXPECT_EQ(entriesOf(folder / "out"), 4u);
-  EXPECT_EQ(volumes.written["volume.mha"].grid.dims, glm::ivec3(12, 4, 4));
+  EXPECT_EQ(entriesOf(folder / "out"), 5u) << "and the folder of the steps";
+  EXPECT_EQ(volumes.writtenAs("volume.mha").grid.dims, glm::ivec3(12, 4, 4));
   const json provenance = json::parse(textOf(folder / "out/provenance.json"));
   EXPECT_EQ(provenance["inputs"].size(), 2u);
   EXPECT_EQ(provenance["inputs"][1]["to_world"][3], 4.0);
   EXPECT_NEAR(provenance["overlap_share"].get<double>(), 4.0 / 12.0, 1e-12);
 }
 
-TEST_F(StitchCommand, LeavesNothingBehindWhenWritingFails) {
-  for (const int writes : {0, 1, 2}) {
-    volumes.writesLeft = writes;
-    const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
-    ASSERT_FALSE(outcome);
-    EXPECT_EQ(outcome.error().code, ErrorCode::notWritable);
-    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "a folder made for this goes again";
-  }
+TEST_F(StitchCommand, LeavesNoHalfResultWhenWritingFails) {
   std::filesystem::create_directory(folder / "old");
   writeText(folder / "old/volume.mha", "the result of last week");
-  volumes.writesLeft = 2;
-  ASSERT_FALSE(run({(folder / "p.json").string(), "-o", (folder / "old").string()}));
-  EXPECT_EQ(textOf(folder / "old/volume.mha"), "the result of last week");
-  EXPECT_EQ(entriesOf(folder / "old"), 1u);
+  writeText(folder / "old/provenance.json", "{}");
+  for (const int writes : {0, 1, 2}) {
+    volumes.writesLeft = writes;
+    const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "old").string()});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::notWritable);
+    EXPECT_EQ(textOf(folder / "old/volume.mha"), "the result of last week");
+    EXPECT_EQ(entriesOf(folder / "old"), 3u);
+  }
+  volumes.writesLeft = 1000;
+  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", (folder / "old").string()}));
+  EXPECT_NE(textOf(folder / "old/volume.mha"), "the result of last week");
 }
 
 TEST_F(StitchCommand, SaysHowItIsUsed) {

@@ -39,16 +39,27 @@ struct StepOutcome {
   std::uint64_t forecast_bytes = 0;
 };
 
+/// How the group bends.
+struct BendSummary {
+  std::size_t pairs = 0;
+  double largest_mm = 0.0;
+  double smallestJacobian = 1.0;
+  double disagreementMedian_mm = 0.0;  ///< what the pairs still differ by when all are heard
+  double disagreement95_mm = 0.0;
+};
+
 /// All that is known about a project in its output folder.
 struct ChainState {
   std::vector<StepOutcome> steps;                      ///< one per Step
   std::vector<std::shared_ptr<const Volume>> volumes;  ///< one per line, after `reconstruct`
   std::vector<GreyCorrection> corrections;
-  std::vector<PairOutcome> pairs;
+  std::vector<PairOutcome> pairs;  ///< in order of fixed, then moving; a rejected one only where it is known from before
   std::optional<registration::GraphResult> graph;
-  std::vector<registration::ControlGrid> bends;  ///< one per volume, world; after `elastic`
+  std::vector<registration::ControlGrid> bends;  ///< one per volume, world; empty lattices where nothing bends; after `elastic`
+  BendSummary bendSummary;
   std::vector<std::vector<registration::Level>> elasticLevels;
-  std::optional<SeamMap> seams;
+  std::optional<SeamMap> seams;      ///< of the project's volumes by their numbers
+  std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
   registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
@@ -59,6 +70,9 @@ struct ChainOptions {
   Step until = Step::volume;
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
+  bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
+  /// Results of more voxels are written block by block, uncompressed; the voxels do not depend on it.
+  std::uint64_t streamAbove_voxels = 1ull << 28;
   /// Called on the working thread when a level of a pair's registration ends.
   std::function<void(std::size_t fixed, std::size_t moving, const registration::Level&)> onLevel;
 };

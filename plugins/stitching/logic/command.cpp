@@ -14,6 +14,47 @@ std::string namesOfSteps() {
   return names;
 }
 
+void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
+  auto& quality = outcome.quality;
+  std::uint64_t peak = 0;
+  std::size_t reused = 0;
+  for (const auto& step : state.steps) {
+    if (!step.done) continue;
+    outcome.steps.emplace_back(nameOf(step.step), step.seconds);
+    reused += step.reused ? 1u : 0u;
+    peak = std::max(peak, step.forecast_bytes);
+  }
+  quality.emplace_back("steps_reused", static_cast<double>(reused));
+  quality.emplace_back("forecast_mib", static_cast<double>(peak) / (1024.0 * 1024.0));
+  if (!state.pairs.empty()) {
+    const auto aligned = std::count_if(state.pairs.begin(), state.pairs.end(),
+                                       [](const PairOutcome& pair) { return pair.rigid.verdict == registration::Verdict::aligned; });
+    const auto wrong = std::count_if(state.pairs.begin(), state.pairs.end(), [](const PairOutcome& pair) { return pair.wrong; });
+    quality.emplace_back("pairs", static_cast<double>(state.pairs.size()));
+    quality.emplace_back("pairs_aligned", static_cast<double>(aligned));
+    quality.emplace_back("pairs_wrong", static_cast<double>(wrong));
+  }
+  if (state.graph) quality.emplace_back("closure_mm", state.graph->closure_mm);
+  if (state.bendSummary.pairs > 0) {
+    quality.emplace_back("largest_bend_mm", state.bendSummary.largest_mm);
+    quality.emplace_back("smallest_jacobian", state.bendSummary.smallestJacobian);
+    quality.emplace_back("bends_disagree_95_mm", state.bendSummary.disagreement95_mm);
+  }
+  if (!state.report) return;
+  quality.emplace_back("overlap_share", state.report->overlapShare);
+  quality.emplace_back("disagreement_rms_grey", state.report->disagreementRms);
+  if (state.report->seam.voxels > 0) {
+    quality.emplace_back("seam_derivative_ratio", state.report->seam.derivativeRatio);
+    quality.emplace_back("seam_speckle_ratio", state.report->seam.speckleRatio);
+    quality.emplace_back("seam_mean_step_db", state.report->seam.meanStep_db);
+  }
+  std::size_t joined = 0;
+  for (std::size_t v = 0; v < state.report->contributions.size() + state.leftOut.size(); ++v) {
+    if (std::find(state.leftOut.begin(), state.leftOut.end(), v) != state.leftOut.end()) continue;
+    quality.emplace_back("contributed_voxels_" + std::to_string(v + 1), static_cast<double>(state.report->contributions[joined++].voxels));
+  }
+}
+
 }  // namespace
 
 const char* const kStitchHelp =
@@ -72,6 +113,7 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   if (!text) return passOn(text.error());
   auto project = parseProject(*text, fs::path(projectFile).parent_path(), files);
   if (!project) return passOn(project.error());
+  options.keepVolumes = false;
   auto state = runChain(*project, folder, options, volumes, files, progress);
   if (!state) return passOn(state.error());
   if (state->report)
@@ -80,14 +122,11 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   sdk::Commands::Outcome outcome;
   for (const auto& file : {state->volume, state->coverage, state->source, state->provenance})
     if (!file.empty()) outcome.outputs.push_back(file.string());
-  for (const auto& step : state->steps)
-    if (step.done) outcome.quality.emplace_back(std::string(nameOf(step.step)) + "_seconds", step.seconds);
-  if (state->report) {
-    outcome.quality.emplace_back("overlap_share", state->report->overlapShare);
-    outcome.quality.emplace_back("disagreement_rms_grey", state->report->disagreementRms);
-    for (std::size_t n = 0; n < state->report->contributions.size(); ++n)
-      outcome.quality.emplace_back("contributed_voxels_" + std::to_string(n + 1),
-                                   static_cast<double>(state->report->contributions[n].voxels));
+  tellQuality(*state, outcome);
+  // Recorded places that are taken as they are were judged by nobody.
+  if (state->graph && !state->pairs.empty()) {
+    outcome.verdict = registration::nameOf(state->verdict);
+    outcome.reason = state->reason;
   }
   return outcome;
 }

@@ -63,6 +63,7 @@ int openWindow(int, char**, const ew::cli::WindowWish&) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a sentence and a clean folder, not the end of the program
   spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));  // the output stream is for results
   const std::vector<std::string> args(argv + 1, argv + argc);
   if (ew::cli::isHeadless(args)) return runHeadless(args);

@@ -1,0 +1,220 @@
+#include "logic/pair_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "logic/images.h"
+
+namespace ew::stitching {
+namespace {
+
+using registration::PoseCovariance;
+using registration::RigidResult;
+using registration::Verdict;
+
+constexpr double kByHand_mm = 3.0;  ///< what a person reaches by dragging
+constexpr double kByHand_deg = 3.0;
+/// Beyond such an error of the tracker a refinement may lie outside its reach, so that a search has to follow when it fails.
+constexpr double kReach_mm = 8.0;
+constexpr double kReach_deg = 6.0;
+constexpr double kSample_mm = 3.0;  ///< between the points at which an overlap is looked for
+
+std::vector<float> sharesOf(std::span<const std::uint8_t> confidence) {
+  std::vector<float> shares(confidence.size());
+  std::transform(confidence.begin(), confidence.end(), shares.begin(), [](std::uint8_t c) { return static_cast<float>(c) / 255.0f; });
+  return shares;
+}
+
+glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
+
+/// The largest distance between where two transforms take the corners of a grid.
+double farthestApart_mm(const Grid& grid, const glm::dmat4& a, const glm::dmat4& b) {
+  double farthest = 0.0;
+  const glm::dmat4 toWorld = grid.voxelToWorld().matrix;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p = carried(
+        toWorld, glm::dvec3((corner & 1) * (grid.dims.x - 1), ((corner >> 1) & 1) * (grid.dims.y - 1), (corner >> 2) * (grid.dims.z - 1)));
+    farthest = std::max(farthest, glm::distance(carried(a, p), carried(b, p)));
+  }
+  return farthest;
+}
+
+RigidResult rigidOf(const registration::LandmarkResult& found) {
+  RigidResult rigid;
+  rigid.verdict = found.verdict;
+  rigid.reason = found.reason;
+  rigid.fixedToMoving = found.fixedToMoving;
+  rigid.conditioning = found.conditioning;
+  rigid.stop = found.stop;
+  return rigid;
+}
+
+}  // namespace
+
+PoseCovariance evenCovariance(double deviation_mm, double deviation_deg) {
+  PoseCovariance covariance{};
+  const double turn_rad = deviation_deg * std::numbers::pi / 180.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    covariance[axis * 7] = deviation_mm * deviation_mm;
+    covariance[(axis + 3) * 7] = turn_rad * turn_rad;
+  }
+  return covariance;
+}
+
+std::optional<PoseCovariance> landmarkCovariance(std::span<const registration::LandmarkPair> landmarks,
+                                                 const registration::LandmarkResult& found, const glm::dvec3& centre_mm,
+                                                 double pickError_mm) {
+  glm::dvec3 mean(0.0);
+  double count = 0.0;
+  for (std::size_t n = 0; n < landmarks.size(); ++n) {
+    const double weight = n < found.weight.size() ? found.weight[n] : 1.0;
+    mean += weight * landmarks[n].fixed_mm;
+    count += weight;
+  }
+  if (count < 2.5) return std::nullopt;
+  mean /= count;
+  glm::dmat3 inertia(0.0);
+  for (std::size_t n = 0; n < landmarks.size(); ++n) {
+    const double weight = n < found.weight.size() ? found.weight[n] : 1.0;
+    const glm::dvec3 r = landmarks[n].fixed_mm - mean;
+    inertia += weight * (glm::dot(r, r) * glm::dmat3(1.0) - glm::outerProduct(r, r));
+  }
+  if (!(glm::determinant(inertia) > 1e-3)) return std::nullopt;  // all on a line: the turn about it is free
+  // Both places are met within pickError_mm, so their difference within its root of two.
+  const double variance = 2.0 * pickError_mm * pickError_mm;
+  const glm::dmat3 turn = variance * glm::inverse(inertia);
+  // At another centre the turn moves it: error there = error at the mean + turn x arm.
+  const glm::dvec3 arm = centre_mm - mean;
+  const glm::dmat3 cross(0.0, arm.z, -arm.y, -arm.z, 0.0, arm.x, arm.y, -arm.x, 0.0);  // columns: cross * w = arm x w
+  const glm::dmat3 shift = variance / count * glm::dmat3(1.0) + cross * turn * glm::transpose(cross);
+  const glm::dmat3 mixed = -1.0 * (cross * turn);
+  PoseCovariance covariance{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      const auto at = [](int r, int c) { return static_cast<std::size_t>(6 * r + c); };
+      covariance[at(row, column)] = shift[column][row];
+      covariance[at(row + 3, column + 3)] = turn[column][row];
+      covariance[at(row, column + 3)] = mixed[column][row];
+      covariance[at(column + 3, row)] = mixed[column][row];
+    }
+  return covariance;
+}
+
+PairMethod firstMethod(const PairTask& task) {
+  if (task.method != PairMethod::automatic) return task.method;
+  if (task.landmarks.size() >= 3) return PairMethod::landmarks;
+  return task.placesKnown ? PairMethod::refine : PairMethod::search;
+}
+
+std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const PairTask& task) {
+  registration::PartialOptions options;
+  options.maxTurn_deg = task.maxTurn_deg;
+  // Confidences as numbers, and the images made comparable at the finest level.
+  const std::uint64_t refined = 16 * static_cast<std::uint64_t>(fixed.voxelCount() + moving.voxelCount());
+  const PairMethod first = firstMethod(task);
+  const bool searches = first == PairMethod::search || task.method == PairMethod::automatic;
+  return std::max(refined, searches ? images::forecastSearch_bytes(fixed, moving, options) : 0);
+}
+
+std::optional<glm::dvec3> overlapCentre(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving) {
+  const Grid& grid = fixed.grid;
+  const glm::dmat4 toFixed = grid.voxelToWorld().matrix;
+  const glm::dmat4 toMoving = moving.grid.worldToVoxel().matrix * fixedToMoving * toFixed;
+  glm::ivec3 step(1);
+  for (int axis = 0; axis < 3; ++axis) step[axis] = std::max(1, static_cast<int>(kSample_mm / grid.spacing_mm[axis]));
+  glm::dvec3 sum(0.0);
+  std::size_t count = 0;
+  for (int k = 0; k < grid.dims.z; k += step.z)
+    for (int j = 0; j < grid.dims.y; j += step.y)
+      for (int i = 0; i < grid.dims.x; i += step.x) {
+        if (fixed.coverageAt(grid.indexOf(i, j, k)) == Coverage::absent) continue;
+        const glm::dvec3 voxel(i, j, k);
+        const glm::ivec3 there(glm::floor(carried(toMoving, voxel) + 0.5));
+        if (!moving.grid.contains(there) || moving.coverageAt(moving.grid.indexOf(there.x, there.y, there.z)) == Coverage::absent) continue;
+        sum += voxel;
+        ++count;
+      }
+  if (count == 0) return std::nullopt;
+  return carried(toFixed, sum / static_cast<double>(count));
+}
+
+Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads, Progress& progress,
+                              const registration::OnLevel& onLevel) {
+  const auto named = [&](Error problem) {
+    if (problem.code != ErrorCode::cancelled)
+      problem.sentence = "'" + fixed.name + "' and '" + moving.name + "' could not be registered. " + problem.sentence;
+    return passOn(std::move(problem));
+  };
+  const std::vector<float> fixedConfidence = sharesOf(fixed.confidence);
+  const std::vector<float> movingConfidence = sharesOf(moving.confidence);
+  const registration::Input fixedInput{fixed.volume.get(), fixedConfidence};
+  const registration::Input movingInput{moving.volume.get(), movingConfidence};
+  registration::RefineOptions refining;
+  refining.threads = threads;
+  const auto search = [&](Progress& part) {
+    registration::PartialOptions searching;
+    searching.maxTurn_deg = task.maxTurn_deg;
+    searching.refine = refining;
+    searching.threads = threads;
+    return images::search(fixedInput, movingInput, searching, part, onLevel);
+  };
+
+  const auto meetingPoint = [&](const glm::dmat4& fixedToMoving) {
+    const Grid& grid = fixed.volume->grid;
+    return overlapCentre(*fixed.volume, *moving.volume, fixedToMoving)
+        .value_or(carried(grid.voxelToWorld().matrix, 0.5 * glm::dvec3(grid.dims - 1)));
+  };
+
+  PairOutcome outcome;
+  outcome.used = firstMethod(task);
+  switch (outcome.used) {
+    case PairMethod::byHand:
+      outcome.rigid.verdict = Verdict::aligned;
+      outcome.rigid.reason = "Placed by hand.";
+      outcome.rigid.fixedToMoving = task.start;
+      outcome.rigid.covariance = evenCovariance(kByHand_mm, kByHand_deg);
+      outcome.rigid.centre_mm = meetingPoint(task.start);
+      return outcome;
+    case PairMethod::landmarks: {
+      auto found = registration::registerLandmarks(task.landmarks);
+      if (!found) return named(found.error());
+      outcome.rigid = rigidOf(*found);
+      const registration::LandmarkOptions picked;
+      outcome.rigid.centre_mm = meetingPoint(found->fixedToMoving);
+      outcome.rigid.covariance = landmarkCovariance(task.landmarks, *found, outcome.rigid.centre_mm, picked.pickError_mm);
+      const double trusted_mm = 3.0 * std::max(picked.pickError_mm, found->expectedError_mm);
+      outcome.landmarks = std::move(*found);
+      if (task.method != PairMethod::automatic || outcome.rigid.verdict == Verdict::cannotTell) return outcome;
+      // The images say it better than fingers do, as long as they do not run away from them.
+      auto refined = images::refine(fixedInput, movingInput, outcome.rigid.fixedToMoving, refining, progress, onLevel);
+      if (!refined) return named(refined.error());
+      if (refined->verdict == Verdict::aligned &&
+          farthestApart_mm(fixed.volume->grid, refined->fixedToMoving, outcome.rigid.fixedToMoving) < 2.0 * trusted_mm)
+        outcome.rigid = std::move(*refined);
+      return outcome;
+    }
+    case PairMethod::refine: {
+      PartOfProgress part(progress, 0.0, task.method == PairMethod::refine ? 1.0 : 0.3);
+      auto refined = images::refine(fixedInput, movingInput, task.start, refining, part, onLevel);
+      if (!refined) return named(refined.error());
+      outcome.rigid = std::move(*refined);
+      const bool beyondReach = task.trackerError_mm > kReach_mm || task.trackerError_deg > kReach_deg;
+      if (task.method == PairMethod::refine || outcome.rigid.verdict == Verdict::aligned || !beyondReach) return outcome;
+      break;
+    }
+    case PairMethod::search:
+    case PairMethod::automatic:
+      break;
+  }
+  PartOfProgress part(progress, outcome.used == PairMethod::refine ? 0.3 : 0.0, 1.0);
+  auto found = search(part);
+  if (!found) return named(found.error());
+  if (outcome.used == PairMethod::refine && found->best.verdict != Verdict::aligned) return outcome;
+  outcome.used = PairMethod::search;
+  outcome.rigid = std::move(found->best);
+  outcome.hypotheses = std::move(found->hypotheses);
+  return outcome;
+}
+
+}  // namespace ew::stitching

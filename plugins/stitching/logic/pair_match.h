@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "ew/registration/pose_graph.h"
+#include "logic/chain.h"
+
+namespace ew::stitching {
+
+/// A volume of a project as the steps use it.
+struct LoadedView {
+  std::shared_ptr<const Volume> volume;
+  std::vector<std::uint8_t> confidence;  ///< 255 for 1; empty: 1 wherever covered
+  glm::dvec3 depthAxis{0.0};
+  std::string name;
+};
+
+/// What is asked of one pair, with everything that its answer depends on.
+struct PairTask {
+  PairMethod method = PairMethod::automatic;
+  bool placesKnown = false;
+  glm::dmat4 start{1.0};  ///< fixedToMoving: from the places or by hand
+  std::vector<registration::LandmarkPair> landmarks;
+  double maxTurn_deg = 30.0;
+  double trackerError_mm = 3.0;
+  double trackerError_deg = 2.0;
+};
+
+/// Which way an automatic pair goes at first.
+[[nodiscard]] PairMethod firstMethod(const PairTask& task);
+
+/// Memory for it at the peak, both volumes not counted.
+[[nodiscard]] std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const PairTask& task);
+
+/// Brings two volumes together rigidly as the task says.
+/// @error what registering says, with the names of both volumes; cancelled
+[[nodiscard]] Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads,
+                                            Progress& progress, const registration::OnLevel& onLevel);
+
+/// Middle of what both cover, in the fixed frame; nothing when they do not meet.
+[[nodiscard]] std::optional<glm::dvec3> overlapCentre(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving);
+
+/// Deviations of the same size along and about each axis.
+[[nodiscard]] registration::PoseCovariance evenCovariance(double deviation_mm, double deviation_deg);
+
+/// How well pairs of landmarks fix a pose, about `centre_mm` in the fixed frame, when each place is met within pickError_mm.
+[[nodiscard]] std::optional<registration::PoseCovariance> landmarkCovariance(std::span<const registration::LandmarkPair> landmarks,
+                                                                             const registration::LandmarkResult& found,
+                                                                             const glm::dvec3& centre_mm, double pickError_mm);
+
+}  // namespace ew::stitching

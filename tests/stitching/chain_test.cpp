@@ -1,0 +1,306 @@
+#include "logic/chain.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+
+#include "stitching/chain_world.h"
+#include "time_limit.h"
+
+namespace ew::stitching {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ChainWorld;
+using test::textOf;
+
+/// Asks to stop a while after work in a certain part of the whole began, and knows when.
+class StopAt final : public Progress {
+ public:
+  explicit StopAt(int reports) : left_(reports) {}
+  void report(std::string_view, double) override {
+    if (--left_ == 0) asked_ = std::chrono::steady_clock::now();
+  }
+  [[nodiscard]] bool cancelRequested() const override { return left_ <= 0; }
+  [[nodiscard]] bool asked() const { return left_ <= 0; }
+  [[nodiscard]] double sinceAsked_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.load()).count();
+  }
+
+ private:
+  std::atomic<int> left_;
+  std::atomic<std::chrono::steady_clock::time_point> asked_{};
+};
+
+std::vector<std::string> redone(const ChainState& state) {
+  std::vector<std::string> names;
+  for (const auto& step : state.steps)
+    if (step.done && !step.reused) names.emplace_back(nameOf(step.step));
+  return names;
+}
+
+TEST(Chain, RunAgainRedoesNothing) {
+  ChainWorld world;
+  const fs::path into = world.folder / "out";
+  const auto first = world.run(into);
+  ASSERT_TRUE(first) << first.error();
+  EXPECT_EQ(redone(*first).size(), kSteps.size());
+  ASSERT_TRUE(first->graph);
+  ASSERT_TRUE(first->report);
+  EXPECT_EQ(first->volumes.size(), 3u);
+  EXPECT_TRUE(first->leftOut.empty()) << first->reason;
+  const auto bytes = ChainWorld::resultIn(into);
+  const auto entries = ChainWorld::entriesIn(into);
+  const auto second = world.run(into);
+  ASSERT_TRUE(second) << second.error();
+  EXPECT_EQ(redone(*second), std::vector<std::string>{});
+  EXPECT_EQ(ChainWorld::resultIn(into), bytes);
+  EXPECT_EQ(ChainWorld::entriesIn(into), entries);
+  EXPECT_EQ(second->graph->toWorld, first->graph->toWorld);
+  EXPECT_EQ(second->bends, first->bends);
+  EXPECT_EQ(second->seams, first->seams);
+  EXPECT_EQ(second->corrections, first->corrections);
+  EXPECT_EQ(second->reason, first->reason);
+  EXPECT_EQ(second->pairs.size(), first->pairs.size());
+}
+
+TEST(Chain, AChangedSettingRedoesOnlyWhatDependsOnIt) {
+  ChainWorld world;
+  const fs::path into = world.folder / "out";
+  ASSERT_TRUE(world.run(into));
+  struct Change {
+    const char* what;
+    std::function<void(StitchProject&)> make;
+    std::vector<std::string> redone;
+  };
+  const Change changes[] = {
+      {"distance weight", [](StitchProject& p) { p.settings.join.seam.distanceWeight = 0.3; }, {"seam", "volume"}},
+      {"fall off", [](StitchProject& p) { p.settings.fallOff_mm = 20.0; }, {"elastic", "seam", "volume"}},
+      {"equalise", [](StitchProject& p) { p.settings.equalise = false; }, {"equalise", "seam", "volume"}},
+      {"tracker", [](StitchProject& p) { p.settings.trackerError_mm = 5.0; }, {"rigid", "graph", "equalise", "elastic", "seam", "volume"}},
+      {"a name", [](StitchProject& p) { p.volumes[1].name = "middle"; }, {"graph", "volume"}},
+  };
+  for (const Change& change : changes) {
+    ChainWorld other;
+    StitchProject project = world.project;
+    change.make(project);
+    std::swap(world.project, project);
+    const auto state = world.run(into);
+    std::swap(world.project, project);
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_EQ(redone(*state), change.redone) << change.what;
+  }
+}
+
+TEST(Chain, AnEditedPairIsRegisteredAgainAlone) {
+  ChainWorld world;
+  const fs::path into = world.folder / "out";
+  ChainOptions until;
+  until.until = Step::graph;
+  ASSERT_TRUE(world.run(into, noProgress(), until));
+  const auto pairsIn = [&] {
+    std::vector<std::string> names;
+    for (const auto& each : fs::directory_iterator(into / "steps/pairs")) names.push_back(each.path().filename().string());
+    return names;
+  };
+  const std::size_t before = pairsIn().size();
+  EXPECT_EQ(before, 2u) << "a with b and b with c; a and c lie apart";
+  ProjectPair pair;
+  pair.fixed = 0;
+  pair.moving = 1;
+  pair.method = PairMethod::byHand;
+  pair.start = test::shiftedBy({-21.0, 0.5, 0.0});
+  world.project.pairs = {pair};
+  const auto edited = world.run(into, noProgress(), until);
+  ASSERT_TRUE(edited) << edited.error();
+  EXPECT_EQ(pairsIn().size(), before + 1);
+  EXPECT_EQ(edited->pairs.at(0).used, PairMethod::byHand);
+  EXPECT_EQ(edited->pairs.at(0).rigid.fixedToMoving, *pair.start);
+  world.project.pairs[0].decision = Decision::rejected;
+  const auto rejected = world.run(into, noProgress(), until);
+  ASSERT_TRUE(rejected) << rejected.error();
+  EXPECT_EQ(rejected->graph->edges.size() + 1, edited->graph->edges.size());
+  world.project.pairs.clear();
+  const auto undone = world.run(into, noProgress(), until);
+  ASSERT_TRUE(undone) << undone.error();
+  EXPECT_EQ(redone(*undone), std::vector<std::string>{}) << "an edit taken back finds the old answer";
+}
+
+TEST(Chain, StopsAfterTheStepItWasAskedFor) {
+  ChainWorld world;
+  for (const Step step : kSteps) {
+    ChainOptions options;
+    options.until = step;
+    const auto state = world.run(world.folder / "out", noProgress(), options);
+    ASSERT_TRUE(state) << state.error();
+    for (const auto& each : state->steps) EXPECT_EQ(each.done, each.step <= step) << nameOf(each.step);
+    EXPECT_EQ(fs::exists(world.folder / "out/volume.mha"), step == Step::volume);
+  }
+}
+
+TEST(Chain, GivesTheSameBytesWhateverTheThreadsAndHoweverOftenItIsStopped) {
+  ChainWorld world;
+  ASSERT_TRUE(world.run(world.folder / "out"));
+  const auto expected = ChainWorld::resultIn(world.folder / "out");
+  for (const int threads : {1, 2, 8}) {
+    ChainOptions options;
+    options.threads = threads;
+    const fs::path into = world.folder / ("threads-" + std::to_string(threads));
+    int stops = 0;
+    for (int reports = 1;; reports += 7) {
+      StopAt progress(reports);
+      const auto state = world.run(into, progress, options);
+      if (state) break;
+      ASSERT_EQ(state.error().code, ErrorCode::cancelled) << state.error();
+      EXPECT_LT(progress.sinceAsked_s(), 0.5 * test::kSlowdown) << "after " << reports << " reports";
+      EXPECT_FALSE(fs::exists(into / "provenance.json"));
+      ++stops;
+    }
+    EXPECT_GT(stops, 3);
+    EXPECT_EQ(ChainWorld::resultIn(into), expected) << threads;
+    EXPECT_EQ(ChainWorld::leftoversIn(into), std::vector<std::string>{});
+  }
+}
+
+TEST(Chain, MakesTheSameVoxelsInBlocksAsInMemory) {
+  ChainWorld world;
+  ASSERT_TRUE(world.run(world.folder / "whole"));
+  ChainOptions options;
+  options.streamAbove_voxels = 0;
+  world.project.settings.join.block = 16;
+  const auto state = world.run(world.folder / "blocks", noProgress(), options);
+  ASSERT_TRUE(state) << state.error();
+  for (const char* name : {"volume.mha", "coverage.mha", "source.mha"}) {
+    const auto whole = readVolume(world.folder / "whole" / name);
+    const auto blocks = readVolume(world.folder / "blocks" / name);
+    ASSERT_TRUE(whole && blocks);
+    EXPECT_EQ(whole->volume, blocks->volume) << name;
+  }
+}
+
+TEST(Chain, RefusesAFolderInWhichAnotherRunIsAtWork) {
+  ChainWorld world;
+  fs::create_directories(world.folder / "out/steps");
+  const int other = ::open((world.folder / "out/steps/.lock").c_str(), O_RDWR | O_CREAT, 0666);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  const auto refused = world.run(world.folder / "out");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::notWritable);
+  EXPECT_NE(refused.error().sentence.find("Another run"), std::string::npos) << refused.error();
+  ::close(other);
+  EXPECT_TRUE(world.run(world.folder / "out"));
+}
+
+TEST(Chain, MakesAgainWhatWasDamagedBetweenRuns) {
+  ChainWorld world;
+  const fs::path into = world.folder / "out";
+  ASSERT_TRUE(world.run(into));
+  const auto expected = ChainWorld::resultIn(into);
+  std::vector<fs::path> kept;
+  for (const auto& each : fs::recursive_directory_iterator(into))
+    if (each.is_regular_file() && each.path().filename() != ".lock") kept.push_back(each.path());
+  for (const fs::path& file : kept) {
+    test::writeText(file, "{ \"key\": 3");
+    const auto state = world.run(into);
+    ASSERT_TRUE(state) << file << state.error();
+    EXPECT_EQ(ChainWorld::resultIn(into), expected) << file;
+  }
+}
+
+TEST(Chain, SaysWhatIsWrongWithItsInputs) {
+  ChainWorld world;
+  const auto refused = [&](const std::function<void(StitchProject&)>& spoil) {
+    StitchProject project = world.project;
+    spoil(project);
+    std::swap(world.project, project);
+    const auto state = world.run(world.folder / "out");
+    std::swap(world.project, project);
+    EXPECT_FALSE(state);
+    return state ? Error{} : state.error();
+  };
+  const auto missing = refused([](StitchProject& p) { p.volumes[1].file += ".gone"; });
+  EXPECT_EQ(missing.code, ErrorCode::notFound);
+  EXPECT_NE(missing.sentence.find("b.mha.gone"), std::string::npos) << missing;
+  test::writeText(world.folder / "text.mha", "no volume at all");
+  const auto unreadable = refused([&](StitchProject& p) { p.volumes[2].file = world.folder / "text.mha"; });
+  EXPECT_NE(unreadable.sentence.find("text.mha"), std::string::npos) << unreadable;
+  Volume other;
+  other.grid.dims = {3, 3, 3};
+  other.echo.assign(27, 2);
+  ASSERT_TRUE(writeVolume(other, world.folder / "other.mha"));
+  const auto grid = refused([&](StitchProject& p) { p.volumes[0].coverage = world.folder / "other.mha"; });
+  EXPECT_EQ(grid.code, ErrorCode::badField);
+  EXPECT_NE(grid.sentence.find("another grid"), std::string::npos) << grid;
+  const auto confidence = refused([&](StitchProject& p) { p.volumes[0].confidence = world.folder / "other.mha"; });
+  EXPECT_NE(confidence.sentence.find("confidence"), std::string::npos) << confidence;
+  EXPECT_EQ(refused([](StitchProject& p) { p.volumes.clear(); }).code, ErrorCode::emptyVolume);
+  EXPECT_FALSE(fs::exists(world.folder / "out/volume.mha"));
+
+  test::writeText(world.folder / "file", "not a folder");
+  const auto blocked = world.run(world.folder / "file");
+  ASSERT_FALSE(blocked);
+  EXPECT_EQ(blocked.error().code, ErrorCode::notWritable) << blocked.error();
+}
+
+TEST(Chain, IsRefusedBeforeItTakesMoreMemoryThanAllowed) {
+  ChainWorld world;
+  ChainOptions options;
+  options.maxBytes = 10000;
+  const auto state = world.run(world.folder / "out", noProgress(), options);
+  ASSERT_FALSE(state);
+  EXPECT_EQ(state.error().code, ErrorCode::tooLarge) << state.error();
+  EXPECT_NE(state.error().sentence.find("MiB"), std::string::npos);
+}
+
+TEST(Chain, ForecastsWhatIsLeftToDoAndNeed) {
+  ChainWorld world;
+  const auto fresh = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  ASSERT_TRUE(fresh) << fresh.error();
+  EXPECT_GT(fresh->peak_bytes, 3u * 36u * 32u * 28u);
+  for (const auto& step : fresh->steps) EXPECT_FALSE(step.done);
+  EXPECT_FALSE(fs::exists(world.folder / "out")) << "a forecast leaves nothing";
+  ASSERT_TRUE(world.run(world.folder / "out"));
+  const auto later = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  ASSERT_TRUE(later) << later.error();
+  for (const auto& step : later->steps) EXPECT_TRUE(step.done) << nameOf(step.step);
+  world.project.settings.fallOff_mm = 33.0;
+  const auto changed = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  ASSERT_TRUE(changed);
+  for (const auto& step : changed->steps) EXPECT_EQ(step.done, step.step < Step::elastic) << nameOf(step.step);
+}
+
+TEST(Chain, LeavesOutWhatNothingHoldsToTheOthers) {
+  ChainWorld world;
+  ProjectPair apart;
+  apart.fixed = 1;
+  apart.moving = 2;
+  apart.decision = Decision::rejected;
+  ProjectPair other = apart;
+  other.fixed = 0;
+  world.project.pairs = {other, apart};
+  ProjectPair together;
+  together.fixed = 0;
+  together.moving = 1;
+  together.method = PairMethod::byHand;
+  together.start = glm::inverse(world.project.volumes[1].toWorld) * world.project.volumes[0].toWorld;
+  world.project.pairs.push_back(together);
+  for (auto& volume : world.project.volumes) volume.placement = Placement::unknown;
+  world.project.settings.elastic = false;
+  const auto state = world.run(world.folder / "out");
+  ASSERT_TRUE(state) << state.error();
+  EXPECT_EQ(state->leftOut, std::vector<std::size_t>{2});
+  EXPECT_NE(state->verdict, registration::Verdict::aligned);
+  EXPECT_NE(state->reason.find("c.mha"), std::string::npos) << state->reason;
+  const auto source = readVolume(world.folder / "out/source.mha");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(std::count(source->volume.echo.begin(), source->volume.echo.end(), 3), 0);
+  ASSERT_TRUE(state->report);
+  EXPECT_NE(state->report->notes.back().find("c.mha"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ew::stitching
