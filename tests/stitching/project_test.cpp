@@ -151,7 +151,8 @@ void fieldsOf(const json& value, const std::string& name, std::set<std::string>&
 }
 
 void fieldsOfSchema(const json& schema, const std::string& name, std::set<std::string>& fields) {
-  for (const auto& [key, each] : schema.value("properties", json::object()).items()) {
+  const json properties = schema.value("properties", json::object());
+  for (const auto& [key, each] : properties.items()) {
     const std::string path = name.empty() ? key : name + "." + key;
     fields.insert(path);
     fieldsOfSchema(each, path, fields);
