@@ -10,7 +10,6 @@
 #include "logic/chain_json.h"
 #include "logic/content_key.h"
 #include "logic/group_bend.h"
-#include "logic/images.h"
 #include "logic/pair_match.h"
 #include "logic/places.h"
 #include "logic/provenance.h"
@@ -718,7 +717,7 @@ class Chain {
       if (!inputs) return passOn(inputs.error());
       EqualiseViewsOptions options;
       options.threads = options_.threads;
-      auto equalised = images::equalise(*inputs, options, progress);
+      auto equalised = equaliseViews(*inputs, options, progress);
       if (!equalised) return passOn(equalised.error());
       for (std::size_t n = 0; n < included_.size(); ++n) state_.corrections[included_[n]] = equalised->corrections[n];
       data["groups"] = equalised->groups;

@@ -72,7 +72,7 @@ const char* const kStitchHelp =
     "    \"pairs\": [ { \"fixed\": \"right\", \"moving\": \"left\", \"method\": \"search\", \"max_turn_deg\": 45 } ],\n"
     "    \"settings\": { \"tracker_error_mm\": 3, \"tracker_error_deg\": 2, \"elastic\": true, \"effort\": \"balanced\" },\n"
     "    \"result\": { \"spacing_mm\": 0, \"axes\": \"first\" },\n"
-    "    \"seam\": { \"method\": \"graph cut\", \"blend_mm\": 2.5 } }\n"
+    "    \"seam\": { \"method\": \"graph cut\", \"blend_mm\": 3 } }\n"
     "A file is a volume or a sweep, which is reconstructed. to_world is a list of 16 numbers, row by row, or a text file that holds\n"
     "them; placement is \"tracker\" (recorded), \"hand\" (a start) or \"unknown\" (found without one). Of pairs only those need an entry\n"
     "about which there is something to say. Every field: resources/docs/stitching.md.";

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "logic/images.h"
-
 namespace ew::stitching {
 namespace {
 
@@ -114,7 +112,7 @@ std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const Pa
   const std::uint64_t refined = 16 * static_cast<std::uint64_t>(fixed.voxelCount() + moving.voxelCount());
   const PairMethod first = firstMethod(task);
   const bool searches = first == PairMethod::search || task.method == PairMethod::automatic;
-  return std::max(refined, searches ? images::forecastSearch_bytes(fixed, moving, options) : 0);
+  return std::max(refined, searches ? registration::forecastPartial_bytes(fixed, moving, options) : 0);
 }
 
 std::optional<glm::dvec3> overlapCentre(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving) {
@@ -157,7 +155,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
     searching.maxTurn_deg = task.maxTurn_deg;
     searching.refine = refining;
     searching.threads = threads;
-    return images::search(fixedInput, movingInput, searching, part, onLevel);
+    return registration::matchPartial(fixedInput, movingInput, searching, part, onLevel);
   };
 
   const auto meetingPoint = [&](const glm::dmat4& fixedToMoving) {
@@ -187,7 +185,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
       outcome.landmarks = std::move(*found);
       if (task.method != PairMethod::automatic || outcome.rigid.verdict == Verdict::cannotTell) return outcome;
       // The images say it better than fingers do, as long as they do not run away from them.
-      auto refined = images::refine(fixedInput, movingInput, outcome.rigid.fixedToMoving, refining, progress, onLevel);
+      auto refined = registration::refineRigid(fixedInput, movingInput, outcome.rigid.fixedToMoving, refining, progress, onLevel);
       if (!refined) return named(refined.error());
       if (refined->verdict == Verdict::aligned &&
           farthestApart_mm(fixed.volume->grid, refined->fixedToMoving, outcome.rigid.fixedToMoving) < 2.0 * trusted_mm)
@@ -196,7 +194,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
     }
     case PairMethod::refine: {
       PartOfProgress part(progress, 0.0, task.method == PairMethod::refine ? 1.0 : 0.3);
-      auto refined = images::refine(fixedInput, movingInput, task.start, refining, part, onLevel);
+      auto refined = registration::refineRigid(fixedInput, movingInput, task.start, refining, part, onLevel);
       if (!refined) return named(refined.error());
       outcome.rigid = std::move(*refined);
       const bool beyondReach = task.trackerError_mm > kReach_mm || task.trackerError_deg > kReach_deg;
