@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <malloc.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "ew/io/image_file.h"
+#include "ew/io/volume_stream.h"
 #include "ew/phantom/speckled_view.h"
 #include "ew/stitching/equalise_views.h"
 #include "stitching/views.h"
@@ -181,6 +186,76 @@ TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
   const auto dark = joined(two.views, nearest);
   keepPicture(dark, "shadow-nearest");
   EXPECT_GT(dark.report.seam.meanStep_db, 3.0);
+}
+
+/// Blocks straight into files.
+class FileSink final : public BlockSink {
+ public:
+  FileSink(VolumeStream echo, VolumeStream coverage, VolumeStream source)
+      : echo_(std::move(echo)), coverage_(std::move(coverage)), source_(std::move(source)) {}
+  Result<void> put(const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> echo,
+                   std::span<const std::uint8_t> coverage, std::span<const std::uint8_t> source) override {
+    echo_.put(corner, size, echo);
+    coverage_.put(corner, size, coverage);
+    source_.put(corner, size, source);
+    const auto now = mallinfo2();
+    most = std::max<std::uint64_t>(most, now.uordblks + now.hblkhd);
+    return {};
+  }
+  Result<void> finish() {
+    for (VolumeStream* stream : {&echo_, &coverage_, &source_})
+      if (auto done = stream->finish(); !done) return done;
+    return {};
+  }
+  std::uint64_t most = 0;
+
+ private:
+  VolumeStream echo_, coverage_, source_;
+};
+
+/// The samples of an uncompressed .mha lie at its end.
+std::vector<std::uint8_t> samplesOf(const std::filesystem::path& file, std::size_t voxels) {
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(-static_cast<std::streamoff>(voxels), std::ios::end);
+  std::vector<std::uint8_t> samples(voxels);
+  in.read(reinterpret_cast<char*>(samples.data()), static_cast<std::streamsize>(voxels));
+  EXPECT_TRUE(in.good());
+  return samples;
+}
+
+TEST(Join, MakesAWholeLargerThanItsMemoryIntoFiles) {
+  SpeckledViewRecipe left = leftRecipe(true);
+  SpeckledViewRecipe right = rightRecipe(true);
+  left.dims = right.dims = {90, 80, 70};
+  const TwoViews two(left, right);
+  JoinOptions options;
+  options.grid.spacing_mm = 0.3;
+  options.block = 48;
+  options.grid.threads = options.seam.threads = 2;
+  const Grid grid = gridFor(two.views, options.grid);
+  const auto seams = findSeams(two.views, grid, options.seam, noProgress());
+  ASSERT_TRUE(seams);
+  const auto folder = std::filesystem::temp_directory_path() / ("ew-join-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::vector<VolumeStream> streams;
+  for (const char* name : {"echo.mha", "coverage.mha", "source.mha"}) {
+    auto stream = VolumeStream::create(grid, folder / name);
+    ASSERT_TRUE(stream) << (stream ? "" : stream.error().sentence);
+    streams.push_back(std::move(*stream));
+  }
+  const auto before = mallinfo2();
+  FileSink sink(std::move(streams[0]), std::move(streams[1]), std::move(streams[2]));
+  ASSERT_TRUE(join(two.views, *seams, grid, options, sink, noProgress()));
+  ASSERT_TRUE(sink.finish());
+  const std::uint64_t taken = sink.most - (before.uordblks + before.hblkhd);
+  EXPECT_LT(taken, grid.voxelCount()) << "three bytes a voxel of " << grid.voxelCount() << " voxels are not to be held";
+
+  const auto whole = join(two.views, *seams, grid, options, noProgress());
+  ASSERT_TRUE(whole);
+  EXPECT_TRUE(samplesOf(folder / "echo.mha", grid.voxelCount()) == whole->volume.echo);
+  EXPECT_TRUE(samplesOf(folder / "coverage.mha", grid.voxelCount()) == whole->volume.coverage);
+  EXPECT_TRUE(samplesOf(folder / "source.mha", grid.voxelCount()) == whole->source);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(EqualiseViews, GivesTheSameCurvesOnAnyNumberOfThreads) {
