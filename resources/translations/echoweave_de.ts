@@ -944,8 +944,12 @@
         <translation>Datei…</translation>
     </message>
     <message>
-        <source>Edited since: &apos;Seams and blend&apos; renews the whole.</source>
-        <translation>Seitdem bearbeitet: „Nähte und Mischen“ erneuert das Ganze.</translation>
+        <source>Older than the last edit.</source>
+        <translation>Älter als die letzte Bearbeitung.</translation>
+    </message>
+    <message>
+        <source>&apos;Seams and blend&apos; renews the stitched volume</source>
+        <translation>„Nähte und Mischen“ erneuert das zusammengefügte Volumen</translation>
     </message>
 </context>
 <context>
@@ -1179,6 +1183,10 @@
         <source>It had unsaved changes before; save the case to keep them all.</source>
         <translation>Er hatte schon ungespeicherte Änderungen; speichern Sie den Fall, um alle zu behalten.</translation>
     </message>
+    <message>
+        <source>A step is still running; wait for it or cancel it.</source>
+        <translation>Ein Schritt läuft noch; warten Sie auf ihn oder brechen Sie ihn ab.</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::StitchStage</name>
@@ -1315,10 +1323,6 @@
         <translation>Gitter 10 mm</translation>
     </message>
     <message>
-        <source>which view is taken</source>
-        <translation>welche Ansicht genommen wird</translation>
-    </message>
-    <message>
         <source>the whole</source>
         <translation>das Ganze</translation>
     </message>
@@ -1328,7 +1332,7 @@
     </message>
     <message>
         <source>matched</source>
-        <translation>zugeordnet</translation>
+        <translation>starr</translation>
     </message>
     <message>
         <source>elastic</source>

@@ -16,6 +16,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTimer>
+#include <QTranslator>
 #include <QUrl>
 #include <cmath>
 
@@ -181,6 +182,11 @@ class StitchingJourneyTest : public WindowFixture {
     window_->resize(1920, 1080);
     QTest::qWait(100);
     keepPicture("13-large");
+    window_->resize(3840, 2160);
+    QTest::qWait(100);
+    keepPicture("13-largest");
+    window_->resize(1920, 1080);
+    QTest::qWait(100);
     window_->setDarkTheme(false);
     keepPicture("14-light");
     window_->setDarkTheme(true);
@@ -228,6 +234,12 @@ int main(int argc, char** argv) {
   QApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave tests"));
+  // To look at the words of another language in the pictures: what is clicked is found by its name, not by its words.
+  QTranslator translator;
+  if (qEnvironmentVariable("ECHOWEAVE_TEST_LANGUAGE") == QLatin1String("de")) {
+    Q_INIT_RESOURCE(translations);
+    if (translator.load(QStringLiteral(":/ew/translations/echoweave_de.qm"))) QApplication::installTranslator(&translator);
+  }
   ew::ui::testing::StitchingJourneyTest test;
   return QTest::qExec(&test, argc, argv);
 }

@@ -465,6 +465,10 @@ void PairInspector::refresh() {
                               .arg(number(rigid.before.correlation, 2), number(rigid.after.correlation, 2), number(rigid.after.chance, 2)));
     halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
     time_->setText(tr("%1 s").arg(number(rigid.seconds, 1)));
+    if (rigid.after.overlapShare == 0.0 && rigid.after.correlation == 0.0) {  // by landmarks or by hand the images were not asked
+      overlap_->setText(none);
+      correlation_->setText(none);
+    }
   } else {
     for (QLabel* label : {overlap_, correlation_, halves_, time_}) label->setText(none);
   }

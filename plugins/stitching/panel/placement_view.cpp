@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
+#include <QResizeEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +30,8 @@ PlacementView::PlacementView(StitchSession& session, QWidget* parent) : QWidget(
   right_ = seen.right;
   down_ = seen.down;
   connect(&session_, &StitchSession::changed, this, [this] {
-    if (fittedFor_ != session_.project().volumes.size()) fitted_ = false;
+    // After a run things may lie far from where they were; while a hand drags, the view stays.
+    if (fittedFor_ != session_.project().volumes.size() || foundFor_ != session_.found()) fitted_ = false;
     update();
   });
 }
@@ -58,6 +60,7 @@ void PlacementView::fit() {
     high = glm::max(high, box.highest_mm);
   }
   fittedFor_ = session_.project().volumes.size();
+  foundFor_ = session_.found();
   if (!any) return;
   fitted_ = true;
   centre_mm_ = 0.5 * (low + high);
@@ -180,6 +183,12 @@ void PlacementView::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(QColor(0x4f, 0xb3, 0xbf), 1.0));
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }
+}
+
+void PlacementView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int before = std::min(event->oldSize().width(), event->oldSize().height());
+  if (before > 0) mmPerPixel_ *= static_cast<double>(before) / std::max(1, std::min(width(), height()));
 }
 
 int PlacementView::volumeUnder(const QPointF& at) {

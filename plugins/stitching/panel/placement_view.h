@@ -25,6 +25,7 @@ class PlacementView final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -56,6 +57,7 @@ class PlacementView final : public QWidget {
   glm::dmat4 heldFrom_{1.0};
   glm::dvec3 wayOf_{0.0}, turnOf_{0.0};
   std::size_t fittedFor_ = 0;
+  const ChainState* foundFor_ = nullptr;  ///< only compared
 };
 
 }  // namespace ew::stitching

@@ -253,6 +253,7 @@ QWidget* StitchPanel::makeWorkPage() {
   graph_->setMaximumHeight(280);
   pairs->addWidget(graph_, 1);
   pairs->addWidget(makeLegend());
+  pairsBox_->setMaximumHeight(360);  // on a tall screen the room is left below, not between
   column->addWidget(pairsBox_, 4);
   column->addWidget(makeSteps());
   column->addWidget(makeResultBox());
@@ -378,7 +379,8 @@ QWidget* StitchPanel::makeResultBox() {
             if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
           });
   column->addWidget(resultBox_);
-  old_ = sdk::quietLabel(tr("Edited since: 'Seams and blend' renews the whole."));
+  old_ = sdk::quietLabel(tr("Older than the last edit."));
+  old_->setToolTip(tr("'Seams and blend' renews the stitched volume"));
   old_->setObjectName(QStringLiteral("resultIsOld"));
   old_->setProperty("small", true);
   column->addWidget(old_);
@@ -460,7 +462,9 @@ QWidget* StitchPanel::makeOptions() {
 
 void StitchPanel::showVolumes() {
   const auto& volumes = session_.project().volumes;
-  list_->setMaximumHeight(static_cast<int>(std::max<std::size_t>(2, volumes.size())) * kRow_px + 4);
+  const int rows = static_cast<int>(volumes.size());
+  list_->setMinimumHeight(std::clamp(rows, 2, 4) * kRow_px + 4);
+  list_->setMaximumHeight(std::max(2, rows) * kRow_px + 4);
   while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
   for (std::size_t n = 0; n < volumes.size(); ++n) {
     QListWidgetItem* item = list_->item(static_cast<int>(n));

@@ -835,6 +835,7 @@ void StitchSession::renameLandmark(int landmark, const QString& name) {
 }
 
 void StitchSession::useLandmarks() {
+  if (isBusy()) return;
   if (landmarks().size() < 3) {
     Q_EMIT problem(tr("Three places that do not lie on one line are needed; mark %n more in both volumes.", nullptr,
                       3 - static_cast<int>(landmarks().size())));
@@ -905,8 +906,18 @@ QuickAgreement StitchSession::agreement() const {
   const auto fixed = volume(pair_->fixed);
   const auto moving = volume(pair_->moving);
   if (!fixed || !moving) return {};
+  // Cross-hairs that move ask again and again about a pose that stays.
+  const glm::dmat4 now = transform();
+  if (agreementOf_.fixed == fixed && agreementOf_.moving == moving && agreementOf_.transform == now) return agreementOf_.found;
   const glm::dvec3 extent = glm::dvec3(fixed->grid.dims) * fixed->grid.spacing_mm;
-  return quickAgreement(*fixed, *moving, transform(), std::max(1.0, std::cbrt(extent.x * extent.y * extent.z) / 40.0));
+  const double step_mm = std::max(1.0, std::cbrt(extent.x * extent.y * extent.z) / 40.0);
+  agreementOf_ = {fixed, moving, now, quickAgreement(*fixed, *moving, now, step_mm)};
+  return agreementOf_.found;
+}
+
+bool StitchSession::isBusy() {
+  if (running_) Q_EMIT problem(tr("A step is still running; wait for it or cancel it."));
+  return running_;
 }
 
 void StitchSession::matchAll(bool withoutPlaces) {
@@ -914,7 +925,7 @@ void StitchSession::matchAll(bool withoutPlaces) {
     Q_EMIT problem(tr("Matching needs two volumes at least; add another one."));
     return;
   }
-  if (running_) return;
+  if (isBusy()) return;
   if (withoutPlaces) {
     StitchProject next = project();
     for (std::size_t n = 0; n < next.volumes.size(); ++n) next.volumes[n].placement = Placement::unknown;
@@ -924,7 +935,7 @@ void StitchSession::matchAll(bool withoutPlaces) {
 }
 
 void StitchSession::run(Step until, const QString& title) {
-  if (running_) return;
+  if (isBusy()) return;
   if (project().volumes.empty()) {
     Q_EMIT problem(tr("There is nothing to work on yet; add two volumes or more."));
     return;
@@ -1004,12 +1015,13 @@ void StitchSession::settle(ChainState state, StitchProject asked) {
 }
 
 void StitchSession::pinStart() {
+  if (running_) return;
   const glm::dmat4 now = transform();
   editPair([&](ProjectPair& pair) { pair.start = now; }, tr("redo %1").arg(nameOfPair()), "redo " + nameOfPair().toStdString());
 }
 
 void StitchSession::redoPair(PairMethod method, std::optional<double> maxTurn_deg) {
-  if (!pair_ || running_) return;
+  if (!pair_ || isBusy()) return;
   editPair(
       [&](ProjectPair& pair) {
         pair.method = method;

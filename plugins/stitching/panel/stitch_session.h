@@ -187,6 +187,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] glm::dmat4 placedToShown(std::size_t volume) const;      ///< from the project's world to the one that is shown
   void editPair(const std::function<void(ProjectPair&)>& change, const QString& what, const std::string& mergeKey = {});
   [[nodiscard]] QString nameOfPair() const;
+  [[nodiscard]] bool isBusy();  ///< says so
 
   sdk::Host& host_;
   std::filesystem::path folder_;
@@ -219,6 +220,12 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   std::optional<registration::LandmarkResult> landmarkResult_;
   std::optional<glm::dvec3> pickedFixed_, pickedMoving_;
   std::vector<LevelSeen> running_levels_;
+  struct AgreementOf {
+    std::shared_ptr<const Volume> fixed, moving;
+    glm::dmat4 transform{0.0};
+    QuickAgreement found;
+  };
+  mutable AgreementOf agreementOf_;
 };
 
 }  // namespace ew::stitching

@@ -118,6 +118,7 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   fourthChoice_->addItem(tr("displacement"), static_cast<int>(Tools::Fourth::displacement));
   fourthChoice_->addItem(tr("seam"), static_cast<int>(Tools::Fourth::seam));
   fourthChoice_->addItem(tr("result"), static_cast<int>(Tools::Fourth::result));
+  fourthChoice_->setMinimumWidth(124);
   connect(fourthChoice_, qOverload<int>(&QComboBox::activated), this,
           [this] { setFourth(static_cast<Tools::Fourth>(fourthChoice_->currentData().toInt())); });
   brushRow_ = new QWidget;
@@ -127,7 +128,8 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   paint_ = toggle(tr("Prefer"), tr("Paint where a view is to be preferred (V); here and in the overlap"), "paintSeam");
   connect(paint_, &QPushButton::clicked, this, [this](bool on) { setHand(on ? Tools::Hand::paint : Tools::Hand::look); });
   brushView_ = combo("brushView", tr("The view that is preferred where you paint"));
-  brushView_->setMinimumContentsLength(2);
+  brushView_->setMinimumContentsLength(1);
+  brushView_->setMinimumWidth(48);
   connect(brushView_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     tools_.brushView = static_cast<std::size_t>(std::max(0, index));
     toolsChanged();
@@ -135,7 +137,7 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   brush_ = new sdk::NumberField(1.0, 50.0, 0, tr("mm"));
   brush_->setObjectName(QStringLiteral("brush"));
   brush_->setProperty("small", true);
-  brush_->setMinimumWidth(64);
+  brush_->setMinimumWidth(68);
   brush_->setValue(tools_.brush_mm);
   brush_->setToolTip(tr("Radius of the brush ([ and ])"));
   connect(brush_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
@@ -222,7 +224,7 @@ void StitchStage::showTitles() {
     put(titles_[1], tr("both"), {});
     put(titles_[2], tr("moving"), {});
   }
-  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), tr("which view is taken"), tr("the whole")};
+  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), {}, tr("the whole")};
   put(titles_[3], fourths[static_cast<int>(tools_.fourth)], {});
   for (QWidget* control : {static_cast<QWidget*>(cut_), static_cast<QWidget*>(linked_), static_cast<QWidget*>(overlay_),
                            static_cast<QWidget*>(stageChoice_), static_cast<QWidget*>(halves_), static_cast<QWidget*>(fourthChoice_)})
