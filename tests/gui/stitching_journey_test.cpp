@@ -152,6 +152,122 @@ class StitchingJourneyTest : public WindowFixture {
     QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).removeRecursively();
   }
 
+  void fromThreeSubvolumesToACase() {
+    const QString folder = files_.writeCase(QStringLiteral("journey case"));
+    openWindow(folder);
+    keepPicture("1-empty");
+
+    drop({parts_[0].file, parts_[1].file, parts_[2].file});
+    QVERIFY(jobsEnd());
+    QCOMPARE(find<QListWidget>("volumes")->count(), 3);
+    keepPicture("2-dropped");
+
+    // Without a tracker.
+    click("matchAll");
+    QTest::qWait(700);
+    keepPicture("3-matching");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    keepPicture("4-matched");
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+      QVERIFY2(verdict(a, b) == QLatin1String("aligned"), qPrintable(QStringLiteral("%1 %2: %3").arg(a).arg(b).arg(verdict(a, b))));
+      QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, a), Q_ARG(int, b));
+      QVERIFY2(error_mm(a, b) < 1.0, qPrintable(QString::number(error_mm(a, b))));
+    }
+
+    // One is corrected by landmarks: places that both show, clicked in both.
+    const QPointF edge = ask<QPointF>(view("pairGraph"), "middleOfPair", Q_ARG(int, 0), Q_ARG(int, 1));
+    QTest::mouseClick(view("pairGraph"), Qt::LeftButton, Qt::NoModifier, edge.toPoint());
+    QCOMPARE(find<QLabel>("pairTitle")->text(), QStringLiteral("Pair A to B"));
+    clickInspector("pickLandmarks");
+    for (const QPoint& off : {QPoint(-30, -20), QPoint(35, -15), QPoint(5, 40), QPoint(-15, 30)}) {
+      const QPoint at = view("fixedView")->rect().center() + off;
+      QTest::mouseClick(view("fixedView"), Qt::LeftButton, Qt::NoModifier, at);
+      QTest::mouseClick(view("movingView"), Qt::LeftButton, Qt::NoModifier, at);
+      QTest::keyClick(view("fixedView"), Qt::Key_Period, Qt::ShiftModifier);  // not all in one plane
+    }
+    QTest::keyClick(view("fixedView"), Qt::Key_P);
+    QCOMPARE(find<QTableWidget>("landmarks")->rowCount(), 4);
+    keepPicture("5-landmarks");
+    clickInspector("useLandmarks");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY2(verdict(0, 1) == QLatin1String("aligned"), qPrintable(verdict(0, 1)));
+    QVERIFY2(error_mm(0, 1) < 1.5, qPrintable(QString::number(error_mm(0, 1))));
+
+    click("elastic");
+    QTest::qWait(600);
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY(ask<bool>(stitching(), "isElasticFound"));
+    choose("fourthChoice", 1);
+    keepPicture("6-elastic");
+
+    // One is rejected, and then matched again with other settings.
+    QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 2));
+    clickInspector("rejectPair");
+    QVERIFY(ask<QString>(stitching(), "projectAsText").contains(QLatin1String("rejected")));
+    keepPicture("7-rejected");
+    choose("pairMethod", 1);
+    find<QDoubleSpinBox>("maxTurn")->setValue(15.0);
+    clickInspector("redoPair");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY(!ask<QString>(stitching(), "projectAsText").contains(QLatin1String("rejected")));
+    QVERIFY2(verdict(0, 2) == QLatin1String("aligned"), qPrintable(verdict(0, 2)));
+
+    click("seams");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY(ask<int>(stitching(), "nodesOfResult") > 0);
+    choose("fourthChoice", 2);
+    keepPicture("8-seam");
+
+    // The seam is edited: two strokes, each a step; both are taken back and one is made again.
+    click("paintSeam");
+    const QPoint middle = view("fourthView")->rect().center();
+    QTest::mouseClick(view("fourthView"), Qt::LeftButton, Qt::NoModifier, middle);
+    QTest::mouseClick(view("fourthView"), Qt::LeftButton, Qt::NoModifier, middle + QPoint(40, 10));
+    QCOMPARE(strokes(), 2);
+    keepPicture("9-painted");
+    const QJsonObject painted = project();
+    QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(strokes(), 0);
+    QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(project() == painted);
+    click("seams");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    choose("fourthChoice", 3);
+    choose("overlay", 3);
+    keepPicture("10-result");
+
+    // Saved, closed, opened again.
+    const QString file = files_.path(QStringLiteral("abdomen.json"));
+    QVERIFY(ask<bool>(stitching(), "saveProjectAs", Q_ARG(QString, file)));
+    window_.reset();
+    openWindow(folder);
+    QVERIFY(!view("recoveryOffer")->isVisible());
+    QVERIFY(ask<bool>(stitching(), "openProjectFile", Q_ARG(QString, file)));
+    QVERIFY(jobsEnd());
+    QVERIFY(project() == painted);
+    click("seams");  // everything was finished before: it is read back
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QVERIFY(ask<int>(stitching(), "nodesOfResult") > 0);
+
+    click("handToCase");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    const auto manifest = window_->document().manifest();
+    QCOMPARE(QString::fromStdString(manifest["volume"]["file"].get<std::string>()), QStringLiteral("volumes/stitched.mha"));
+    QVERIFY(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched.mha")));
+    QVERIFY(!window_->document().hasUnsavedChanges());
+    keepPicture("11-in-the-case");
+  }
+
   void nudgesAreOneStepAndUndoIsTheProjectsOwn() {
     openWindow(files_.writeCase(QStringLiteral("nudge case")));
     drop({parts_[0].file, parts_[1].file});
