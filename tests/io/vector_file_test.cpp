@@ -4,18 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "io/files.h"
 
 namespace ew {
 namespace {
-
-std::string bytesOf(const std::filesystem::path& file) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
-}
 
 Grid someGrid(const glm::ivec3& dims) {
   Grid grid;
@@ -63,8 +56,8 @@ TEST(VectorFile, SaysInItsHeaderWhatOtherProgramsLookFor) {
   const Grid grid = someGrid({6, 7, 1});
   ASSERT_TRUE(writeVectorField(grid, 2, folder / "flat.mha", numbered(grid, 2)));
   ASSERT_TRUE(writeVectorField(grid, 3, folder / "full.mha", numbered(grid, 3)));
-  const std::string flat = bytesOf(folder / "flat.mha");
-  const std::string full = bytesOf(folder / "full.mha");
+  const std::string flat = test::bytesOfFile(folder / "flat.mha");
+  const std::string full = test::bytesOfFile(folder / "full.mha");
   for (const char* line :
        {"NDims = 2\n", "ElementNumberOfChannels = 2\n", "ElementType = MET_FLOAT\n", "CompressedData = False\n", "DimSize = 6 7\n"})
     EXPECT_NE(flat.find(line), std::string::npos) << line;
@@ -83,7 +76,7 @@ TEST(VectorFile, AFailureHalfwayLeavesWhatWasThere) {
   });
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::cancelled);
-  EXPECT_EQ(bytesOf(file), "earlier");
+  EXPECT_EQ(test::bytesOfFile(file), "earlier");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
