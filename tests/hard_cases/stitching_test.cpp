@@ -108,8 +108,7 @@ TEST(HardStitching, ConstantAndSaturatedViewsStayWhatTheyAre) {
     for (const SeamMethod method : kMethods) {
       const auto result = joined({viewOf(a, "a"), viewOf(b, "b", moved(17.3, 2.2, 1.1))}, by(method));
       ASSERT_TRUE(result);
-      for (std::size_t v = 0; v < result->volume.echo.size(); ++v)
-        ASSERT_EQ(result->volume.echo[v], result->source[v] == 0 ? 0 : level);
+      for (std::size_t v = 0; v < result->volume.echo.size(); ++v) ASSERT_EQ(result->volume.echo[v], result->source[v] == 0 ? 0 : level);
       EXPECT_TRUE(std::isfinite(result->report.seam.derivativeRatio));
       EXPECT_EQ(result->report.seam.meanStep_db, 0.0);
     }
@@ -199,7 +198,8 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
   EXPECT_EQ(refusal(view).code, ErrorCode::badField);
   view = viewOf(one, "left lobe", glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
   EXPECT_EQ(refusal(view).code, ErrorCode::notRigid);
-  for (const auto& [cell_mm, blend_mm] : {std::pair{0.0, 2.5}, std::pair{std::nan(""), 2.5}, std::pair{1.5, -1.0}, std::pair{1.5, std::nan("")}}) {
+  for (const auto& [cell_mm, blend_mm] :
+       {std::pair{0.0, 2.5}, std::pair{std::nan(""), 2.5}, std::pair{1.5, -1.0}, std::pair{1.5, std::nan("")}}) {
     JoinOptions options;
     options.seam.cell_mm = cell_mm;
     options.seam.blend_mm = blend_mm;
@@ -240,7 +240,8 @@ class CancelAt final : public Progress {
 TEST(HardStitching, StopsWithinHalfASecondWhereverItIs) {
   const Volume a = speckled(gridOf({120, 110, 100}), 10);
   const Volume b = speckled(gridOf({120, 110, 100}), 11);
-  const std::vector<View> views = {viewOf(a, "a"), viewOf(b, "b", moved(60, 5, 3) * glm::rotate(glm::dmat4(1.0), 0.2, glm::dvec3(0, 0, 1)))};
+  const std::vector<View> views = {viewOf(a, "a"),
+                                   viewOf(b, "b", moved(60, 5, 3) * glm::rotate(glm::dmat4(1.0), 0.2, glm::dvec3(0, 0, 1)))};
   for (const SeamMethod method : {SeamMethod::feather, SeamMethod::graphCut})
     for (const int looks : {1, 5, 20, 80, 300, 700, 1500, 4000}) {
       CancelAt cancel(looks);

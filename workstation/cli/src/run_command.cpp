@@ -29,7 +29,9 @@ constexpr const char* kFooter =
     "Lengths are mm, coordinates LPS (patient left, posterior, superior). 'echoweave COMMAND --help' explains a command.\n"
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
-std::vector<std::string> builtInNames() { return {"import", "reconstruct", "register", "slice", "scan", "phantom", "case", "plugins", "bench"}; }
+std::vector<std::string> builtInNames() {
+  return {"import", "reconstruct", "register", "slice", "scan", "phantom", "case", "plugins", "bench"};
+}
 
 /// CLI11's messages, as one sentence with a full stop.
 std::string sentenceOf(const CLI::ParseError& error, const std::string& command) {

@@ -29,9 +29,9 @@ struct GraphEdge {
   std::size_t moving = 0;
   glm::dmat4 fixedToMoving{1.0};
   std::optional<PoseCovariance> covariance = {};  ///< about `centre_mm`; absent, or infinite on the diagonal throughout: an edge
-                                             ///< without information, named and left out
-  glm::dvec3 centre_mm{0.0};                 ///< of the overlap, in the fixed volume's frame
-  double trust = 1.0;                        ///< 0..1 from the verdict; 0 leaves it out
+                                                  ///< without information, named and left out
+  glm::dvec3 centre_mm{0.0};                      ///< of the overlap, in the fixed volume's frame
+  double trust = 1.0;                             ///< 0..1 from the verdict; 0 leaves it out
 };
 
 struct GraphOptions {
