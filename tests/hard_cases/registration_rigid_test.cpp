@@ -225,5 +225,27 @@ TEST(RigidHardCases, NoiseAtTheEdgeOfASectorAloneNeverAligns) {
   EXPECT_NE(found->best.verdict, Verdict::aligned) << found->best.reason;
 }
 
+TEST(RigidHardCases, ShadowsAloneThatTurnWithTheProbeNeverAlign) {
+  // Unrelated tissue below the same shadows: they agree wonderfully, and say nothing.
+  const auto shadowed = [](Volume volume) {
+    for (std::size_t q = 0; q < volume.echo.size(); ++q) {
+      const double x = static_cast<double>(q % 40) * 1.5;
+      const double y = static_cast<double>(q / 40 % 40) * 1.5;
+      const double dark = std::sin(0.31 * x + 0.9 * std::sin(0.17 * y)) * std::cos(0.27 * y + 0.8 * std::sin(0.13 * x));
+      volume.echo[q] = static_cast<std::uint8_t>(std::clamp(volume.echo[q] * (1.0 + 0.8 * dark), 1.0, 255.0));
+    }
+    return volume;
+  };
+  const Volume fixed = shadowed(fixedView());
+  const Volume moving = shadowed(seen(tissue(77, 110.0), kGrid, glm::dmat4(1.0), 2));
+  const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
+  ASSERT_TRUE(matched);
+  EXPECT_EQ(matched->best.verdict, Verdict::cannotTell) << matched->best.reason;
+  const auto refined = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {}, noProgress());
+  ASSERT_TRUE(refined);
+  EXPECT_EQ(refined->verdict, Verdict::cannotTell) << refined->reason;
+  EXPECT_TRUE(mentions(refined->reason, "shadows")) << refined->reason;
+}
+
 }  // namespace
 }  // namespace ew::registration

@@ -15,6 +15,7 @@
 #include "rigid/normal_equations.h"
 #include "rigid/pose_search.h"
 #include "rigid/translations.h"
+#include "streaks.h"
 #include "time_limit.h"
 
 namespace {
@@ -490,6 +491,99 @@ TEST(MatchPartial, ForecastsTheMemoryItTakes) {
   }
 }
 
+/// Shadows along `beam`, where the probe's own place says: the same wherever the probe is.
+Volume shadowed(Volume volume, const glm::dvec3& beam, double strength) {
+  const glm::dvec3 along = glm::normalize(beam);
+  const glm::dvec3 x = glm::normalize(glm::cross(along, glm::dvec3(0.3, 1.0, 0.2)));
+  const glm::dvec3 y = glm::cross(along, x);
+  for (int k = 0; k < volume.grid.dims.z; ++k) {
+    for (int j = 0; j < volume.grid.dims.y; ++j) {
+      for (int i = 0; i < volume.grid.dims.x; ++i) {
+        const glm::dvec3 p(volume.grid.voxelToWorld().matrix * glm::dvec4(i, j, k, 1.0));
+        const double a = glm::dot(p, x);
+        const double b = glm::dot(p, y);
+        const double dark = std::sin(0.31 * a + 0.9 * std::sin(0.17 * b)) * std::cos(0.27 * b + 0.8 * std::sin(0.13 * a));
+        std::uint8_t& echo = volume.echo[volume.grid.indexOf(i, j, k)];
+        echo = static_cast<std::uint8_t>(std::clamp(echo * (1.0 + strength * dark), 1.0, 255.0));
+      }
+    }
+  }
+  return volume;
+}
+double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::acos(std::min(1.0, std::abs(glm::dot(glm::normalize(a), glm::normalize(b))))) * 57.2957795;
+}
+
+TEST(Streaks, AreFoundAlongTheBeamAndNotInTissue) {
+  const Grid grid = centred({52, 48, 56}, 1.5);
+  Grid turned = grid;
+  turned.directions = glm::dmat3(pose({}, {25.0, -10.0, 40.0}));
+  turned.origin_mm = turned.directions * grid.origin_mm;
+  const std::vector<double> voxels{3.0};
+  for (const Grid& g : {grid, turned}) {
+    const Volume plain = seen(tissue(5, 130.0), g, glm::dmat4(1.0), 3);
+    for (const glm::dvec3 beam : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.3, -2.0, 0.4)}) {
+      const Volume dark = shadowed(plain, beam, 0.4);
+      const auto images = comparableImages({&dark}, voxels, {}, noProgress());
+      ASSERT_TRUE(images);
+      const auto found = findStreaks((*images)[0], 1, noProgress());
+      ASSERT_TRUE(found);
+      EXPECT_LT(angle_deg(*found, beam), 4.0);
+    }
+    const auto images = comparableImages({&plain}, voxels, {}, noProgress());
+    ASSERT_TRUE(images);
+    EXPECT_FALSE(findStreaks((*images)[0], 1, noProgress()));
+  }
+}
+
+TEST(Streaks, AreTakenOutAndWhatIsCompactStays) {
+  const Grid grid = centred({40, 36, 44}, 1.5);
+  const glm::dvec3 beam(0.2, 0.9, 0.3);
+  Volume streaks;
+  streaks.grid = grid;
+  streaks.echo.assign(grid.voxelCount(), 120);
+  streaks = shadowed(std::move(streaks), beam, 0.5);
+  const auto spread = [&](const Volume& volume) {
+    std::vector<float> sum(volume.echo.begin(), volume.echo.end());
+    double mean = 0.0;
+    for (const float v : sum) mean += static_cast<double>(v) / static_cast<double>(sum.size());
+    double before = 0.0;
+    for (const float v : sum) before += (static_cast<double>(v) - mean) * (static_cast<double>(v) - mean);
+    EXPECT_TRUE(takeOutAlong(grid, beam, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f), sum, 1, noProgress()));
+    double after = 0.0;
+    for (const float v : sum) after += static_cast<double>(v) * static_cast<double>(v);
+    return std::sqrt(after / before);
+  };
+  EXPECT_LT(spread(streaks), 0.2);
+  EXPECT_GT(spread(seen(tissue(6, 80.0), grid, glm::dmat4(1.0), 1, 0.0)), 0.4);
+}
+
+TEST(RefineRigid, AndMatchPartialAreNotDrawnAwayByShadowsThatTurnWithTheProbe) {
+  // The same tissue from two directions, the same shadows along each view's own beams: brought beam to beam they agree best.
+  const glm::dvec3 beam(0.0, 0.0, 1.0);
+  Pair pair = pairOf(pose({2.0, -4.0, 3.0}, {13.0, 0.0, 0.0}), 3, 48);
+  pair.fixed = shadowed(std::move(pair.fixed), beam, 0.75);
+  pair.moving = shadowed(std::move(pair.moving), beam, 0.75);
+  for (const bool given : {false, true}) {
+    const Input fixed{&pair.fixed, {}, given ? std::optional(beam) : std::nullopt};
+    const Input moving{&pair.moving, {}, given ? std::optional(beam) : std::nullopt};
+    const auto refined = refineRigid(fixed, moving, pair.truth, {}, noProgress());
+    ASSERT_TRUE(refined);
+    EXPECT_EQ(refined->verdict, Verdict::aligned) << refined->reason;
+    EXPECT_LT(apart_mm(refined->fixedToMoving, pair.truth, pair.fixed.grid), 1.0) << refined->reason;
+    RefineOptions threaded;
+    threaded.threads = 8;
+    const auto same = refineRigid(fixed, moving, pair.truth, threaded, noProgress());
+    ASSERT_TRUE(same);
+    EXPECT_EQ(refined->fixedToMoving, same->fixedToMoving);
+    const auto matched = matchPartial(fixed, moving, {}, noProgress());
+    ASSERT_TRUE(matched);
+    EXPECT_EQ(matched->best.verdict, Verdict::aligned) << matched->best.reason;
+    EXPECT_LT(apart_mm(matched->best.fixedToMoving, pair.truth, pair.fixed.grid), 1.0) << matched->best.reason;
+    EXPECT_EQ(matched->best.reason.find("streaks were taken out") != std::string::npos, !given) << matched->best.reason;
+  }
+}
+
 TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
   Pair pair = pairOf(glm::dmat4(1.0), 1, 16, 3.0);
   const auto code = [&](const Input& f, const Input& m, const glm::dmat4& start, const RefineOptions& options = {}) {
@@ -503,6 +597,8 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
   EXPECT_EQ(code({&pair.fixed, wild}, {&pair.moving}, one), ErrorCode::badField);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, 2.0 * one), ErrorCode::notRigid);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, one, {.finest_mm = -1.0}), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed, {}, glm::dvec3(0.0)}, {&pair.moving}, one), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed}, {&pair.moving, {}, glm::dvec3(NAN, 0.0, 1.0)}, one), ErrorCode::badField);
   Volume none;
   EXPECT_EQ(code({&none}, {&pair.moving}, one), ErrorCode::emptyVolume);
   Volume unseen = pair.fixed;

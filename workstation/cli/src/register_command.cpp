@@ -31,6 +31,8 @@ struct RegisterArguments {
   std::string coverageMoving;
   std::string confidenceFixed;
   std::string confidenceMoving;
+  std::optional<std::vector<double>> beamFixed;
+  std::optional<std::vector<double>> beamMoving;
   int threads = 0;
   std::optional<double> pickError_mm;
   std::string effort = "balanced";
@@ -50,7 +52,8 @@ struct RegisterArguments {
 struct Side {
   Volume volume;
   std::vector<float> confidence;
-  [[nodiscard]] Input input() const { return {&volume, confidence}; }
+  std::optional<glm::dvec3> beam;
+  [[nodiscard]] Input input() const { return {&volume, confidence, beam}; }
 };
 
 /// What any method found, in one form.
@@ -366,6 +369,8 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
   if (!arguments.moved.empty())
     if (auto announced = run.output(arguments.moved, ".mha .mhd"); !announced) return passOn(announced.error());
   run.report.options = {{"method", arguments.method}, {"threads", arguments.threads}};
+  if (arguments.beamFixed) run.report.options["beam_fixed"] = *arguments.beamFixed;
+  if (arguments.beamMoving) run.report.options["beam_moving"] = *arguments.beamMoving;
   run.report.options["start"] = arguments.start.empty() ? nlohmann::json() : nlohmann::json(arguments.start);
 
   Side fixed;
@@ -381,6 +386,8 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
     if (!read) return passOn(read.error());
     moving = *std::move(read);
   }
+  if (const auto& beam = arguments.beamFixed) fixed.beam = glm::dvec3((*beam)[0], (*beam)[1], (*beam)[2]);
+  if (const auto& beam = arguments.beamMoving) moving.beam = glm::dvec3((*beam)[0], (*beam)[1], (*beam)[2]);
   auto found = [&] {
     const StepClock clock(run.report, "register");
     PartOfProgress registering(run.progress, 0.06, arguments.assess ? 0.85 : 0.9);
@@ -477,6 +484,9 @@ void addRegister(CLI::App& root, Selection& selection) {
   app.add_option("--confidence-fixed", arguments->confidenceFixed, "How far each voxel of FIXED is believed, 0..255 on the same grid")
       ->type_name("C.mha");
   app.add_option("--confidence-moving", arguments->confidenceMoving, "The same of MOVING")->type_name("C.mha");
+  addNumberList(app, "--beam-fixed", arguments->beamFixed, 3, "X Y Z",
+                "rigid, partial: the direction of FIXED's beams, in its coordinates; shadows along it do not count (looked for)");
+  addNumberList(app, "--beam-moving", arguments->beamMoving, 3, "X Y Z", "The same of MOVING");
   app.add_option("--effort", arguments->effort, "elastic3d: fast, balanced or accurate (balanced)")
       ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
       ->type_name("EFFORT");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ew/core/parallel.h"
+#include "streaks.h"
 
 namespace ew::registration {
 namespace {
@@ -388,6 +389,11 @@ Result<void> checkInput(const Input& input, const char* side) {
     return failure(ErrorCode::badField, "The coverage of the " + who + " volume has " + std::to_string(volume.coverage.size()) +
                                             " values for " + std::to_string(n) + " voxels.");
   }
+  if (input.beam) {
+    const double length = glm::length(*input.beam);
+    if (!(length > 1e-6 && length < 1e6))
+      return failure(ErrorCode::badField, "The direction of the beam of the " + who + " volume is no direction.");
+  }
   if (!input.confidence.empty()) {
     if (input.confidence.size() != n) {
       return failure(ErrorCode::badField, "The confidence of the " + who + " volume has " + std::to_string(input.confidence.size()) +
@@ -451,6 +457,8 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
         level.weight[q] = inside ? 1.0f : 0.0f;
       }
     }
+    if (input.beam && !takeOutAlong(grid, *input.beam, kAlongBeam_mm, level.weight, level.sum, options.threads, progress))
+      return cancelled();
     if (!normalise(std::move(level), options, levels[l], progress)) return cancelled();
   }
   return levels;

@@ -72,56 +72,25 @@ Result<void> checkOptions(const PartialOptions& options) {
   return checkOptions(options.refine);
 }
 
-}  // namespace
-
-std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const PartialOptions& options) {
-  std::size_t search = 0;
-  const auto voxels = voxelsFor(fixed, moving, options, search);
-  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree).size();
-  const ComparableMemory f = forecastComparable(fixed, voxels);
-  const ComparableMemory m = forecastComparable(moving, voxels);
-  return std::max(forecastPair_bytes(fixed, moving, voxels),
-                  f.result_bytes + m.result_bytes +
-                      forecastTranslations_bytes(levelGrid(fixed, voxels[search]), levelGrid(moving, voxels[search]),
-                                                 threadCount(options.threads), turns));
-}
-
-Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, const PartialOptions& options, Progress& progress,
-                                   const OnLevel& onLevel) {
-  const auto begun = std::chrono::steady_clock::now();
+/// The search over a pair that shows something.
+Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, const PartialOptions& options, int threads, Progress& progress,
+                                const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
-  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
-  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
-  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
-  const int threads = threadCount(options.threads);
-  std::size_t search = 0;
-  const auto voxels = voxelsFor(fixed.volume->grid, moving.volume->grid, options, search);
-  PartOfProgress preparing(progress, 0.0, 0.15);
-  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
-  if (!prepared) return passOn(prepared.error());
-  const PairLevels& pair = *prepared;
   PartialResult result;
   const auto finish = [&](Verdict verdict, std::string reason) {
     result.best.verdict = verdict;
     result.best.reason = std::move(reason);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    result.best.seconds = result.seconds;
     return result;
   };
-  if (std::string why = whyNothingCanBeSaid(pair); !why.empty()) {
-    result.best.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, std::move(why));
-  }
-
   const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree);
   result.poses = static_cast<int>(turns.size());
-  PartOfProgress searching(progress, 0.15, 0.7);
+  PartOfProgress searching(progress, 0.0, 0.65);
   const auto peaks =
       correlateOverTranslations(pair.fixed[search], pair.moving[search], turns, {options.leastOverlap, kPeaksPerTurn, threads}, searching);
   if (progress.cancelRequested()) return cancelled();
 
   // The most significant peaks descend at the cells of the search, the best of them at the level of agreement.
-  PartOfProgress descending(progress, 0.7, 0.85);
+  PartOfProgress descending(progress, 0.65, 0.83);
   const std::size_t at = std::max(pair.agreement, search);
   const double perCell = search == pair.agreement ? pair.voxelsPerSample : voxelsPerSample(pair.fixed[search], pair.moving[search]);
   const glm::dmat4 toWorld = pair.fixed[search].grid.voxelToWorld().matrix;
@@ -171,13 +140,13 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   }
 
   RigidResult& found = result.best;
-  PartOfProgress finishing(progress, 0.85, 1.0);
+  PartOfProgress finishing(progress, 0.83, 1.0);
   Evidence before;
   if (!evidenceAt(pair, at, best.start, pair.voxelsPerSample, threads, finishing, before)) return cancelled();
   found.before = before.agreement;
   if (!halvesApart(pair, search, at, best.coarse, threads, finishing, found.halvesDisagree_mm)) return cancelled();
-  const std::size_t first = std::min(at + 1, voxels.size() - 1);
-  if (!refineThrough(pair, first, voxels.size() - 1, best.pose, options.refine, threads, finishing, onLevel, found)) return cancelled();
+  const std::size_t first = std::min(at + 1, pair.fixed.size() - 1);
+  if (!refineThrough(pair, first, pair.fixed.size() - 1, best.pose, options.refine, threads, finishing, onLevel, found)) return cancelled();
   Evidence after;
   if (!evidenceAt(pair, at, found.fixedToMoving, pair.voxelsPerSample, threads, finishing, after)) return cancelled();
   if (after.significance < 0.9 * best.evidence.significance) {
@@ -211,6 +180,79 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   return finish(Verdict::aligned, "One pose stands out by a margin of " + withDigits(result.margin, 1) +
                                       ", and halves of the overlap registered apart agree to " + millimetres(found.halvesDisagree_mm) +
                                       " (" + figures + ").");
+}
+
+}  // namespace
+
+std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const PartialOptions& options) {
+  std::size_t search = 0;
+  const auto voxels = voxelsFor(fixed, moving, options, search);
+  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree).size();
+  const ComparableMemory f = forecastComparable(fixed, voxels);
+  const ComparableMemory m = forecastComparable(moving, voxels);
+  return std::max(forecastPair_bytes(fixed, moving, voxels),
+                  f.result_bytes + m.result_bytes +
+                      forecastTranslations_bytes(levelGrid(fixed, voxels[search]), levelGrid(moving, voxels[search]),
+                                                 threadCount(options.threads), turns));
+}
+
+Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, const PartialOptions& options, Progress& progress,
+                                   const OnLevel& onLevel) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  const int threads = threadCount(options.threads);
+  std::size_t search = 0;
+  const auto voxels = voxelsFor(fixed.volume->grid, moving.volume->grid, options, search);
+  PartOfProgress preparing(progress, 0.0, 0.15);
+  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
+  if (!prepared) return passOn(prepared.error());
+  PartialResult result;
+  const auto finish = [&](Verdict verdict, std::string reason) {
+    result.best.verdict = verdict;
+    result.best.reason = std::move(reason);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.best.seconds = result.seconds;
+    return result;
+  };
+  if (std::string why = whyNothingCanBeSaid(*prepared); !why.empty()) {
+    result.best.stop = StopReason::noOverlap;
+    return finish(Verdict::cannotTell, std::move(why));
+  }
+
+  PartOfProgress matching(progress, 0.15, 0.95);
+  auto matched = matchPair(*prepared, search, options, threads, matching, onLevel);
+  if (!matched) return passOn(matched.error());
+  result = std::move(*matched);
+  const bool aligned = result.best.verdict == Verdict::aligned;
+  const bool ambiguous = result.best.verdict == Verdict::cannotTell && !result.hypotheses.empty() &&
+                         result.hypotheses[0].significance >= kSureOfSearch;  // streaks may be what repeats or contradicts
+  if (!aligned && !ambiguous) return finish(result.best.verdict, result.best.reason);
+
+  // Would it be found without what runs along the beams?
+  PartOfProgress checking(progress, 0.95, 1.0);
+  const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
+  if (progress.cancelRequested()) return cancelled();
+  if (!streaks.found) return finish(result.best.verdict, result.best.reason);
+  prepared = PairLevels{};  // before the next takes its memory
+  prepared = preparePair({fixed.volume, fixed.confidence, streaks.fixed}, {moving.volume, moving.confidence, streaks.moving}, voxels,
+                         threads, checking);
+  if (!prepared) return passOn(prepared.error());
+  WithoutStreaks fare;
+  if (!fareWithoutStreaks(*prepared, search, result.best.fixedToMoving, threads, checking, fare)) return cancelled();
+  if (aligned && !restsOnStreaks(fare, kSureOfSearch)) return finish(result.best.verdict, result.best.reason);
+  if (whyNothingCanBeSaid(*prepared).empty()) {
+    auto again = matchPair(*prepared, search, options, threads, checking, onLevel);
+    if (!again) return passOn(again.error());
+    if (again->best.verdict == Verdict::aligned) {
+      const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
+      result = std::move(*again);
+      return finish(Verdict::aligned, withoutStreaks(moved) + result.best.reason);
+    }
+  }
+  return finish(Verdict::cannotTell, aligned ? onlyStreaks(fare, kSureOfSearch) : result.best.reason);
 }
 
 }  // namespace ew::registration

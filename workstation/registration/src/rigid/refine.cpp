@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "../streaks.h"
+
 namespace ew::registration {
 namespace {
 
@@ -199,6 +201,38 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
     result.covariance = out;
   }
   return true;
+}
+
+Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress) {
+  Streaks streaks{fixed.beam, moving.beam, false};
+  if (!streaks.fixed) {
+    streaks.fixed = findStreaks(pair.fixed[0], threads, progress);
+    streaks.found = streaks.fixed.has_value();
+  }
+  if (!streaks.moving) {
+    streaks.moving = findStreaks(pair.moving[0], threads, progress);
+    streaks.found = streaks.found || streaks.moving.has_value();
+  }
+  return streaks;
+}
+
+bool fareWithoutStreaks(const PairLevels& pair, std::size_t first, const glm::dmat4& pose, int threads, Progress& progress,
+                        WithoutStreaks& fare) {
+  fare.fixedToMoving = pose;
+  glm::dvec3 middle(0.0);
+  for (std::size_t l = first; l <= std::max(first, pair.agreement); ++l) {
+    const double voxel = pair.fixed[l].grid.spacing_mm.x;
+    DescentOptions options;
+    options.stop_mm = 0.03 * voxel;
+    options.limit_mm = 2.0 * voxel;
+    const Descent descent = descend(pair.fixed[l], pair.packedMoving[l], fare.fixedToMoving, options, threads, progress);
+    if (descent.stop == StopReason::cancelled) return false;
+    if (descent.stop == StopReason::noOverlap || descent.stop == StopReason::singular) return true;  // no evidence
+    fare.fixedToMoving = descent.fixedToMoving;
+    middle = descent.centre_mm;
+  }
+  fare.moved = differenceOf(pose, fare.fixedToMoving, middle);
+  return evidenceAt(pair, pair.agreement, fare.fixedToMoving, pair.voxelsPerSample, threads, progress, fare.evidence);
 }
 
 bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads, Progress& progress,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "../comparable.h"
@@ -42,6 +43,25 @@ struct Evidence {
                                  const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel,
                                  RigidResult& result);
 
+/// Which way streaks run, mm: given with the inputs or found in their images.
+struct Streaks {
+  std::optional<glm::dvec3> fixed;
+  std::optional<glm::dvec3> moving;
+  bool found = false;  ///< at least one was, so that `pair` still shows it
+};
+[[nodiscard]] Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress);
+
+/// How a pose fares where streaks were taken out.
+struct WithoutStreaks {
+  glm::dmat4 fixedToMoving{1.0};  ///< where it goes
+  PoseDifference moved;           ///< by how much, at the middle of the overlap
+  Evidence evidence;              ///< there
+};
+/// @param pair prepared without streaks
+/// @return false when cancelled
+[[nodiscard]] bool fareWithoutStreaks(const PairLevels& pair, std::size_t first, const glm::dmat4& pose, int threads, Progress& progress,
+                                      WithoutStreaks& fare);
+
 /// Halves of the overlap (two colours of a checkerboard) refined apart from `start`: largest distance between where they take the corners
 /// of the overlap. Infinite when one has nothing to go by.
 /// @return false when cancelled
@@ -58,5 +78,7 @@ constexpr double kChanceOfDescent = 6.0;  ///< the same of one descent from a gi
 constexpr double kSureOfDescent = 9.0;
 constexpr double kLeastMargin = 1.8;  ///< over the runner-up
 constexpr double kHalvesApart_mm = 3.0;
+constexpr double kStreaksMove_mm = 3.0;  ///< a pose that taking streaks out moves further rests on them
+constexpr double kStreaksTurn_deg = 3.0;
 
 }  // namespace ew::registration

@@ -9,32 +9,19 @@
 
 namespace ew::registration {
 
-Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
-                                Progress& progress, const OnLevel& onLevel) {
-  const auto begun = std::chrono::steady_clock::now();
+namespace {
+
+/// The refinement of a pair that shows something.
+Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, const RefineOptions& options, int threads,
+                               Progress& progress, const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
-  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
-  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
-  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
-  if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
-  const int threads = threadCount(options.threads);
-  const auto voxels = levelVoxels_mm(fixed.volume->grid, moving.volume->grid, options.coarsest_mm, options.finest_mm);
-  PartOfProgress preparing(progress, 0.0, 0.3);
-  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
-  if (!prepared) return passOn(prepared.error());
-  const PairLevels& pair = *prepared;
   RigidResult result;
   result.fixedToMoving = start;
   const auto finish = [&](Verdict verdict, std::string reason) {
     result.verdict = verdict;
     result.reason = std::move(reason);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
   };
-  if (std::string why = whyNothingCanBeSaid(pair); !why.empty()) {
-    result.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, std::move(why));
-  }
   const std::size_t at = pair.agreement;
   Evidence before;
   if (!evidenceAt(pair, at, start, pair.voxelsPerSample, threads, progress, before)) return cancelled();
@@ -43,8 +30,8 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
     result.stop = StopReason::noOverlap;
     return finish(Verdict::cannotTell, "The two volumes do not overlap at the start: bring them closer, or match without a start.");
   }
-  PartOfProgress refining(progress, 0.3, 0.9);
-  if (!refineThrough(pair, 0, voxels.size() - 1, start, options, threads, refining, onLevel, result)) return cancelled();
+  PartOfProgress refining(progress, 0.0, 0.85);
+  if (!refineThrough(pair, 0, pair.fixed.size() - 1, start, options, threads, refining, onLevel, result)) return cancelled();
   if (result.stop == StopReason::noOverlap || result.stop == StopReason::singular) {
     const bool lost = result.stop == StopReason::noOverlap;
     result.fixedToMoving = start;
@@ -54,7 +41,7 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
   }
   Evidence after;
   if (!evidenceAt(pair, at, result.fixedToMoving, pair.voxelsPerSample, threads, progress, after)) return cancelled();
-  PartOfProgress halves(progress, 0.9, 1.0);
+  PartOfProgress halves(progress, 0.85, 1.0);
   if (!halvesApart(pair, 0, at, start, threads, halves, result.halvesDisagree_mm)) return cancelled();
   if (after.significance < before.significance) {
     // Nothing gained: the start is no worse than what was found.
@@ -80,6 +67,63 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
   }
   return finish(Verdict::aligned,
                 "Halves of the overlap registered apart agree to " + millimetres(result.halvesDisagree_mm) + " (" + figures + ").");
+}
+
+}  // namespace
+
+Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
+                                Progress& progress, const OnLevel& onLevel) {
+  const auto begun = std::chrono::steady_clock::now();
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
+  const int threads = threadCount(options.threads);
+  const auto voxels = levelVoxels_mm(fixed.volume->grid, moving.volume->grid, options.coarsest_mm, options.finest_mm);
+  PartOfProgress preparing(progress, 0.0, 0.3);
+  auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
+  if (!prepared) return passOn(prepared.error());
+  RigidResult result;
+  result.fixedToMoving = start;
+  const auto finish = [&](Verdict verdict, std::string reason) {
+    result.verdict = verdict;
+    result.reason = std::move(reason);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return result;
+  };
+  if (std::string why = whyNothingCanBeSaid(*prepared); !why.empty()) {
+    result.stop = StopReason::noOverlap;
+    return finish(Verdict::cannotTell, std::move(why));
+  }
+  PartOfProgress refining(progress, 0.3, 0.9);
+  auto refined = refinePair(*prepared, start, options, threads, refining, onLevel);
+  if (!refined) return passOn(refined.error());
+  result = std::move(*refined);
+  if (result.verdict != Verdict::aligned) return finish(result.verdict, result.reason);
+
+  // Would it be found without what runs along the beams?
+  PartOfProgress checking(progress, 0.9, 1.0);
+  const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
+  if (progress.cancelRequested()) return cancelled();
+  if (!streaks.found) return finish(result.verdict, result.reason);
+  prepared = PairLevels{};  // before the next takes its memory
+  prepared = preparePair({fixed.volume, fixed.confidence, streaks.fixed}, {moving.volume, moving.confidence, streaks.moving}, voxels,
+                         threads, checking);
+  if (!prepared) return passOn(prepared.error());
+  WithoutStreaks fare;
+  if (!fareWithoutStreaks(*prepared, 0, result.fixedToMoving, threads, checking, fare)) return cancelled();
+  if (!restsOnStreaks(fare, kSureOfDescent)) return finish(result.verdict, result.reason);
+  if (whyNothingCanBeSaid(*prepared).empty()) {
+    auto again = refinePair(*prepared, start, options, threads, checking, onLevel);
+    if (!again) return passOn(again.error());
+    if (again->verdict == Verdict::aligned) {
+      const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
+      result = std::move(*again);
+      return finish(Verdict::aligned, withoutStreaks(moved) + result.reason);
+    }
+  }
+  return finish(Verdict::cannotTell, onlyStreaks(fare, kSureOfDescent));
 }
 
 }  // namespace ew::registration

@@ -21,4 +21,22 @@ std::string agreementFigures(const Evidence& evidence) {
 
 double mostSignificance(const Evidence& evidence) { return std::atanh(0.7) * std::sqrt(evidence.samples); }
 
+bool restsOnStreaks(const WithoutStreaks& fare, double sure) {
+  return fare.evidence.significance < sure || fare.moved.shift_mm > kStreaksMove_mm || fare.moved.turn_deg > kStreaksTurn_deg;
+}
+
+std::string onlyStreaks(const WithoutStreaks& fare, double sure) {
+  const std::string why = "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: ";
+  if (fare.evidence.significance < sure) {
+    return why + "without them the volumes agree hardly better than unrelated tissue does (" + agreementFigures(fare.evidence) + ").";
+  }
+  return why + "without them the pose lies " + millimetres(fare.moved.shift_mm) + " and " + withDigits(fare.moved.turn_deg, 1) +
+         " degrees elsewhere. A tracker, landmarks or the direction of the beams can decide.";
+}
+
+std::string withoutStreaks(const PoseDifference& moved) {
+  return "Shadows and other streaks were taken out, which drew the volumes " + millimetres(moved.shift_mm) + " and " +
+         withDigits(moved.turn_deg, 1) + " degrees elsewhere. ";
+}
+
 }  // namespace ew::registration

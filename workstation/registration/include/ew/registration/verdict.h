@@ -1,6 +1,8 @@
 #pragma once
 
+#include <glm/glm.hpp>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,6 +27,9 @@ const char* nameOf(StopReason reason);
 struct Input {
   const Volume* volume = nullptr;          ///< never null; lives as long as the call
   std::span<const float> confidence = {};  ///< voxelCount() values in 0..1; empty: 1 wherever covered
+  /// Direction of the view's beams in mm, where known and nearly parallel. What runs along it, as shadows do, is then no evidence for rigid
+  /// registration; without it, streaks are looked for before a result is called aligned.
+  std::optional<glm::dvec3> beam = {};
 };
 
 /// Agreement of the images at a transform, over the voxels both sides cover. Correlations are of images made comparable

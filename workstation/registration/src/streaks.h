@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "comparable.h"
+
+/// What runs along a view's beams: shadows and enhancement. It turns with the probe and not with the tissue. Private to this library.
+namespace ew::registration {
+
+constexpr double kAlongBeam_mm = 6.0;  ///< standard deviation of the mean along the beam that is taken out
+
+/// Takes the weighted mean along `direction` out of an echo image on cubes.
+/// @param direction in mm, of any length above 0
+/// @param sum       echo times weight; on return (echo - mean along the direction) times weight
+/// @return false when cancelled
+bool takeOutAlong(const Grid& grid, const glm::dvec3& direction, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
+                  int threads, Progress& progress);
+
+/// The direction (mm) along which the image is most alike to itself 18 to 36 mm further on, which tissue hardly is; none when it is not
+/// alike in any, or when cancelled. Straight layers and vessels count too: a hint, no proof.
+/// @param image 1 to 5 mm cubes
+[[nodiscard]] std::optional<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress);
+
+}  // namespace ew::registration
