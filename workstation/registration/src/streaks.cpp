@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kDirections = 300;  // over half the sphere: 8 degrees apart
 constexpr double kNearby_deg = 12.0;
+constexpr double kApart_deg = 30.0;
+constexpr double kNearlyAsGood = 0.75;
 constexpr double kAlike = 0.15;                 // correlation along streaks; tissue without any stays below
 constexpr double kLeastCompared_mm3 = 50000.0;  // per direction
 constexpr double kMostRows = 40000.0;           // voxels looked at per distance
@@ -110,7 +112,7 @@ bool takeOutAlong(const Grid& grid, const glm::dvec3& direction, double sigma_mm
   return done;
 }
 
-std::optional<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress) {
+std::vector<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress) {
   const double voxel_mm = image.grid.spacing_mm.x;
   const int stride = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(image.grid.voxelCount()) / kMostRows))));
   std::vector<glm::dvec3> directions(kDirections);
@@ -131,18 +133,27 @@ std::optional<glm::dvec3> findStreaks(const ComparableImage& image, int threads,
       alike[d] = sums.both / std::sqrt(sums.here * sums.there);
     }
   });
-  if (!done) return std::nullopt;
-  const auto best = std::max_element(alike.begin(), alike.end());
-  if (*best < kAlike) return std::nullopt;
-  // The middle of the peak.
-  const glm::dvec3 peak = directions[best - alike.begin()];
-  glm::dvec3 middle(0.0);
-  for (int d = 0; d < kDirections; ++d) {
-    const double along = glm::dot(directions[d], peak);
-    if (std::abs(along) < std::cos(kNearby_deg * std::numbers::pi / 180.0)) continue;
-    middle += std::max(0.0, alike[d] - 0.7 * *best) * (along < 0.0 ? -1.0 : 1.0) * directions[d];
+  if (!done) return {};
+  std::vector<glm::dvec3> found;
+  double first = 0.0;
+  while (found.size() < 2) {
+    const auto best = std::max_element(alike.begin(), alike.end());
+    if (*best < std::max(kAlike, kNearlyAsGood * first)) break;
+    if (found.empty()) first = *best;
+    // The middle of the peak.
+    const glm::dvec3 peak = directions[best - alike.begin()];
+    const double least = 0.7 * *best;
+    glm::dvec3 middle(0.0);
+    for (int d = 0; d < kDirections; ++d) {
+      const double along = glm::dot(directions[d], peak);
+      if (std::abs(along) > std::cos(kNearby_deg * std::numbers::pi / 180.0)) {
+        middle += std::max(0.0, alike[d] - least) * (along < 0.0 ? -1.0 : 1.0) * directions[d];
+      }
+      if (std::abs(along) > std::cos(kApart_deg * std::numbers::pi / 180.0)) alike[d] = 0.0;
+    }
+    found.push_back(image.grid.directions * glm::normalize(middle));
   }
-  return image.grid.directions * glm::normalize(middle);
+  return found;
 }
 
 }  // namespace ew::registration

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <vector>
 
 #include "comparable.h"
@@ -18,9 +17,10 @@ constexpr double kAlongBeam_mm = 6.0;  ///< standard deviation of the mean along
 bool takeOutAlong(const Grid& grid, const glm::dvec3& direction, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
                   int threads, Progress& progress);
 
-/// The direction (mm) along which the image is most alike to itself 18 to 36 mm further on, which tissue hardly is; none when it is not
+/// The direction (mm) along which the image is most alike to itself 18 to 36 mm further on, which tissue hardly is; empty when it is not
 /// alike in any, or when cancelled. Straight layers and vessels count too: a hint, no proof.
 /// @param image 1 to 5 mm cubes
-[[nodiscard]] std::optional<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress);
+/// A second is named when it is nearly as good and more than 30 degrees off, for a ridge of tissue may look the same.
+[[nodiscard]] std::vector<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress);
 
 }  // namespace ew::registration

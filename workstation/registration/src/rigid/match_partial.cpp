@@ -236,23 +236,20 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
   if (progress.cancelRequested()) return cancelled();
   if (!streaks.found) return finish(result.best.verdict, result.best.reason);
-  prepared = PairLevels{};  // before the next takes its memory
-  prepared = preparePair({fixed.volume, fixed.confidence, streaks.fixed}, {moving.volume, moving.confidence, streaks.moving}, voxels,
-                         threads, checking);
-  if (!prepared) return passOn(prepared.error());
-  WithoutStreaks fare;
-  if (!fareWithoutStreaks(*prepared, search, result.best.fixedToMoving, threads, checking, fare)) return cancelled();
-  if (aligned && !restsOnStreaks(fare, kSureOfSearch)) return finish(result.best.verdict, result.best.reason);
+  const auto fare =
+      fareWithoutStreaks(fixed, moving, streaks, voxels, search, result.best.fixedToMoving, kSureOfSearch, threads, checking, *prepared);
+  if (!fare) return passOn(fare.error());
+  if (aligned && !fare->rests) return finish(result.best.verdict, result.best.reason);
   if (whyNothingCanBeSaid(*prepared).empty()) {
     auto again = matchPair(*prepared, search, options, threads, checking, onLevel);
     if (!again) return passOn(again.error());
-    if (again->best.verdict == Verdict::aligned) {
-      const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
+    const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
+    if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {
       result = std::move(*again);
       return finish(Verdict::aligned, withoutStreaks(moved) + result.best.reason);
     }
   }
-  return finish(Verdict::cannotTell, aligned ? onlyStreaks(fare, kSureOfSearch) : result.best.reason);
+  return finish(Verdict::cannotTell, aligned ? onlyStreaks(*fare, kSureOfSearch) : result.best.reason);
 }
 
 }  // namespace ew::registration

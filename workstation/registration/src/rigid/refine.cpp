@@ -204,35 +204,82 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
 }
 
 Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress) {
-  Streaks streaks{fixed.beam, moving.beam, false};
-  if (!streaks.fixed) {
-    streaks.fixed = findStreaks(pair.fixed[0], threads, progress);
-    streaks.found = streaks.fixed.has_value();
-  }
-  if (!streaks.moving) {
-    streaks.moving = findStreaks(pair.moving[0], threads, progress);
-    streaks.found = streaks.found || streaks.moving.has_value();
-  }
+  Streaks streaks;
+  const auto fill = [&](const Input& side, const ComparableImage& image, std::vector<glm::dvec3>& directions) {
+    if (side.beam) {
+      directions = {*side.beam};
+      return;
+    }
+    directions = findStreaks(image, threads, progress);
+    streaks.found = streaks.found || !directions.empty();
+  };
+  fill(fixed, pair.fixed[0], streaks.fixed);
+  fill(moving, pair.moving[0], streaks.moving);
   return streaks;
 }
 
-bool fareWithoutStreaks(const PairLevels& pair, std::size_t first, const glm::dmat4& pose, int threads, Progress& progress,
-                        WithoutStreaks& fare) {
-  fare.fixedToMoving = pose;
-  glm::dvec3 middle(0.0);
-  for (std::size_t l = first; l <= std::max(first, pair.agreement); ++l) {
-    const double voxel = pair.fixed[l].grid.spacing_mm.x;
-    DescentOptions options;
-    options.stop_mm = 0.03 * voxel;
-    options.limit_mm = 2.0 * voxel;
-    const Descent descent = descend(pair.fixed[l], pair.packedMoving[l], fare.fixedToMoving, options, threads, progress);
-    if (descent.stop == StopReason::cancelled) return false;
-    if (descent.stop == StopReason::noOverlap || descent.stop == StopReason::singular) return true;  // no evidence
-    fare.fixedToMoving = descent.fixedToMoving;
-    middle = descent.centre_mm;
+Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& moving, const Streaks& streaks,
+                                          const std::vector<double>& voxel_mm, std::size_t first, const glm::dmat4& pose, double sure,
+                                          int threads, Progress& progress, PairLevels& pair) {
+  struct Way {
+    Input fixed;
+    Input moving;
+  };
+  std::vector<Way> ways;
+  for (std::size_t f = 0; f < std::max<std::size_t>(1, streaks.fixed.size()); ++f) {
+    for (std::size_t m = 0; m < std::max<std::size_t>(1, streaks.moving.size()); ++m) {
+      Way way{fixed, moving};
+      if (!streaks.fixed.empty()) way.fixed.beam = streaks.fixed[f];
+      if (!streaks.moving.empty()) way.moving.beam = streaks.moving[m];
+      ways.push_back(way);
+    }
   }
-  fare.moved = differenceOf(pose, fare.fixedToMoving, middle);
-  return evidenceAt(pair, pair.agreement, fare.fixedToMoving, pair.voxelsPerSample, threads, progress, fare.evidence);
+  const auto prepare = [&](const Way& way) -> Result<void> {
+    pair = {};  // before the next takes its memory
+    auto prepared = preparePair(way.fixed, way.moving, voxel_mm, threads, progress);
+    if (!prepared) return passOn(prepared.error());
+    pair = std::move(*prepared);
+    return {};
+  };
+  WithoutStreaks best;
+  std::size_t chosen = 0;
+  for (std::size_t w = 0; w < ways.size(); ++w) {
+    if (auto prepared = prepare(ways[w]); !prepared) return passOn(prepared.error());
+    WithoutStreaks fare;
+    fare.fixedToMoving = pose;
+    glm::dvec3 middle(0.0);
+    bool lost = false;
+    for (std::size_t l = first; l <= std::max(first, pair.agreement) && !lost; ++l) {
+      const double voxel = pair.fixed[l].grid.spacing_mm.x;
+      DescentOptions options;
+      options.stop_mm = 0.03 * voxel;
+      options.limit_mm = 2.0 * voxel;
+      const Descent descent = descend(pair.fixed[l], pair.packedMoving[l], fare.fixedToMoving, options, threads, progress);
+      if (descent.stop == StopReason::cancelled) return failure(ErrorCode::cancelled, "Registration was cancelled.");
+      lost = descent.stop == StopReason::noOverlap || descent.stop == StopReason::singular;
+      if (lost) break;
+      fare.fixedToMoving = descent.fixedToMoving;
+      middle = descent.centre_mm;
+    }
+    if (!lost) {
+      fare.moved = differenceOf(pose, fare.fixedToMoving, middle);
+      if (!evidenceAt(pair, pair.agreement, fare.fixedToMoving, pair.voxelsPerSample, threads, progress, fare.evidence))
+        return failure(ErrorCode::cancelled, "Registration was cancelled.");
+    }
+    const bool moves = elsewhere(fare.moved);
+    fare.rests = moves || fare.evidence.significance < sure;
+    if (w == 0) {
+      best = fare;
+      if (!fare.rests) return best;
+    } else if (moves && fare.evidence.significance > best.evidence.significance) {
+      best = fare;
+      chosen = w;
+    }
+  }
+  if (chosen + 1 != ways.size()) {
+    if (auto prepared = prepare(ways[chosen]); !prepared) return passOn(prepared.error());
+  }
+  return best;
 }
 
 bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads, Progress& progress,

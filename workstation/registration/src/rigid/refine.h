@@ -43,10 +43,10 @@ struct Evidence {
                                  const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel,
                                  RigidResult& result);
 
-/// Which way streaks run, mm: given with the inputs or found in their images.
+/// Which way streaks may run, mm: given with the inputs or found in their images, best first.
 struct Streaks {
-  std::optional<glm::dvec3> fixed;
-  std::optional<glm::dvec3> moving;
+  std::vector<glm::dvec3> fixed;
+  std::vector<glm::dvec3> moving;
   bool found = false;  ///< at least one was, so that `pair` still shows it
 };
 [[nodiscard]] Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress);
@@ -56,11 +56,16 @@ struct WithoutStreaks {
   glm::dmat4 fixedToMoving{1.0};  ///< where it goes
   PoseDifference moved;           ///< by how much, at the middle of the overlap
   Evidence evidence;              ///< there
+  bool rests = false;             ///< the pose rested on the streaks: it goes elsewhere, or is no longer believed
 };
-/// @param pair prepared without streaks
-/// @return false when cancelled
-[[nodiscard]] bool fareWithoutStreaks(const PairLevels& pair, std::size_t first, const glm::dmat4& pose, int threads, Progress& progress,
-                                      WithoutStreaks& fare);
+/// Takes streaks out and sees how `pose` fares by descending through `first` to the level of agreement. When it rested on them and there is
+/// doubt which way they run, `pair` becomes that without them which agrees best elsewhere.
+/// @param pair replaced
+/// @param sure significance a pose is believed from
+/// @error as preparePair
+[[nodiscard]] Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& moving, const Streaks& streaks,
+                                                        const std::vector<double>& voxel_mm, std::size_t first, const glm::dmat4& pose,
+                                                        double sure, int threads, Progress& progress, PairLevels& pair);
 
 /// Halves of the overlap (two colours of a checkerboard) refined apart from `start`: largest distance between where they take the corners
 /// of the overlap. Infinite when one has nothing to go by.
@@ -80,5 +85,8 @@ constexpr double kLeastMargin = 1.8;  ///< over the runner-up
 constexpr double kHalvesApart_mm = 3.0;
 constexpr double kStreaksMove_mm = 3.0;  ///< a pose that taking streaks out moves further rests on them
 constexpr double kStreaksTurn_deg = 3.0;
+[[nodiscard]] inline bool elsewhere(const PoseDifference& moved) {
+  return moved.shift_mm > kStreaksMove_mm || moved.turn_deg > kStreaksTurn_deg;
+}
 
 }  // namespace ew::registration

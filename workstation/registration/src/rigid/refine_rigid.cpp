@@ -107,23 +107,20 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
   if (progress.cancelRequested()) return cancelled();
   if (!streaks.found) return finish(result.verdict, result.reason);
-  prepared = PairLevels{};  // before the next takes its memory
-  prepared = preparePair({fixed.volume, fixed.confidence, streaks.fixed}, {moving.volume, moving.confidence, streaks.moving}, voxels,
-                         threads, checking);
-  if (!prepared) return passOn(prepared.error());
-  WithoutStreaks fare;
-  if (!fareWithoutStreaks(*prepared, 0, result.fixedToMoving, threads, checking, fare)) return cancelled();
-  if (!restsOnStreaks(fare, kSureOfDescent)) return finish(result.verdict, result.reason);
+  const auto fare =
+      fareWithoutStreaks(fixed, moving, streaks, voxels, 0, result.fixedToMoving, kSureOfDescent, threads, checking, *prepared);
+  if (!fare) return passOn(fare.error());
+  if (!fare->rests) return finish(result.verdict, result.reason);
   if (whyNothingCanBeSaid(*prepared).empty()) {
     auto again = refinePair(*prepared, start, options, threads, checking, onLevel);
     if (!again) return passOn(again.error());
-    if (again->verdict == Verdict::aligned) {
-      const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
+    const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
+    if (again->verdict == Verdict::aligned && elsewhere(moved)) {
       result = std::move(*again);
       return finish(Verdict::aligned, withoutStreaks(moved) + result.reason);
     }
   }
-  return finish(Verdict::cannotTell, onlyStreaks(fare, kSureOfDescent));
+  return finish(Verdict::cannotTell, onlyStreaks(*fare, kSureOfDescent));
 }
 
 }  // namespace ew::registration

@@ -21,10 +21,6 @@ std::string agreementFigures(const Evidence& evidence) {
 
 double mostSignificance(const Evidence& evidence) { return std::atanh(0.7) * std::sqrt(evidence.samples); }
 
-bool restsOnStreaks(const WithoutStreaks& fare, double sure) {
-  return fare.evidence.significance < sure || fare.moved.shift_mm > kStreaksMove_mm || fare.moved.turn_deg > kStreaksTurn_deg;
-}
-
 std::string onlyStreaks(const WithoutStreaks& fare, double sure) {
   const std::string why = "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: ";
   if (fare.evidence.significance < sure) {

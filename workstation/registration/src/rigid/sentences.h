@@ -14,8 +14,6 @@ namespace ew::registration {
 /// What a good agreement (correlation 0.7) over as many samples would reach.
 [[nodiscard]] double mostSignificance(const Evidence& evidence);
 
-/// Whether a pose goes elsewhere, or is no longer believed, where streaks were taken out.
-[[nodiscard]] bool restsOnStreaks(const WithoutStreaks& fare, double sure);
 [[nodiscard]] std::string onlyStreaks(const WithoutStreaks& fare, double sure);  ///< the reason not to tell
 /// "Shadows and other streaks were taken out, which drew the volumes 9 mm and 13 degrees elsewhere. "
 [[nodiscard]] std::string withoutStreaks(const PoseDifference& moved);
