@@ -137,6 +137,16 @@ TEST_F(RegisterCommand, WrongUsageIsToldBeforeAnythingIsRead) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"f.mha", "m.mha", "pairs.json", "start.txt"}));
 }
 
+TEST_F(RegisterCommand, TheDirectionOfTheBeamsIsThreeNumbersNegativeOnesToo) {
+  const auto taken =
+      registered({"--method", "rigid", "-o", folder / "t.txt", "--beam-fixed", "0.1", "-0.9", "0", "--beam-moving", "-1", "0", "0"});
+  EXPECT_NE(taken.status, 1) << taken.err;
+  EXPECT_NE(taken.status, 2) << taken.err;
+  const auto refused = registered({"--method", "rigid", "-o", folder / "u.txt", "--beam-moving", "0", "0", "0"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("moving volume is no direction"), std::string::npos) << refused.err;
+}
+
 TEST_F(RegisterCommand, AFailureSaysWhyAndLeavesNothing) {
   writePairs(folder / "pairs.json");
   writeText(folder / "broken.json", "{\"landmarks\": [{\"name\": \"x\", \"fixed_mm\": [1, 2], \"moving_mm\": [1, 2, 3]}]}");
