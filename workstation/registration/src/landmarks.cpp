@@ -8,7 +8,6 @@
 #include <random>
 
 #include "ew/core/frames.h"
-#include "ew/core/numbers.h"
 
 namespace ew::registration {
 namespace {
@@ -236,18 +235,6 @@ double expectedError_mm(const Scatter& places, double fle2, double pairs, double
   return std::sqrt(fle2 / pairs * (1.0 + reach_mm * reach_mm * (inverse - least) / 3.0));
 }
 
-std::string namesOf(std::span<const LandmarkPair> pairs, std::span<const std::size_t> which) {
-  std::string text;
-  for (std::size_t n = 0; n < which.size(); ++n) {
-    if (n > 0) text += n + 1 == which.size() ? " and " : ", ";
-    const std::string& name = pairs[which[n]].name;
-    text += name.empty() ? "number " + std::to_string(which[n] + 1) : "'" + name + "'";
-  }
-  return text;
-}
-
-std::string millimetres(double value) { return textOf(std::round(value * 10.0) / 10.0) + " mm"; }
-
 glm::dmat4 matrixOf(const Rigid& rigid) {
   const Matrix turn = Eigen::Quaterniond(rigid.turn).normalized().toRotationMatrix();
   glm::dmat4 matrix(1.0);
@@ -280,20 +267,25 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
            const std::vector<Fit>& fits) {
   const std::size_t n = pairs.size();
   const std::size_t distinct = n - result.coincident.size();
-  const std::string repeats = result.coincident.empty()
-                                  ? std::string()
-                                  : " " + namesOf(pairs, result.coincident) + (result.coincident.size() == 1 ? " repeats" : " repeat") +
-                                        " the place of an earlier pair.";
+  /// A remark that names places goes by their numbers where they have no name.
+  const auto naming = [&](Says what, std::vector<double> figures, const std::vector<std::size_t>& which) {
+    Remark remark{what, std::move(figures)};
+    for (const std::size_t i : which) {
+      remark.figures.push_back(static_cast<double>(i + 1));
+      remark.names.push_back(pairs[i].name);
+    }
+    return remark;
+  };
+  const auto sayRepeats = [&] {
+    if (!result.coincident.empty()) result.remarks.push_back(naming(Says::placesRepeat, {}, result.coincident));
+  };
   if (distinct < 3) {
-    result.reason = (distinct == 0   ? std::string("There is no pair of landmarks")
-                     : distinct == 1 ? std::string("One place is too few")
-                                     : std::string("Two places are too few")) +
-                    ": a turn needs three places that are not on one line." + repeats;
-    return;
+    result.remarks = {{Says::tooFewPlaces, {static_cast<double>(distinct)}}};
+    return sayRepeats();
   }
   if (result.collinear) {
-    result.reason = "The places lie on one line, so that the turn about it is free: add a pair beside the line." + repeats;
-    return;
+    result.remarks = {{Says::placesOnALine}};
+    return sayRepeats();
   }
   const Fit& best = fits.front();
   const std::vector<double> all(n, 1.0);
@@ -303,9 +295,7 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     const double largest = *std::max_element(residual.begin(), residual.end());
     if (n >= 4 && largest < kOutlyingAt * std::sqrt(2.0) * options.pickError_mm) {
       result.verdict = Verdict::notAligned;
-      result.reason =
-          "The places in one volume are the mirror image of those in the other: left and right were confused when they were picked, or one "
-          "file is mirrored.";
+      result.remarks = {{Says::placesMirrored}};
       return;
     }
   }
@@ -317,13 +307,10 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
   const bool coarse = best.scale > 1.5 * std::sqrt(2.0) * options.pickError_mm;
   if (places.size() < 3 || 2 * best.agreeing <= n || (coarse && 4 * best.agreeing < 3 * n)) {
     if (n == 3) {
-      result.reason = "The three pairs contradict each other by " +
-                      millimetres(*std::max_element(best.residual.begin(), best.residual.end())) +
-                      ", and three cannot say which of them is wrong: correct one or add a fourth.";
+      result.remarks = {{Says::threePlacesDisagree, {*std::max_element(best.residual.begin(), best.residual.end())}}};
     } else {
       result.verdict = Verdict::notAligned;
-      result.reason = "The pairs contradict each other: no rigid transform brings more than " + std::to_string(best.agreeing) + " of " +
-                      std::to_string(n) + " together. Pick them again.";
+      result.remarks = {{Says::placesDisagree, {static_cast<double>(best.agreeing), static_cast<double>(n)}}};
     }
     return;
   }
@@ -331,16 +318,18 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < n; ++i)
       if (fits[1].weight[i] < 0.5) others.push_back(i);
-    result.reason = "One can read the pairs in two ways: without " + namesOf(pairs, result.outlying) + ", or without " +
-                    namesOf(pairs, others) + ". Add a pair or correct one.";
+    std::vector<std::size_t> both = result.outlying;
+    both.insert(both.end(), others.begin(), others.end());
+    result.remarks = {naming(Says::twoReadings, {static_cast<double>(result.outlying.size())}, both)};
     return;
   }
   result.verdict = Verdict::aligned;
-  result.reason = std::to_string(best.agreeing) + " pairs agree within " + millimetres(result.rms_mm) + " (rms)";
-  if (!result.outlying.empty())
-    result.reason += "; " + namesOf(pairs, result.outlying) + (result.outlying.size() == 1 ? " does" : " do") + " not fit, by " +
-                     millimetres(best.residual[result.outlying.front()]);
-  result.reason += "." + repeats;
+  const auto agreeing = static_cast<double>(best.agreeing);
+  if (result.outlying.empty())
+    result.remarks = {{Says::placesAgree, {agreeing, result.rms_mm}}};
+  else
+    result.remarks = {naming(Says::placesAgreeBut, {agreeing, result.rms_mm, best.residual[result.outlying.front()]}, result.outlying)};
+  sayRepeats();
 }
 
 }  // namespace
@@ -351,7 +340,8 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (!finite(pairs[i].fixed_mm) || !finite(pairs[i].moving_mm))
       return failure(ErrorCode::badField,
-                     "The landmark " + namesOf(pairs, std::vector{i}) + " has a coordinate that is not a number; correct or remove it.",
+                     "The landmark " + (pairs[i].name.empty() ? "number " + std::to_string(i + 1) : "'" + pairs[i].name + "'") +
+                         " has a coordinate that is not a number; correct or remove it.",
                      {{"field", pairs[i].name}});
   Points points;
   for (const LandmarkPair& pair : pairs) {
@@ -364,6 +354,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
   result.weight.assign(n, 1.0);
   if (n == 0) {
     judge(result, pairs, points, options, {});
+    result.reason = sentencesOf(result.remarks);
     return result;
   }
 
@@ -417,6 +408,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
     if (result.stop == StopReason::converged) result.stop = StopReason::singular;
   }
   judge(result, pairs, points, options, fits);
+  result.reason = sentencesOf(result.remarks);
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -176,17 +175,6 @@ ControlGrid controlOf(const NodeGrid& nodes, const NodeValues& values, const Gri
   return control;
 }
 
-std::string inPercent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
-  return text;
-}
-std::string inDigits(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 }  // namespace
 
 std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const ElasticOptions& options) {
@@ -239,9 +227,10 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   Stated before, after;
   double decided = 0.0;
   bool stopped = false;
-  const auto finish = [&](Verdict verdict, std::string reason, StopReason stop) {
+  const auto finish = [&](Verdict verdict, Remark remark, StopReason stop) {
     result.verdict = verdict;
-    result.reason = std::move(reason);
+    result.remarks = {std::move(remark)};
+    result.reason = sentencesOf(result.remarks);
     result.stop = stop;
     result.fixedToMoving.control = controlOf(state.nodes, state.values, grid);
     result.jacobian = jacobianOf(result.fixedToMoving.control);
@@ -275,7 +264,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
         !makeLevel(moving, movingBelief, step.voxel_mm, settings.window_mm, threads, part, movingLevel))
       return cancelled();
     if (s == 0 && weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
-      return finish(Verdict::cannotTell, "One of the volumes has no part that may be believed.", StopReason::noOverlap);
+      return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
     LevelOutcome outcome;
     if (s == 0 && options.largestMotion_mm > 0.0) {
       const std::vector<NodeValues> starts =
@@ -306,13 +295,10 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
       outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, s > 0, settings, threads, outOfTime, state, part);
     }
     if (outcome.cancelled) return cancelled();
-    if (outcome.noOverlap)
-      return finish(Verdict::cannotTell, "The volumes do not overlap where they were placed; place them, or match them first.",
-                    StopReason::noOverlap);
+    if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);
     if (outcome.singular) {
       state.values = nothing;
-      return finish(Verdict::cannotTell, "The overlap shows no structure that could be followed: the normal equations are singular.",
-                    StopReason::singular);
+      return finish(Verdict::cannotTell, {Says::nothingToFollow}, StopReason::singular);
     }
     result.stop = outcome.iterations < step.iterations ? StopReason::converged : StopReason::iterationLimit;
     if (outcome.timeUp) {
@@ -338,16 +324,12 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     after.agreement.chance =
         std::min(1.0, std::sqrt(after.agreement.chance * after.agreement.chance + kSearched * decided / after.independent));
   const StopReason stop = result.stop;
-  const std::string measured = "a correlation of " + inDigits(after.agreement.correlation, 2) + " over " +
-                               inPercent(after.agreement.overlapShare) + " of the smaller volume";
   if (!(after.agreement.correlation > before.agreement.correlation)) {
     state.values = nothing;
     after = before;
     std::fill(result.uncertainty.begin(), result.uncertainty.end(), 1.0F);
     const bool good = before.agreement.correlation > before.agreement.chance;
-    return finish(good ? Verdict::aligned : Verdict::cannotTell,
-                  good ? "No bending brought the volumes closer than they were; the start is kept."
-                       : "No bending brought the volumes together; the start is kept.",
+    return finish(good ? Verdict::aligned : Verdict::cannotTell, {good ? Says::startKeptGood : Says::startKept},
                   stopped ? stop : StopReason::noImprovement);
   }
   // Where the start itself shows common tissue beyond doubt, bending only has to better it.
@@ -356,11 +338,11 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     const bool enough = after.agreement.chance < 0.35;
     state.values = nothing;
     return finish(enough ? Verdict::notAligned : Verdict::cannotTell,
-                  enough ? "The volumes contradict each other: bent, they reach " + measured + ", which unrelated tissue reaches as well."
-                         : "Too little structure is shared to tell: bent, the volumes reach " + measured + ".",
+                  {enough ? Says::bendContradicts : Says::bendTooLittleShared, {after.agreement.correlation, after.agreement.overlapShare}},
                   stopped ? stop : StopReason::noImprovement);
   }
-  return finish(Verdict::aligned, "The volumes agree: " + measured + ", " + inDigits(before.agreement.correlation, 2) + " before.", stop);
+  return finish(Verdict::aligned,
+                {Says::bendAgrees, {after.agreement.correlation, after.agreement.overlapShare, before.agreement.correlation}}, stop);
 }
 
 }  // namespace ew::registration

@@ -172,8 +172,7 @@ class Solver {
   std::vector<bool> believed_;         // per joint
   std::vector<Vector3d> centre_;       // per node, the world's last
   std::vector<std::size_t> suspectJoints_;
-  std::vector<std::size_t> undetermined_;  // nodes
-  std::vector<std::size_t> unchecked_;     // edges
+  std::vector<std::size_t> unchecked_;  // edges
   GraphResult result_;
 };
 
@@ -573,7 +572,7 @@ void Solver::covariances(ceres::Problem& problem, const std::vector<Place>& plac
   const Sparse normal = j.transpose() * j;
   const Eigen::SimplicialLDLT<Sparse> factor(normal);
   if (factor.info() != Eigen::Success || factor.vectorD().minCoeff() <= 0.0) {
-    undetermined_ = free;
+    result_.undetermined = free;
     return;
   }
   std::vector<PoseCovariance> found(n, PoseCovariance{});
@@ -590,11 +589,11 @@ void Solver::covariances(ceres::Problem& problem, const std::vector<Place>& plac
     block = order * block * order.transpose();
     if (!block.allFinite() || std::sqrt(block.topLeftCorner<3, 3>().diagonal().maxCoeff()) > kNothingKnown_mm ||
         std::sqrt(block.bottomRightCorner<3, 3>().diagonal().maxCoeff()) > kNothingKnown_rad)
-      undetermined_.push_back(free[k]);
+      result_.undetermined.push_back(free[k]);
     for (int r = 0; r < 6; ++r)
       for (int c = 0; c < 6; ++c) found[free[k]][static_cast<std::size_t>(6 * r + c)] = 0.5 * (block(r, c) + block(c, r));
   }
-  if (undetermined_.empty()) result_.covariance = std::move(found);
+  if (result_.undetermined.empty()) result_.covariance = std::move(found);
 }
 
 bool Solver::graded(std::vector<Rigid>& poses) {
@@ -724,6 +723,7 @@ void Solver::report(const std::vector<Rigid>& poses) {
     if (!suspect[j]) continue;
     suspectJoints_.push_back(j);
     if (joints_[j].kind == Kind::pair) result_.suspects.push_back(joints_[j].index);
+    if (joints_[j].kind == Kind::prior) result_.suspectPriors.push_back(joints_[j].index);
   }
   const auto part = graph::partsOf(n + 1, links_, believed_);
   std::vector<int> number(n + 1, -1);
@@ -758,10 +758,10 @@ void Solver::judge() {
     say("Nothing joins these " + std::to_string(result_.parts) + " parts: " + text + (result_.parts > 8 ? "; and more" : "") +
         ". How they lie to each other is not known: match a pair between them.");
   }
-  if (!undetermined_.empty() && nodes_.size() > 1) {
+  if (!result_.undetermined.empty() && nodes_.size() > 1) {
     verdict = Verdict::cannotTell;
     std::vector<std::string> names;
-    for (const std::size_t i : undetermined_) names.push_back(nameOfNode(i));
+    for (const std::size_t i : result_.undetermined) names.push_back(nameOfNode(i));
     say("The pairs leave " + listed(names) + " free to slide or turn.");
   }
   if (!result_.wrong.empty() || !result_.wrongPriors.empty()) {

@@ -7,7 +7,6 @@
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
 #include "refine.h"
-#include "sentences.h"
 #include "translations.h"
 
 namespace ew::registration {
@@ -77,9 +76,9 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
                                 const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   PartialResult result;
-  const auto finish = [&](Verdict verdict, std::string reason) {
+  const auto finish = [&](Verdict verdict, Remark remark) {
     result.best.verdict = verdict;
-    result.best.reason = std::move(reason);
+    result.best.remarks = {std::move(remark)};
     return result;
   };
   const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree);
@@ -125,7 +124,7 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
   keepDifferent(pool, middle, kSame_mm, kSame_deg, static_cast<std::size_t>(options.hypotheses));
   if (pool.empty() || pool[0].evidence.significance <= 0.0) {
     result.best.stop = StopReason::noOverlap;
-    return finish(Verdict::notAligned, "No pose brings the two volumes into agreement over " + percent(options.leastOverlap) + " overlap.");
+    return finish(Verdict::notAligned, {Says::noPoseAgrees, {options.leastOverlap}});
   }
   const Candidate best = pool[0];
   // A different answer lies further off than descents go astray; one that is near counts only when it is about as good, as it is where
@@ -158,28 +157,22 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
   }
   found.after = after.agreement;
 
-  const std::string figures = agreementFigures(after);
   if (after.significance < kChanceOfSearch) {
     if (mostSignificance(after) < kSureOfSearch) {
-      return finish(Verdict::cannotTell, "The overlap found is too small to tell it from chance (" + figures + ").");
+      return finish(Verdict::cannotTell, remarkWith(Says::foundTooSmall, {}, after));
     }
-    return finish(Verdict::notAligned, "The best of " + std::to_string(result.poses) +
-                                           " turns with all shifts agrees no better than unrelated tissue does (" + figures + ").");
+    return finish(Verdict::notAligned, remarkWith(Says::unrelatedEverywhere, {static_cast<double>(result.poses)}, after));
   }
   if (after.significance < kSureOfSearch) {
-    return finish(Verdict::cannotTell, "The best pose agrees hardly better than unrelated tissue does (" + figures + ").");
+    return finish(Verdict::cannotTell, remarkWith(Says::bestHardlyBetter, {}, after));
   }
   if (result.margin < kLeastMargin) {
-    return finish(Verdict::cannotTell, "Two different poses agree almost equally (margin " + withDigits(result.margin, 2) +
-                                           "): the structure repeats, a start or landmarks must choose (" + figures + ").");
+    return finish(Verdict::cannotTell, remarkWith(Says::twoPosesAlike, {result.margin}, after));
   }
   if (!(found.halvesDisagree_mm <= kHalvesApart_mm)) {
-    return finish(Verdict::cannotTell, "Halves of the overlap registered apart contradict each other by " +
-                                           millimetres(found.halvesDisagree_mm) + " (" + figures + ").");
+    return finish(Verdict::cannotTell, remarkWith(Says::halvesContradict, {found.halvesDisagree_mm}, after));
   }
-  return finish(Verdict::aligned, "One pose stands out by a margin of " + withDigits(result.margin, 1) +
-                                      ", and halves of the overlap registered apart agree to " + millimetres(found.halvesDisagree_mm) +
-                                      " (" + figures + ").");
+  return finish(Verdict::aligned, remarkWith(Says::onePoseStandsOut, {result.margin, found.halvesDisagree_mm}, after));
 }
 
 }  // namespace
@@ -210,16 +203,17 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
   if (!prepared) return passOn(prepared.error());
   PartialResult result;
-  const auto finish = [&](Verdict verdict, std::string reason) {
+  const auto finish = [&](Verdict verdict, std::vector<Remark> remarks) {
     result.best.verdict = verdict;
-    result.best.reason = std::move(reason);
+    result.best.remarks = std::move(remarks);
+    result.best.reason = sentencesOf(result.best.remarks);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     result.best.seconds = result.seconds;
     return result;
   };
-  if (std::string why = whyNothingCanBeSaid(*prepared); !why.empty()) {
+  if (auto why = whyNothingCanBeSaid(*prepared)) {
     result.best.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, std::move(why));
+    return finish(Verdict::cannotTell, {std::move(*why)});
   }
 
   PartOfProgress matching(progress, 0.15, 0.95);
@@ -229,27 +223,27 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   const bool aligned = result.best.verdict == Verdict::aligned;
   const bool ambiguous = result.best.verdict == Verdict::cannotTell && !result.hypotheses.empty() &&
                          result.hypotheses[0].significance >= kSureOfSearch;  // streaks may be what repeats or contradicts
-  if (!aligned && !ambiguous) return finish(result.best.verdict, result.best.reason);
+  if (!aligned && !ambiguous) return finish(result.best.verdict, result.best.remarks);
 
   // Would it be found without what runs along the beams?
   PartOfProgress checking(progress, 0.95, 1.0);
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
   if (progress.cancelRequested()) return cancelled();
-  if (!streaks.found) return finish(result.best.verdict, result.best.reason);
+  if (!streaks.found) return finish(result.best.verdict, result.best.remarks);
   const auto fare =
       fareWithoutStreaks(fixed, moving, streaks, voxels, search, result.best.fixedToMoving, kSureOfSearch, threads, checking, *prepared);
   if (!fare) return passOn(fare.error());
-  if (aligned && !fare->rests) return finish(result.best.verdict, result.best.reason);
-  if (whyNothingCanBeSaid(*prepared).empty()) {
+  if (aligned && !fare->rests) return finish(result.best.verdict, result.best.remarks);
+  if (!whyNothingCanBeSaid(*prepared)) {
     auto again = matchPair(*prepared, search, options, threads, checking, onLevel);
     if (!again) return passOn(again.error());
     const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
     if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {
       result = std::move(*again);
-      return finish(Verdict::aligned, withoutStreaks(moved) + result.best.reason);
+      return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.best.remarks.front()});
     }
   }
-  return finish(Verdict::cannotTell, aligned ? onlyStreaks(*fare, kSureOfSearch) : result.best.reason);
+  return finish(Verdict::cannotTell, aligned ? std::vector{onlyStreaks(*fare, kSureOfSearch)} : result.best.remarks);
 }
 
 }  // namespace ew::registration

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -79,20 +78,26 @@ std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const st
   return std::max({f.peak_bytes, f.result_bytes + m.peak_bytes, f.result_bytes + m.result_bytes + packedBytes});
 }
 
-std::string whyNothingCanBeSaid(const PairLevels& pair) {
-  for (const bool isFixed : {true, false}) {
-    const ComparableImage& image = (isFixed ? pair.fixed : pair.moving)[pair.agreement];
-    const std::string who = isFixed ? "fixed" : "moving";
+Remark remarkWith(Says what, std::vector<double> figures, const Evidence& evidence) {
+  figures.insert(figures.end(), {evidence.agreement.correlation, evidence.agreement.overlapShare, evidence.significance});
+  return {what, std::move(figures)};
+}
+
+double mostSignificance(const Evidence& evidence) { return std::atanh(0.7) * std::sqrt(evidence.samples); }
+
+Remark onlyStreaks(const WithoutStreaks& fare, double sure) {
+  if (fare.evidence.significance < sure) return remarkWith(Says::onlyStreaksAgree, {}, fare.evidence);
+  return {Says::streaksDecide, {fare.moved.shift_mm, fare.moved.turn_deg}};
+}
+
+std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
+  for (const double which : {0.0, 1.0}) {
+    const ComparableImage& image = (which == 0.0 ? pair.fixed : pair.moving)[pair.agreement];
     const auto any = [](const std::vector<std::uint8_t>& weights) {
       return std::any_of(weights.begin(), weights.end(), [](std::uint8_t w) { return w != 0; });
     };
-    if (!any(image.weight)) return "The " + who + " volume holds no echo.";
-    if (!any(image.inner)) {
-      char voxel[16];
-      std::snprintf(voxel, sizeof voxel, "%.1f", image.grid.spacing_mm.x);
-      return "The " + who + " volume is too thin to be registered in three dimensions: it takes three voxels of " + voxel +
-             " mm in every direction.";
-    }
+    if (!any(image.weight)) return Remark{Says::noEcho, {which}};
+    if (!any(image.inner)) return Remark{Says::tooThin, {which, image.grid.spacing_mm.x}};
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t q = 0; q < image.value.size(); ++q) {
@@ -100,9 +105,9 @@ std::string whyNothingCanBeSaid(const PairLevels& pair) {
       squares += static_cast<double>(image.value[q]) * static_cast<double>(image.value[q]);
       count += 1.0;
     }
-    if (squares < 0.01 * count) return "The " + who + " volume shows no structure: it is the same grey nearly everywhere.";
+    if (squares < 0.01 * count) return Remark{Says::noStructure, {which}};
   }
-  return {};
+  return std::nullopt;
 }
 
 Result<void> checkOptions(const RefineOptions& options) {

@@ -24,8 +24,8 @@ struct PairLevels {
                                              Progress& progress);
 [[nodiscard]] std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const std::vector<double>& voxel_mm);
 
-/// Why nothing can be said about this pair whatever the pose, or empty.
-[[nodiscard]] std::string whyNothingCanBeSaid(const PairLevels& pair);
+/// Why nothing can be said about this pair whatever the pose, or nothing.
+[[nodiscard]] std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair);
 
 /// Agreement at a pose, and its significance.
 struct Evidence {
@@ -33,6 +33,10 @@ struct Evidence {
   double samples = 0.0;       ///< independent ones in the overlap
   double significance = 0.0;  ///< Fisher z times the root of the samples
 };
+/// Says::… with the figures before, and behind them those of the agreement.
+[[nodiscard]] Remark remarkWith(Says what, std::vector<double> figures, const Evidence& evidence);
+/// What a good agreement (correlation 0.7) over as many samples would reach.
+[[nodiscard]] double mostSignificance(const Evidence& evidence);
 /// @return false when cancelled
 [[nodiscard]] bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fixedToMoving, double voxelsPerSample,
                               int threads, Progress& progress, Evidence& evidence);
@@ -66,6 +70,9 @@ struct WithoutStreaks {
 [[nodiscard]] Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& moving, const Streaks& streaks,
                                                         const std::vector<double>& voxel_mm, std::size_t first, const glm::dmat4& pose,
                                                         double sure, int threads, Progress& progress, PairLevels& pair);
+
+/// Why that is reason not to tell.
+[[nodiscard]] Remark onlyStreaks(const WithoutStreaks& fare, double sure);
 
 /// Halves of the overlap (two colours of a checkerboard) refined apart from `start`: largest distance between where they take the corners
 /// of the overlap. Infinite when one has nothing to go by.

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
 #include "refine.h"
-#include "sentences.h"
 
 namespace ew::registration {
 
@@ -17,9 +15,9 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   RigidResult result;
   result.fixedToMoving = start;
-  const auto finish = [&](Verdict verdict, std::string reason) {
+  const auto finish = [&](Verdict verdict, Remark remark) {
     result.verdict = verdict;
-    result.reason = std::move(reason);
+    result.remarks = {std::move(remark)};
     return result;
   };
   const std::size_t at = pair.agreement;
@@ -28,7 +26,7 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
   result.before = before.agreement;
   if (before.agreement.overlapShare <= 0.0) {
     result.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, "The two volumes do not overlap at the start: bring them closer, or match without a start.");
+    return finish(Verdict::cannotTell, {Says::apartAtTheStart});
   }
   PartOfProgress refining(progress, 0.0, 0.85);
   if (!refineThrough(pair, 0, pair.fixed.size() - 1, start, options, threads, refining, onLevel, result)) return cancelled();
@@ -36,8 +34,7 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
     const bool lost = result.stop == StopReason::noOverlap;
     result.fixedToMoving = start;
     result.after = result.before;
-    return finish(Verdict::cannotTell, lost ? "The overlap is too small to register: fewer than 50 voxels are covered by both volumes."
-                                            : "The overlap does not hold the pose: the normal equations are singular.");
+    return finish(Verdict::cannotTell, {lost ? Says::fewSharedVoxels : Says::poseNotHeld});
   }
   Evidence after;
   if (!evidenceAt(pair, at, result.fixedToMoving, pair.voxelsPerSample, threads, progress, after)) return cancelled();
@@ -51,22 +48,19 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
     result.stop = StopReason::noImprovement;
   }
   result.after = after.agreement;
-  const std::string figures = agreementFigures(after);
   if (after.significance < kChanceOfDescent) {
     if (mostSignificance(after) < kSureOfDescent) {
-      return finish(Verdict::cannotTell, "The overlap is too small to tell (" + figures + ").");
+      return finish(Verdict::cannotTell, remarkWith(Says::overlapTooSmall, {}, after));
     }
-    return finish(Verdict::notAligned, "Near this start the images agree no better than unrelated tissue does (" + figures + ").");
+    return finish(Verdict::notAligned, remarkWith(Says::unrelatedNearStart, {}, after));
   }
   if (after.significance < kSureOfDescent) {
-    return finish(Verdict::cannotTell, "The images agree hardly better than unrelated tissue does (" + figures + ").");
+    return finish(Verdict::cannotTell, remarkWith(Says::hardlyBetter, {}, after));
   }
   if (!(result.halvesDisagree_mm <= kHalvesApart_mm)) {
-    return finish(Verdict::cannotTell, "Halves of the overlap registered apart contradict each other by " +
-                                           millimetres(result.halvesDisagree_mm) + " (" + figures + "): the start may be too far off.");
+    return finish(Verdict::cannotTell, remarkWith(Says::startMayBeFar, {result.halvesDisagree_mm}, after));
   }
-  return finish(Verdict::aligned,
-                "Halves of the overlap registered apart agree to " + millimetres(result.halvesDisagree_mm) + " (" + figures + ").");
+  return finish(Verdict::aligned, remarkWith(Says::halvesAgree, {result.halvesDisagree_mm}, after));
 }
 
 }  // namespace
@@ -86,41 +80,42 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
   if (!prepared) return passOn(prepared.error());
   RigidResult result;
   result.fixedToMoving = start;
-  const auto finish = [&](Verdict verdict, std::string reason) {
+  const auto finish = [&](Verdict verdict, std::vector<Remark> remarks) {
     result.verdict = verdict;
-    result.reason = std::move(reason);
+    result.remarks = std::move(remarks);
+    result.reason = sentencesOf(result.remarks);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
   };
-  if (std::string why = whyNothingCanBeSaid(*prepared); !why.empty()) {
+  if (auto why = whyNothingCanBeSaid(*prepared)) {
     result.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, std::move(why));
+    return finish(Verdict::cannotTell, {std::move(*why)});
   }
   PartOfProgress refining(progress, 0.3, 0.9);
   auto refined = refinePair(*prepared, start, options, threads, refining, onLevel);
   if (!refined) return passOn(refined.error());
   result = std::move(*refined);
-  if (result.verdict != Verdict::aligned) return finish(result.verdict, result.reason);
+  if (result.verdict != Verdict::aligned) return finish(result.verdict, result.remarks);
 
   // Would it be found without what runs along the beams?
   PartOfProgress checking(progress, 0.9, 1.0);
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
   if (progress.cancelRequested()) return cancelled();
-  if (!streaks.found) return finish(result.verdict, result.reason);
+  if (!streaks.found) return finish(result.verdict, result.remarks);
   const auto fare =
       fareWithoutStreaks(fixed, moving, streaks, voxels, 0, result.fixedToMoving, kSureOfDescent, threads, checking, *prepared);
   if (!fare) return passOn(fare.error());
-  if (!fare->rests) return finish(result.verdict, result.reason);
-  if (whyNothingCanBeSaid(*prepared).empty()) {
+  if (!fare->rests) return finish(result.verdict, result.remarks);
+  if (!whyNothingCanBeSaid(*prepared)) {
     auto again = refinePair(*prepared, start, options, threads, checking, onLevel);
     if (!again) return passOn(again.error());
     const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
     if (again->verdict == Verdict::aligned && elsewhere(moved)) {
       result = std::move(*again);
-      return finish(Verdict::aligned, withoutStreaks(moved) + result.reason);
+      return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.remarks.front()});
     }
   }
-  return finish(Verdict::cannotTell, onlyStreaks(*fare, kSureOfDescent));
+  return finish(Verdict::cannotTell, {onlyStreaks(*fare, kSureOfDescent)});
 }
 
 }  // namespace ew::registration

@@ -31,7 +31,8 @@ struct ElasticOptions {
 
 struct ElasticResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;
+  std::string reason;  ///< the remarks in English
+  std::vector<Remark> remarks;
   Deformation fixedToMoving;
   /// One per control node, 0..1: share of the node's value that the regulariser made up (1: no evidence there: flat, saturated, shadowed,
   /// outside). What lies above 1/2 is a guess from the surroundings.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/registration/remark.h"
 #include "ew/registration/verdict.h"
 
 namespace ew::registration {
@@ -25,7 +26,8 @@ struct LandmarkOptions {
 
 struct LandmarkResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;                   ///< names collinear, coincident, too few or outlying pairs, by their names
+  std::string reason;  ///< names collinear, coincident, too few or outlying pairs, by their names: the remarks in English
+  std::vector<Remark> remarks;
   glm::dmat4 fixedToMoving{1.0};        ///< rigid, no mirror; meaningful unless the verdict is cannotTell
   std::vector<double> residual_mm;      ///< one per pair, at the transform
   std::vector<double> weight;           ///< one per pair, 0..1; below 1/2 it is outlying

@@ -63,7 +63,9 @@ struct GraphResult {
   /// Edges that could be wrong in place of one in `wrong`: every loop through that one runs through them too. The verdict is cannotTell
   /// then.
   std::vector<std::size_t> suspects;
-  std::vector<std::size_t> wrongPriors;  ///< indices of nodes whose tracker's pose contradicts the pairs
+  std::vector<std::size_t> wrongPriors;    ///< indices of nodes whose tracker's pose contradicts the pairs
+  std::vector<std::size_t> suspectPriors;  ///< the same, of nodes' tracker poses
+  std::vector<std::size_t> undetermined;   ///< indices of nodes that the pairs leave free to slide or turn
   std::vector<std::size_t> withoutInformation;
   /// One per node, relative to the gauge (0 there): along and about the world's axes at `centre_mm`; empty when singular. Larger than the
   /// edges' own say when loops close worse than those promise.

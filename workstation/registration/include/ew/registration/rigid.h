@@ -9,6 +9,7 @@
 
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/registration/remark.h"
 #include "ew/registration/verdict.h"
 
 namespace ew::registration {
@@ -36,7 +37,8 @@ struct RefineOptions {
 
 struct RigidResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;             ///< one sentence a user can act on
+  std::string reason;  ///< sentences a user can act on: the remarks in English
+  std::vector<Remark> remarks;
   glm::dmat4 fixedToMoving{1.0};  ///< rigid
   Agreement before;               ///< at the start
   Agreement after;

@@ -1,0 +1,66 @@
+#include "ew/registration/remark.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "ew/registration/landmarks.h"
+
+namespace ew::registration {
+namespace {
+
+constexpr int kCount = static_cast<int>(Says::count_);
+
+TEST(Remark, HasAWordOfItsOwnThatIsReadBack) {
+  std::set<std::string> words;
+  for (int n = 0; n < kCount; ++n) {
+    const auto what = static_cast<Says>(n);
+    ASSERT_NE(nameOf(what), nullptr) << n;
+    EXPECT_FALSE(std::string(nameOf(what)).empty()) << n;
+    EXPECT_TRUE(words.insert(nameOf(what)).second) << nameOf(what);
+    EXPECT_EQ(saysFrom(nameOf(what)), what);
+  }
+  EXPECT_FALSE(saysFrom("something else"));
+}
+
+TEST(Remark, IsASentenceWhateverFiguresItHas) {
+  for (int n = 0; n < kCount; ++n) {
+    const Remark bare{static_cast<Says>(n)};
+    const std::string sentence = sentenceOf(bare);
+    ASSERT_FALSE(sentence.empty()) << nameOf(bare.what);
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(sentenceOf({bare.what, std::vector<double>(8, infinite), {"a"}}).find("inf"), std::string::npos) << nameOf(bare.what);
+  }
+}
+
+TEST(Remark, SaysItsFiguresInTheirPlaces) {
+  EXPECT_EQ(sentenceOf({Says::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}),
+            "One pose stands out by a margin of 3.1, and halves of the overlap registered apart agree to 0.3 mm (correlation 0.82 over "
+            "12 % overlap, 33.1 deviations above chance).");
+  EXPECT_EQ(sentenceOf({Says::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
+            "4 pairs agree within 0.8 mm (rms); 'stone' and number 3 do not fit, by 6 mm.");
+  EXPECT_EQ(sentenceOf({Says::twoReadings, {1, 1, 4}, {"fork", ""}}),
+            "One can read the pairs in two ways: without 'fork', or without number 4. Add a pair or correct one.");
+  EXPECT_EQ(sentencesOf({{Says::streaksTakenOut, {9.0, 13.2}}, {Says::placedByHand}}),
+            "Shadows and other streaks were taken out, which drew the volumes 9.0 mm and 13.2 degrees elsewhere. Placed by hand.");
+}
+
+TEST(Remark, OfAResultIsWhatItsReasonSays) {
+  std::vector<LandmarkPair> pairs;
+  for (const glm::dvec3& p : {glm::dvec3{0, 0, 0}, {40, 0, 0}, {0, 30, 0}, {0, 0, 20}, {25, 20, 15}, {10, 5, 40}})
+    pairs.push_back({"p" + std::to_string(pairs.size()), p, p});
+  pairs[2].moving_mm.x += 25.0;
+  pairs.push_back(pairs[0]);
+  const auto found = registerLandmarks(pairs);
+  ASSERT_TRUE(found) << found.error();
+  ASSERT_EQ(found->remarks.size(), 2u) << found->reason;
+  EXPECT_EQ(found->remarks[0].what, Says::placesAgreeBut);
+  EXPECT_EQ(found->remarks[0].names, std::vector<std::string>{"p2"});
+  EXPECT_EQ(found->remarks[1].what, Says::placesRepeat);
+  EXPECT_EQ(found->reason, sentencesOf(found->remarks));
+}
+
+}  // namespace
+}  // namespace ew::registration

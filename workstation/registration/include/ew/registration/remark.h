@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ew::registration {
+
+/// What can be said about a result. Behind each the figures of its remark, in order; "agreement" is three of them: correlation, share of
+/// overlap, standard deviations above chance. Lengths are in mm, turns in degrees, shares 0..1.
+enum class Says {
+  // Of the volumes.
+  noEcho,       ///< which: 0 the fixed volume, 1 the moving one
+  tooThin,      ///< which, mm of a voxel
+  noStructure,  ///< which
+  // Refining from a start.
+  apartAtTheStart,
+  fewSharedVoxels,
+  poseNotHeld,
+  overlapTooSmall,     ///< agreement
+  unrelatedNearStart,  ///< agreement
+  hardlyBetter,        ///< agreement
+  startMayBeFar,       ///< mm between halves, agreement
+  halvesAgree,         ///< mm between halves, agreement
+  // Searching without a start.
+  noPoseAgrees,         ///< share of overlap asked for
+  foundTooSmall,        ///< agreement
+  unrelatedEverywhere,  ///< turns tried, agreement
+  bestHardlyBetter,     ///< agreement
+  twoPosesAlike,        ///< margin, agreement
+  halvesContradict,     ///< mm between halves, agreement
+  onePoseStandsOut,     ///< margin, mm between halves, agreement
+  // Streaks along the beams.
+  streaksTakenOut,   ///< mm, degrees they had drawn the volumes away
+  onlyStreaksAgree,  ///< agreement without them
+  streaksDecide,     ///< mm, degrees the pose lies elsewhere without them
+  // Landmarks; names are those of the places, an empty one goes by its number, which then stands at its place behind the figures.
+  tooFewPlaces,  ///< how many
+  placesRepeat,  ///< numbers of the named
+  placesOnALine,
+  placesMirrored,
+  threePlacesDisagree,  ///< mm
+  placesDisagree,       ///< how many agree, of how many
+  twoReadings,          ///< how many names belong to the first reading, numbers of the named
+  placesAgree,          ///< how many, rms mm
+  placesAgreeBut,       ///< how many, rms mm, mm by which the first named does not fit, numbers of the named
+  placedByHand,
+  // Bending.
+  nothingBelieved,
+  apartWherePlaced,
+  nothingToFollow,
+  startKeptGood,
+  startKept,
+  bendContradicts,      ///< correlation, share of overlap
+  bendTooLittleShared,  ///< correlation, share of overlap
+  bendAgrees,           ///< correlation, share of overlap, correlation before
+  count_                ///< none: how many there are
+};
+[[nodiscard]] const char* nameOf(Says what);  ///< a word for files
+[[nodiscard]] std::optional<Says> saysFrom(std::string_view name);
+
+/// One thing that is said about a result, as a code with figures, so that a window can say it in its own language.
+struct Remark {
+  Says what = Says::noEcho;
+  std::vector<double> figures = {};
+  std::vector<std::string> names = {};
+  bool operator==(const Remark&) const = default;
+  /// 0 where there is none: a remark that was read from a damaged file still can be said.
+  [[nodiscard]] double figure(std::size_t n) const { return n < figures.size() ? figures[n] : 0.0; }
+};
+
+/// In English, as commands and reports say it.
+[[nodiscard]] std::string sentenceOf(const Remark& remark);
+[[nodiscard]] std::string sentencesOf(const std::vector<Remark>& remarks);  ///< one after the other
+
+}  // namespace ew::registration
