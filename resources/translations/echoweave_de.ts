@@ -239,6 +239,49 @@
     </message>
 </context>
 <context>
+    <name>ew::stitching::CostChart</name>
+    <message>
+        <source>%1: %2 mm in %3</source>
+        <translation>%1: %2 mm in %3</translation>
+    </message>
+    <message>
+        <source>Known once both volumes are read</source>
+        <translation>Bekannt, sobald beide Volumen gelesen sind</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>in use: %1 mm, %2</source>
+        <translation>gewählt: %1 mm, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm on average, 95 % below %3 mm, in %4. Click to bend this pair so.</source>
+        <translation>%1: im Mittel %2 mm, 95 % unter %3 mm, in %4. Ein Klick verformt dieses Paar so.</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>accurate</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+</context>
+<context>
     <name>ew::stitching::LevelChart</name>
     <message>
         <source>The curve grows while the pair is matched</source>
@@ -247,6 +290,14 @@
     <message>
         <source>No levels yet: match the pair</source>
         <translation>Noch keine Stufen: Ordnen Sie das Paar zu</translation>
+    </message>
+    <message>
+        <source>matched</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>bent</source>
+        <translation>elastisch</translation>
     </message>
 </context>
 <context>
@@ -423,26 +474,6 @@
         <translation>Güte</translation>
     </message>
     <message>
-        <source>fast</source>
-        <translation>schnell</translation>
-    </message>
-    <message>
-        <source>balanced</source>
-        <translation>ausgewogen</translation>
-    </message>
-    <message>
-        <source>accurate</source>
-        <translation>genau</translation>
-    </message>
-    <message>
-        <source>For all pairs: how much time is spent on accuracy</source>
-        <translation>Für alle Paare: wie viel Zeit die Genauigkeit kosten darf</translation>
-    </message>
-    <message>
-        <source>elastic quality %1</source>
-        <translation>elastische Güte %1</translation>
-    </message>
-    <message>
         <source>Memory</source>
         <translation>Speicher</translation>
     </message>
@@ -523,12 +554,95 @@
         <translation>%1 zu %2 (Zufall %3)</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
         <source>How well two volumes fit is told here, once there are two.</source>
         <translation>Hier steht, wie gut zwei Volumen passen, sobald es zwei gibt.</translation>
+    </message>
+    <message>
+        <source>Expected time</source>
+        <translation>Erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>Of a search, from &apos;echoweave bench register&apos;, scaled to this pair&apos;s size and to the rotations to be searched</source>
+        <translation>Einer Suche, nach „echoweave bench register“, auf die Größe dieses Paares und die zu durchsuchenden Drehungen umgerechnet</translation>
+    </message>
+    <message>
+        <source>For all pairs that have no quality of their own: how much time is spent on accuracy</source>
+        <translation>Für alle Paare ohne eigene Güte: wie viel Zeit die Genauigkeit kosten darf</translation>
+    </message>
+    <message>
+        <source>Of this pair</source>
+        <translation>Dieses Paares</translation>
+    </message>
+    <message>
+        <source>as all</source>
+        <translation>wie alle</translation>
+    </message>
+    <message>
+        <source>For this pair alone; the command line keeps to it too</source>
+        <translation>Nur für dieses Paar; auch die Kommandozeile hält sich daran</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Bend this pair again</source>
+        <translation>Dieses Paar neu verformen</translation>
+    </message>
+    <message>
+        <source>Runs the elastic step; pairs that did not change keep what they have</source>
+        <translation>Führt den elastischen Schritt aus; Paare, an denen sich nichts geändert hat, behalten, was sie haben</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm</source>
+        <translation>Die das Verformen dieses Paares gebraucht hat; die Korrelation ist %1 nach %2 vorher, die größte Verschiebung %3 mm</translation>
+    </message>
+    <message>
+        <source>Changed since: bend again.</source>
+        <translation>Seitdem geändert: neu verformen.</translation>
+    </message>
+    <message>
+        <source>Cost of accuracy</source>
+        <translation>Preis der Genauigkeit</translation>
+    </message>
+    <message>
+        <source>%1 mm in %2</source>
+        <translation>%1 mm in %2</translation>
+    </message>
+    <message>
+        <source>From &apos;echoweave bench register&apos;: two views of one tissue, up to 5 mm apart, with two thirds of their speckle in common, on one thread; scaled to this pair&apos;s %1 million voxels of %2 mm.</source>
+        <translation>Nach „echoweave bench register“: zwei Ansichten desselben Gewebes, bis 5 mm gegeneinander verschoben, mit zwei Dritteln gemeinsamem Speckle, ein Thread; umgerechnet auf die %1 Millionen Voxel zu %2 mm dieses Paares.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Times are as %n pairs took here.</source>
+        <translation>
+            <numerusform>Zeiten, wie sie ein Paar hier gebraucht hat.</numerusform>
+            <numerusform>Zeiten, wie sie %n Paare hier gebraucht haben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Times are those of the machine of the figures until a pair was bent here.</source>
+        <translation>Bis hier ein Paar verformt wurde, gelten die Zeiten des Rechners, auf dem gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Cost of accuracy on this machine</source>
+        <translation>Preis der Genauigkeit auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Cost of accuracy, as measured elsewhere</source>
+        <translation>Preis der Genauigkeit, anderswo gemessen</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
     </message>
 </context>
 <context>
@@ -559,6 +673,245 @@
     <message>
         <source>move %1 by %2 mm</source>
         <translation>%1 um %2 mm verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::Reasons</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>any distance</source>
+        <translation>beliebig viel</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>end of a list</comment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>The fixed volume holds no echo.</source>
+        <translation>Das feste Volumen enthält kein Echo.</translation>
+    </message>
+    <message>
+        <source>The moving volume holds no echo.</source>
+        <translation>Das bewegte Volumen enthält kein Echo.</translation>
+    </message>
+    <message>
+        <source>The fixed volume is too thin: it takes three voxels of %1 in every direction.</source>
+        <translation>Das feste Volumen ist zu dünn: In jeder Richtung braucht es drei Voxel zu %1.</translation>
+    </message>
+    <message>
+        <source>The moving volume is too thin: it takes three voxels of %1 in every direction.</source>
+        <translation>Das bewegte Volumen ist zu dünn: In jeder Richtung braucht es drei Voxel zu %1.</translation>
+    </message>
+    <message>
+        <source>The fixed volume shows no structure: it is the same grey nearly everywhere.</source>
+        <translation>Das feste Volumen zeigt keine Struktur: Es ist fast überall gleich grau.</translation>
+    </message>
+    <message>
+        <source>The moving volume shows no structure: it is the same grey nearly everywhere.</source>
+        <translation>Das bewegte Volumen zeigt keine Struktur: Es ist fast überall gleich grau.</translation>
+    </message>
+    <message>
+        <source>The two do not overlap at the start: bring them closer, or search without places.</source>
+        <translation>Am Anfang überlappen sich die beiden nicht: Bringen Sie sie näher zusammen oder suchen Sie ohne Lagen.</translation>
+    </message>
+    <message>
+        <source>The overlap is too small: fewer than 50 voxels are covered by both volumes.</source>
+        <translation>Die Überlappung ist zu klein: Beide Volumen erfassen gemeinsam weniger als 50 Voxel.</translation>
+    </message>
+    <message>
+        <source>What overlaps does not hold the pose: it may slide or turn.</source>
+        <translation>Was sich überlappt, hält die Lage nicht fest: Sie kann gleiten oder sich drehen.</translation>
+    </message>
+    <message>
+        <source>The overlap is too small to tell.</source>
+        <translation>Die Überlappung ist zu klein für ein Urteil.</translation>
+    </message>
+    <message>
+        <source>Near this start the images agree no better than unrelated tissue does.</source>
+        <translation>Nahe diesem Anfang stimmen die Bilder nicht besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>The images agree hardly better than unrelated tissue does.</source>
+        <translation>Die Bilder stimmen kaum besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap, matched apart, contradict each other by %1: the start may be too far off.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung widersprechen sich um %1: Vielleicht liegt der Anfang zu weit daneben.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap, matched apart, agree to %1.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung stimmen auf %1 überein.</translation>
+    </message>
+    <message>
+        <source>No pose brings the two into agreement over %1 overlap.</source>
+        <translation>Keine Lage bringt die beiden über %1 Überlappung zur Übereinstimmung.</translation>
+    </message>
+    <message>
+        <source>The overlap found is too small to tell it from chance.</source>
+        <translation>Die gefundene Überlappung ist zu klein, um Zufall auszuschließen.</translation>
+    </message>
+    <message>
+        <source>The best of %1 turns with all shifts agrees no better than unrelated tissue does.</source>
+        <translation>Auch die beste von %1 Drehungen mit allen Verschiebungen stimmt nicht besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>The best pose agrees hardly better than unrelated tissue does.</source>
+        <translation>Die beste Lage stimmt kaum besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>Two different poses agree almost equally (margin %1): the structure repeats. A start or landmarks must choose.</source>
+        <translation>Zwei verschiedene Lagen stimmen fast gleich gut überein (Abstand %1): Die Struktur wiederholt sich. Ein Anfang oder Landmarken müssen entscheiden.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap, matched apart, contradict each other by %1.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung widersprechen sich um %1.</translation>
+    </message>
+    <message>
+        <source>One pose stands out by a margin of %1; halves of the overlap, matched apart, agree to %2.</source>
+        <translation>Eine Lage ragt mit dem Abstand %1 heraus; getrennt zugeordnete Hälften der Überlappung stimmen auf %2 überein.</translation>
+    </message>
+    <message>
+        <source>Shadows and other streaks were taken out, which drew the volumes %1 and %2 elsewhere.</source>
+        <translation>Schatten und andere Streifen wurden herausgenommen; sie hatten die Volumen um %1 und %2 anderswohin gezogen.</translation>
+    </message>
+    <message>
+        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes agree hardly better than unrelated tissue does.</source>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies %1 and %2 elsewhere. A tracker or landmarks can decide.</source>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie liegt die Lage %1 und %2 anderswo. Ein Tracker oder Landmarken können entscheiden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Three places that are not on one line are needed; mark %n more.</source>
+        <translation>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch eine.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the place of an earlier pair again.</source>
+        <translation>%1: noch einmal die Stelle eines früheren Paares.</translation>
+    </message>
+    <message>
+        <source>The places lie on one line, so that the turn about it is free: add one beside the line.</source>
+        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt: Setzen Sie eine neben der Geraden.</translation>
+    </message>
+    <message>
+        <source>The places in one volume are the mirror image of those in the other: left and right were confused, or one file is mirrored.</source>
+        <translation>Die Stellen im einen Volumen sind das Spiegelbild derer im anderen: Links und rechts wurden verwechselt, oder eine Datei ist gespiegelt.</translation>
+    </message>
+    <message>
+        <source>The three pairs contradict each other by %1, and three cannot say which is wrong: correct one or add a fourth.</source>
+        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist: Berichtigen Sie eines oder setzen Sie ein viertes.</translation>
+    </message>
+    <message>
+        <source>The pairs contradict each other: no rigid transform brings more than %1 of %2 together. Pick them again.</source>
+        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>One can read the pairs in two ways: without %1, or without %2. Add a pair or correct one.</source>
+        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Setzen Sie ein weiteres Paar oder berichtigen Sie eines.</translation>
+    </message>
+    <message>
+        <source>%1 pairs agree within %2.</source>
+        <translation>%1 Paare stimmen auf %2 überein.</translation>
+    </message>
+    <message>
+        <source>%1 pairs agree within %2; off by %3: %4.</source>
+        <translation>%1 Paare stimmen auf %2 überein; um %3 daneben: %4.</translation>
+    </message>
+    <message>
+        <source>Placed by hand.</source>
+        <translation>Von Hand gelegt.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has no part that may be believed.</source>
+        <translation>Eines der Volumen hat keinen Teil, dem zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>The volumes do not overlap where they were placed.</source>
+        <translation>Wo die Volumen liegen, überlappen sie sich nicht.</translation>
+    </message>
+    <message>
+        <source>The overlap shows no structure that could be followed.</source>
+        <translation>Die Überlappung zeigt keine Struktur, der sich folgen ließe.</translation>
+    </message>
+    <message>
+        <source>No bending brought the volumes closer than they were; none was made.</source>
+        <translation>Keine Verformung brachte die Volumen näher zusammen, als sie waren; es bleibt dabei.</translation>
+    </message>
+    <message>
+        <source>No bending brought the volumes together; none was made.</source>
+        <translation>Keine Verformung brachte die Volumen zusammen; es bleibt dabei.</translation>
+    </message>
+    <message>
+        <source>The volumes contradict each other: bent, they agree no better than unrelated tissue does.</source>
+        <translation>Die Volumen widersprechen sich: Auch verformt stimmen sie nicht besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>Too little structure is shared to tell whether the bend is right.</source>
+        <translation>Die Volumen haben zu wenig Struktur gemeinsam, um die Verformung zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Bent, the volumes agree.</source>
+        <translation>Verformt stimmen die Volumen überein.</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>the tracker&apos;s place of %1</source>
+        <translation>die Lage von %1 nach dem Tracker</translation>
+    </message>
+    <message>
+        <source>Nothing joins these %1 parts: %2. Match a pair between them.</source>
+        <translation>Diese %1 Teile verbindet nichts: %2. Ordnen Sie ein Paar zwischen ihnen zu.</translation>
+    </message>
+    <message>
+        <source>The pairs leave %1 free to slide or turn.</source>
+        <translation>Die Paare lassen %1 gleiten oder sich drehen.</translation>
+    </message>
+    <message>
+        <source>%1 (by %2 and %3)</source>
+        <translation>%1 (um %2 und %3)</translation>
+    </message>
+    <message>
+        <source>Wrong, and left out: %1.</source>
+        <translation>Falsch und weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>It could as well be %1: they lie on the same loop. Match another pair across it.</source>
+        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife. Ordnen Sie ein weiteres Paar quer dazu zu.</translation>
+    </message>
+    <message>
+        <source>No loop checks %1.</source>
+        <translation>Keine Schleife prüft %1.</translation>
+    </message>
+    <message>
+        <source>The places did not settle.</source>
+        <translation>Die Lagen kamen nicht zur Ruhe.</translation>
     </message>
 </context>
 <context>
@@ -1186,6 +1539,26 @@
     <message>
         <source>A step is still running; wait for it or cancel it.</source>
         <translation>Ein Schritt läuft noch; warten Sie auf ihn oder brechen Sie ihn ab.</translation>
+    </message>
+    <message>
+        <source>elastic quality %1</source>
+        <translation>elastische Güte %1</translation>
+    </message>
+    <message>
+        <source>bend %1 %2</source>
+        <translation>%1 verformen: %2</translation>
+    </message>
+    <message>
+        <source>bend %1 as all pairs</source>
+        <translation>%1 wie alle Paare verformen</translation>
+    </message>
+    <message>
+        <source>Bending %1 again</source>
+        <translation>%1 wird neu verformt</translation>
+    </message>
+    <message>
+        <source>Taking up what was found</source>
+        <translation>Früher Gefundenes wird gelesen</translation>
     </message>
 </context>
 <context>

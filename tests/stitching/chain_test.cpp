@@ -130,6 +130,57 @@ TEST(Chain, AnEditedPairIsRegisteredAgainAlone) {
   EXPECT_EQ(redone(*undone), std::vector<std::string>{}) << "an edit taken back finds the old answer";
 }
 
+TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {
+  ChainWorld world;
+  world.project.settings.trackerError_mm = world.project.settings.trackerError_deg = 0.0;  // nothing but the bends is at stake
+  const fs::path into = world.folder / "out";
+  ChainOptions until;
+  until.until = Step::elastic;
+  const auto first = world.run(into, noProgress(), until);
+  ASSERT_TRUE(first) << first.error();
+  ASSERT_EQ(first->bentPairs.size(), 2u) << "a with b and b with c; a and c lie apart";
+  EXPECT_EQ(std::pair(first->bentPairs[1].fixed, first->bentPairs[1].moving), std::pair(std::size_t{1}, std::size_t{2}));
+  for (const BentPair& bent : first->bentPairs) {
+    EXPECT_EQ(bent.effort, registration::ElasticEffort::fast);
+    EXPECT_FALSE(bent.levels.empty());
+    EXPECT_FALSE(bent.reason.empty());
+    EXPECT_GT(bent.seconds, 0.0);
+    EXPECT_GT(bent.after.overlapShare, 0.0);
+  }
+  const auto bendsIn = [&] {
+    std::size_t count = 0;
+    for (const auto& each : fs::directory_iterator(into / "steps/bends"))
+      count += each.path().extension() == ".json" && each.path().filename().string().find('-') == std::string::npos ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(bendsIn(), 2u);
+  ProjectPair pair;
+  pair.fixed = 1;
+  pair.moving = 2;
+  pair.effort = registration::ElasticEffort::accurate;
+  world.project.pairs = {pair};
+  const auto harder = world.run(into, noProgress(), until);
+  ASSERT_TRUE(harder) << harder.error();
+  EXPECT_EQ(redone(*harder), std::vector<std::string>{"elastic"});
+  EXPECT_TRUE(harder->pairs.empty()) << "an effort asks for no matching";
+  EXPECT_EQ(bendsIn(), 3u);
+  ASSERT_EQ(harder->bentPairs.size(), 2u);
+  EXPECT_EQ(harder->bentPairs[0].effort, registration::ElasticEffort::fast);
+  EXPECT_EQ(harder->bentPairs[1].effort, registration::ElasticEffort::accurate);
+  EXPECT_LT(harder->bentPairs[1].levels.back().node_mm, first->bentPairs[1].levels.back().node_mm);
+  const auto again = world.run(into, noProgress(), until);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(redone(*again), std::vector<std::string>{});
+  ASSERT_EQ(again->bentPairs.size(), 2u) << "what was found about each pair is read back";
+  EXPECT_EQ(again->bentPairs[1].effort, registration::ElasticEffort::accurate);
+  EXPECT_EQ(again->bentPairs[1].levels.size(), harder->bentPairs[1].levels.size());
+  EXPECT_EQ(again->bentPairs[1].seconds, harder->bentPairs[1].seconds);
+  world.project.pairs[0].effort = registration::ElasticEffort::fast;
+  const auto same = world.run(into, noProgress(), until);
+  ASSERT_TRUE(same) << same.error();
+  EXPECT_EQ(redone(*same), std::vector<std::string>{}) << "as much as all others is what was there before";
+}
+
 TEST(Chain, StopsAfterTheStepItWasAskedFor) {
   ChainWorld world;
   for (const Step step : kSteps) {

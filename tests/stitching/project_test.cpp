@@ -73,6 +73,7 @@ StitchProject fullProject() {
   pair.start = oddPlace();
   pair.landmarks = {{"gall bladder", {1, 2, 3}, {4, 5, 1.0 / 7.0}}, {"2", {0, 0, 1}, {1e-3, 0, 0}}};
   pair.maxTurn_deg = 60.0;
+  pair.effort = registration::ElasticEffort::fast;
   ProjectPair other;
   other.fixed = 1;
   other.moving = 2;
@@ -135,6 +136,22 @@ TEST(StitchProject, DiffersFromItselfWithAnyFieldOfTheFileChanged) {
     ASSERT_TRUE(read) << pointer << read.error();
     EXPECT_FALSE(*read == plain()) << pointer;
   }
+}
+
+TEST(StitchProject, EffortOfAPairComesBeforeTheProjectsAndSaysNothingOfItsPose) {
+  StitchProject project = fullProject();
+  EXPECT_EQ(effortOf(project, 0, 2), registration::ElasticEffort::fast);
+  EXPECT_EQ(effortOf(project, 2, 0), registration::ElasticEffort::fast);
+  EXPECT_EQ(effortOf(project, 1, 2), project.settings.effort);
+  EXPECT_TRUE(speaksOfPose(project.pairs[0]));
+  ProjectPair alone;
+  alone.fixed = 1;
+  alone.moving = 2;
+  EXPECT_TRUE(speaksOfPose(alone)) << "an entry that says nothing asks for a look";
+  alone.effort = registration::ElasticEffort::fast;
+  EXPECT_FALSE(speaksOfPose(alone));
+  alone.decision = Decision::accepted;
+  EXPECT_TRUE(speaksOfPose(alone));
 }
 
 /// Names of all fields, "pairs[].landmarks[].name" and so on.
@@ -299,6 +316,8 @@ TEST(StitchProject, NamesTheFieldOfTheSecondFormatThatIsWrong) {
                      {"/pairs/0/start", json::array({1}), "pairs[0].start"},
                      {"/pairs/0/max_turn_deg", 181, "pairs[0].max_turn_deg"},
                      {"/pairs/0/turn", 1, "pairs[0].turn"},
+                     {"/pairs/0/effort", "heroic", "pairs[0].effort"},
+                     {"/pairs/0/effort", nullptr, "pairs[0].effort"},
                      {"/pairs/0/landmarks", 5, "pairs[0].landmarks"},
                      {"/pairs/0/landmarks/1", 5, "pairs[0].landmarks[1]"},
                      {"/pairs/0/landmarks/1/fixed_mm", json::array({1, 2}), "pairs[0].landmarks[1].fixed_mm"},

@@ -60,8 +60,6 @@ std::string bytesOf(const std::vector<glm::vec3>& vectors) {
   return {reinterpret_cast<const char*>(vectors.data()), vectors.size() * sizeof(glm::vec3)};
 }
 
-glm::dvec3 middleOf(const Grid& grid) { return glm::dvec3(grid.voxelToWorld().matrix * glm::dvec4(0.5 * glm::dvec3(grid.dims - 1), 1.0)); }
-
 /// Whether two boxes at their places meet when each is `margin_mm` larger: by the separating axes of their faces and edges.
 bool boxesMeet(const Grid& a, const Grid& b, double margin_mm) {
   const glm::dvec3 apart = middleOf(b) - middleOf(a);
@@ -249,7 +247,7 @@ class Chain {
       for (std::size_t m = f + 1; m < inputs_.size(); ++m) {
         const auto entry = std::find_if(project_.pairs.begin(), project_.pairs.end(),
                                         [&](const ProjectPair& pair) { return pair.fixed == f && pair.moving == m; });
-        const bool spoken = entry != project_.pairs.end();
+        const bool spoken = entry != project_.pairs.end() && speaksOfPose(*entry);
         const bool known = isKnown(f) && isKnown(m);
         if (!spoken && isExact(f) && isExact(m)) continue;
         if (!spoken && known &&
@@ -317,7 +315,12 @@ class Chain {
     keys[Step::equalise] = newKey("equalise").add(poses).add(settings_.equalise).text();
     ContentKey bent = newKey("elastic");
     bent.add(poses).add(settings_.elastic);
-    if (settings_.elastic) bent.add(static_cast<int>(settings_.effort)).add(settings_.fallOff_mm);
+    if (settings_.elastic) {
+      bent.add(static_cast<int>(settings_.effort)).add(settings_.fallOff_mm);
+      for (const ProjectPair& pair : project_.pairs)
+        if (pair.effort && *pair.effort != settings_.effort)
+          bent.add(static_cast<std::uint64_t>(pair.fixed)).add(static_cast<std::uint64_t>(pair.moving)).add(static_cast<int>(*pair.effort));
+    }
     keys[Step::elastic] = bent.text();
     ContentKey cut = newKey("seam");
     cut.add(keys[Step::equalise]).add(keys[Step::elastic]);
@@ -366,9 +369,9 @@ class Chain {
     return options;
   }
 
-  [[nodiscard]] registration::ElasticOptions elasticOptions() const {
+  [[nodiscard]] registration::ElasticOptions elasticOptions(std::size_t fixed, std::size_t moving) const {
     registration::ElasticOptions options;
-    options.effort = settings_.effort;
+    options.effort = effortOf(project_, fixed, moving);
     options.threads = options_.threads;
     return options;
   }
@@ -393,11 +396,13 @@ class Chain {
         std::vector<Grid> grids;
         const auto placedOnes = placedGrids();
         for (const auto& each : placedOnes) grids.push_back(placed(each.grid, each.toWorld));
+        const auto number = [&](std::size_t n) { return included_.empty() ? n : included_[n]; };
         for (std::size_t f = 0; f < grids.size(); ++f)
           for (std::size_t m = f + 1; m < grids.size(); ++m)
             if (boxesMeet(grids[f], grids[m], 0.0))
-              bytes = std::max(bytes, registration::forecastElastic_bytes(placedOnes[f].grid, placedOnes[m].grid, elasticOptions()) +
-                                          4 * (placedOnes[f].grid.voxelCount() + placedOnes[m].grid.voxelCount()));
+              bytes = std::max(
+                  bytes, registration::forecastElastic_bytes(placedOnes[f].grid, placedOnes[m].grid, elasticOptions(number(f), number(m))) +
+                             4 * (placedOnes[f].grid.voxelCount() + placedOnes[m].grid.voxelCount()));
         return std::max(bytes, forecastBends_bytes(grids, grids.size() * (grids.size() - 1) / 2, bendOptions()));
       }
       case Step::seam:
@@ -637,8 +642,13 @@ class Chain {
       state_.graph = graphFrom(data);
       if (auto kept = store_.keep(nameOf(Step::graph), key, data); !kept) return kept;
     }
-    for (std::size_t e = 0; e < pairOfEdge.size() && e < state_.graph->edges.size(); ++e)
-      state_.pairs[pairOfEdge[e]].wrong = state_.graph->edges[e].wrong;
+    const auto& suspects = state_.graph->suspects;
+    for (std::size_t e = 0; e < pairOfEdge.size() && e < state_.graph->edges.size(); ++e) {
+      PairOutcome& pair = state_.pairs[pairOfEdge[e]];
+      pair.inGraph = state_.graph->edges[e];
+      pair.wrong = pair.inGraph->wrong;
+      pair.suspect = std::find(suspects.begin(), suspects.end(), e) != suspects.end();
+    }
     state_.verdict = state_.graph->verdict;
     state_.reason = state_.graph->reason;
     include();
@@ -740,27 +750,24 @@ class Chain {
   /// An elastic pair from the poses of the graph.
   struct Bent {
     PairBend bend;
-    std::vector<registration::Level> levels;
+    BentPair about;
   };
 
   Result<Bent> bendPair(std::size_t f, std::size_t m, Progress& progress) {
     const glm::dmat4 start = rigidInverse(poseOf(m)) * poseOf(f);
     ContentKey name = newKey("bend");
-    name.add(inputs_[f].key).add(inputs_[m].key).add(start).add(static_cast<int>(settings_.effort));
+    name.add(inputs_[f].key).add(inputs_[m].key).add(start).add(static_cast<int>(effortOf(project_, f, m)));
     const std::string key = name.text();
     const auto kept = [&]() -> std::optional<Bent> {
       auto bent = readBack<Bent>(store_.find(kBendStep, key), [](const json& data) {
         Bent read;
-        read.bend.trust = data.at("verdict") == registration::nameOf(Verdict::aligned) ? 1.0 : kUnconfirmed;
+        read.about = bentFrom(data.at("outcome"));
         read.bend.fixedToMoving.rigid = matrixFrom(data.at("rigid"));
         read.bend.fixedToMoving.control.nodes = gridFrom(data.at("nodes"));
-        read.levels = levelsFrom(data.at("levels"));
         return read;
       });
       if (!bent || !readVectors(kBendStep, key, "control.bin", bent->bend.fixedToMoving.control)) return std::nullopt;
-      bent->bend.fixed = f;
-      bent->bend.moving = m;
-      return bent;
+      return named(std::move(*bent), f, m);
     };
     if (auto found = kept()) return std::move(*found);
     const std::vector<float> fixedConfidence = shares(*inputs_[f].view), movingConfidence = shares(*inputs_[m].view);
@@ -768,7 +775,7 @@ class Chain {
     if (options_.onLevel) onLevel = [&](const registration::Level& level) { options_.onLevel(f, m, level); };
     auto made =
         registration::registerElastic({inputs_[f].view->volume.get(), fixedConfidence}, {inputs_[m].view->volume.get(), movingConfidence},
-                                      start, elasticOptions(), progress, onLevel);
+                                      start, elasticOptions(f, m), progress, onLevel);
     if (!made) {
       Error problem = made.error();
       if (problem.code != ErrorCode::cancelled)
@@ -776,22 +783,32 @@ class Chain {
             "'" + project_.volumes[f].name + "' and '" + project_.volumes[m].name + "' could not be bent together. " + problem.sentence;
       return passOn(std::move(problem));
     }
+    Bent bent;
+    bent.about = {.effort = effortOf(project_, f, m),
+                  .verdict = made->verdict,
+                  .reason = std::move(made->reason),
+                  .remarks = std::move(made->remarks),
+                  .before = made->before,
+                  .after = made->after,
+                  .largestMotion_mm = made->largestMotion_mm,
+                  .smallestJacobian = made->jacobian.smallest,
+                  .levels = std::move(made->levels),
+                  .seconds = made->seconds};
     ordered_json data = {{"fixed", project_.volumes[f].name},
                          {"moving", project_.volumes[m].name},
-                         {"verdict", registration::nameOf(made->verdict)},
-                         {"reason", made->reason},
-                         {"before", jsonOf(made->before)},
-                         {"after", jsonOf(made->after)},
-                         {"largest_motion_mm", made->largestMotion_mm},
-                         {"smallest_jacobian", made->jacobian.smallest},
+                         {"outcome", jsonOf(bent.about)},
                          {"rigid", jsonOf(made->fixedToMoving.rigid)},
-                         {"nodes", jsonOf(made->fixedToMoving.control.nodes)},
-                         {"levels", jsonOf(made->levels)}};
+                         {"nodes", jsonOf(made->fixedToMoving.control.nodes)}};
     if (auto w = writeVectors(kBendStep, key, "control.bin", made->fixedToMoving.control); !w) return passOn(w.error());
     if (auto k = store_.keep(kBendStep, key, std::move(data), {"control.bin"}); !k) return passOn(k.error());
-    Bent bent;
-    bent.bend = {f, m, std::move(made->fixedToMoving), made->verdict == Verdict::aligned ? 1.0 : kUnconfirmed};
-    bent.levels = std::move(made->levels);
+    bent.bend.fixedToMoving = std::move(made->fixedToMoving);
+    return named(std::move(bent), f, m);
+  }
+
+  static Bent named(Bent bent, std::size_t fixed, std::size_t moving) {
+    bent.bend.fixed = bent.about.fixed = fixed;
+    bent.bend.moving = bent.about.moving = moving;
+    bent.bend.trust = bent.about.verdict == Verdict::aligned ? 1.0 : kUnconfirmed;
     return bent;
   }
 
@@ -831,10 +848,14 @@ class Chain {
                         state_.bendSummary = {about.at("pairs").get<std::size_t>(), about.at("largest_mm").get<double>(),
                                               about.at("smallest_jacobian").get<double>(), about.at("disagreement_median_mm").get<double>(),
                                               about.at("disagreement_95_mm").get<double>()};
-                        for (const auto& levels : about.at("levels")) state_.elasticLevels.push_back(levelsFrom(levels));
+                        for (const auto& bent : about.at("bent")) {
+                          state_.bentPairs.push_back(bentFrom(bent.at("outcome")));
+                          state_.bentPairs.back().fixed = bent.at("fixed").get<std::size_t>();
+                          state_.bentPairs.back().moving = bent.at("moving").get<std::size_t>();
+                        }
                         return true;
                       }).value_or(false);
-    if (!read) state_.elasticLevels.clear();
+    if (!read) state_.bentPairs.clear();
     return read;
   }
 
@@ -864,7 +885,7 @@ class Chain {
         auto bent = bendPair(f, m, part);
         if (!bent) return passOn(bent.error());
         bends.push_back(std::move(bent->bend));
-        state_.elasticLevels.push_back(std::move(bent->levels));
+        state_.bentPairs.push_back(std::move(bent->about));
       }
       PartOfProgress sharing(progress, 0.9, 1.0);
       if (auto shared = share(std::move(bends), sharing); !shared) return shared;
@@ -906,8 +927,9 @@ class Chain {
                          {"disagreement_median_mm", state_.bendSummary.disagreementMedian_mm},
                          {"disagreement_95_mm", state_.bendSummary.disagreement95_mm},
                          {"views", ordered_json::array()},
-                         {"levels", ordered_json::array()}};
-    for (const auto& levels : state_.elasticLevels) data["levels"].push_back(jsonOf(levels));
+                         {"bent", ordered_json::array()}};
+    for (const auto& bent : state_.bentPairs)
+      data["bent"].push_back({{"fixed", bent.fixed}, {"moving", bent.moving}, {"outcome", jsonOf(bent)}});
     std::vector<std::string> names;
     for (std::size_t v = 0; v < inputs_.size(); ++v) {
       const auto& bend = state_.bends[v];

@@ -26,8 +26,26 @@ struct PairOutcome {
   PairMethod used = PairMethod::automatic;
   registration::RigidResult rigid;
   std::optional<registration::LandmarkResult> landmarks;
-  std::vector<registration::Hypothesis> hypotheses;  ///< of a search
-  bool wrong = false;                                ///< the graph does not believe it
+  std::vector<registration::Hypothesis> hypotheses;      ///< of a search
+  std::optional<registration::GraphEdgeReport> inGraph;  ///< what the graph made of it; none where it was not asked
+  bool wrong = false;                                    ///< the graph does not believe it
+  bool suspect = false;                                  ///< it could be the wrong one as well as another
+};
+
+/// What bending one pair of views found, before all bends were brought together.
+struct BentPair {
+  std::size_t fixed = 0;
+  std::size_t moving = 0;
+  registration::ElasticEffort effort = registration::ElasticEffort::balanced;
+  registration::Verdict verdict = registration::Verdict::cannotTell;
+  std::string reason = {};
+  std::vector<registration::Remark> remarks = {};
+  registration::Agreement before = {};
+  registration::Agreement after = {};
+  double largestMotion_mm = 0.0;
+  double smallestJacobian = 1.0;
+  std::vector<registration::Level> levels = {};
+  double seconds = 0.0;  ///< that it took when it was made
 };
 
 /// What one step left, read back from the output folder or just made.
@@ -57,7 +75,7 @@ struct ChainState {
   std::optional<registration::GraphResult> graph;
   std::vector<registration::ControlGrid> bends;  ///< one per volume, world; empty lattices where nothing bends; after `elastic`
   BendSummary bendSummary;
-  std::vector<std::vector<registration::Level>> elasticLevels;
+  std::vector<BentPair> bentPairs;   ///< after `elastic`, in order of fixed, then moving
   std::optional<SeamMap> seams;      ///< of the project's volumes by their numbers
   std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;

@@ -60,10 +60,28 @@ registration::Agreement agreementFrom(const json& data) {
   return {numberFrom(data.at("correlation")), numberFrom(data.at("overlap_share")), numberFrom(data.at("chance"))};
 }
 
+ordered_json jsonOf(const std::vector<registration::Remark>& remarks) {
+  ordered_json list = ordered_json::array();
+  for (const auto& remark : remarks)
+    list.push_back({{"says", nameOf(remark.what)}, {"figures", numbers(remark.figures)}, {"names", remark.names}});
+  return list;
+}
+/// What another version of the program says in other words is left to its sentence.
+std::vector<registration::Remark> remarksFrom(const json& list) {
+  std::vector<registration::Remark> remarks;
+  for (const auto& each : list) {
+    const auto what = registration::saysFrom(each.at("says").get<std::string>());
+    if (!what) return {};
+    remarks.push_back({*what, numbersFrom(each.at("figures")), each.at("names").get<std::vector<std::string>>()});
+  }
+  return remarks;
+}
+
 ordered_json jsonOf(const registration::RigidResult& rigid) {
   ordered_json made;
   made["verdict"] = nameOf(rigid.verdict);
   made["reason"] = rigid.reason;
+  made["remarks"] = jsonOf(rigid.remarks);
   made["fixed_to_moving"] = stitching::jsonOf(rigid.fixedToMoving);
   made["before"] = stitching::jsonOf(rigid.before);
   made["after"] = stitching::jsonOf(rigid.after);
@@ -82,6 +100,7 @@ registration::RigidResult rigidFrom(const json& data) {
   registration::RigidResult rigid;
   rigid.verdict = verdictFrom(data.at("verdict"));
   rigid.reason = data.at("reason").get<std::string>();
+  rigid.remarks = remarksFrom(data.at("remarks"));
   rigid.fixedToMoving = matrixFrom(data.at("fixed_to_moving"));
   rigid.before = agreementFrom(data.at("before"));
   rigid.after = agreementFrom(data.at("after"));
@@ -99,6 +118,7 @@ registration::RigidResult rigidFrom(const json& data) {
 ordered_json jsonOf(const registration::LandmarkResult& found) {
   return {{"verdict", nameOf(found.verdict)},
           {"reason", found.reason},
+          {"remarks", jsonOf(found.remarks)},
           {"fixed_to_moving", stitching::jsonOf(found.fixedToMoving)},
           {"residual_mm", numbers(found.residual_mm)},
           {"weight", numbers(found.weight)},
@@ -115,6 +135,7 @@ registration::LandmarkResult landmarksFrom(const json& data) {
   registration::LandmarkResult found;
   found.verdict = verdictFrom(data.at("verdict"));
   found.reason = data.at("reason").get<std::string>();
+  found.remarks = remarksFrom(data.at("remarks"));
   found.fixedToMoving = matrixFrom(data.at("fixed_to_moving"));
   found.residual_mm = numbersFrom(data.at("residual_mm"));
   found.weight = numbersFrom(data.at("weight"));
@@ -205,6 +226,34 @@ PairOutcome pairFrom(const json& data) {
   return outcome;
 }
 
+ordered_json jsonOf(const BentPair& bent) {
+  return {{"effort", nameOf(bent.effort)},
+          {"verdict", nameOf(bent.verdict)},
+          {"reason", bent.reason},
+          {"remarks", jsonOf(bent.remarks)},
+          {"before", jsonOf(bent.before)},
+          {"after", jsonOf(bent.after)},
+          {"largest_motion_mm", number(bent.largestMotion_mm)},
+          {"smallest_jacobian", number(bent.smallestJacobian)},
+          {"levels", jsonOf(bent.levels)},
+          {"seconds", number(bent.seconds)}};
+}
+BentPair bentFrom(const json& data) {
+  BentPair bent;
+  using registration::ElasticEffort;
+  bent.effort = wordFrom(data.at("effort"), {ElasticEffort::fast, ElasticEffort::balanced, ElasticEffort::accurate});
+  bent.verdict = verdictFrom(data.at("verdict"));
+  bent.reason = data.at("reason").get<std::string>();
+  bent.remarks = remarksFrom(data.at("remarks"));
+  bent.before = agreementFrom(data.at("before"));
+  bent.after = agreementFrom(data.at("after"));
+  bent.largestMotion_mm = numberFrom(data.at("largest_motion_mm"));
+  bent.smallestJacobian = numberFrom(data.at("smallest_jacobian"));
+  bent.levels = levelsFrom(data.at("levels"));
+  bent.seconds = numberFrom(data.at("seconds"));
+  return bent;
+}
+
 ordered_json jsonOf(const registration::GraphResult& graph) {
   ordered_json made;
   made["verdict"] = nameOf(graph.verdict);
@@ -223,6 +272,8 @@ ordered_json jsonOf(const registration::GraphResult& graph) {
   made["wrong"] = graph.wrong;
   made["suspects"] = graph.suspects;
   made["wrong_priors"] = graph.wrongPriors;
+  made["suspect_priors"] = graph.suspectPriors;
+  made["undetermined"] = graph.undetermined;
   made["without_information"] = graph.withoutInformation;
   made["covariance"] = ordered_json::array();
   for (const auto& covariance : graph.covariance) made["covariance"].push_back(numbers(covariance));
@@ -255,6 +306,8 @@ registration::GraphResult graphFrom(const json& data) {
   graph.wrong = data.at("wrong").get<std::vector<std::size_t>>();
   graph.suspects = data.at("suspects").get<std::vector<std::size_t>>();
   graph.wrongPriors = data.at("wrong_priors").get<std::vector<std::size_t>>();
+  graph.suspectPriors = data.at("suspect_priors").get<std::vector<std::size_t>>();
+  graph.undetermined = data.at("undetermined").get<std::vector<std::size_t>>();
   graph.withoutInformation = data.at("without_information").get<std::vector<std::size_t>>();
   for (const auto& covariance : data.at("covariance")) graph.covariance.push_back(covarianceFrom(covariance));
   for (const auto& centre : data.at("centre_mm")) graph.centre_mm.push_back(vectorFrom(centre));

@@ -18,6 +18,8 @@ namespace ew::stitching {
 [[nodiscard]] std::vector<registration::Level> levelsFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const PairOutcome& outcome);
 [[nodiscard]] PairOutcome pairFrom(const nlohmann::json& json);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const BentPair& bent);  ///< without the two views it speaks of
+[[nodiscard]] BentPair bentFrom(const nlohmann::json& data);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const registration::GraphResult& graph);
 [[nodiscard]] registration::GraphResult graphFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const GreyCorrection& correction);

@@ -16,8 +16,6 @@ constexpr int kRounds = 6;          ///< of looking up a pair's motion where the
 constexpr double kStill_mm = 1e-3;  ///< a lattice that moves no more is none
 constexpr std::uint64_t kMostNodes = 4u << 20;
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 Grid latticeOver(std::span<const Grid> placedGrids, double margin_mm, double node_mm) {
   Bounds box{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
   for (const Grid& grid : placedGrids) {

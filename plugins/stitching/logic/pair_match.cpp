@@ -1,4 +1,5 @@
 #include "logic/pair_match.h"
+#include "logic/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,6 @@ std::vector<float> sharesOf(std::span<const std::uint8_t> confidence) {
   return shares;
 }
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 /// The largest distance between where two transforms take the corners of a grid.
 double farthestApart_mm(const Grid& grid, const glm::dmat4& a, const glm::dmat4& b) {
   double farthest = 0.0;
@@ -42,6 +41,7 @@ RigidResult rigidOf(const registration::LandmarkResult& found) {
   RigidResult rigid;
   rigid.verdict = found.verdict;
   rigid.reason = found.reason;
+  rigid.remarks = found.remarks;
   rigid.fixedToMoving = found.fixedToMoving;
   rigid.conditioning = found.conditioning;
   rigid.stop = found.stop;
@@ -169,7 +169,8 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
   switch (outcome.used) {
     case PairMethod::byHand:
       outcome.rigid.verdict = Verdict::aligned;
-      outcome.rigid.reason = "Placed by hand.";
+      outcome.rigid.remarks = {{registration::Says::placedByHand}};
+      outcome.rigid.reason = registration::sentencesOf(outcome.rigid.remarks);
       outcome.rigid.fixedToMoving = task.start;
       outcome.rigid.covariance = evenCovariance(kByHand_mm, kByHand_deg);
       outcome.rigid.centre_mm = meetingPoint(task.start);

@@ -225,7 +225,7 @@ Result<registration::LandmarkPair> landmarkOf(const Fields& entry) {
 }
 
 Result<ProjectPair> pairOf(const Fields& entry, const std::vector<ProjectVolume>& volumes, const fs::path& folder, sdk::Files& files) {
-  EW_TRY(entry.only({"fixed", "moving", "method", "decision", "start", "landmarks", "max_turn_deg"}));
+  EW_TRY(entry.only({"fixed", "moving", "method", "decision", "start", "landmarks", "max_turn_deg", "effort"}));
   ProjectPair pair;
   auto fixed = indexOf(entry, "fixed", volumes);
   if (!fixed) return passOn(fixed.error());
@@ -253,6 +253,10 @@ Result<ProjectPair> pairOf(const Fields& entry, const std::vector<ProjectVolume>
     double turn = 0.0;
     EW_TRY(entry.number("max_turn_deg", turn, 0.0, 180.0, "a number from 0 to 180, in degrees"));
     pair.maxTurn_deg = turn;
+  }
+  if (entry.find("effort") != nullptr) {
+    pair.effort = registration::ElasticEffort::balanced;
+    EW_TRY(entry.word("effort", *pair.effort, kEfforts));
   }
   if (pair.fixed > pair.moving) {
     std::swap(pair.fixed, pair.moving);
@@ -394,6 +398,7 @@ nlohmann::ordered_json entryOf(const ProjectPair& pair, const std::vector<Projec
     entry["landmarks"].push_back(
         {{"name", landmark.name}, {"fixed_mm", pointOf(landmark.fixed_mm)}, {"moving_mm", pointOf(landmark.moving_mm)}});
   if (pair.maxTurn_deg) entry["max_turn_deg"] = *pair.maxTurn_deg;
+  if (pair.effort) entry["effort"] = nameOf(*pair.effort);
   return entry;
 }
 
@@ -461,6 +466,22 @@ const char* nameOf(SeamMethod method) {
       return "graph cut";
   }
   return "graph cut";
+}
+
+bool speaksOfPose(const ProjectPair& pair) {
+  ProjectPair rest = pair;
+  rest.effort.reset();
+  ProjectPair nothing;
+  nothing.fixed = pair.fixed;
+  nothing.moving = pair.moving;
+  return !pair.effort || !(rest == nothing);
+}
+
+registration::ElasticEffort effortOf(const StitchProject& project, std::size_t fixed, std::size_t moving) {
+  const auto [low, high] = std::minmax(fixed, moving);
+  for (const ProjectPair& pair : project.pairs)
+    if (pair.fixed == low && pair.moving == high && pair.effort) return *pair.effort;
+  return project.settings.effort;
 }
 
 const char* nameOf(GridAxes axes) { return axes == GridAxes::world ? "world" : "first"; }

@@ -59,9 +59,12 @@ struct ProjectPair {
   Decision decision = Decision::undecided;
   std::optional<glm::dmat4> start;  ///< fixedToMoving: nudged or dragged by hand
   std::vector<registration::LandmarkPair> landmarks;
-  std::optional<double> maxTurn_deg;  ///< of the search; absent: the project's
+  std::optional<double> maxTurn_deg;                  ///< of the search; absent: the project's
+  std::optional<registration::ElasticEffort> effort;  ///< of bending this pair; absent: the project's
   bool operator==(const ProjectPair&) const = default;
 };
+/// Whether the entry says more than how hard to try to bend the pair: such a pair is matched even where its places need no matching.
+[[nodiscard]] bool speaksOfPose(const ProjectPair& pair);
 
 struct ProjectSettings {
   double maxTurn_deg = 30.0;
@@ -81,6 +84,9 @@ struct StitchProject {
   std::vector<ProjectPair> pairs;  ///< pairs with anything to say; all others of overlapping volumes are automatic
   ProjectSettings settings;
 };
+/// How hard a pair is bent: what is said about it, else what is said about all.
+[[nodiscard]] registration::ElasticEffort effortOf(const StitchProject& project, std::size_t fixed, std::size_t moving);
+
 /// Whether both ask for the same: what is not part of the file (threads, maxBytes, block) does not count.
 bool operator==(const StitchProject& a, const StitchProject& b);
 

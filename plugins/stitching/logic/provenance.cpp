@@ -65,7 +65,18 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
                        {"largest_mm", bends.largest_mm},
                        {"smallest_jacobian", bends.smallestJacobian},
                        {"disagreement_median_mm", bends.disagreementMedian_mm},
-                       {"disagreement_95_mm", bends.disagreement95_mm}};
+                       {"disagreement_95_mm", bends.disagreement95_mm},
+                       {"of_pairs", ordered_json::array()}};
+  for (const BentPair& bent : state.bentPairs)
+    document["bends"]["of_pairs"].push_back({{"fixed", project.volumes[bent.fixed].name},
+                                             {"moving", project.volumes[bent.moving].name},
+                                             {"effort", nameOf(bent.effort)},
+                                             {"verdict", registration::nameOf(bent.verdict)},
+                                             {"reason", bent.reason},
+                                             {"before", jsonOf(bent.before)},
+                                             {"after", jsonOf(bent.after)},
+                                             {"largest_motion_mm", bent.largestMotion_mm},
+                                             {"smallest_jacobian", bent.smallestJacobian}});
   const auto text = projectText(project, {});
   const auto asked = ordered_json::parse(text);
   for (const char* part : {"settings", "result", "seam"}) document["options"][part] = asked.at(part);

@@ -10,8 +10,6 @@
 namespace ew::stitching {
 namespace {
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 glm::dmat4 turnAbout(const glm::dvec3& turn_deg, const glm::dvec3& pivot) {
   const double angle = glm::length(turn_deg);
   if (angle == 0.0) return glm::dmat4(1.0);

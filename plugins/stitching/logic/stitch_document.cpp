@@ -41,11 +41,7 @@ void renumber(StitchProject& project, const std::function<std::optional<std::siz
     if (!fixed || !moving) continue;
     pair.fixed = *fixed;
     pair.moving = *moving;
-    if (pair.fixed > pair.moving) {  // the same pair, told from the other side
-      std::swap(pair.fixed, pair.moving);
-      for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
-      if (pair.start) pair.start = rigidInverse(*pair.start);
-    }
+    if (pair.fixed > pair.moving) pair = toldFromTheOtherSide(std::move(pair));
     pairs.push_back(std::move(pair));
   }
   std::sort(pairs.begin(), pairs.end(),
@@ -116,6 +112,13 @@ ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t 
   ProjectPair pair;
   pair.fixed = low;
   pair.moving = high;
+  return pair;
+}
+
+ProjectPair toldFromTheOtherSide(ProjectPair pair) {
+  std::swap(pair.fixed, pair.moving);
+  for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
+  if (pair.start) pair.start = rigidInverse(*pair.start);
   return pair;
 }
 

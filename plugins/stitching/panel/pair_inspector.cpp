@@ -12,6 +12,7 @@
 
 #include "logic/places.h"
 #include "panel/look.h"
+#include "panel/reasons.h"
 
 namespace ew::stitching {
 namespace {
@@ -63,72 +64,6 @@ class MarkBox final : public QWidget {
 };
 
 }  // namespace
-
-LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
-  setObjectName(QStringLiteral("levelChart"));
-  setMinimumHeight(96);
-  connect(&session_, &StitchSession::levelsChanged, this, qOverload<>(&QWidget::update));
-  connect(&session_, &StitchSession::changed, this, qOverload<>(&QWidget::update));
-}
-
-void LevelChart::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette().color(QPalette::Base));
-  painter.drawRoundedRect(rect(), 4, 4);
-  QFont font = this->font();
-  font.setPixelSize(11);
-  painter.setFont(font);
-  const auto levels = session_.levels();
-  const QColor quiet = palette().color(QPalette::PlaceholderText);
-  if (levels.empty()) {
-    painter.setPen(quiet);
-    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     session_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
-    return;
-  }
-  double low = 0.0, high = 0.1;
-  for (const auto& level : levels) {
-    low = std::min({low, level.correlationBefore, level.correlationAfter});
-    high = std::max({high, level.correlationBefore, level.correlationAfter});
-  }
-  const QRectF box = QRectF(rect()).adjusted(36, 12, -16, -24);
-  const auto at = [&](double n, double value) {
-    const double share = levels.size() < 2 ? 0.5 : n / static_cast<double>(levels.size() - 1);
-    return QPointF(box.left() + share * box.width(), box.bottom() - (value - low) / (high - low) * box.height());
-  };
-  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
-  painter.drawLine(QPointF(box.left(), at(0, low).y()), QPointF(box.right(), at(0, low).y()));
-  painter.drawLine(QPointF(box.left(), at(0, high).y()), QPointF(box.right(), at(0, high).y()));
-  painter.setPen(quiet);
-  painter.drawText(QRectF(0, at(0, high).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(high, 2));
-  painter.drawText(QRectF(0, at(0, low).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(low, 2));
-  QPolygonF curve;
-  double free = -1e9;
-  for (std::size_t n = 0; n < levels.size(); ++n) {
-    const QPointF before = at(static_cast<double>(n), levels[n].correlationBefore);
-    const QPointF after = at(static_cast<double>(n), levels[n].correlationAfter);
-    curve << after;
-    // From hollow to full: what the level began with, and what it made of it.
-    painter.setPen(QPen(quiet, 1.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawLine(before, after);
-    painter.drawEllipse(before, 2.5, 2.5);
-    const QString word = QStringLiteral("%1 mm").arg(QLocale().toString(levels[n].voxel_mm, 'g', 2));
-    const double wide = painter.fontMetrics().horizontalAdvance(word);
-    const double left = std::clamp(after.x() - wide / 2, 4.0, width() - wide - 4.0);
-    if (left > free + 6) {
-      painter.drawText(QPointF(left, height() - 8.0), word);
-      free = left + wide;
-    }
-  }
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-  painter.drawPolyline(curve);
-  painter.setBrush(palette().color(QPalette::Highlight));
-  painter.setPen(Qt::NoPen);
-  for (const QPointF& point : curve) painter.drawEllipse(point, 3.5, 3.5);
-}
 
 PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* parent) : QWidget(parent), session_(session), tools_(tools) {
   setObjectName(QStringLiteral("pairInspector"));
@@ -315,8 +250,8 @@ QWidget* PairInspector::makeRedo() {
   method_->addItem(tr("As placed by hand"), static_cast<int>(PairMethod::byHand));
   column->addWidget(method_);
   turnRow_ = new QWidget;
-  auto* row = new QHBoxLayout(turnRow_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* turnColumn = columnIn(turnRow_);
+  auto* row = new QHBoxLayout;
   auto* name = sdk::quietLabel(tr("Largest turn"));
   name->setWordWrap(false);
   turn_ = new sdk::NumberField(0.0, 180.0, 0, QStringLiteral("°"));
@@ -326,7 +261,12 @@ QWidget* PairInspector::makeRedo() {
   name->setBuddy(turn_);
   row->addWidget(name, 1);
   row->addWidget(turn_);
+  turnColumn->addLayout(row);
   column->addWidget(turnRow_);
+  searchCost_ = addLine(turnColumn, tr("Expected time"),
+                        tr("Of a search, from 'echoweave bench register', scaled to this pair's size and to the rotations to be searched"));
+  searchCost_->setObjectName(QStringLiteral("searchCost"));
+  connect(turn_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { showSearchCost(); });
   auto* redo = new QPushButton(tr("Match again"));
   redo->setObjectName(QStringLiteral("redoPair"));
   connect(redo, &QPushButton::clicked, this, [this] {
@@ -353,20 +293,51 @@ QWidget* PairInspector::makeElastic() {
   name->setWordWrap(false);
   effort_ = new QComboBox;
   effort_->setObjectName(QStringLiteral("effort"));
-  effort_->addItem(tr("fast"));
-  effort_->addItem(tr("balanced"));
-  effort_->addItem(tr("accurate"));
-  effort_->setToolTip(tr("For all pairs: how much time is spent on accuracy"));
-  connect(effort_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-    StitchProject next = session_.project();
-    next.settings.effort = static_cast<registration::ElasticEffort>(index);
-    session_.edit(std::move(next), tr("elastic quality %1").arg(effort_->itemText(index)));
-  });
+  for (const auto effort : kEfforts) effort_->addItem(nameOfEffort(effort));
+  effort_->setToolTip(tr("For all pairs that have no quality of their own: how much time is spent on accuracy"));
+  connect(effort_, qOverload<int>(&QComboBox::activated), this,
+          [this](int index) { session_.setEffort(static_cast<registration::ElasticEffort>(index)); });
   row->addWidget(name, 1);
   row->addWidget(effort_);
   column->addLayout(row);
+  auto* own = new QHBoxLayout;
+  auto* ownName = sdk::quietLabel(tr("Of this pair"));
+  ownName->setWordWrap(false);
+  pairEffort_ = new QComboBox;
+  pairEffort_->setObjectName(QStringLiteral("pairEffort"));
+  pairEffort_->addItem(tr("as all"), -1);
+  for (const auto effort : kEfforts) pairEffort_->addItem(nameOfEffort(effort), static_cast<int>(effort));
+  pairEffort_->setToolTip(tr("For this pair alone; the command line keeps to it too"));
+  const auto chooseEffort = [this](int effort) {
+    session_.setPairEffort(effort < 0 ? std::nullopt : std::optional(static_cast<registration::ElasticEffort>(effort)));
+  };
+  connect(pairEffort_, qOverload<int>(&QComboBox::activated), this,
+          [this, chooseEffort] { chooseEffort(pairEffort_->currentData().toInt()); });
+  own->addWidget(ownName, 1);
+  own->addWidget(pairEffort_);
+  column->addLayout(own);
+  for (QComboBox* each : {effort_, pairEffort_}) each->setMinimumWidth(13 * kGap_px);
+  expected_ = addLine(column, tr("Expected"), {});
+  expected_->setObjectName(QStringLiteral("expectedCost"));
+  measured_ = addLine(column, tr("Measured"), {});
+  measured_->setObjectName(QStringLiteral("measuredCost"));
   memory_ = addLine(column, tr("Memory"), tr("That the elastic step of this pair takes at its peak, the volumes themselves not counted"));
   memory_->setObjectName(QStringLiteral("elasticMemory"));
+  bentReason_ = sdk::quietLabel({});
+  bentReason_->setObjectName(QStringLiteral("bentReason"));
+  column->addWidget(bentReason_);
+  costHead_ = sdk::quietLabel({});
+  costHead_->setObjectName(QStringLiteral("costHead"));
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(costHead_);
+  cost_ = new CostChart;
+  connect(cost_, &CostChart::chosen, this, chooseEffort);
+  column->addWidget(cost_);
+  bendAgain_ = new QPushButton(tr("Bend this pair again"));
+  bendAgain_->setObjectName(QStringLiteral("bendAgain"));
+  bendAgain_->setToolTip(tr("Runs the elastic step; pairs that did not change keep what they have"));
+  connect(bendAgain_, &QPushButton::clicked, &session_, &StitchSession::bendAgain);
+  column->addWidget(bendAgain_);
   return box;
 }
 
@@ -407,15 +378,75 @@ void PairInspector::showLandmarks() {
                                      : tr("Click a place in the fixed view, then the same one in the moving view.");
   } else if (marks.empty()) {
     text = tr("None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.");
-  } else if (result && !result->reason.empty()) {
-    text = words(result->reason);
+  } else if (result) {
+    text = sentencesOf(result->remarks, result->reason);
   }
   if (result && result->verdict == registration::Verdict::aligned && tools_.hand != Tools::Hand::pick)
     text =
         tr("%1 mm on average, %2 mm to be expected at the far side").arg(number(result->rms_mm, 1), number(result->expectedError_mm, 1)) +
-        (result->outlying.empty() ? QString() : QStringLiteral(". ") + words(result->reason));
+        (result->outlying.empty() ? QString() : QStringLiteral(". ") + sentencesOf(result->remarks, result->reason));
   landmarkWord_->setText(text);
   landmarkWord_->setVisible(!text.isEmpty());
+}
+
+void PairInspector::showCost() {
+  const QString none = QStringLiteral("-");
+  const auto [fixed, moving] = *session_.pair();
+  const auto effort = effortOf(session_.project(), fixed, moving);
+  const BentPair* bent = session_.bent();
+  const bool fresh = bent != nullptr && !session_.isBentStale();
+  bendAgain_->setVisible(bent != nullptr);
+  bendAgain_->setEnabled(!fresh && !session_.isRunning());
+  if (bent == nullptr) {
+    measured_->setText(none);
+  } else {
+    const QString took = inSeconds(bent->seconds);
+    measured_->setText(bent->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(bent->effort)));
+    measured_->setToolTip(
+        tr("That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
+            .arg(number(bent->after.correlation, 2), number(bent->before.correlation, 2), number(bent->largestMotion_mm, 1)));
+  }
+  bentReason_->setVisible(bent != nullptr);
+  if (bent != nullptr)
+    bentReason_->setText(sentencesOf(bent->remarks, bent->reason) +
+                         (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: bend again.")));
+  const auto a = session_.volume(fixed);
+  const auto b = session_.volume(moving);
+  searchCost_->setText(none);
+  if (!a || !b) {
+    for (QLabel* label : {expected_, memory_}) label->setText(none);
+    costHead_->setText(tr("Cost of accuracy"));
+    return cost_->clear();
+  }
+  registration::ElasticOptions options;
+  options.effort = effort;
+  memory_->setText(mebibytes(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
+  const MachinePace pace = session_.pace();
+  const auto costs = expectedBends(a->grid, b->grid, pace);
+  const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
+  expected_->setText(tr("%1 mm in %2").arg(number(mine.error_mm, 2), inSeconds(mine.seconds)));
+  const QString from =
+      tr("From 'echoweave bench register': two views of one tissue, up to 5 mm apart, with two thirds of their speckle in common, on one "
+         "thread; scaled to this pair's %1 million voxels of %2 mm.")
+          .arg(number(1e-6 * static_cast<double>(a->grid.voxelCount() + b->grid.voxelCount()), 1),
+               number(std::min({a->grid.spacing_mm.x, a->grid.spacing_mm.y, a->grid.spacing_mm.z}), 2)) +
+      QLatin1Char(' ') +
+      (pace.pairs > 0 ? tr("Times are as %n pairs took here.", nullptr, static_cast<int>(pace.pairs))
+                      : tr("Times are those of the machine of the figures until a pair was bent here."));
+  expected_->setToolTip(from);
+  cost_->setToolTip(from);
+  costHead_->setText(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
+  costHead_->setToolTip(from);
+  cost_->show(costs, effort, fresh ? std::optional(bent->seconds) : std::nullopt);
+  showSearchCost();
+}
+
+void PairInspector::showSearchCost() {
+  if (!session_.pair()) return;
+  const auto a = session_.volume(session_.pair()->fixed);
+  const auto b = session_.volume(session_.pair()->moving);
+  if (!a || !b) return;
+  searchCost_->setText(tr("about %1").arg(inSeconds(expectedSearch_s(a->grid, b->grid, turn_->value(), session_.pace()))));
 }
 
 void PairInspector::showFigures() {
@@ -449,7 +480,7 @@ void PairInspector::refresh() {
   if (said.decision == Decision::rejected)
     reason = tr("Rejected by hand: it does not hold the whole together.");
   else if (line.outcome != nullptr)
-    reason = words(line.outcome->rigid.reason);
+    reason = sentencesOf(line.outcome->rigid.remarks, line.outcome->rigid.reason);
   else
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
   if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
@@ -464,7 +495,7 @@ void PairInspector::refresh() {
     correlation_->setText(tr("%1 to %2 (chance %3)")
                               .arg(number(rigid.before.correlation, 2), number(rigid.after.correlation, 2), number(rigid.after.chance, 2)));
     halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
-    time_->setText(tr("%1 s").arg(number(rigid.seconds, 1)));
+    time_->setText(inSeconds(rigid.seconds));
     if (rigid.after.overlapShare == 0.0 && rigid.after.correlation == 0.0) {  // by landmarks or by hand the images were not asked
       overlap_->setText(none);
       correlation_->setText(none);
@@ -489,15 +520,8 @@ void PairInspector::refresh() {
   turn_->setValue(said.maxTurn_deg.value_or(session_.project().settings.maxTurn_deg));
   turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
   effort_->setCurrentIndex(static_cast<int>(session_.project().settings.effort));
-  const auto a = session_.volume(fixed);
-  const auto b = session_.volume(moving);
-  if (a && b) {
-    registration::ElasticOptions options;
-    options.effort = session_.project().settings.effort;
-    memory_->setText(mebibytes(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
-  } else {
-    memory_->setText(none);
-  }
+  pairEffort_->setCurrentIndex(pairEffort_->findData(said.effort ? static_cast<int>(*said.effort) : -1));
+  showCost();
   showing_ = was;
   showFigures();
 }

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "ew/sdk/panel.h"
+#include "panel/charts.h"
 #include "panel/slice_view.h"
 
 class QComboBox;
@@ -11,21 +12,6 @@ class QPushButton;
 class QTableWidget;
 
 namespace ew::stitching {
-
-/// Correlation before and after each level, from the coarse to the fine; grows while a pair is being matched.
-class LevelChart final : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit LevelChart(StitchSession& session, QWidget* parent = nullptr);
-  [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  StitchSession& session_;
-};
 
 /// Everything about the pair that is looked at: what was found and why, its pose, its landmarks, and what to do about it.
 class PairInspector final : public QWidget {
@@ -47,6 +33,8 @@ class PairInspector final : public QWidget {
   QWidget* makeElastic();
   void showLandmarks();
   void showFigures();
+  void showCost();
+  void showSearchCost();
 
   StitchSession& session_;
   Tools& tools_;
@@ -76,7 +64,14 @@ class PairInspector final : public QWidget {
   sdk::NumberField* turn_ = nullptr;
   QComboBox* effort_ = nullptr;
   QLabel* memory_ = nullptr;
+  QLabel* searchCost_ = nullptr;
+  QComboBox* pairEffort_ = nullptr;
   QLabel* expected_ = nullptr;
+  QLabel* measured_ = nullptr;
+  QLabel* bentReason_ = nullptr;
+  QLabel* costHead_ = nullptr;
+  CostChart* cost_ = nullptr;
+  QPushButton* bendAgain_ = nullptr;
   bool showing_ = false;
 };
 

@@ -5,9 +5,11 @@
 #include <QPainter>
 #include <QResizeEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ew/sdk/panel.h"
+#include "logic/places.h"
 #include "panel/look.h"
 
 namespace ew::stitching {
@@ -15,14 +17,10 @@ namespace {
 
 constexpr int kSheet_px = 128;
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 }  // namespace
 
-PlacementView::PlacementView(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+PlacementView::PlacementView(StitchSession& session, QWidget* parent) : ViewBase(session, parent) {
   setObjectName(QStringLiteral("placementView"));
-  setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(160, 120);
   setToolTip({});
   lookFrom(Cut::coronal);
   // A little from above and from the side, so that depth can be read.
@@ -78,7 +76,7 @@ const std::vector<PlacementView::Sheet>& PlacementView::sheetsOf(std::size_t ind
   kept.second.clear();
   const Grid& grid = volume->grid;
   const glm::dvec3 extent = glm::dvec3(grid.dims) * grid.spacing_mm;
-  const glm::dvec3 middle = carried(grid.voxelToWorld().matrix, 0.5 * (glm::dvec3(grid.dims) - 1.0));
+  const glm::dvec3 middle = middleOf(grid);
   for (int axis = 0; axis < 3; ++axis) {
     const int a = axis == 0 ? 1 : 0;
     const int b = axis == 2 ? 1 : 2;
@@ -108,11 +106,8 @@ QPolygonF PlacementView::outline(const Sheet& sheet, const glm::dmat4& toWorld) 
 
 void PlacementView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), QColor(0x12, 0x13, 0x15));
-  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-  QFont font = this->font();
-  font.setPixelSize(12);
-  painter.setFont(font);
+  beginPainting(painter, QColor(0x12, 0x13, 0x15));
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const std::size_t count = session_.project().volumes.size();
   if (count == 0) return;
   if (!fitted_) fit();
@@ -171,18 +166,15 @@ void PlacementView::paintEvent(QPaintEvent*) {
       {{1, 0, 0}, tr("L", "patient left")}, {{0, 1, 0}, tr("P", "posterior")}, {{0, 0, 1}, tr("H", "head")}};
   for (const auto& [direction, letter] : axes) {
     const QPointF way(glm::dot(direction, right_), glm::dot(direction, down_));
-    painter.setPen(QPen(QColor(0x9b, 0xa1, 0xa8), 1.0));
+    painter.setPen(QPen(kViewQuiet, 1.0));
     painter.drawLine(origin, origin + 18.0 * way);
     if (std::hypot(way.x(), way.y()) > 0.3)
       painter.drawText(QRectF(origin + 26.0 * way - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, letter);
   }
-  painter.setPen(QColor(0x9b, 0xa1, 0xa8));
+  painter.setPen(kViewQuiet);
   painter.drawText(QRectF(64, height() - 40, width() - 72, 34), Qt::AlignRight | Qt::AlignBottom | Qt::TextWordWrap,
                    tr("Drag a box to move it, with Ctrl to turn it; right drag turns the view"));
-  if (hasFocus()) {
-    painter.setPen(QPen(QColor(0x4f, 0xb3, 0xbf), 1.0));
-    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-  }
+  drawFocus(painter);
 }
 
 void PlacementView::resizeEvent(QResizeEvent* event) {
@@ -318,16 +310,9 @@ void PlacementView::keyPressEvent(QKeyEvent* event) {
     place(chosen, step * way, {});
 }
 
-bool PlacementView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    for (const int own : {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_0})
-      if (key == own) {
-        event->accept();
-        return true;
-      }
-  }
-  return QWidget::event(event);
+bool PlacementView::wantsKey(QKeyEvent& event) {
+  constexpr std::array kOwn = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_0};
+  return std::find(kOwn.begin(), kOwn.end(), event.key()) != kOwn.end();
 }
 
 }  // namespace ew::stitching

@@ -1,25 +1,23 @@
 #pragma once
 
 #include <QImage>
-#include <QWidget>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "panel/stitch_session.h"
+#include "panel/view_base.h"
 
 namespace ew::stitching {
 
 /// The subvolumes as boxes with their middle slices, in their places, seen from a far eye (orthographic). A box is dragged to where it
 /// belongs; with Ctrl it is turned. Right drag turns the view, the wheel brings it closer.
-class PlacementView final : public QWidget {
+class PlacementView final : public ViewBase {
   Q_OBJECT
 
  public:
   explicit PlacementView(StitchSession& session, QWidget* parent = nullptr);
-  [[nodiscard]] QPointF pixelAt(const glm::dvec3& p_world_mm) const;
-  Q_INVOKABLE QPointF pixelOfPoint(double x, double y, double z) const { return pixelAt({x, y, z}); }
+  [[nodiscard]] QPointF pixelAt(const glm::dvec3& p_world_mm) const override;
   void lookFrom(Cut cut);
   void fit();
 
@@ -32,7 +30,7 @@ class PlacementView final : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  bool event(QEvent* event) override;
+  [[nodiscard]] bool wantsKey(QKeyEvent& event) override;
 
  private:
   struct Sheet {
@@ -44,13 +42,11 @@ class PlacementView final : public QWidget {
   [[nodiscard]] QPolygonF outline(const Sheet& sheet, const glm::dmat4& toWorld) const;
   void place(std::size_t volume, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);
 
-  StitchSession& session_;
   std::map<const Volume*, std::pair<std::weak_ptr<const Volume>, std::vector<Sheet>>> sheets_;
   glm::dvec3 right_{1.0, 0.0, 0.0}, down_{0.0, 0.0, -1.0};
   glm::dvec3 centre_mm_{0.0};
   double mmPerPixel_ = 1.0;
   bool fitted_ = false;
-  Qt::MouseButton dragging_ = Qt::NoButton;
   QPointF last_;
   std::optional<std::size_t> held_;
   bool turning_ = false;

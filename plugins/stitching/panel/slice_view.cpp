@@ -16,9 +16,6 @@ namespace {
 constexpr int kMostPixels = 400 * 1000;  // above it a plane is drawn coarser and smoothed: a drag must follow the hand
 constexpr double kLattice_mm = 10.0;
 const QColor kCross(0xd9, 0xb8, 0x4a);
-const QColor kAccent(0x4f, 0xb3, 0xbf);
-
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
 
 QImage imageOf(const GreyPicture& picture) {
   QImage image(picture.size.x, picture.size.y, QImage::Format_Grayscale8);
@@ -37,11 +34,8 @@ QImage imageOf(const ColourPicture& picture) {
 }  // namespace
 
 SliceView::SliceView(Kind kind, StitchSession& session, Tools& tools, QWidget* parent)
-    : QWidget(parent), kind_(kind), session_(session), tools_(tools) {
-  setMinimumSize(160, 120);
-  setFocusPolicy(Qt::StrongFocus);
+    : ViewBase(session, parent), kind_(kind), tools_(tools) {
   setMouseTracking(true);
-  setAttribute(Qt::WA_OpaquePaintEvent);
   connect(&session_, &StitchSession::changed, this, &SliceView::refresh);
   connect(&session_, &StitchSession::lookChanged, this, &SliceView::refresh);
 }
@@ -207,7 +201,7 @@ void SliceView::drawLattice(QPainter& painter) const {
   const QRectF bar(width() - 24.0, 24.0, 8.0, std::min(120.0, height() - 48.0));
   for (int y = 0; y < static_cast<int>(bar.height()); ++y)
     painter.fillRect(QRectF(bar.left(), bar.bottom() - y - 1, bar.width(), 1.0), colourOf(colourOfLength(y, bar.height())));
-  painter.setPen(QColor(0xe9, 0xeb, 0xed));
+  painter.setPen(kViewBright);
   painter.drawText(QRectF(0, bar.top() - 20, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter,
                    QStringLiteral("%1 mm").arg(longest_mm_, 0, 'f', 1));
   painter.drawText(QRectF(0, bar.bottom() + 2, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
@@ -247,7 +241,7 @@ void SliceView::drawLandmarks(QPainter& painter) const {
          outlying ? QColor(0xe0, 0x5a, 0x4e) : kCross, session_.chosenLandmark() == static_cast<int>(n));
   }
   const auto picked = moving ? session_.pickedMoving() : session_.pickedFixed();
-  if (picked) draw(*picked, QString::number(marks.size() + 1) + QStringLiteral("?"), kAccent, true);
+  if (picked) draw(*picked, QString::number(marks.size() + 1) + QStringLiteral("?"), kViewAccent, true);
 }
 
 void SliceView::drawStrokes(QPainter& painter) const {
@@ -281,7 +275,7 @@ void SliceView::drawFrameWords(QPainter& painter) const {
                        : (up ? SliceView::tr("H", "head") : SliceView::tr("F", "feet"));
   };
   const Plane shown = plane();
-  painter.setPen(QColor(0x9b, 0xa1, 0xa8));
+  painter.setPen(kViewQuiet);
   const QRectF box = QRectF(rect()).adjusted(6, 4, -6, -4);
   painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, letter(turn * shown.right));
   painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, letter(-(turn * shown.right)));
@@ -301,13 +295,9 @@ void SliceView::drawFrameWords(QPainter& painter) const {
 void SliceView::paintEvent(QPaintEvent*) {
   if (dirty_) render();
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::black);
-  painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = this->font();
-  font.setPixelSize(12);
-  painter.setFont(font);
+  beginPainting(painter, Qt::black);
   if (picture_.isNull()) {
-    painter.setPen(QColor(0x9b, 0xa1, 0xa8));
+    painter.setPen(kViewQuiet);
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, nothing_);
     return;
   }
@@ -321,9 +311,9 @@ void SliceView::paintEvent(QPaintEvent*) {
     drawFrameWords(painter);
   }
   if (halves) {
-    painter.setPen(QPen(QColor(0x9b, 0xa1, 0xa8), 1.0));
+    painter.setPen(QPen(kViewQuiet, 1.0));
     painter.drawLine(QPointF(width() / 2.0, 0), QPointF(width() / 2.0, height()));
-    painter.setPen(QColor(0xe9, 0xeb, 0xed));
+    painter.setPen(kViewBright);
     painter.drawText(QRectF(8, height() - 24, width() / 2.0 - 16, 18), Qt::AlignLeft | Qt::AlignVCenter, tr("before"));
     painter.drawText(QRectF(width() / 2.0 + 8, height() - 24, width() / 2.0 - 16, 18), Qt::AlignLeft | Qt::AlignVCenter, tr("after"));
   }
@@ -334,7 +324,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     double y = height() - 12.0 - 16.0 * static_cast<double>(session_.project().volumes.size());
     for (std::size_t n = 0; n < session_.project().volumes.size(); ++n, y += 16.0) {
       painter.fillRect(QRectF(10, y + 3, 10, 10), colourOf(colourOfView(n)));
-      painter.setPen(QColor(0xe9, 0xeb, 0xed));
+      painter.setPen(kViewBright);
       painter.drawText(QRectF(26, y, 60, 16), Qt::AlignLeft | Qt::AlignVCenter, sdk::words(letterOf(n)));
     }
   }
@@ -355,11 +345,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     const double r = tools_.brush_mm / plane().pixel_mm;
     painter.drawEllipse(pointer_, r, r);
   }
-  if (hasFocus()) {
-    painter.setPen(QPen(kAccent, 1.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-  }
+  drawFocus(painter);
 }
 
 void SliceView::resizeEvent(QResizeEvent* event) {
@@ -453,14 +439,6 @@ void SliceView::leaveEvent(QEvent*) {
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
   if (!keys || !keys(*event, true)) QWidget::keyPressEvent(event);
-}
-
-bool SliceView::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && keys && keys(*static_cast<QKeyEvent*>(event), false)) {
-    event->accept();
-    return true;
-  }
-  return QWidget::event(event);
 }
 
 }  // namespace ew::stitching

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <QImage>
-#include <QTimer>
-#include <QWidget>
 #include <functional>
 
-#include "panel/stitch_session.h"
+#include "panel/view_base.h"
 
 namespace ew::stitching {
 
@@ -24,7 +22,7 @@ struct Tools {
 
 /// A plane through one volume or through both over each other, with cross-hairs, landmarks and what else belongs into it.
 /// Left drag moves the cross-hairs, wheel steps through, Ctrl + wheel zooms, middle drag shifts, right drag turns the plane.
-class SliceView final : public QWidget {
+class SliceView final : public ViewBase {
   Q_OBJECT
 
  public:
@@ -36,8 +34,7 @@ class SliceView final : public QWidget {
   std::function<void()> toolsChanged;
 
   /// The pixel at which a point of this view's own frame is drawn (the moving volume's frame in the moving view, else the fixed one).
-  [[nodiscard]] QPointF pixelAt(const glm::dvec3& p_mm) const;
-  Q_INVOKABLE QPointF pixelOfPoint(double x, double y, double z) const { return pixelAt({x, y, z}); }
+  [[nodiscard]] QPointF pixelAt(const glm::dvec3& p_mm) const override;
   void refresh();
 
  protected:
@@ -50,7 +47,7 @@ class SliceView final : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
-  bool event(QEvent* event) override;
+  [[nodiscard]] bool wantsKey(QKeyEvent& event) override { return keys && keys(event, false); }
 
  private:
   [[nodiscard]] bool isOwnMoving() const { return kind_ == Kind::moving && !session_.isLinked(); }
@@ -69,7 +66,6 @@ class SliceView final : public QWidget {
   void paintStroke(const QPointF& at);
 
   Kind kind_;
-  StitchSession& session_;
   Tools& tools_;
   QImage picture_;
   QString nothing_;  ///< what to do when there is no picture
@@ -77,7 +73,6 @@ class SliceView final : public QWidget {
   double longest_mm_ = 0.0;
   QPointF from_;
   Plane planeFrom_;
-  Qt::MouseButton dragging_ = Qt::NoButton;
   QPointF pointer_{-1, -1};
   std::optional<glm::dvec3> lastStroke_;
 };

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "ew/sdk/host.h"
 #include "logic/chain.h"
+#include "logic/expected_cost.h"
 #include "logic/slices.h"
 #include "logic/stitch_document.h"
 
@@ -53,7 +55,11 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   Q_INVOKABLE QString projectAsText() const;
   Q_INVOKABLE QString verdictOf(int a, int b) const;  ///< "aligned", …; empty: not matched
   Q_INVOKABLE QList<double> transformNow() const;     ///< of the pair, fixed to moving, row by row
+  /// Where the pair shows, at a point of the plane's frame, in the fixed volume and in the moving one: six numbers, mm.
+  Q_INVOKABLE QList<double> matesAt(double x, double y, double z, bool bent) const;
   Q_INVOKABLE bool isElasticFound() const { return hasElastic(); }
+  Q_INVOKABLE QString effortOfBend() const { return bent() != nullptr ? QString::fromLatin1(nameOf(bent()->effort)) : QString(); }
+  Q_INVOKABLE double largestBend_mm() const { return found_ ? found_->bendSummary.largest_mm : 0.0; }
   Q_INVOKABLE int nodesOfResult() const { return result_ ? static_cast<int>(result_->grid.voxelCount()) : 0; }
   void startAnew();
   /// What an earlier run left unsaved.
@@ -108,6 +114,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] Stage stage() const { return stage_; }
   void setStage(Stage stage);
   [[nodiscard]] bool hasElastic() const;
+  [[nodiscard]] const BentPair* bent() const;  ///< of the pair; null: it was not bent
+  [[nodiscard]] bool isBentStale() const;      ///< it was bent with another effort, or lay elsewhere
+  [[nodiscard]] MachinePace pace() const;      ///< from the pairs that were bent
   /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
   [[nodiscard]] glm::dmat4 transform() const;
   [[nodiscard]] glm::dmat4 startTransform() const;
@@ -150,6 +159,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   // Work.
   void matchAll(bool withoutPlaces);
   void run(Step until, const QString& title);
+  void takeUp();    ///< reads back what earlier runs of this project finished
   void pinStart();  ///< what is seen now becomes the start of the next refinement; a step with it
   void redoPair(PairMethod method, std::optional<double> maxTurn_deg);
   struct LevelSeen {
@@ -157,9 +167,13 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
     std::size_t moving = 0;
     registration::Level level;
   };
-  [[nodiscard]] std::vector<registration::Level> levels() const;  ///< of the pair: growing while it runs, else of its result
+  [[nodiscard]] std::vector<registration::Level> levels() const;      ///< of matching the pair: growing while it runs, else of its result
+  [[nodiscard]] std::vector<registration::Level> bendLevels() const;  ///< the same of bending it
+  void setEffort(registration::ElasticEffort effort);                 ///< of bending all pairs that have none of their own
+  void setPairEffort(std::optional<registration::ElasticEffort> effort);
+  void bendAgain();                                                               ///< runs the elastic step: what did not change is kept
   [[nodiscard]] std::shared_ptr<const Volume> result() const { return result_; }  ///< the whole; null: not made
-  [[nodiscard]] bool isResultFresh() const { return result_ && isFoundFresh(); }
+  [[nodiscard]] bool isResultFresh() const { return result_ && resultAsked_ == project(); }
   void handToCase();
   void saveResult(const std::filesystem::path& folder);  ///< volume, coverage, source and provenance
   void showResult();
@@ -180,6 +194,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void keep();
   void tell();
   void say(const Error& error);
+  void begin(std::optional<Step> until, const QString& title);
+  void forgetFound();
   void settle(ChainState state, StitchProject asked);
   [[nodiscard]] std::optional<std::size_t> foundIndex(std::size_t volume) const;
   [[nodiscard]] bool samePlaces(std::size_t volume) const;
@@ -187,7 +203,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] glm::dmat4 placedToShown(std::size_t volume) const;      ///< from the project's world to the one that is shown
   void editPair(const std::function<void(ProjectPair&)>& change, const QString& what, const std::string& mergeKey = {});
   [[nodiscard]] QString nameOfPair() const;
-  [[nodiscard]] bool isBusy();  ///< says so
+  [[nodiscard]] const PairOutcome* outcomeOf(std::size_t fixed, std::size_t moving) const;  ///< of volumes as found_ numbers them
+  [[nodiscard]] std::vector<registration::Level> levelsSeen(bool ofBend) const;             ///< of the pair, since the last run began
+  [[nodiscard]] bool isBusy();                                                              ///< says so
 
   sdk::Host& host_;
   std::filesystem::path folder_;
@@ -204,7 +222,11 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   bool running_ = false;
   std::shared_ptr<const ChainState> found_;
   std::shared_ptr<const Volume> result_;
-  StitchProject asked_;  ///< of which found_ tells
+  std::array<std::filesystem::path, 4> resultFiles_;                  ///< volume, coverage, source, provenance
+  StitchProject resultAsked_;                                         ///< of which result_ was made
+  int projectNumber_ = 0;                                             ///< counts the projects that were opened or begun
+  mutable std::map<const PairOutcome*, PairOutcome> turnedOutcomes_;  ///< of found_, seen from the moving volume
+  StitchProject asked_;                                               ///< of which found_ tells
   std::vector<std::string> foundKeys_;
 
   std::optional<Shown> pair_;
@@ -219,7 +241,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   int viewSide_px_ = 330;
   std::optional<registration::LandmarkResult> landmarkResult_;
   std::optional<glm::dvec3> pickedFixed_, pickedMoving_;
-  std::vector<LevelSeen> running_levels_;
+  std::vector<LevelSeen> runningLevels_;
+  std::vector<std::string> runningKeys_;  ///< of the volumes that runningLevels_ numbers
   struct AgreementOf {
     std::shared_ptr<const Volume> fixed, moving;
     glm::dmat4 transform{0.0};

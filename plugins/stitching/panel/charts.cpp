@@ -1,0 +1,242 @@
+#include "panel/charts.h"
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+namespace ew::stitching {
+namespace {
+
+using registration::ElasticEffort;
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+/// The sunken card that charts are drawn on, in small type.
+void paintCard(QPainter& painter, const QWidget& on) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(on.palette().color(QPalette::Base));
+  painter.drawRoundedRect(on.rect(), 4, 4);
+  QFont font = on.font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+}
+
+}  // namespace
+
+LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("levelChart"));
+  setMinimumHeight(96);
+  connect(&session_, &StitchSession::levelsChanged, this, qOverload<>(&QWidget::update));
+  connect(&session_, &StitchSession::changed, this, qOverload<>(&QWidget::update));
+}
+
+void LevelChart::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paintCard(painter, *this);
+  auto levels = session_.levels();
+  const std::size_t matched = levels.size();
+  for (const auto& level : session_.bendLevels()) levels.push_back(level);
+  const QColor quiet = palette().color(QPalette::PlaceholderText);
+  if (levels.empty()) {
+    painter.setPen(quiet);
+    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                     session_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
+    return;
+  }
+  double low = 0.0, high = 0.1;
+  for (const auto& level : levels) {
+    low = std::min({low, level.correlationBefore, level.correlationAfter});
+    high = std::max({high, level.correlationBefore, level.correlationAfter});
+  }
+  const QRectF box = QRectF(rect()).adjusted(36, 16, -16, -24);
+  const auto at = [&](double n, double value) {
+    const double share = levels.size() < 2 ? 0.5 : n / static_cast<double>(levels.size() - 1);
+    return QPointF(box.left() + share * box.width(), box.bottom() - (value - low) / (high - low) * box.height());
+  };
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.drawLine(QPointF(box.left(), at(0, low).y()), QPointF(box.right(), at(0, low).y()));
+  painter.drawLine(QPointF(box.left(), at(0, high).y()), QPointF(box.right(), at(0, high).y()));
+  painter.setPen(quiet);
+  painter.drawText(QRectF(0, at(0, high).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(high, 2));
+  painter.drawText(QRectF(0, at(0, low).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(low, 2));
+  // Matching and bending measure correlation on other images: two curves side by side, not one.
+  if (matched > 0 && matched < levels.size()) {
+    const double x = at(static_cast<double>(matched) - 0.5, 0).x();
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0, Qt::DashLine));
+    painter.drawLine(QPointF(x, box.top() - 6), QPointF(x, box.bottom() + 4));
+    painter.setPen(quiet);
+    painter.drawText(QRectF(x - 100, 0, 95, 14), Qt::AlignRight | Qt::AlignVCenter, tr("matched"));
+    painter.drawText(QRectF(x + 5, 0, 95, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("bent"));
+  }
+  QPolygonF curve[2];
+  double free = -1e9;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const QPointF before = at(static_cast<double>(n), levels[n].correlationBefore);
+    const QPointF after = at(static_cast<double>(n), levels[n].correlationAfter);
+    curve[n < matched ? 0 : 1] << after;
+    // From hollow to full: what the level began with, and what it made of it.
+    painter.setPen(QPen(quiet, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(before, after);
+    painter.drawEllipse(before, 2.5, 2.5);
+    const QString word = QStringLiteral("%1 mm").arg(QLocale().toString(levels[n].voxel_mm, 'g', 2));
+    const double wide = painter.fontMetrics().horizontalAdvance(word);
+    const double left = std::clamp(after.x() - wide / 2, 4.0, width() - wide - 4.0);
+    if (left > free + 6) {
+      painter.drawText(QPointF(left, height() - 8.0), word);
+      free = left + wide;
+    }
+  }
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
+  for (const QPolygonF& part : curve) painter.drawPolyline(part);
+  painter.setBrush(palette().color(QPalette::Highlight));
+  painter.setPen(Qt::NoPen);
+  for (const QPolygonF& part : curve)
+    for (const QPointF& point : part) painter.drawEllipse(point, 3.5, 3.5);
+}
+
+CostChart::CostChart(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("costChart"));
+  setMinimumHeight(112);
+}
+
+void CostChart::show(const std::array<ExpectedCost, 3>& costs, ElasticEffort inUse, std::optional<double> measured_s) {
+  costs_ = costs;
+  inUse_ = inUse;
+  measured_s_ = measured_s;
+  QStringList lines;
+  for (const ExpectedCost& cost : costs)
+    lines << tr("%1: %2 mm in %3").arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), inSeconds(cost.seconds));
+  setAccessibleDescription(lines.join(QStringLiteral("; ")));
+  update();
+}
+
+void CostChart::clear() {
+  costs_.reset();
+  update();
+}
+
+QRectF CostChart::box() const { return QRectF(rect()).adjusted(40, 22, -24, -24); }
+
+QPointF CostChart::at(double seconds, double error_mm) const {
+  double longest = measured_s_.value_or(0.0), largest = 0.0;
+  for (const ExpectedCost& cost : *costs_) {
+    longest = std::max(longest, cost.seconds);
+    largest = std::max(largest, cost.error_mm);
+  }
+  const QRectF in = box();
+  return {in.left() + in.width() * seconds / std::max(longest, 1e-6), in.bottom() - in.height() * error_mm / std::max(largest, 1e-6)};
+}
+
+QPointF CostChart::pointOfEffort(int effort) const {
+  if (!costs_ || effort < 0 || effort > 2) return {-1, -1};
+  const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
+  return at(cost.seconds, cost.error_mm);
+}
+
+int CostChart::under(const QPointF& place) const {
+  int found = -1;
+  double nearest = 14.0;
+  for (int effort = 0; costs_ && effort < 3; ++effort) {
+    const QPointF off = pointOfEffort(effort) - place;
+    if (const double apart = std::hypot(off.x(), off.y()); apart < nearest) {
+      nearest = apart;
+      found = effort;
+    }
+  }
+  return found;
+}
+
+void CostChart::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paintCard(painter, *this);
+  const QColor quiet = palette().color(QPalette::PlaceholderText);
+  if (!costs_) {
+    painter.setPen(quiet);
+    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, tr("Known once both volumes are read"));
+    return;
+  }
+  const QRectF in = box();
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+  painter.drawLine(in.bottomLeft(), in.bottomRight());
+  painter.drawLine(in.topLeft(), in.bottomLeft());
+  painter.setPen(quiet);
+  double longest = measured_s_.value_or(0.0), largest = 0.0;
+  for (const ExpectedCost& cost : *costs_) {
+    longest = std::max(longest, cost.seconds);
+    largest = std::max(largest, cost.error_mm);
+  }
+  painter.drawText(QRectF(0, in.top() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, number(largest, 2));
+  painter.drawText(QRectF(0, in.bottom() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
+  painter.drawText(QRectF(4, 2, 32, 16), Qt::AlignRight | Qt::AlignVCenter, tr("mm"));
+  painter.drawText(QRectF(in.left(), in.bottom() + 4, in.width() + 20, 16), Qt::AlignRight | Qt::AlignVCenter, inSeconds(longest));
+  painter.drawText(QRectF(in.left() - 4, in.bottom() + 4, 40, 16), Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0"));
+  QPolygonF curve;
+  for (int effort = 0; effort < 3; ++effort) curve << pointOfEffort(effort);
+  painter.setPen(QPen(quiet, 1.5));
+  painter.drawPolyline(curve);
+  const QColor accent = palette().color(QPalette::Highlight);
+  for (const ExpectedCost& cost : *costs_) {
+    const QPointF point = at(cost.seconds, cost.error_mm);
+    const bool used = cost.effort == inUse_;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(used ? accent : quiet);
+    painter.drawEllipse(point, used ? 5.0 : 3.5, used ? 5.0 : 3.5);
+    if (!used) continue;
+    const QString word = tr("in use: %1 mm, %2").arg(number(cost.error_mm, 2), inSeconds(cost.seconds));
+    const double wide = painter.fontMetrics().horizontalAdvance(word);
+    painter.setPen(accent);
+    painter.drawText(QPointF(std::clamp(point.x() + 8.0, in.left() + 4.0, width() - wide - 6.0), std::max(14.0, point.y() - 9.0)), word);
+  }
+  if (measured_s_) {  // how long it was in truth, on the foot of the chart: the error in truth nobody knows
+    const QPointF foot = at(*measured_s_, 0.0);
+    painter.setPen(QPen(accent, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(QPolygonF({foot + QPointF(0, -5), foot + QPointF(4, 0), foot + QPointF(0, 5), foot + QPointF(-4, 0)}));
+  }
+}
+
+void CostChart::mousePressEvent(QMouseEvent* event) {
+  const int effort = under(event->localPos());
+  if (event->button() == Qt::LeftButton && effort >= 0) Q_EMIT chosen(effort);
+}
+
+bool CostChart::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && costs_) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const int effort = under(help->pos());
+    if (effort >= 0) {
+      const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
+      QToolTip::showText(help->globalPos(), tr("%1: %2 mm on average, 95 % below %3 mm, in %4. Click to bend this pair so.")
+                                                .arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), number(cost.error95_mm, 2),
+                                                     inSeconds(cost.seconds)));
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+QString nameOfEffort(ElasticEffort effort) {
+  switch (effort) {
+    case ElasticEffort::fast:
+      return CostChart::tr("fast");
+    case ElasticEffort::balanced:
+      return CostChart::tr("balanced");
+    case ElasticEffort::accurate:
+      return CostChart::tr("accurate");
+  }
+  return {};
+}
+
+QString inSeconds(double seconds) {
+  if (seconds < 99.5) return CostChart::tr("%1 s").arg(number(seconds, seconds < 0.095 ? 2 : seconds < 9.95 ? 1 : 0));
+  const int whole = static_cast<int>(std::lround(seconds));
+  return CostChart::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+}
+
+}  // namespace ew::stitching

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QPointF>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "logic/expected_cost.h"
+#include "panel/stitch_session.h"
+
+namespace ew::stitching {
+
+/// Correlation before and after each level, from the coarse to the fine, of matching and then of bending; grows while it runs.
+class LevelChart final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LevelChart(StitchSession& session, QWidget* parent = nullptr);
+  [[nodiscard]] QSize sizeHint() const override { return {240, 104}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  StitchSession& session_;
+};
+
+/// Time against error at each effort of bending: what is expected, what is in use, and what it took. A click on a point chooses its effort
+/// for the pair.
+class CostChart final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CostChart(QWidget* parent = nullptr);
+  [[nodiscard]] QSize sizeHint() const override { return {240, 120}; }
+  void show(const std::array<ExpectedCost, 3>& costs, registration::ElasticEffort inUse, std::optional<double> measured_s);
+  void clear();
+  Q_INVOKABLE QPointF pointOfEffort(int effort) const;
+
+ Q_SIGNALS:
+  void chosen(int effort);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF box() const;
+  [[nodiscard]] QPointF at(double seconds, double error_mm) const;
+  [[nodiscard]] int under(const QPointF& at) const;  ///< effort; -1: none
+  std::optional<std::array<ExpectedCost, 3>> costs_;
+  registration::ElasticEffort inUse_ = registration::ElasticEffort::balanced;
+  std::optional<double> measured_s_;
+};
+
+[[nodiscard]] QString nameOfEffort(registration::ElasticEffort effort);  ///< in the language of the window
+[[nodiscard]] QString inSeconds(double seconds);                         ///< "0.3 s", "2 min 5 s"
+
+}  // namespace ew::stitching

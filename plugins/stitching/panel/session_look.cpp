@@ -1,0 +1,218 @@
+#include "panel/stitch_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/sdk/panel.h"
+#include "logic/places.h"
+#include "panel/session_parts.h"
+
+namespace ew::stitching {
+
+void StitchSession::choosePair(std::size_t a, std::size_t b) {
+  if (a == b || std::max(a, b) >= project().volumes.size()) return;
+  const auto [low, high] = std::minmax(a, b);
+  const Shown next{low, high};
+  if (pair_ == next) return;
+  pair_ = next;
+  chosenLandmark_ = -1;
+  pickedFixed_.reset();
+  pickedMoving_.reset();
+  document_.endMerging();
+  afterChoice();
+  fit();
+  Q_EMIT changed();
+  Q_EMIT levelsChanged();
+}
+
+void StitchSession::chooseVolume(std::size_t index) {
+  if (index >= project().volumes.size() || chosenVolume_ == index) return;
+  chosenVolume_ = index;
+  if (pair_ && pair_->fixed != index && pair_->moving != index && project().volumes.size() > 1) {
+    // The first pair of it that was looked at, so that list and views speak of the same thing.
+    for (const PairLine& line : pairs())
+      if (line.fixed == index || line.moving == index) return choosePair(line.fixed, line.moving);
+  }
+  Q_EMIT changed();
+}
+
+void StitchSession::chooseLandmark(int landmark) {
+  const auto marks = landmarks();
+  if (landmark < 0 || landmark >= static_cast<int>(marks.size())) return;
+  chosenLandmark_ = landmark;
+  const auto& mark = marks[static_cast<std::size_t>(landmark)];
+  setCross(mark.fixed_mm);
+  if (!linked_) setMovingCross(mark.moving_mm);
+  Q_EMIT changed();
+}
+
+void StitchSession::setStage(Stage stage) {
+  if (stage_ == stage || (stage == Stage::elastic && !hasElastic())) return;
+  stage_ = stage;
+  Q_EMIT lookChanged();
+}
+
+glm::dmat4 StitchSession::startTransform() const {
+  if (!pair_) return glm::dmat4(1.0);
+  return rigidInverse(project().volumes[pair_->moving].toWorld) * project().volumes[pair_->fixed].toWorld;
+}
+
+glm::dmat4 StitchSession::transform() const {
+  if (!pair_) return glm::dmat4(1.0);
+  const ProjectPair said = pairOf(project(), pair_->fixed, pair_->moving);
+  const PairLine line = pairLine(pair_->fixed, pair_->moving);
+  if (said.start && (said.method == PairMethod::byHand || line.outcome == nullptr || line.stale)) return *said.start;
+  if (said.method == PairMethod::landmarks && landmarkResult_ && landmarkResult_->verdict != registration::Verdict::cannotTell &&
+      (line.outcome == nullptr || line.stale))
+    return landmarkResult_->fixedToMoving;
+  if (line.outcome != nullptr) return line.outcome->rigid.fixedToMoving;
+  return startTransform();
+}
+
+Mapping StitchSession::fixedMapping(Stage stage) const {
+  if (stage != Stage::elastic || !hasElastic()) return {};
+  const std::size_t i = *foundIndex(pair_->fixed);
+  const glm::dmat4& world = found_->graph->toWorld[i];
+  return {world, &found_->bends[i], rigidInverse(world)};
+}
+
+Mapping StitchSession::movingMapping(Stage stage) const {
+  if (!pair_) return {};
+  if (stage == Stage::elastic && hasElastic()) {
+    const std::size_t i = *foundIndex(pair_->fixed);
+    const std::size_t j = *foundIndex(pair_->moving);
+    return {found_->graph->toWorld[i], &found_->bends[j], rigidInverse(found_->graph->toWorld[j])};
+  }
+  return {glm::dmat4(1.0), nullptr, stage == Stage::start ? startTransform() : transform()};
+}
+
+Plane StitchSession::movingPlane() const {
+  return linked_ ? moved(plane_, movingMapping(stage_).toGrid * movingMapping(stage_).toBend) : movingPlane_;
+}
+
+glm::dvec3 StitchSession::movingCross() const { return linked_ ? movingMapping(stage_)(cross_) : movingCross_; }
+
+void StitchSession::setPlane(const Plane& plane) {
+  plane_ = plane;
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::setCross(const glm::dvec3& p_mm) {
+  cross_ = p_mm;
+  const double off = distanceTo(plane_, p_mm);
+  if (std::abs(off) > 1e-9) plane_.centre_mm += off * plane_.normal();
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::setMovingPlane(const Plane& plane) {
+  if (linked_) {
+    const Mapping mapping = movingMapping(stage_);
+    return setPlane(moved(plane, rigidInverse(mapping.toGrid * mapping.toBend)));
+  }
+  movingPlane_ = plane;
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::setMovingCross(const glm::dvec3& p_mm) {
+  if (linked_) {
+    const Mapping mapping = movingMapping(stage_);
+    return setCross(carried(rigidInverse(mapping.toGrid * mapping.toBend), p_mm));
+  }
+  movingCross_ = p_mm;
+  const double off = distanceTo(movingPlane_, p_mm);
+  if (std::abs(off) > 1e-9) movingPlane_.centre_mm += off * movingPlane_.normal();
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::setLinked(bool linked) {
+  if (linked_ == linked) return;
+  if (!linked) {
+    movingPlane_ = movingPlane();
+    movingCross_ = movingCross();
+    // Where the two do not overlap yet, a view of nothing helps nobody.
+    if (pair_) {
+      if (const auto moving = volume(pair_->moving)) {
+        const Bounds box = boundsOf(moving->grid);
+        if (glm::any(glm::lessThan(movingCross_, box.lowest_mm)) || glm::any(glm::greaterThan(movingCross_, box.highest_mm))) {
+          movingCross_ = middleOf(moving->grid);
+          movingPlane_.centre_mm = movingCross_;
+        }
+      }
+    }
+  }
+  linked_ = linked;
+  Q_EMIT lookChanged();
+  Q_EMIT changed();
+}
+
+void StitchSession::setCut(Cut cut) {
+  plane_ = planeOf(cut, cross_, plane_.pixel_mm);
+  if (!linked_) movingPlane_ = planeOf(cut, movingCross_, movingPlane_.pixel_mm);
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::setViewSide(int px) {
+  px = std::max(40, px);
+  if (px == viewSide_px_) return;
+  const double factor = static_cast<double>(viewSide_px_) / px;
+  viewSide_px_ = px;
+  plane_.pixel_mm *= factor;
+  movingPlane_.pixel_mm *= factor;
+  Q_EMIT lookChanged();
+}
+
+void StitchSession::fit() {
+  if (!pair_) return;
+  const auto fixed = volume(pair_->fixed);
+  const auto moving = volume(pair_->moving);
+  const Volume* any = fixed ? fixed.get() : moving.get();
+  if (any == nullptr) return;
+  const Grid& grid = any->grid;
+  glm::dvec3 middle = middleOf(grid);
+  if (fixed && moving) {
+    // The middle of what both cover: where there is something to compare.
+    const glm::dmat4 toVoxel = moving->grid.worldToVoxel().matrix * transform();
+    glm::dvec3 sum{0.0};
+    int count = 0;
+    constexpr int kSide = 16;
+    for (int n = 0; n < kSide * kSide * kSide; ++n) {
+      const glm::dvec3 share = glm::dvec3(n % kSide, (n / kSide) % kSide, n / kSide / kSide) / (kSide - 1.0);
+      const glm::ivec3 at = glm::ivec3(glm::round(share * (glm::dvec3(grid.dims) - 1.0)));
+      if (fixed->coverageAt(grid.indexOf(at.x, at.y, at.z)) == Coverage::absent) continue;
+      const glm::dvec3 p = carried(grid.voxelToWorld().matrix, glm::dvec3(at));
+      const glm::ivec3 other = glm::ivec3(glm::round(carried(toVoxel, p)));
+      if (!moving->grid.contains(other) || moving->coverageAt(moving->grid.indexOf(other.x, other.y, other.z)) == Coverage::absent)
+        continue;
+      sum += p;
+      ++count;
+    }
+    if (count > 0) middle = sum / static_cast<double>(count);
+  }
+  const glm::dvec3 extent = glm::dvec3(grid.dims) * grid.spacing_mm;
+  const double pixel_mm = std::max({extent.x, extent.y, extent.z, 1.0}) / (0.96 * viewSide_px_);
+  plane_.centre_mm = middle;
+  plane_.pixel_mm = pixel_mm;
+  cross_ = middle;
+  movingPlane_ = moved(plane_, transform());
+  if (moving) {
+    movingCross_ = middleOf(moving->grid);
+    movingPlane_.centre_mm = movingCross_;
+  }
+  Q_EMIT lookChanged();
+}
+
+QuickAgreement StitchSession::agreement() const {
+  if (!pair_) return {};
+  const auto fixed = volume(pair_->fixed);
+  const auto moving = volume(pair_->moving);
+  if (!fixed || !moving) return {};
+  // Cross-hairs that move ask again and again about a pose that stays.
+  const glm::dmat4 now = transform();
+  if (agreementOf_.fixed == fixed && agreementOf_.moving == moving && agreementOf_.transform == now) return agreementOf_.found;
+  const glm::dvec3 extent = glm::dvec3(fixed->grid.dims) * fixed->grid.spacing_mm;
+  const double step_mm = std::max(1.0, std::cbrt(extent.x * extent.y * extent.z) / 40.0);
+  agreementOf_ = {fixed, moving, now, quickAgreement(*fixed, *moving, now, step_mm)};
+  return agreementOf_.found;
+}
+
+}  // namespace ew::stitching

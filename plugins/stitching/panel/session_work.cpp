@@ -1,0 +1,166 @@
+#include "panel/stitch_session.h"
+
+#include <QCryptographicHash>
+#include <QPointer>
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "ew/sdk/panel.h"
+#include "logic/places.h"
+#include "panel/reasons.h"
+#include "panel/session_parts.h"
+
+namespace ew::stitching {
+namespace {
+
+namespace fs = std::filesystem;
+using sdk::words;
+
+}  // namespace
+
+fs::path StitchSession::workFolder() const {
+  const std::string name =
+      document_.file().empty()
+          ? std::string("untitled")
+          : QCryptographicHash::hash(QByteArray::fromStdString(fs::absolute(document_.file()).lexically_normal().string()),
+                                     QCryptographicHash::Sha1)
+                .toHex()
+                .left(16)
+                .toStdString();
+  return folder_ / "work" / name;
+}
+
+bool StitchSession::isBusy() {
+  if (running_) Q_EMIT problem(tr("A step is still running; wait for it or cancel it."));
+  return running_;
+}
+
+void StitchSession::matchAll(bool withoutPlaces) {
+  if (project().volumes.size() < 2) {
+    Q_EMIT problem(tr("Matching needs two volumes at least; add another one."));
+    return;
+  }
+  if (isBusy()) return;
+  if (withoutPlaces) {
+    StitchProject next = project();
+    for (std::size_t n = 0; n < next.volumes.size(); ++n) next.volumes[n].placement = Placement::unknown;
+    edit(std::move(next), tr("match without tracker"));
+  }
+  run(Step::graph, withoutPlaces ? tr("Matching without tracker") : tr("Refining the places"));
+}
+
+void StitchSession::run(Step until, const QString& title) {
+  if (isBusy()) return;
+  if (project().volumes.empty()) {
+    Q_EMIT problem(tr("There is nothing to work on yet; add two volumes or more."));
+    return;
+  }
+  Q_EMIT problem({});
+  begin(until, title);
+}
+
+void StitchSession::takeUp() {
+  std::error_code ignored;
+  if (running_ || project().volumes.empty() || !fs::exists(workFolder() / "steps", ignored)) return;
+  begin(std::nullopt, tr("Taking up what was found"));
+}
+
+void StitchSession::begin(std::optional<Step> until, const QString& title) {
+  document_.endMerging();
+  running_ = true;
+  runningLevels_.clear();
+  runningKeys_.clear();
+  for (const auto& line : project().volumes) runningKeys_.push_back(keyOf(line));
+  inbox_ = std::make_shared<Inbox>();
+  poll_.start();
+  struct Made {
+    ChainState state;
+    bool any = false;
+    std::shared_ptr<const Volume> result;
+  };
+  auto made = std::make_shared<Made>();
+  const StitchProject asked = project();
+  ChainOptions options;
+  options.keepVolumes = until.has_value();
+  if (const auto free = availableMemory_bytes()) options.maxBytes = std::min(options.maxBytes, *free);
+  options.onLevel = [inbox = inbox_](std::size_t fixed, std::size_t moving, const registration::Level& level) {
+    const std::lock_guard lock(inbox->mutex);
+    inbox->levels.push_back({fixed, moving, level});
+  };
+  auto& volumes = host_.volumes();
+  auto& files = host_.files();
+  const QPointer<StitchSession> here(this);
+  host_.jobs().start(
+      title.toStdString(),
+      [made, asked, options, until, &volumes, &files, folder = workFolder()](Progress& progress) mutable -> Result<void> {
+        std::error_code ignored;
+        fs::create_directories(folder, ignored);
+        std::optional<Step> last = until;
+        if (!last) {  // as far as it was finished before
+          auto known = forecastChain(asked, folder, options, volumes, files);
+          if (!known) return passOn(known.error());
+          for (const StepOutcome& step : known->steps)
+            if (step.done) last = step.step;
+          if (!last) return {};
+        }
+        options.until = *last;
+        auto state = runChain(asked, folder, options, volumes, files, progress);
+        if (!state) return passOn(state.error());
+        made->state = std::move(*state);
+        made->any = true;
+        if (made->state.volume.empty()) return {};
+        auto volume = volumes.read(made->state.volume, progress);
+        if (!volume) return passOn(volume.error());
+        if (!made->state.coverage.empty())
+          if (auto covered = volumes.readCoverageInto(*volume, made->state.coverage, progress); !covered) return covered;
+        made->result = std::make_shared<const Volume>(std::move(*volume));
+        return {};
+      },
+      [here, made, asked, until, project = projectNumber_](const Result<void>& outcome) {
+        StitchSession* session = here.data();
+        if (session == nullptr) return;
+        session->running_ = false;
+        session->poll_.stop();
+        session->inbox_.reset();
+        const bool another = session->projectNumber_ != project;  // opened meanwhile: this is no answer about it
+        if (!outcome && until) {
+          session->say(outcome.error());
+        } else if (!outcome) {  // nobody asked; a run will say it
+          session->host_.log().info(outcome.error().sentence);
+        } else if (made->any && !another) {
+          if (made->result) {
+            const ChainState& state = made->state;
+            session->result_ = made->result;
+            session->resultFiles_ = {state.volume, state.coverage, state.source, state.provenance};
+            session->resultAsked_ = asked;
+          }
+          session->settle(std::move(made->state), asked);
+        }
+        if (another) session->takeUp();
+        Q_EMIT session->changed();
+        Q_EMIT session->lookChanged();
+        Q_EMIT session->levelsChanged();
+        session->tell();
+      });
+  Q_EMIT changed();
+  Q_EMIT levelsChanged();
+}
+
+void StitchSession::settle(ChainState state, StitchProject asked) {
+  foundKeys_.clear();
+  for (std::size_t n = 0; n < asked.volumes.size(); ++n) {
+    foundKeys_.push_back(keyOf(asked.volumes[n]));
+    if (n < state.volumes.size() && state.volumes[n]) volumes_[foundKeys_.back()] = state.volumes[n];
+  }
+  turnedOutcomes_.clear();
+  found_ = std::make_shared<const ChainState>(std::move(state));
+  asked_ = std::move(asked);
+  if (stage_ == Stage::elastic && !hasElastic()) stage_ = Stage::rigid;
+  if (!found_->bends.empty() && hasElastic()) stage_ = Stage::elastic;
+  afterChoice();
+  fit();
+  if (!found_->reason.empty() && found_->verdict != registration::Verdict::aligned) Q_EMIT said(reasonOf(*found_, asked_));
+}
+
+}  // namespace ew::stitching

@@ -1,0 +1,37 @@
+#include "panel/view_base.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace ew::stitching {
+
+ViewBase::ViewBase(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setMinimumSize(160, 120);
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+bool ViewBase::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && wantsKey(*static_cast<QKeyEvent*>(event))) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void ViewBase::beginPainting(QPainter& painter, const QColor& ground) const {
+  painter.fillRect(rect(), ground);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont small = font();
+  small.setPixelSize(12);
+  painter.setFont(small);
+}
+
+void ViewBase::drawFocus(QPainter& painter) const {
+  if (!hasFocus()) return;
+  painter.setPen(QPen(kViewAccent, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
+}  // namespace ew::stitching

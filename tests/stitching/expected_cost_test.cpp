@@ -1,0 +1,77 @@
+#include "logic/expected_cost.h"
+
+#include <gtest/gtest.h>
+
+namespace ew::stitching {
+namespace {
+
+using registration::ElasticEffort;
+
+Grid cube(int side, double spacing_mm) {
+  Grid grid;
+  grid.dims = glm::ivec3(side);
+  grid.spacing_mm = glm::dvec3(spacing_mm);
+  return grid;
+}
+
+TEST(ExpectedCost, IsWhatTheBenchmarkMeasuredOnItsOwnPair) {
+  const auto costs = expectedBends(cube(96, 0.6), cube(96, 0.6));
+  EXPECT_NEAR(costs[0].seconds, 0.15, 1e-9);
+  EXPECT_NEAR(costs[1].seconds, 0.45, 1e-9);
+  EXPECT_NEAR(costs[2].seconds, 0.68, 1e-9);
+  EXPECT_EQ(costs[0].error_mm, 0.21);
+  EXPECT_EQ(costs[1].error_mm, 0.13);
+  EXPECT_EQ(costs[2].error_mm, 0.11);
+  EXPECT_NEAR(expectedSearch_s(cube(96, 0.9), cube(96, 0.9), 30.0), 1.8, 1e-9);
+}
+
+TEST(ExpectedCost, GoesWithTheVoxelsThatAreLookedAt) {
+  const auto once = expectedBends(cube(96, 0.6), cube(96, 0.6));
+  const auto larger = expectedBends(cube(192, 0.6), cube(192, 0.6));
+  const auto unlike = expectedBends(cube(96, 0.6), cube(192, 0.6));
+  const auto coarse = expectedBends(cube(96, 2.0), cube(96, 2.0));
+  for (std::size_t n = 0; n < 3; ++n) {
+    EXPECT_NEAR(larger[n].seconds, 8.0 * once[n].seconds, 1e-9);
+    EXPECT_NEAR(unlike[n].seconds, 4.5 * once[n].seconds, 1e-9) << "the mean of both";
+    EXPECT_EQ(larger[n].error_mm, once[n].error_mm) << "a larger view is no worse";
+    EXPECT_GT(coarse[n].error_mm, once[n].error_mm);
+    EXPECT_GT(coarse[n].error95_mm, coarse[n].error_mm);
+  }
+  // Where the voxels are coarser than the fast setting goes, it saves no level.
+  EXPECT_NEAR(coarse[0].seconds / once[0].seconds, std::pow(1.0, 3.0) * std::pow(96 * 2.0, 3.0) / 8.0 / std::pow(96 * 0.6, 3.0), 1e-6);
+}
+
+TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
+  for (const double spacing : {0.3, 0.6, 1.0, 2.5}) {
+    const auto costs = expectedBends(cube(80, spacing), cube(80, spacing));
+    for (std::size_t n = 0; n + 1 < 3; ++n) {
+      EXPECT_EQ(costs[n].effort, kEfforts[n]);
+      EXPECT_GT(costs[n].error_mm, costs[n + 1].error_mm * 0.99) << spacing;
+    }
+    EXPECT_LT(costs[1].seconds, costs[2].seconds);
+  }
+  double before = 0.0;
+  for (const double turn : {5.0, 15.0, 30.0, 60.0, 120.0, 180.0}) {
+    const double seconds = expectedSearch_s(cube(96, 0.9), cube(96, 0.9), turn);
+    EXPECT_GT(seconds, before) << turn;
+    before = seconds;
+  }
+}
+
+TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
+  const std::vector<std::optional<Grid>> grids = {cube(96, 0.6), cube(96, 0.6), std::nullopt};
+  EXPECT_EQ(paceOf({}, grids).pairs, 0u);
+  EXPECT_EQ(paceOf({}, grids).factor, 1.0);
+  std::vector<BentPair> bent(4);
+  bent[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 0.9};
+  bent[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45};
+  bent[2] = {.fixed = 1, .moving = 0, .effort = ElasticEffort::balanced, .seconds = 1.8};
+  bent[3] = {.fixed = 1, .moving = 2, .effort = ElasticEffort::fast, .seconds = 99.0};  // a volume that is no longer there
+  const MachinePace pace = paceOf(bent, grids);
+  EXPECT_EQ(pace.pairs, 3u);
+  EXPECT_NEAR(pace.factor, 3.0, 1e-9) << "the middle of 2, 3 and 4";
+  EXPECT_NEAR(expectedBends(*grids[0], *grids[1], pace)[1].seconds, 1.35, 1e-9);
+}
+
+}  // namespace
+}  // namespace ew::stitching
