@@ -568,7 +568,6 @@ class StitchingJourneyTest : public WindowFixture {
 
   /// Verdicts come from the libraries as codes with figures; the window says them in its own language.
   void aRefusedPairIsExplainedInTheWindowsLanguage() {
-    Q_INIT_RESOURCE(translations);
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
     QApplication::installTranslator(&german);
@@ -583,6 +582,13 @@ class StitchingJourneyTest : public WindowFixture {
     QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 2));
     const QString reason = find<QLabel>("pairReason")->text();
     const QString whole = find<QLabel>("outcome")->text();
+    keepPicture("25-german-refused");
+    window_->resize(1280, 800);
+    QTest::qWait(100);
+    keepPicture("26-german-small");
+    window_->resize(1920, 1080);
+    QTest::qWait(100);
+    keepPicture("27-german-large");
     QApplication::removeTranslator(&german);
     QVERIFY2(verdict(0, 2) != QLatin1String("aligned"), qPrintable(verdict(0, 2)));
     for (const QString& text : {reason, whole}) {
@@ -592,10 +598,6 @@ class StitchingJourneyTest : public WindowFixture {
     }
     QVERIFY2(reason.contains(QStringLiteral("Gewebe")) || reason.contains(QStringLiteral("berlappung")), qPrintable(reason));
     QVERIFY2(whole.contains(QStringLiteral("verbindet nichts")), qPrintable(whole));
-    keepPicture("25-german-refused");
-    window_->resize(1280, 800);
-    QTest::qWait(100);
-    keepPicture("26-german-small");
   }
 
   void closingInTheMiddleOfAJobLosesNothing() {
@@ -628,9 +630,9 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave tests"));
   // To look at the words of another language in the pictures: what is clicked is found by its name, not by its words.
+  Q_INIT_RESOURCE(translations);
   QTranslator translator;
   if (qEnvironmentVariable("ECHOWEAVE_TEST_LANGUAGE") == QLatin1String("de")) {
-    Q_INIT_RESOURCE(translations);
     if (translator.load(QStringLiteral(":/ew/translations/echoweave_de.qm"))) QApplication::installTranslator(&translator);
   }
   ew::ui::testing::StitchingJourneyTest test;

@@ -38,7 +38,8 @@ TEST(ExpectedCost, GoesWithTheVoxelsThatAreLookedAt) {
     EXPECT_GT(coarse[n].error95_mm, coarse[n].error_mm);
   }
   // Where the voxels are coarser than the fast setting goes, it saves no level.
-  EXPECT_NEAR(coarse[0].seconds / once[0].seconds, std::pow(1.0, 3.0) * std::pow(96 * 2.0, 3.0) / 8.0 / std::pow(96 * 0.6, 3.0), 1e-6);
+  const double volumes = std::pow(2.0 / 0.6, 3.0);
+  EXPECT_NEAR(coarse[0].seconds / once[0].seconds, 0.45 * volumes + 0.55 * volumes / 8.0, 1e-9);
 }
 
 TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
@@ -46,8 +47,9 @@ TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
     const auto costs = expectedBends(cube(80, spacing), cube(80, spacing));
     for (std::size_t n = 0; n + 1 < 3; ++n) {
       EXPECT_EQ(costs[n].effort, kEfforts[n]);
-      EXPECT_GT(costs[n].error_mm, costs[n + 1].error_mm * 0.99) << spacing;
+      EXPECT_GE(costs[n].error_mm, costs[n + 1].error_mm) << spacing;
     }
+    EXPECT_LT(costs[0].seconds, costs[1].seconds);
     EXPECT_LT(costs[1].seconds, costs[2].seconds);
   }
   double before = 0.0;
@@ -60,8 +62,8 @@ TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
 
 TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
   const std::vector<std::optional<Grid>> grids = {cube(96, 0.6), cube(96, 0.6), std::nullopt};
-  EXPECT_EQ(paceOf({}, grids).pairs, 0u);
-  EXPECT_EQ(paceOf({}, grids).factor, 1.0);
+  EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).pairs, 0u);
+  EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).factor, 1.0);
   std::vector<BentPair> bent(4);
   bent[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 0.9};
   bent[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45};

@@ -16,8 +16,11 @@ constexpr double kSide_mm = 96 * kVoxel_mm;
 struct Measured {
   double finest_mm;  ///< what the effort goes down to where the volume allows it
   double seconds, error_mm, error95_mm;
+  /// Of the time, what goes with the volume and not with its voxels: coarse levels and the lattice. From one pair at three spacings.
+  double volumeShare;
 };
-constexpr std::array<Measured, 3> kMeasured = {{{1.0, 0.15, 0.21, 0.53}, {0.5, 0.45, 0.13, 0.33}, {0.5, 0.68, 0.11, 0.24}}};
+constexpr std::array<Measured, 3> kMeasured = {
+    {{1.0, 0.15, 0.21, 0.53, 0.45}, {0.5, 0.45, 0.13, 0.33, 0.2}, {0.5, 0.68, 0.11, 0.24, 0.25}}};
 
 /// The search: 96 voxels of 0.9 mm a side, turns to 30 degrees; with steps of 15 degrees instead of 10 there are 0.3 times
 /// as many, and it takes 0.7 s.
@@ -47,10 +50,15 @@ std::array<ExpectedCost, 3> expectedBends(const Grid& fixed, const Grid& moving,
     const Measured& measured = kMeasured[n];
     const double then_mm = std::max(measured.finest_mm, kVoxel_mm);
     const double now_mm = std::max(measured.finest_mm, spacing_mm);
-    const double voxels = volume_mm3 / std::pow(now_mm, 3.0);
+    const double volumes = volume_mm3 / std::pow(kSide_mm, 3.0);
+    const double voxels = volumes * std::pow(then_mm / now_mm, 3.0);
     const double coarser = std::max(1.0, now_mm / then_mm);
-    costs[n] = {kEfforts[n], pace.factor * measured.seconds * voxels / std::pow(kSide_mm / then_mm, 3.0), measured.error_mm * coarser,
-                measured.error95_mm * coarser};
+    const double times = measured.volumeShare * volumes + (1.0 - measured.volumeShare) * voxels;
+    costs[n] = {kEfforts[n], pace.factor * measured.seconds * times, measured.error_mm * coarser, measured.error95_mm * coarser};
+    if (n > 0) {  // on coarse voxels the levels are the same: more effort brings nothing, and is no worse
+      costs[n].error_mm = std::min(costs[n].error_mm, costs[n - 1].error_mm);
+      costs[n].error95_mm = std::min(costs[n].error95_mm, costs[n - 1].error95_mm);
+    }
   }
   return costs;
 }
@@ -61,18 +69,24 @@ double expectedSearch_s(const Grid& fixed, const Grid& moving, double maxTurn_de
   return pace.factor * size * (kBesideTurns_s + (kSearch_s - kBesideTurns_s) * turns);
 }
 
-MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids) {
+MachinePace paceOf(std::span<const Timed> timed) {
   std::vector<double> ratios;
-  for (const BentPair& pair : bent) {
-    if (pair.seconds <= 0.0 || pair.fixed >= grids.size() || pair.moving >= grids.size()) continue;
-    if (!grids[pair.fixed] || !grids[pair.moving]) continue;
-    for (const ExpectedCost& expected : expectedBends(*grids[pair.fixed], *grids[pair.moving]))
-      if (expected.effort == pair.effort && expected.seconds > 0.0) ratios.push_back(pair.seconds / expected.seconds);
-  }
+  for (const Timed& each : timed)
+    if (each.measured_s > 0.0 && each.expected_s > 0.0) ratios.push_back(each.measured_s / each.expected_s);
   if (ratios.empty()) return {};
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return {*middle, ratios.size()};
+}
+
+MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids) {
+  std::vector<Timed> timed;
+  for (const BentPair& pair : bent) {
+    if (pair.fixed >= grids.size() || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
+    for (const ExpectedCost& expected : expectedBends(*grids[pair.fixed], *grids[pair.moving]))
+      if (expected.effort == pair.effort) timed.push_back({expected.seconds, pair.seconds});
+  }
+  return paceOf(timed);
 }
 
 }  // namespace ew::stitching

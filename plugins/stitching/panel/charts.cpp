@@ -121,7 +121,7 @@ void CostChart::clear() {
   update();
 }
 
-QRectF CostChart::box() const { return QRectF(rect()).adjusted(40, 22, -24, -24); }
+QRectF CostChart::box() const { return QRectF(rect()).adjusted(40, 26, -24, -24); }
 
 QPointF CostChart::at(double seconds, double error_mm) const {
   double longest = measured_s_.value_or(0.0), largest = 0.0;
@@ -189,9 +189,8 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.drawEllipse(point, used ? 5.0 : 3.5, used ? 5.0 : 3.5);
     if (!used) continue;
     const QString word = tr("in use: %1 mm, %2").arg(number(cost.error_mm, 2), inSeconds(cost.seconds));
-    const double wide = painter.fontMetrics().horizontalAdvance(word);
-    painter.setPen(accent);
-    painter.drawText(QPointF(std::clamp(point.x() + 8.0, in.left() + 4.0, width() - wide - 6.0), std::max(14.0, point.y() - 9.0)), word);
+    painter.setPen(accent);  // above the curve, where no point can lie
+    painter.drawText(QRectF(40, 2, width() - 48.0, 16), Qt::AlignRight | Qt::AlignVCenter, word);
   }
   if (measured_s_) {  // how long it was in truth, on the foot of the chart: the error in truth nobody knows
     const QPointF foot = at(*measured_s_, 0.0);

@@ -242,13 +242,28 @@ QWidget* PairInspector::makeRedo() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
   column->addWidget(sdk::headingLabel(tr("Match this pair again")));
+  auto* choice = new QHBoxLayout;
+  choice->setSpacing(kGap_px);
   method_ = new QComboBox;
   method_->setObjectName(QStringLiteral("pairMethod"));
+  method_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   method_->addItem(tr("Automatic"), static_cast<int>(PairMethod::automatic));
   method_->addItem(tr("Search without places"), static_cast<int>(PairMethod::search));
   method_->addItem(tr("Refine from here"), static_cast<int>(PairMethod::refine));
   method_->addItem(tr("As placed by hand"), static_cast<int>(PairMethod::byHand));
-  column->addWidget(method_);
+  choice->addWidget(method_, 1);
+  auto* redo = new QPushButton(tr("Match again"));
+  redo->setObjectName(QStringLiteral("redoPair"));
+  redo->setProperty("compact", true);
+  connect(redo, &QPushButton::clicked, this, [this] {
+    const auto method = static_cast<PairMethod>(method_->currentData().toInt());
+    if (method == PairMethod::byHand) return session_.setTransform(session_.transform(), tr("keep the pair as it lies"), {});
+    if (method == PairMethod::refine && session_.pair()) session_.pinStart();
+    session_.redoPair(method,
+                      method == PairMethod::search || method == PairMethod::automatic ? std::optional(turn_->value()) : std::nullopt);
+  });
+  choice->addWidget(redo);
+  column->addLayout(choice);
   turnRow_ = new QWidget;
   auto* turnColumn = columnIn(turnRow_);
   auto* row = new QHBoxLayout;
@@ -262,25 +277,15 @@ QWidget* PairInspector::makeRedo() {
   row->addWidget(name, 1);
   row->addWidget(turn_);
   turnColumn->addLayout(row);
-  column->addWidget(turnRow_);
   searchCost_ = addLine(turnColumn, tr("Expected time"),
                         tr("Of a search, from 'echoweave bench register', scaled to this pair's size and to the rotations to be searched"));
   searchCost_->setObjectName(QStringLiteral("searchCost"));
   connect(turn_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { showSearchCost(); });
-  auto* redo = new QPushButton(tr("Match again"));
-  redo->setObjectName(QStringLiteral("redoPair"));
-  connect(redo, &QPushButton::clicked, this, [this] {
-    const auto method = static_cast<PairMethod>(method_->currentData().toInt());
-    if (method == PairMethod::byHand) return session_.setTransform(session_.transform(), tr("keep the pair as it lies"), {});
-    if (method == PairMethod::refine && session_.pair()) session_.pinStart();
-    session_.redoPair(method,
-                      method == PairMethod::search || method == PairMethod::automatic ? std::optional(turn_->value()) : std::nullopt);
-  });
   connect(method_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
     const auto method = static_cast<PairMethod>(method_->currentData().toInt());
     turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
   });
-  column->addWidget(redo);
+  column->addWidget(turnRow_);
   return box;
 }
 
@@ -421,7 +426,7 @@ void PairInspector::showCost() {
   registration::ElasticOptions options;
   options.effort = effort;
   memory_->setText(mebibytes(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
-  const MachinePace pace = session_.pace();
+  const MachinePace pace = session_.bendPace();
   const auto costs = expectedBends(a->grid, b->grid, pace);
   const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
   expected_->setText(tr("%1 mm in %2").arg(number(mine.error_mm, 2), inSeconds(mine.seconds)));
@@ -446,7 +451,7 @@ void PairInspector::showSearchCost() {
   const auto a = session_.volume(session_.pair()->fixed);
   const auto b = session_.volume(session_.pair()->moving);
   if (!a || !b) return;
-  searchCost_->setText(tr("about %1").arg(inSeconds(expectedSearch_s(a->grid, b->grid, turn_->value(), session_.pace()))));
+  searchCost_->setText(tr("about %1").arg(inSeconds(expectedSearch_s(a->grid, b->grid, turn_->value(), session_.searchPace()))));
 }
 
 void PairInspector::showFigures() {
@@ -495,7 +500,7 @@ void PairInspector::refresh() {
     correlation_->setText(tr("%1 to %2 (chance %3)")
                               .arg(number(rigid.before.correlation, 2), number(rigid.after.correlation, 2), number(rigid.after.chance, 2)));
     halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
-    time_->setText(inSeconds(rigid.seconds));
+    time_->setText(rigid.seconds > 0.0 ? inSeconds(rigid.seconds) : none);
     if (rigid.after.overlapShare == 0.0 && rigid.after.correlation == 0.0) {  // by landmarks or by hand the images were not asked
       overlap_->setText(none);
       correlation_->setText(none);

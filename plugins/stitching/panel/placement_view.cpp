@@ -135,6 +135,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
     painter.drawImage(QPointF(0, 0), seen.sheet->image);
     painter.restore();
   }
+  std::vector<QRectF> chips;
   for (std::size_t n = 0; n < count; ++n) {
     const auto volume = session_.volume(n);
     if (!volume) continue;
@@ -152,7 +153,10 @@ void PlacementView::paintEvent(QPaintEvent*) {
       for (const int bit : {1, 2, 4})
         if ((c & bit) == 0) painter.drawLine(corner[c], corner[c | bit]);
     const QPointF* top = std::min_element(corner, corner + 8, [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
-    const QRectF chip(top->x() - 10, std::max(2.0, top->y() - 20), 20, 17);
+    QRectF chip(top->x() - 10, std::max(2.0, top->y() - 20), 20, 17);
+    // Boxes that nobody has placed yet lie in each other: their letters stand side by side.
+    while (std::any_of(chips.begin(), chips.end(), [&](const QRectF& other) { return other.intersects(chip); })) chip.translate(22, 0);
+    chips.push_back(chip);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 170));
     painter.drawRoundedRect(chip, 3, 3);

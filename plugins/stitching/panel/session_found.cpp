@@ -196,14 +196,27 @@ bool StitchSession::isBentStale() const {
          (pair->effort != effortOf(project(), pair_->fixed, pair_->moving) || !hasElastic() || pairLine(pair_->fixed, pair_->moving).stale);
 }
 
-MachinePace StitchSession::pace() const {
-  if (!found_) return {};
+std::vector<std::optional<Grid>> StitchSession::gridsFound() const {
   std::vector<std::optional<Grid>> grids(asked_.volumes.size());
   for (std::size_t n = 0; n < grids.size(); ++n) {
     const auto at = volumes_.find(keyOf(asked_.volumes[n]));
     if (at != volumes_.end() && at->second) grids[n] = at->second->grid;
   }
-  return paceOf(found_->bentPairs, grids);
+  return grids;
+}
+
+MachinePace StitchSession::bendPace() const { return found_ ? paceOf(found_->bentPairs, gridsFound()) : MachinePace{}; }
+
+MachinePace StitchSession::searchPace() const {
+  if (!found_) return {};
+  const auto grids = gridsFound();
+  std::vector<Timed> timed;
+  for (const PairOutcome& pair : found_->pairs) {
+    if (pair.used != PairMethod::search || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
+    const double turn_deg = ew::stitching::pairOf(asked_, pair.fixed, pair.moving).maxTurn_deg.value_or(asked_.settings.maxTurn_deg);
+    timed.push_back({expectedSearch_s(*grids[pair.fixed], *grids[pair.moving], turn_deg), pair.rigid.seconds});
+  }
+  return paceOf(timed);
 }
 
 }  // namespace ew::stitching

@@ -247,18 +247,27 @@ void SliceView::drawLandmarks(QPainter& painter) const {
 void SliceView::drawStrokes(QPainter& painter) const {
   const glm::dmat4 fromWorld = rigidInverse(session_.toWorld(session_.pair()->fixed));
   const Plane shown = plane();
-  for (const SeamStroke& stroke : session_.project().settings.join.seam.strokes) {
-    const glm::dvec3 p = carried(fromWorld, stroke.at_mm);
-    const double off = distanceTo(shown, p);
-    if (std::abs(off) >= stroke.radius_mm) continue;
-    const double r = std::sqrt(stroke.radius_mm * stroke.radius_mm - off * off) / shown.pixel_mm;
-    QColor colour = colourOf(colourOfView(stroke.view));
-    painter.setPen(QPen(colour, 1.2, Qt::DashLine));
-    colour.setAlpha(50);
-    painter.setBrush(colour);
-    painter.drawEllipse(pixelAt(p), r, r);
+  // Dabs of one stroke are seen as one shape: rims first, then what lies inside takes their place.
+  QImage shapes(size(), QImage::Format_ARGB32_Premultiplied);
+  shapes.fill(Qt::transparent);
+  QPainter dabs(&shapes);
+  dabs.setRenderHint(QPainter::Antialiasing);
+  dabs.setPen(Qt::NoPen);
+  dabs.setCompositionMode(QPainter::CompositionMode_Source);
+  for (const bool rim : {true, false}) {
+    for (const SeamStroke& stroke : session_.project().settings.join.seam.strokes) {
+      const glm::dvec3 p = carried(fromWorld, stroke.at_mm);
+      const double off = distanceTo(shown, p);
+      if (std::abs(off) >= stroke.radius_mm) continue;
+      const double r = std::sqrt(stroke.radius_mm * stroke.radius_mm - off * off) / shown.pixel_mm;
+      QColor colour = colourOf(colourOfView(stroke.view));
+      if (!rim) colour.setAlpha(70);
+      dabs.setBrush(colour);
+      dabs.drawEllipse(pixelAt(p), rim ? r : r - 1.5, rim ? r : r - 1.5);
+    }
   }
-  painter.setBrush(Qt::NoBrush);
+  dabs.end();
+  painter.drawImage(0, 0, shapes);
 }
 
 void SliceView::drawFrameWords(QPainter& painter) const {

@@ -395,10 +395,12 @@ QWidget* StitchPanel::makeResultBox() {
   forecast_ = sdk::quietLabel({});
   forecast_->setObjectName(QStringLiteral("forecast"));
   forecast_->setProperty("small", true);
-  auto* moreRow = new QHBoxLayout;
+  moreRow_ = new QWidget;
+  auto* moreRow = new QHBoxLayout(moreRow_);
+  moreRow->setContentsMargins(0, 0, 0, 0);
   moreRow->addWidget(forecast_, 1);
   moreRow->addWidget(more);
-  column->addLayout(moreRow);
+  column->addWidget(moreRow_);
   options_ = makeOptions();
   options_->hide();
   column->addWidget(options_);
@@ -519,6 +521,7 @@ void StitchPanel::refresh() {
   pairsBox_->setVisible(project.volumes.size() >= 2);
   const bool running = session_.isRunning();
   jobRoom_->setVisible(running);
+  moreRow_->setVisible(!running);  // its room is the card's on a small screen
   for (QPushButton* button : {match_, refine_, elastic_, seams_}) {
     button->setEnabled(!running);
     button->setVisible(project.volumes.size() >= 2);

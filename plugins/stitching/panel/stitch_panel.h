@@ -62,6 +62,7 @@ class StitchPanel final : public QWidget {
   QPushButton* seams_ = nullptr;
   QPushButton* saveProject_ = nullptr;
   QWidget* resultBox_ = nullptr;
+  QWidget* moreRow_ = nullptr;
   QWidget* options_ = nullptr;
   sdk::NumberField* spacing_ = nullptr;
   sdk::NumberField* fallOff_ = nullptr;

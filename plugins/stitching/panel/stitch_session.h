@@ -116,7 +116,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool hasElastic() const;
   [[nodiscard]] const BentPair* bent() const;  ///< of the pair; null: it was not bent
   [[nodiscard]] bool isBentStale() const;      ///< it was bent with another effort, or lay elsewhere
-  [[nodiscard]] MachinePace pace() const;      ///< from the pairs that were bent
+  [[nodiscard]] MachinePace bendPace() const;  ///< from the pairs that were bent
+  [[nodiscard]] MachinePace searchPace() const;
   /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
   [[nodiscard]] glm::dmat4 transform() const;
   [[nodiscard]] glm::dmat4 startTransform() const;
@@ -203,6 +204,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] glm::dmat4 placedToShown(std::size_t volume) const;      ///< from the project's world to the one that is shown
   void editPair(const std::function<void(ProjectPair&)>& change, const QString& what, const std::string& mergeKey = {});
   [[nodiscard]] QString nameOfPair() const;
+  [[nodiscard]] std::vector<std::optional<Grid>> gridsFound() const;                        ///< of the volumes as found_ numbers them
   [[nodiscard]] const PairOutcome* outcomeOf(std::size_t fixed, std::size_t moving) const;  ///< of volumes as found_ numbers them
   [[nodiscard]] std::vector<registration::Level> levelsSeen(bool ofBend) const;             ///< of the pair, since the last run began
   [[nodiscard]] bool isBusy();                                                              ///< says so
