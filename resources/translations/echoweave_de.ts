@@ -470,10 +470,6 @@
         <translation>Elastisch</translation>
     </message>
     <message>
-        <source>Quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
         <source>Memory</source>
         <translation>Speicher</translation>
     </message>
@@ -570,10 +566,6 @@
         <translation>Für alle Paare ohne eigene Güte: wie viel Zeit die Genauigkeit kosten darf</translation>
     </message>
     <message>
-        <source>Of this pair</source>
-        <translation>Dieses Paares</translation>
-    </message>
-    <message>
         <source>as all</source>
         <translation>wie alle</translation>
     </message>
@@ -643,6 +635,14 @@
     <message>
         <source>about %1</source>
         <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>Quality of all pairs</source>
+        <translation>Güte aller Paare</translation>
+    </message>
+    <message>
+        <source>Of this pair alone</source>
+        <translation>Nur dieses Paares</translation>
     </message>
 </context>
 <context>

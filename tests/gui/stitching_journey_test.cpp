@@ -171,6 +171,17 @@ class StitchingJourneyTest : public WindowFixture {
       if (auto* scroll = qobject_cast<QScrollArea*>(above)) scroll->ensureWidgetVisible(target);
     QTest::mouseClick(target, Qt::LeftButton);
   }
+  /// Every text of inspector and column has the room its lines take.
+  void checkNoTextIsCut() const {
+    QTest::qWait(50);
+    for (const char* part : {"pairInspector", "stitchPanel"})
+      for (const auto* label : find<QWidget>(part)->findChildren<QLabel*>()) {
+        if (!label->isVisible() || label->text().isEmpty()) continue;
+        const int high = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        QVERIFY2(label->height() >= high - 1, qPrintable(label->text()));
+        if (!label->wordWrap()) QVERIFY2(label->width() >= label->minimumSizeHint().width() - 1, qPrintable(label->text()));
+      }
+  }
   [[nodiscard]] QString problem() const {
     const auto* label = panel()->findChild<QLabel*>(QStringLiteral("problem"));
     return label->isVisible() ? label->text() : QString();
@@ -252,6 +263,7 @@ class StitchingJourneyTest : public WindowFixture {
     keepPicture("3-matching");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    checkNoTextIsCut();
     keepPicture("4-matched");
     for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
       QVERIFY2(verdict(a, b) == QLatin1String("aligned"), qPrintable(QStringLiteral("%1 %2: %3").arg(a).arg(b).arg(verdict(a, b))));
@@ -413,6 +425,7 @@ class StitchingJourneyTest : public WindowFixture {
     QVERIFY2(verdict(0, 1) == QLatin1String("aligned"), qPrintable(find<QLabel>("pairReason")->text()));
     // A reconstructed sweep keeps the tracker's coordinates, which here are those of the piece.
     QVERIFY2(errorBetween_mm(a, b) < 1.0, qPrintable(QString::number(errorBetween_mm(a, b))));
+    checkNoTextIsCut();
     keepPicture("18-sweeps");
   }
 
@@ -528,6 +541,7 @@ class StitchingJourneyTest : public WindowFixture {
     const double accurate_mm = errors(true);
     QVERIFY2(accurate_mm < 0.5 * rigid_mm, qPrintable(QStringLiteral("%1 to %2 mm").arg(rigid_mm).arg(accurate_mm)));
     choose("fourthChoice", 1);
+    checkNoTextIsCut();
     keepPicture("21-bent");
 
     // A stroke that is drawn, not clicked: many dabs, one step.
@@ -566,6 +580,47 @@ class StitchingJourneyTest : public WindowFixture {
     keepPicture("16-problem");
   }
 
+  void whatGoesWrongWhileAStepRunsHarmsNothing() {
+    openWindow(files_.writeCase(QStringLiteral("clumsy case")));
+    const QString noProject = files_.path(QStringLiteral("no project.json"));
+    QVERIFY(writeFileSafely(noProject.toStdString(), R"({"volumes": "none"})"));
+    drop({noProject});
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().contains(QStringLiteral("volumes")), qPrintable(problem()));
+    drop({QFileInfo(noProject).absolutePath()});  // a folder
+    QVERIFY(jobsEnd());
+    QVERIFY(!problem().isEmpty());
+    QVERIFY(view("recoveryOffer")->isHidden());
+    drop({parts_[0].file, parts_[1].file, parts_[0].file});  // one of them twice
+    QVERIFY(jobsEnd());
+    QCOMPARE(find<QListWidget>("volumes")->count(), 3);
+    click("matchAll");
+    QTest::qWait(100);
+    // A file comes, one that takes part in the run goes, and another step is asked for.
+    drop({parts_[2].file});
+    auto* list = find<QListWidget>("volumes");
+    list->setCurrentRow(2);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Delete);
+    QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 1));
+    clickInspector("redoPair");
+    QVERIFY2(problem().contains(QStringLiteral("still running")), qPrintable(problem()));
+    QVERIFY(jobsEnd());
+    QCOMPARE(list->count(), 3);
+    QCOMPARE(verdict(0, 1), QStringLiteral("aligned"));
+    QVERIFY(verdict(0, 2).isEmpty());  // came later, and was not matched
+    // Another project is opened in the middle of a run: what the run finds is not told about it.
+    const QString other = files_.path(QStringLiteral("other.json"));
+    QVERIFY(writeFileSafely(other.toStdString(), "{\"format\": 2, \"volumes\": [{\"file\": \"" + parts_[2].file.toStdString() + "\"}]}"));
+    click("seams");
+    QTest::qWait(100);
+    QVERIFY(ask<bool>(stitching(), "openProjectFile", Q_ARG(QString, other)));
+    QVERIFY(jobsEnd());
+    QCOMPARE(list->count(), 1);
+    QCOMPARE(ask<int>(stitching(), "nodesOfResult"), 0);
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+  }
+
   /// Verdicts come from the libraries as codes with figures; the window says them in its own language.
   void aRefusedPairIsExplainedInTheWindowsLanguage() {
     QTranslator german;
@@ -582,6 +637,7 @@ class StitchingJourneyTest : public WindowFixture {
     QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 2));
     const QString reason = find<QLabel>("pairReason")->text();
     const QString whole = find<QLabel>("outcome")->text();
+    checkNoTextIsCut();
     keepPicture("25-german-refused");
     window_->resize(1280, 800);
     QTest::qWait(100);

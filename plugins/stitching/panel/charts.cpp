@@ -30,9 +30,14 @@ void paintCard(QPainter& painter, const QWidget& on) {
 
 LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("levelChart"));
-  setMinimumHeight(96);
-  connect(&session_, &StitchSession::levelsChanged, this, qOverload<>(&QWidget::update));
-  connect(&session_, &StitchSession::changed, this, qOverload<>(&QWidget::update));
+  const auto look = [this] {
+    const bool nothing = session_.levels().empty() && session_.bendLevels().empty();
+    setFixedHeight(nothing ? 48 : 104);  // a chart of nothing takes no room from what can be done about it
+    update();
+  };
+  connect(&session_, &StitchSession::levelsChanged, this, look);
+  connect(&session_, &StitchSession::changed, this, look);
+  look();
 }
 
 void LevelChart::paintEvent(QPaintEvent*) {

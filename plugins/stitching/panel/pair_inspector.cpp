@@ -89,9 +89,9 @@ PairInspector::PairInspector(StitchSession& session, Tools& tools, QWidget* pare
   column->addSpacing(kGap_px / 2);
   column->addWidget(makePose());
   column->addSpacing(kGap_px / 2);
-  column->addWidget(makeRedo());
-  column->addSpacing(kGap_px / 2);
   column->addWidget(makeElastic());
+  column->addSpacing(kGap_px / 2);
+  column->addWidget(makeRedo());
   column->addStretch(1);
   scroll->setWidget(body_);
   body_->setAutoFillBackground(false);
@@ -121,7 +121,7 @@ QWidget* PairInspector::makeHead() {
   row->addWidget(mark_);
   row->addWidget(word_, 1);
   column->addLayout(row);
-  reason_ = sdk::quietLabel({});
+  reason_ = new Paragraph;
   reason_->setObjectName(QStringLiteral("pairReason"));
   column->addWidget(reason_);
   auto* buttons = new QHBoxLayout;
@@ -219,7 +219,7 @@ QWidget* PairInspector::makeLandmarks() {
     if (!showing_ && item->column() == 1) session_.renameLandmark(item->row(), item->text());
   });
   column->addWidget(table_);
-  landmarkWord_ = sdk::quietLabel({});
+  landmarkWord_ = new Paragraph;
   landmarkWord_->setObjectName(QStringLiteral("landmarkWord"));
   column->addWidget(landmarkWord_);
   auto* buttons = new QHBoxLayout;
@@ -294,7 +294,7 @@ QWidget* PairInspector::makeElastic() {
   auto* column = columnIn(box);
   column->addWidget(sdk::headingLabel(tr("Elastic")));
   auto* row = new QHBoxLayout;
-  auto* name = sdk::quietLabel(tr("Quality"));
+  auto* name = sdk::quietLabel(tr("Quality of all pairs"));
   name->setWordWrap(false);
   effort_ = new QComboBox;
   effort_->setObjectName(QStringLiteral("effort"));
@@ -306,7 +306,7 @@ QWidget* PairInspector::makeElastic() {
   row->addWidget(effort_);
   column->addLayout(row);
   auto* own = new QHBoxLayout;
-  auto* ownName = sdk::quietLabel(tr("Of this pair"));
+  auto* ownName = sdk::quietLabel(tr("Of this pair alone"));
   ownName->setWordWrap(false);
   pairEffort_ = new QComboBox;
   pairEffort_->setObjectName(QStringLiteral("pairEffort"));
@@ -328,10 +328,10 @@ QWidget* PairInspector::makeElastic() {
   measured_->setObjectName(QStringLiteral("measuredCost"));
   memory_ = addLine(column, tr("Memory"), tr("That the elastic step of this pair takes at its peak, the volumes themselves not counted"));
   memory_->setObjectName(QStringLiteral("elasticMemory"));
-  bentReason_ = sdk::quietLabel({});
+  bentReason_ = new Paragraph;
   bentReason_->setObjectName(QStringLiteral("bentReason"));
   column->addWidget(bentReason_);
-  costHead_ = sdk::quietLabel({});
+  costHead_ = new Paragraph;
   costHead_->setObjectName(QStringLiteral("costHead"));
   column->addSpacing(kGap_px / 2);
   column->addWidget(costHead_);
@@ -390,7 +390,7 @@ void PairInspector::showLandmarks() {
     text =
         tr("%1 mm on average, %2 mm to be expected at the far side").arg(number(result->rms_mm, 1), number(result->expectedError_mm, 1)) +
         (result->outlying.empty() ? QString() : QStringLiteral(". ") + sentencesOf(result->remarks, result->reason));
-  landmarkWord_->setText(text);
+  landmarkWord_->say(text);
   landmarkWord_->setVisible(!text.isEmpty());
 }
 
@@ -413,14 +413,13 @@ void PairInspector::showCost() {
   }
   bentReason_->setVisible(bent != nullptr);
   if (bent != nullptr)
-    bentReason_->setText(sentencesOf(bent->remarks, bent->reason) +
-                         (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: bend again.")));
+    bentReason_->say(sentencesOf(bent->remarks, bent->reason) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: bend again.")));
   const auto a = session_.volume(fixed);
   const auto b = session_.volume(moving);
   searchCost_->setText(none);
   if (!a || !b) {
     for (QLabel* label : {expected_, memory_}) label->setText(none);
-    costHead_->setText(tr("Cost of accuracy"));
+    costHead_->say(tr("Cost of accuracy"));
     return cost_->clear();
   }
   registration::ElasticOptions options;
@@ -440,7 +439,7 @@ void PairInspector::showCost() {
                       : tr("Times are those of the machine of the figures until a pair was bent here."));
   expected_->setToolTip(from);
   cost_->setToolTip(from);
-  costHead_->setText(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
+  costHead_->say(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
   costHead_->setToolTip(from);
   cost_->show(costs, effort, fresh ? std::optional(bent->seconds) : std::nullopt);
   showSearchCost();
@@ -490,7 +489,7 @@ void PairInspector::refresh() {
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
   if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
   if (line.stale) reason += QLatin1Char(' ') + tr("Changed since: match again.");
-  reason_->setText(reason);
+  reason_->say(reason);
   accept_->setChecked(said.decision == Decision::accepted);
   reject_->setChecked(said.decision == Decision::rejected);
   const QString none = QStringLiteral("-");

@@ -4,6 +4,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/charts.h"
+#include "panel/paragraph.h"
 #include "panel/slice_view.h"
 
 class QComboBox;
@@ -43,7 +44,7 @@ class PairInspector final : public QWidget {
   QLabel* title_ = nullptr;
   QWidget* mark_ = nullptr;
   QLabel* word_ = nullptr;
-  QLabel* reason_ = nullptr;
+  Paragraph* reason_ = nullptr;
   QPushButton* accept_ = nullptr;
   QPushButton* reject_ = nullptr;
   QLabel* overlap_ = nullptr;
@@ -55,7 +56,7 @@ class PairInspector final : public QWidget {
   LevelChart* chart_ = nullptr;
   sdk::PlacementFields* pose_ = nullptr;
   QTableWidget* table_ = nullptr;
-  QLabel* landmarkWord_ = nullptr;
+  Paragraph* landmarkWord_ = nullptr;
   QPushButton* pick_ = nullptr;
   QPushButton* removeMark_ = nullptr;
   QPushButton* useMarks_ = nullptr;
@@ -68,8 +69,8 @@ class PairInspector final : public QWidget {
   QComboBox* pairEffort_ = nullptr;
   QLabel* expected_ = nullptr;
   QLabel* measured_ = nullptr;
-  QLabel* bentReason_ = nullptr;
-  QLabel* costHead_ = nullptr;
+  Paragraph* bentReason_ = nullptr;
+  Paragraph* costHead_ = nullptr;
   CostChart* cost_ = nullptr;
   QPushButton* bendAgain_ = nullptr;
   bool showing_ = false;

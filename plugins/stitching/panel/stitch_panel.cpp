@@ -113,7 +113,11 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   setObjectName(QStringLiteral("stitchPanel"));
   setAcceptDrops(true);
   setMinimumWidth(280);
-  auto* column = new QVBoxLayout(this);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* room = new PlainHeight;
+  outer->addWidget(room);
+  auto* column = new QVBoxLayout(room);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   offer_ = makeOffer();
@@ -138,7 +142,7 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   connect(&session_, &StitchSession::changed, this, &StitchPanel::refresh);
   connect(&session_, &StitchSession::problem, this, [this](const QString& sentence) { sdk::setProblem(problem_, sentence); });
   connect(&session_, &StitchSession::said, this, [this](const QString& sentence) {
-    outcome_->setText(sentence);
+    outcome_->say(sentence);
     outcome_->setVisible(!sentence.isEmpty());
   });
   connect(&session_, &StitchSession::nextPairAsked, graph_, &PairGraph::chooseNext);
@@ -379,12 +383,12 @@ QWidget* StitchPanel::makeResultBox() {
             if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
           });
   column->addWidget(resultBox_);
-  old_ = sdk::quietLabel(tr("Older than the last edit."));
+  old_ = new Paragraph(tr("Older than the last edit."));
   old_->setToolTip(tr("'Seams and blend' renews the stitched volume"));
   old_->setObjectName(QStringLiteral("resultIsOld"));
   old_->setProperty("small", true);
   column->addWidget(old_);
-  outcome_ = sdk::quietLabel({});
+  outcome_ = new Paragraph;
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->hide();
   column->addWidget(outcome_);
@@ -392,7 +396,7 @@ QWidget* StitchPanel::makeResultBox() {
   more->setObjectName(QStringLiteral("moreOptions"));
   more->setProperty("flat", true);
   more->setCheckable(false);
-  forecast_ = sdk::quietLabel({});
+  forecast_ = new Paragraph;
   forecast_->setObjectName(QStringLiteral("forecast"));
   forecast_->setProperty("small", true);
   moreRow_ = new QWidget;
@@ -522,10 +526,9 @@ void StitchPanel::refresh() {
   const bool running = session_.isRunning();
   jobRoom_->setVisible(running);
   moreRow_->setVisible(!running);  // its room is the card's on a small screen
-  for (QPushButton* button : {match_, refine_, elastic_, seams_}) {
-    button->setEnabled(!running);
-    button->setVisible(project.volumes.size() >= 2);
-  }
+  for (QPushButton* button : {match_, refine_, elastic_, seams_}) button->setEnabled(!running);
+  // Once each: what is shown and hidden again in one go leaves its room behind.
+  for (QPushButton* button : {match_, elastic_, seams_}) button->setVisible(project.volumes.size() >= 2);
   refine_->setVisible(project.volumes.size() >= 2 && std::any_of(project.volumes.begin(), project.volumes.end(), [](const auto& volume) {
                         return volume.placement != Placement::unknown;
                       }));
@@ -544,14 +547,14 @@ void StitchPanel::showForecast() {
   std::vector<PlacedGrid> grids;
   for (std::size_t n = 0; n < session_.project().volumes.size(); ++n)
     if (const auto volume = session_.volume(n)) grids.push_back({volume->grid, session_.toWorld(n), session_.project().volumes[n].name});
-  if (grids.empty()) return forecast_->clear();
+  if (grids.empty()) return forecast_->say({});
   const auto forecast = forecastJoin(grids, session_.project().settings.join);
-  if (!forecast) return forecast_->setText(words(forecast.error().sentence));
+  if (!forecast) return forecast_->say(words(forecast.error().sentence));
   const QString needs = mebibytes(static_cast<double>(forecast->bytes));
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
   if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));
   forecast_->setToolTip(tip);
-  forecast_->setText(tr("Whole: %1, %2").arg(sizeOf(forecast->grid), needs));
+  forecast_->say(tr("Whole: %1, %2").arg(sizeOf(forecast->grid), needs));
 }
 
 void StitchPanel::askForFiles() {

@@ -5,6 +5,7 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/pair_graph.h"
+#include "panel/paragraph.h"
 #include "panel/stitch_session.h"
 
 class QComboBox;
@@ -68,9 +69,9 @@ class StitchPanel final : public QWidget {
   sdk::NumberField* fallOff_ = nullptr;
   QComboBox* seamMethod_ = nullptr;
   QComboBox* axes_ = nullptr;
-  QLabel* forecast_ = nullptr;
-  QLabel* outcome_ = nullptr;
-  QLabel* old_ = nullptr;  ///< the result no longer is what the project asks for
+  Paragraph* forecast_ = nullptr;
+  Paragraph* outcome_ = nullptr;
+  Paragraph* old_ = nullptr;  ///< the result no longer is what the project asks for
   QLabel* problem_ = nullptr;
   QWidget* jobRoom_ = nullptr;
   bool showing_ = false;
