@@ -763,6 +763,10 @@
         <translation>Getrennt zugeordnete Hälften der Überlappung stimmen auf %1 überein.</translation>
     </message>
     <message>
+        <source>Descending from the start led nowhere; a search about it found a pose %1 and %2 from it.</source>
+        <translation>Der Abstieg vom Start führte nirgendwohin; eine Suche um ihn herum fand eine Lage %1 und %2 davon entfernt.</translation>
+    </message>
+    <message>
         <source>No pose brings the two into agreement over %1 overlap.</source>
         <translation>Keine Lage bringt die beiden über %1 Überlappung zur Übereinstimmung.</translation>
     </message>

@@ -14,6 +14,7 @@
 #include "registration/ellipsoids.h"
 #include "rigid/normal_equations.h"
 #include "rigid/pose_search.h"
+#include "rigid/refine.h"
 #include "rigid/translations.h"
 #include "streaks.h"
 #include "time_limit.h"
@@ -384,6 +385,59 @@ TEST(RefineRigid, StatesAnErrorThatMatchesTheSpreadOverTwelveSeeds) {
   normalised /= seeds;
   EXPECT_GT(normalised, 0.4) << "stated errors are too large";
   EXPECT_LT(normalised, 2.5) << "stated errors are too small";
+}
+
+TEST(RefineRigid, StatesALargerErrorWhereItGoesBackToTheStart) {
+  // Without a stated error an aligned pair would be lost to the graph.
+  const glm::dmat4 start = pose({4.0, -3.0, 2.0}, {30.0, 4.0, -50.0});
+  const glm::dvec3 shift(0.3, -0.2, 0.1);
+  const glm::dvec3 turn(0.01, -0.03, 0.02);
+  RigidResult result;
+  result.centre_mm = {20.0, -10.0, 5.0};
+  result.fixedToMoving = start * motionAbout(result.centre_mm, shift, turn);
+  PoseCovariance stated{};
+  for (std::size_t k = 0; k < 36; ++k) stated[k] = k % 7 == 0 ? 0.04 : 0.001;
+  result.covariance = stated;
+  keepInstead(start, result);
+  EXPECT_EQ(result.fixedToMoving, start);
+  EXPECT_EQ(result.stop, StopReason::noImprovement);
+  ASSERT_TRUE(result.covariance);
+  const std::array<double, 6> error{shift.x, shift.y, shift.z, turn.x, turn.y, turn.z};
+  for (std::size_t r = 0; r < 6; ++r)
+    for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR((*result.covariance)[6 * r + c], stated[6 * r + c] + error[r] * error[c], 1e-12);
+  result.covariance.reset();
+  keepInstead(start, result);
+  EXPECT_FALSE(result.covariance);
+}
+
+TEST(RefineRigid, SearchesAboutAStartFromWhichDescendingLeadsNowhere) {
+  const Pair pair = pairOf(pose({6.0, -4.0, 3.0}, {5.0, 8.0, -3.0}), 4);
+  const glm::dmat4 start = pair.truth * pose({11.0, -12.0, 9.0}, {10.0, -11.0, 9.0});
+  const auto descended = refineRigid({&pair.fixed}, {&pair.moving}, start, {}, noProgress());
+  ASSERT_TRUE(descended);
+  EXPECT_NE(descended->verdict, Verdict::aligned) << "the start is too easy: " << descended->reason;
+  const auto searched = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchTurn_deg = 20.0}, noProgress());
+  ASSERT_TRUE(searched);
+  EXPECT_EQ(searched->verdict, Verdict::aligned) << searched->reason;
+  EXPECT_LT(apart_mm(searched->fixedToMoving, pair.truth, pair.fixed.grid), 0.5);
+  EXPECT_NE(searched->reason.find("search about it"), std::string::npos) << searched->reason;
+  EXPECT_EQ(searched->before, descended->before);
+  // A start that is believed to a few millimetres rules that pose out.
+  const auto narrow = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchTurn_deg = 20.0, .searchShift_mm = 5.0}, noProgress());
+  ASSERT_TRUE(narrow);
+  EXPECT_EQ(narrow->verdict, descended->verdict);
+  EXPECT_EQ(narrow->reason, descended->reason);
+}
+
+TEST(RefineRigid, SearchingAboutAStartAlignsNoUnrelatedTissue) {
+  const Grid grid = centred(glm::ivec3(44), 1.5);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Volume fixed = seen(tissue(10 * seed + 1, 110.0), grid, glm::dmat4(1.0), 1);
+    const Volume moving = seen(tissue(10 * seed + 2, 110.0), grid, glm::dmat4(1.0), 2);
+    const auto found = refineRigid({&fixed}, {&moving}, pose({3.0, 0.0, 2.0}, {4.0, 0.0, 0.0}), {.searchTurn_deg = 20.0}, noProgress());
+    ASSERT_TRUE(found);
+    EXPECT_NE(found->verdict, Verdict::aligned) << found->reason;
+  }
 }
 
 TEST(RefineRigid, LeavesOutWhatConfidenceDistrusts) {

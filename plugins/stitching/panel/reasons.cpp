@@ -81,6 +81,9 @@ QString Reasons::say(const Remark& remark) {
           .arg(millimetres(remark.figure(0)));
     case Says::halvesAgree:
       return tr("Halves of the overlap, matched apart, agree to %1.").arg(millimetres(remark.figure(0)));
+    case Says::foundAboutTheStart:
+      return tr("Descending from the start led nowhere; a search about it found a pose %1 and %2 from it.")
+          .arg(millimetres(remark.figure(0)), degrees(remark.figure(1)));
     case Says::noPoseAgrees:
       return tr("No pose brings the two into agreement over %1 overlap.").arg(percent(remark.figure(0)));
     case Says::foundTooSmall:

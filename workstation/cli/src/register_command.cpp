@@ -228,7 +228,9 @@ void rigidInto(Found& found, const RigidResult& result) {
 
 Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, const Side& moving, const glm::dmat4& start,
                       Progress& progress, const OnLevel& onLevel) {
+  constexpr double kSearchTurn_deg = 20.0;
   RefineOptions options;
+  options.searchTurn_deg = kSearchTurn_deg;
   options.finest_mm = arguments.finest_mm.value_or(options.finest_mm);
   options.coarsest_mm = std::max(options.coarsest_mm, options.finest_mm);
   options.threads = arguments.threads;

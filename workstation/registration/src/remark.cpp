@@ -21,6 +21,7 @@ constexpr std::array<const char*, static_cast<std::size_t>(Says::count_)> kNames
                                                                                     "hardly better",
                                                                                     "start may be far",
                                                                                     "halves agree",
+                                                                                    "found about the start",
                                                                                     "no pose agrees",
                                                                                     "found too small",
                                                                                     "unrelated everywhere",
@@ -122,6 +123,9 @@ std::string sentenceOf(const Remark& remark) {
              ": the start may be too far off.";
     case Says::halvesAgree:
       return "Halves of the overlap registered apart agree to " + millimetres(remark.figure(0)) + agreement(1) + ".";
+    case Says::foundAboutTheStart:
+      return "Descending from the start led nowhere; a search about it found a pose " + millimetres(remark.figure(0)) + " and " +
+             withDigits(remark.figure(1), 1) + " degrees from it.";
     case Says::noPoseAgrees:
       return "No pose brings the two volumes into agreement over " + percent(remark.figure(0)) + " overlap.";
     case Says::foundTooSmall:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
@@ -72,8 +73,10 @@ Result<void> checkOptions(const PartialOptions& options) {
 }
 
 /// The search over a pair that shows something.
-Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, const PartialOptions& options, int threads, Progress& progress,
-                                const OnLevel& onLevel) {
+/// @param base   what rotations start from
+/// @param beside one more pose to descend from, found in another way; judged like the others
+Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, const glm::dmat3& base, const std::optional<glm::dmat4>& beside,
+                                const PartialOptions& options, int threads, Progress& progress, const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   PartialResult result;
   const auto finish = [&](Verdict verdict, Remark remark) {
@@ -84,8 +87,8 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
   const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree);
   result.poses = static_cast<int>(turns.size());
   PartOfProgress searching(progress, 0.0, 0.65);
-  const auto peaks =
-      correlateOverTranslations(pair.fixed[search], pair.moving[search], turns, {options.leastOverlap, kPeaksPerTurn, threads}, searching);
+  const auto peaks = correlateOverTranslations(pair.fixed[search], pair.moving[search], turns,
+                                               {options.leastOverlap, kPeaksPerTurn, threads, base}, searching);
   if (progress.cancelRequested()) return cancelled();
 
   // The most significant peaks descend at the cells of the search, the best of them at the level of agreement.
@@ -98,6 +101,7 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
   for (std::size_t p = 0; p < peaks.size() && static_cast<int>(p) < kCandidatesPerHypothesis * options.hypotheses; ++p) {
     pool.push_back({peaks[p].fixedToMoving, peaks[p].fixedToMoving, peaks[p].fixedToMoving, {}});
   }
+  if (beside) pool.push_back({*beside, *beside, *beside, {}});
   const auto descendAll = [&](std::size_t level, double perSample, int iterations) {
     const double voxel = pair.fixed[level].grid.spacing_mm.x;
     DescentOptions descent;
@@ -150,9 +154,7 @@ Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, cons
   if (!evidenceAt(pair, at, found.fixedToMoving, pair.voxelsPerSample, threads, finishing, after)) return cancelled();
   if (after.significance < 0.9 * best.evidence.significance) {
     // The finest images led astray what coarser ones had found.
-    found.fixedToMoving = best.pose;
-    found.covariance.reset();
-    found.stop = StopReason::noImprovement;
+    keepInstead(best.pose, found);
     after = best.evidence;
   }
   found.after = after.agreement;
@@ -191,6 +193,11 @@ std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const
 
 Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, const PartialOptions& options, Progress& progress,
                                    const OnLevel& onLevel) {
+  return matchAbout(fixed, moving, glm::dmat4(1.0), options, progress, onLevel);
+}
+
+Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const glm::dmat4& start, const PartialOptions& options,
+                                 Progress& progress, const OnLevel& onLevel) {
   const auto begun = std::chrono::steady_clock::now();
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
@@ -217,7 +224,7 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   }
 
   PartOfProgress matching(progress, 0.15, 0.95);
-  auto matched = matchPair(*prepared, search, options, threads, matching, onLevel);
+  auto matched = matchPair(*prepared, search, glm::dmat3(start), std::nullopt, options, threads, matching, onLevel);
   if (!matched) return passOn(matched.error());
   result = std::move(*matched);
   const bool aligned = result.best.verdict == Verdict::aligned;
@@ -235,7 +242,9 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
   if (!fare) return passOn(fare.error());
   if (aligned && !fare->rests) return finish(result.best.verdict, result.best.remarks);
   if (!whyNothingCanBeSaid(*prepared)) {
-    auto again = matchPair(*prepared, search, options, threads, checking, onLevel);
+    // What is left without streaks may be fine enough to fall between two turns of the search: where the pose went is one more place to
+    // look.
+    auto again = matchPair(*prepared, search, glm::dmat3(start), fare->fixedToMoving, options, threads, checking, onLevel);
     if (!again) return passOn(again.error());
     const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
     if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {

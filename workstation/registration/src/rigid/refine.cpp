@@ -1,6 +1,7 @@
 #include "refine.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -118,6 +119,9 @@ Result<void> checkOptions(const RefineOptions& options) {
   if (!(options.coarsest_mm > 0.0 && options.coarsest_mm <= 100.0))
     return wrong("coarsest_mm", options.coarsest_mm, "above 0 and at most 100");
   if (!(options.finest_mm > 0.0 && options.finest_mm <= 100.0)) return wrong("finest_mm", options.finest_mm, "above 0 and at most 100");
+  if (!(options.searchTurn_deg >= 0.0 && options.searchTurn_deg <= 180.0))
+    return wrong("searchTurn_deg", options.searchTurn_deg, "from 0 to 180");
+  if (!(options.searchShift_mm > 0.0)) return wrong("searchShift_mm", options.searchShift_mm, "above 0");
   if (options.iterations < 1) return wrong("iterations", options.iterations, "1 or more");
   return {};
 }
@@ -206,6 +210,24 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
     result.covariance = out;
   }
   return true;
+}
+
+void keepInstead(const glm::dmat4& kept, RigidResult& result) {
+  if (result.covariance) {
+    const glm::dmat4 apart = glm::inverse(kept) * result.fixedToMoving;
+    const glm::dvec3 shift = glm::dvec3(apart * glm::dvec4(result.centre_mm, 1.0)) - result.centre_mm;
+    const Eigen::Matrix3d turned = (Eigen::Matrix3d() << apart[0][0], apart[1][0], apart[2][0], apart[0][1], apart[1][1], apart[2][1],
+                                    apart[0][2], apart[1][2], apart[2][2])
+                                       .finished();
+    const Eigen::AngleAxisd turn(turned);
+    Eigen::Matrix<double, 6, 1> error;
+    error << shift.x, shift.y, shift.z, turn.angle() * turn.axis();
+    for (int r = 0; r < 6; ++r) {
+      for (int c = 0; c < 6; ++c) (*result.covariance)[6 * r + c] += error[r] * error[c];
+    }
+  }
+  result.fixedToMoving = kept;
+  result.stop = StopReason::noImprovement;
 }
 
 Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress) {

@@ -47,6 +47,10 @@ struct Evidence {
                                  const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel,
                                  RigidResult& result);
 
+/// Gives up the pose that refineThrough found for `kept`, which agrees better at the level of agreement. What was found is another reading
+/// of the same images: the stated error grows by how far the two are apart.
+void keepInstead(const glm::dmat4& kept, RigidResult& result);
+
 /// Which way streaks may run, mm: given with the inputs or found in their images, best first.
 struct Streaks {
   std::vector<glm::dvec3> fixed;
@@ -79,6 +83,10 @@ struct WithoutStreaks {
 /// @return false when cancelled
 [[nodiscard]] bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads,
                                Progress& progress, double& disagree_mm);
+
+/// As matchPartial, with turns searched about the turn of `start` instead of none.
+[[nodiscard]] Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const glm::dmat4& start,
+                                               const PartialOptions& options, Progress& progress, const OnLevel& onLevel);
 
 /// @error badField
 [[nodiscard]] Result<void> checkOptions(const RefineOptions& options);

@@ -42,10 +42,8 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
   if (!halvesApart(pair, 0, at, start, threads, halves, result.halvesDisagree_mm)) return cancelled();
   if (after.significance < before.significance) {
     // Nothing gained: the start is no worse than what was found.
-    result.fixedToMoving = start;
+    keepInstead(start, result);
     after = before;
-    result.covariance.reset();
-    result.stop = StopReason::noImprovement;
   }
   result.after = after.agreement;
   if (after.significance < kChanceOfDescent) {
@@ -63,17 +61,9 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
   return finish(Verdict::aligned, remarkWith(Says::halvesAgree, {result.halvesDisagree_mm}, after));
 }
 
-}  // namespace
-
-Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
-                                Progress& progress, const OnLevel& onLevel) {
-  const auto begun = std::chrono::steady_clock::now();
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
-  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
-  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
-  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
-  if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
-  const int threads = threadCount(options.threads);
+/// Descending from the start alone, with shadows taken out where they decide.
+Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options, int threads,
+                               Progress& progress, const OnLevel& onLevel) {
   const auto voxels = levelVoxels_mm(fixed.volume->grid, moving.volume->grid, options.coarsest_mm, options.finest_mm);
   PartOfProgress preparing(progress, 0.0, 0.3);
   auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
@@ -84,7 +74,6 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
     result.verdict = verdict;
     result.remarks = std::move(remarks);
     result.reason = sentencesOf(result.remarks);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return result;
   };
   if (auto why = whyNothingCanBeSaid(*prepared)) {
@@ -100,22 +89,60 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
   // Would it be found without what runs along the beams?
   PartOfProgress checking(progress, 0.9, 1.0);
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
-  if (progress.cancelRequested()) return cancelled();
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
   if (!streaks.found) return finish(result.verdict, result.remarks);
   const auto fare =
       fareWithoutStreaks(fixed, moving, streaks, voxels, 0, result.fixedToMoving, kSureOfDescent, threads, checking, *prepared);
   if (!fare) return passOn(fare.error());
   if (!fare->rests) return finish(result.verdict, result.remarks);
   if (!whyNothingCanBeSaid(*prepared)) {
-    auto again = refinePair(*prepared, start, options, threads, checking, onLevel);
-    if (!again) return passOn(again.error());
-    const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
-    if (again->verdict == Verdict::aligned && elsewhere(moved)) {
+    // From the start, and from where the pose went without streaks: either may be the nearer one.
+    for (const glm::dmat4& from : {start, fare->fixedToMoving}) {
+      auto again = refinePair(*prepared, from, options, threads, checking, onLevel);
+      if (!again) return passOn(again.error());
+      const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
+      if (again->verdict != Verdict::aligned || !elsewhere(moved)) continue;
       result = std::move(*again);
       return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.remarks.front()});
     }
   }
   return finish(Verdict::cannotTell, {onlyStreaks(*fare, kSureOfDescent)});
+}
+
+}  // namespace
+
+Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
+                                Progress& progress, const OnLevel& onLevel) {
+  const auto begun = std::chrono::steady_clock::now();
+  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
+  if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
+  const int threads = threadCount(options.threads);
+  const bool mayBeSearched = options.searchTurn_deg > 0.0;
+  PartOfProgress descending(progress, 0.0, mayBeSearched ? 0.3 : 1.0);
+  auto result = refineFrom(fixed, moving, start, options, threads, descending, onLevel);
+  if (!result) return result;
+  if (mayBeSearched && result->verdict != Verdict::aligned) {
+    PartialOptions search;
+    search.maxTurn_deg = options.searchTurn_deg;
+    search.cell_mm = options.coarsest_mm;
+    search.refine = options;
+    search.threads = threads;
+    PartOfProgress searching(progress, 0.3, 1.0);
+    auto found = matchAbout(fixed, moving, start, search, searching, onLevel);
+    if (!found) return passOn(found.error());
+    const PoseDifference moved = differenceOf(start, found->best.fixedToMoving, found->best.centre_mm);
+    if (found->best.verdict == Verdict::aligned && moved.shift_mm <= options.searchShift_mm) {
+      const Agreement before = result->before;
+      *result = std::move(found->best);
+      result->before = before;
+      result->remarks.insert(result->remarks.begin(), {Says::foundAboutTheStart, {moved.shift_mm, moved.turn_deg}});
+      result->reason = sentencesOf(result->remarks);
+    }
+  }
+  result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return result;
 }
 
 }  // namespace ew::registration

@@ -165,7 +165,7 @@ std::vector<Coarse> correlateOverTranslations(const ComparableImage& fixed, cons
         if (!own) own = std::make_unique<Workspace>(size, cells);
         Workspace& w = *own;
         // fixed world -> moving world turns by R; from fixed lattice steps to moving lattice steps.
-        const glm::dmat3 r = rotationBy(turns[task]);
+        const glm::dmat3 r = options.base * rotationBy(turns[task]);
         const glm::dmat3 lattice = glm::transpose(moving.grid.directions) * r * fixed.grid.directions;
         const glm::ivec3 box = turnedDims(movingDims, glm::transpose(lattice), size);
         std::fill(w.space.begin(), w.space.end(), Complex(0.0f, 0.0f));

@@ -20,6 +20,7 @@ struct TranslationOptions {
   double leastOverlap = 0.08;  ///< of the smaller side
   int peaks = 3;               ///< per rotation
   int threads = 0;
+  glm::dmat3 base{1.0};  ///< fixed to moving: what the rotations start from
 };
 
 /// Rotation vectors (rad) that cover every turn up to `most` about as densely as a cubic lattice of `step` does, the identity first.

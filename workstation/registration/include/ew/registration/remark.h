@@ -25,6 +25,7 @@ enum class Says {
   hardlyBetter,        ///< agreement
   startMayBeFar,       ///< mm between halves, agreement
   halvesAgree,         ///< mm between halves, agreement
+  foundAboutTheStart,  ///< mm, degrees from the start: descending had led nowhere
   // Searching without a start.
   noPoseAgrees,         ///< share of overlap asked for
   foundTooSmall,        ///< agreement

@@ -32,7 +32,12 @@ struct RefineOptions {
   double coarsest_mm = 3.0;  ///< voxels of the first level
   double finest_mm = 0.75;   ///< of the last; never finer than the finer input
   int iterations = 25;       ///< at most, per level
-  int threads = 0;           ///< 0: all cores; the result does not depend on it, bit for bit
+  /// Where descending from the start does not end aligned, poses turned by up to this much from it are searched as matchPartial does, all
+  /// shifts; 0: not. Costs the time and memory of matchPartial, and only then.
+  double searchTurn_deg = 0.0;
+  /// A pose that search finds further than this from the start (at the middle of the overlap) is not taken: the start is believed so far.
+  double searchShift_mm = 30.0;
+  int threads = 0;  ///< 0: all cores; the result does not depend on it, bit for bit
 };
 
 struct RigidResult {
@@ -53,7 +58,8 @@ struct RigidResult {
 };
 
 /// Refines a rigid transform by the images: coarse to fine, on images free of gain and tolerant to speckle, weighted by confidence and by a
-/// robust loss, over what both beams covered and nothing else (black outside a sector is no tissue).
+/// robust loss, over what both beams covered and nothing else (black outside a sector is no tissue). With searchTurn_deg a search about the
+/// start takes over where descending is led astray, as by wires or vessels with nothing between them that draws.
 /// @param start fixedToMoving, rigid
 /// @error emptyVolume, badField (confidence of another size, an option out of range), notRigid (start), cancelled
 [[nodiscard]] Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start,
