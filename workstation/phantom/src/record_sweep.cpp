@@ -170,6 +170,21 @@ ContactPressure pressureOf(const Patient& patient, const Probe& probe, const Tra
   return {probe, probeToWorld, indentation_mm, gapsToSkin_mm(*patient.skin, probe, touching, kFacePoints, kFarthestSkin_mm)};
 }
 
+/// Breath and pulse, then the probe's pressure.
+class WhileRecording final : public Deformation {
+ public:
+  WhileRecording(std::unique_ptr<Deformation> body, ContactPressure pressure)
+      : body_(std::move(body)), pressure_(std::move(pressure)), both_(body_ ? *body_ : restingBody(), pressure_) {}
+  [[nodiscard]] glm::dvec3 moved(const glm::dvec3& rest_mm) const override { return both_.moved(rest_mm); }
+  [[nodiscard]] glm::dvec3 rest(const glm::dvec3& moved_mm) const override { return both_.rest(moved_mm); }
+  [[nodiscard]] double reach_mm() const override { return both_.reach_mm(); }
+
+ private:
+  std::unique_ptr<Deformation> body_;
+  ContactPressure pressure_;
+  DeformationChain both_;
+};
+
 /// What a worker needs for itself.
 struct Bench {
   std::unique_ptr<VirtualScanner::Scratch> scratch;
@@ -287,16 +302,9 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
         const BodyState state = stateAt(patient, time_s);
         sweep.trueState[n] = {.breath = recipe.breathing ? state.breath : 0.0, .pulse = recipe.pulsating ? state.pulse : 0.0};
 
-        const bool lives = recipe.breathing || recipe.pulsating;
-        const auto body = lives ? bodyMotion(patient, sweep.trueState[n]) : nullptr;
-        const bool pressed = recipe.onSkin && recipe.indentation_mm > 0.0;
-        const ContactPressure pressure = pressureOf(patient, probe, probeToWorld, pressed ? recipe.indentation_mm : 0.0);
-        const Deformation& living = body ? *body : restingBody();
-        const DeformationChain both(living, pressure);
-        const Deformation& deformation = pressed ? static_cast<const Deformation&>(both) : living;
-
+        const auto deformation = deformationOf(patient, probe, recipe, probeToWorld, sweep.trueState[n]);
         bench.scratch->stopped = isStopped;
-        scanner.envelope(probeToWorld, deformation, static_cast<std::uint64_t>(task), *bench.scratch, bench.envelope);
+        scanner.envelope(probeToWorld, *deformation, static_cast<std::uint64_t>(task), *bench.scratch, bench.envelope);
         if (bench.envelope.pixels.empty()) return;
         toLevels(bench.envelope, scanner.options().dynamicRange_db, bench.levels);
         std::uint8_t* out = sequence.pixels.data() + n * framePixels;
@@ -313,6 +321,15 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
 }
 
 }  // namespace phantom
+
+std::unique_ptr<Deformation> deformationOf(const Patient& patient, const Probe& probe, const SweepRecipe& recipe,
+                                           const Transform<frame::World, frame::Probe>& probeToWorld, const BodyState& state) {
+  const bool lives = recipe.breathing || recipe.pulsating;
+  const bool pressed = recipe.onSkin && recipe.indentation_mm > 0.0;
+  return std::make_unique<phantom::WhileRecording>(
+      lives ? bodyMotion(patient, state) : nullptr,
+      phantom::pressureOf(patient, probe, probeToWorld, pressed ? recipe.indentation_mm : 0.0));
+}
 
 Result<SweepForecast> forecastSweep(const Patient& patient, const Probe& probe, const SweepRecipe& recipe) {
   auto expected = phantom::forecast(patient, probe, recipe);

@@ -10,6 +10,7 @@
 #include "ew/core/pose.h"
 #include "ew/imaging/probe.h"
 #include "ew/io/sequence.h"
+#include "ew/phantom/deformation.h"
 #include "ew/phantom/motion.h"
 #include "ew/phantom/patient.h"
 #include "ew/phantom/virtual_scanner.h"
@@ -105,5 +106,11 @@ struct VirtualSweep {
 /// @error as forecastSweep and makeVirtualScanner, cancelled (within 0.5 s)
 [[nodiscard]] Result<VirtualSweep> recordSweep(std::shared_ptr<const Patient> patient, const Probe& probe, const SweepRecipe& recipe,
                                                int threads, Progress& progress, std::uint64_t maxBytes = 16ull << 30);
+
+/// How the body is deformed at one moment of a recording: its own motion as far as the recipe asks for it, and the face's push. With what a
+/// VirtualSweep holds of a frame it says where the tissue rests that the frame shows. The patient must outlive the result.
+/// @param probeToWorld where the face is, pressed in
+[[nodiscard]] std::unique_ptr<Deformation> deformationOf(const Patient& patient, const Probe& probe, const SweepRecipe& recipe,
+                                                         const Transform<frame::World, frame::Probe>& probeToWorld, const BodyState& state);
 
 }  // namespace ew
