@@ -6,6 +6,7 @@
 #include "elastic/planar_registration.h"
 #include "ew/registration/elastic.h"
 #include "registration/planar_pairs.h"
+#include "registration/rising_progress.h"
 
 namespace {
 
@@ -269,6 +270,18 @@ TEST(RegisterElastic2d, StopsWhenAskedTo) {
   const auto found = registerElastic2d(viewOf(pair.fixed), viewOf(pair.moving), glm::dvec2(kPixel_mm), {}, impatient);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::cancelled);
+}
+
+TEST(RegisterElastic2d, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
+  const Pattern pattern(17, 1.1, 30.0, 30.0), other(18, 1.1, 30.0, 30.0);
+  for (const Pattern* seen : {&pattern, &other}) {
+    const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, *seen, bend(2.0, kExtent_mm));
+    RisingProgress progress;
+    ASSERT_TRUE(registerElastic2d(viewOf(pair.fixed), viewOf(pair.moving), glm::dvec2(kPixel_mm), {}, progress));
+    EXPECT_EQ(progress.backwards(), 0);
+    EXPECT_GT(progress.reports(), 3);
+    EXPECT_EQ(progress.last(), 1.0);
+  }
 }
 
 TEST(RegisterElastic2d, RefusesWhatCannotBeAnImageOrAnOption) {

@@ -15,6 +15,7 @@
 #include "bench_parts.h"
 #include "bench_register_peers.h"
 #include "ew/core/numbers.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/io/volume_file.h"
 #include "ew/phantom/speckled_tissue.h"
 #include "ew/registration/deformation.h"
@@ -492,15 +493,7 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
     for (int repetition = 0; repetition < options.repetitions; ++repetition) {
       if (progress.cancelRequested()) return stopped();
       // The work's own progress would move the bar backwards; the wish to cancel has to reach it.
-      class AskOnly final : public Progress {
-       public:
-        explicit AskOnly(const Progress& whole) : whole_(whole) {}
-        void report(std::string_view, double) override {}
-        [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
-
-       private:
-        const Progress& whole_;
-      } ask(progress);
+      QuietProgress ask(progress);
       const double begin_s = threadTime_s();
       answer = trial.work(ask);
       times_us.push_back(1e6 * (threadTime_s() - begin_s));

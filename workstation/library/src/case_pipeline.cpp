@@ -11,6 +11,7 @@
 
 #include "case_truth_file.h"
 #include "ew/core/numbers.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/import.h"
@@ -98,17 +99,6 @@ double stitchWork(const CasePlan& plan, double spacing_mm) {
 }
 
 double voxeliseWork(double spacing_mm) { return 6.0 / std::pow(spacing_mm, 3); }  // a trunk of about six litres, in million voxels
-
-/// For what takes no time worth counting: it can be cancelled and says nothing.
-class Silent final : public Progress {
- public:
-  explicit Silent(const Progress& whole) : whole_(whole) {}
-  void report(std::string_view, double) override {}
-  [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
-
- private:
-  const Progress& whole_;
-};
 
 /// Keeps the promise that fractions never move backwards where work turns out to have to be done again.
 class Onward final : public Progress {
@@ -383,7 +373,7 @@ class Preparation {
   const PreparationOptions& options_;
   std::vector<std::string>& notes_;
   PreparationClock clock_;
-  Silent silent_;
+  QuietProgress silent_;
   PatientPtr patient_;
   bool saidUnkept_ = false;
 };

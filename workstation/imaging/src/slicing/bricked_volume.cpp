@@ -7,6 +7,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/parallel.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/imaging/slice_source.h"
 
 namespace ew {
@@ -27,17 +28,6 @@ Error tooLarge(const glm::ivec3& dims) {
 }
 
 tl::unexpected<Error> cancelled() { return failure(ErrorCode::cancelled, "Stopped as asked."); }
-
-/// Passes the wish to cancel on, and no reports: those of coarser levels would start over.
-class QuietProgress final : public Progress {
- public:
-  explicit QuietProgress(Progress& asked) : asked_(asked) {}
-  void report(std::string_view, double) override {}
-  [[nodiscard]] bool cancelRequested() const override { return asked_.cancelRequested(); }
-
- private:
-  Progress& asked_;
-};
 
 /// Copies one slice of bricks.
 void fillSlice(const VolumeView<const std::uint8_t>& volume, const Bricks& bricks, std::uint64_t brickK, std::uint8_t* out) {

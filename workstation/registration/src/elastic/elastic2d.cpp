@@ -6,6 +6,7 @@
 #include <string>
 
 #include "elastic/planar_registration.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/registration/elastic.h"
 
 namespace ew::registration {
@@ -143,6 +144,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
   const auto secondsSince = [](auto then) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count(); };
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "The registration was cancelled."); };
 
+  QuietProgress quiet(progress);
   Elastic2dResult result;
   result.columns = fixedGrey.width;
   result.rows = fixedGrey.height;
@@ -210,6 +212,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
     result.stop = stop;
     result.reason = std::move(reason);
     result.seconds = secondsSince(started);
+    progress.report("Registering", 1.0);
     return result;
   };
   if (before.weight < 0.02 * static_cast<double>(judged.fixed.value.size()) || before.weight < 9.0)
@@ -234,7 +237,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
       if ((n == 2) == shared) continue;
     }
     const auto began = std::chrono::steady_clock::now();
-    progress.report("Registering", done);
+    progress.report("Registering", 0.8 * done);  // the rest is the judgement
     if (progress.cancelRequested()) return cancelled();
     if (firstLevels.size() < 2) firstLevels.push_back({planarPair(fixed, moving, level.scale, settings), level});
     const PlanarPair later = firstLevels.size() < 2 || n >= 2 ? planarPair(fixed, moving, level.scale, settings) : PlanarPair{};
@@ -254,8 +257,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
         if (shift != glm::dvec2(0.0)) {
           PlanarState other;
           start(other, shift);
-          if (!refinePlanar(pair, level, settings, other, progress) || !refinePlanar(pair, level, settings, state, progress))
-            return cancelled();
+          if (!refinePlanar(pair, level, settings, other, quiet) || !refinePlanar(pair, level, settings, state, quiet)) return cancelled();
           std::vector<float> x, y;
           const auto agreed = [&](const PlanarState& of) {
             evaluate(of.x, of.y, of.field.part[0], x);
@@ -279,7 +281,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
       next.coherence = state.coherence;
       state = std::move(next);
     }
-    if (!refinePlanar(pair, level, settings, state, progress)) return cancelled();
+    if (!refinePlanar(pair, level, settings, state, quiet)) return cancelled();
     shown(state, grey.fixed, fullX, fullY);
     if (chosen && n == 0 && !options.singleResolution) {
       float farthest = 0.0F;
@@ -287,7 +289,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
       // A motion this large under so stiff a warp is larger in truth: the same pixels follow it more freely before the finer ones come.
       if (static_cast<double>(farthest) > 8.0 * unit) {
         PlanarLevel freer = levelOf(level.scale, level.node_mm, 4.0, false);
-        if (!refinePlanar(pair, freer, settings, state, progress)) return cancelled();
+        if (!refinePlanar(pair, freer, settings, state, quiet)) return cancelled();
         shown(state, grey.fixed, fullX, fullY);
       }
     }
@@ -309,7 +311,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
     if (onLevel) onLevel(report);
     done = static_cast<double>(n + 1) / static_cast<double>(levels.size());
   }
-  progress.report("Registering", 1.0);
+  progress.report("Registering", 0.8);
   shown(kept, grey.fixed, fullX, fullY);
   // Coarse samples may miss a cell that the input's pixels show folded: then the field is taken back until none is.
   double share = 1.0;
@@ -348,7 +350,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
     PlanarSettings quick = settings;
     quick.iterations = std::min(settings.iterations, 8);
     const auto held = heldOut(firstLevels[0].pair, firstLevels[0].level, firstLevels[1].pair, firstLevels[1].level, startState, 16.0 * unit,
-                              quick, progress);
+                              quick, quiet);
     if (!held) return cancelled();
     // Images that agree no better than by chance as they lie have to show much more.
     const double needed = result.before.correlation > result.before.chance ? 0.7 : 6.0;
