@@ -10,7 +10,9 @@ namespace ew::registration {
 namespace {
 
 constexpr int kSpan = 7;                ///< nodes a spline shares cells with, along an axis
-constexpr int kAround = kSpan * kSpan;  ///< in the plane
+constexpr int kLine = 8;                ///< floats for them, filled up to whole vectors with a zero
+constexpr int kAround = kSpan * kLine;  ///< in the plane
+constexpr int kOwn = 3 * kLine + 3;     ///< where a node's coupling to itself stands
 constexpr int kNumbers = 6;             ///< of a symmetric 3 x 3 block
 constexpr int kPairs = 10;              ///< of two of a cell's four splines, without order
 constexpr int kPadded = 12;             ///< pairs, filled up to whole vectors
@@ -111,7 +113,7 @@ bool PlanarEquations::assemble(const Linearised& data, int threads, Progress& pr
             float* to = coupling_.data() + (node * kNumbers + k) * kAround;
             for (int b = 0; b < 4; ++b) {
               const auto& from = cell.pairs[k][static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)])];
-              float* line = to + (b - a + 3) * kSpan + 3 - i;
+              float* line = to + (b - a + 3) * kLine + 3 - i;
               for (int j = 0; j < 4; ++j)
                 line[j] += from[static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)])];
             }
@@ -148,7 +150,7 @@ void PlanarEquations::regularise(const Regulariser& energy, const PlanarField& f
           const double ofMotion = energy.membrane * slope + energy.bending * curvature;
           const double ofBrightness =
               withBrightness_ ? energy.brightness * slope + energy.ridge * gx(0) * gy(0) : (di == 0 && dj == 0 ? 1.0 : 0.0);
-          const std::size_t at = static_cast<std::size_t>((dj + 3) * kSpan + di + 3);
+          const std::size_t at = static_cast<std::size_t>((dj + 3) * kLine + di + 3);
           coupling_[(node * kNumbers + 0) * kAround + at] += static_cast<float>(ofMotion);
           coupling_[(node * kNumbers + 2) * kAround + at] += static_cast<float>(ofMotion);
           coupling_[(node * kNumbers + 5) * kAround + at] += static_cast<float>(ofBrightness);
@@ -165,31 +167,32 @@ void PlanarEquations::regularise(const Regulariser& energy, const PlanarField& f
 
 void PlanarEquations::multiply(const std::vector<float>& in, std::vector<float>& out) const {
   const int nx = x_.nodes(), ny = y_.nodes();
-  // The vector as three planes with a border of three zeros, so that no coupling needs a test.
+  // The vector as three planes with a border of three zeros, so that no coupling needs a test. A line reads one float further: a zero's.
   const std::size_t stride = static_cast<std::size_t>(nx) + 6, plane = stride * (static_cast<std::size_t>(ny) + 6);
-  std::vector<float> padded(3 * plane, 0.0F);
+  std::vector<float> padded(3 * plane + kLine, 0.0F);
   for (std::size_t j = 0; j < static_cast<std::size_t>(ny); ++j)
     for (std::size_t i = 0; i < static_cast<std::size_t>(nx); ++i)
       for (std::size_t k = 0; k < 3; ++k) padded[k * plane + (j + 3) * stride + i + 3] = in[(j * static_cast<std::size_t>(nx) + i) * 3 + k];
   out.resize(in.size());
+  const auto total = [](const std::array<float, kLine>& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); };
   std::size_t node = 0;
   for (std::size_t j = 0; j < static_cast<std::size_t>(ny); ++j) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(nx); ++i, ++node) {
       const float* c = coupling_.data() + node * kNumbers * kAround;
-      float sx = 0.0F, sy = 0.0F, sb = 0.0F;
+      std::array<float, kLine> sx{}, sy{}, sb{};
       for (std::size_t b = 0; b < kSpan; ++b) {
         const float* px = padded.data() + (j + b) * stride + i;
         const float *py = px + plane, *pb = py + plane;
-        const float* line = c + b * kSpan;
-        for (std::size_t a = 0; a < kSpan; ++a) {
-          sx += line[a] * px[a] + line[kAround + a] * py[a] + line[3 * kAround + a] * pb[a];
-          sy += line[kAround + a] * px[a] + line[2 * kAround + a] * py[a] + line[4 * kAround + a] * pb[a];
-          sb += line[3 * kAround + a] * px[a] + line[4 * kAround + a] * py[a] + line[5 * kAround + a] * pb[a];
+        const float* line = c + b * kLine;
+        for (std::size_t a = 0; a < kLine; ++a) {
+          sx[a] += line[a] * px[a] + line[kAround + a] * py[a] + line[3 * kAround + a] * pb[a];
+          sy[a] += line[kAround + a] * px[a] + line[2 * kAround + a] * py[a] + line[4 * kAround + a] * pb[a];
+          sb[a] += line[3 * kAround + a] * px[a] + line[4 * kAround + a] * py[a] + line[5 * kAround + a] * pb[a];
         }
       }
-      out[node * 3] = sx;
-      out[node * 3 + 1] = sy;
-      out[node * 3 + 2] = sb;
+      out[node * 3] = total(sx);
+      out[node * 3 + 1] = total(sy);
+      out[node * 3 + 2] = total(sb);
     }
   }
 }
@@ -200,7 +203,7 @@ PlanarField PlanarEquations::solve(int iterations, double tolerance) const {
   std::vector<std::array<double, 6>> inverse(static_cast<std::size_t>(nodes_));
   for (std::size_t node = 0; node < inverse.size(); ++node) {
     std::array<double, 6> m{};
-    for (std::size_t k = 0; k < kNumbers; ++k) m[k] = static_cast<double>(coupling_[(node * kNumbers + k) * kAround + kAround / 2]);
+    for (std::size_t k = 0; k < kNumbers; ++k) m[k] = static_cast<double>(coupling_[(node * kNumbers + k) * kAround + kOwn]);
     const double xx = m[0], xy = m[1], yy = m[2], xb = m[3], yb = m[4], bb = m[5];
     const double determinant = xx * (yy * bb - yb * yb) - xy * (xy * bb - yb * xb) + xb * (xy * yb - yy * xb);
     if (!(determinant > 1e-12 * xx * yy * bb) || !(xx > 0.0)) {

@@ -53,7 +53,7 @@ class PlanarEquations {
   const SplineAxis& y_;
   bool withBrightness_;
   int nodes_;
-  std::vector<float> coupling_;  ///< [node][number][49]
+  std::vector<float> coupling_;  ///< [node][number][7][8]
   std::vector<float> right_;     ///< [node][3]
 };
 

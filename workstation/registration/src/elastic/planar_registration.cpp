@@ -260,7 +260,7 @@ bool refinePlanar(const PlanarPair& pair, const PlanarLevel& level, const Planar
     const double m = settings.slope_mm * settings.slope_mm, b = std::pow(settings.bending_mm, 4.0);
     if (!equations.assemble(data, settings.threads, progress)) return false;
     equations.regularise({energy * m, energy * b, settings.brightness_mm * settings.brightness_mm, settings.brightnessRidge}, state.field);
-    PlanarField step = equations.solve(60, 1e-3);
+    PlanarField step = equations.solve(60, 1e-2);
     std::vector<float> sx, sy;
     evaluate(state.x, state.y, step.part[0], sx);
     evaluate(state.x, state.y, step.part[1], sy);
