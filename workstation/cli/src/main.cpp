@@ -3,17 +3,17 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "ew/cli/run_command.h"
 #include "ew/cli/window_arguments.h"
-#ifdef EW_WITH_WINDOW
-#include "ew/ui/run.h"
-#endif
 
 namespace {
 
@@ -31,34 +31,30 @@ int runHeadless(const std::vector<std::string>& args) {
   return ew::cli::runCommand(args, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stopAsked});
 }
 
-#ifdef EW_WITH_WINDOW
 bool hasDisplay() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
     if (const char* value = std::getenv(name); value && *value) return true;
   return false;
 }
 
-int openWindow(int argc, char** argv, const ew::cli::WindowWish& wish) {
+/// Hands over to the program of the window, which lies beside this one and reads the same words. Returns only when that fails.
+int openWindow(char** argv) {
+  std::error_code error;
+  const std::filesystem::path window = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "echoweave-window";
+  if (error || !std::filesystem::exists(window, error)) {
+    std::cerr << "echoweave: This build has no window; configure it with the part 'ui', or use a command ('echoweave --help').\n";
+    return ew::cli::kFailed;
+  }
   if (!hasDisplay()) {
     std::cerr << "echoweave: There is no screen here to open the window on; set DISPLAY, start it with './run --screenshot OUT.png' for a "
                  "picture of the window, or use a command ('echoweave --help').\n";
     return ew::cli::kFailed;
   }
-  ew::ui::WindowOptions options;
-  options.open = wish.open;
-  options.startPage = wish.startPage;
-  options.workspace = wish.workspace;
-  options.theme = wish.theme;
-  options.screenshot = wish.screenshot;
-  options.size_px = wish.size_px;
-  return ew::ui::runWorkstation(argc, argv, options);
-}
-#else
-int openWindow(int, char**, const ew::cli::WindowWish&) {
-  std::cerr << "echoweave: This build has no window; configure it with the part 'ui', or use a command ('echoweave --help').\n";
+  execv(window.c_str(), argv);
+  std::cerr << "echoweave: The window in '" << window.string() << "' could not be started (" << std::strerror(errno)
+            << "); install EchoWeave again.\n";
   return ew::cli::kFailed;
 }
-#endif
 
 }  // namespace
 
@@ -68,7 +64,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> args(argv + 1, argv + argc);
   if (ew::cli::isHeadless(args)) return runHeadless(args);
   const auto wish = ew::cli::windowArguments(args);
-  if (wish) return openWindow(argc, argv, *wish);
+  if (wish) return openWindow(argv);
   // A lone word that is nothing to open is most likely a command: one of a plugin that does not announce it, or a slip of the pen.
   if (!args.empty() && !args.front().starts_with("-") && wish.error().code == ew::ErrorCode::notFound &&
       args.front().find_first_of("/.") == std::string::npos)

@@ -1,0 +1,30 @@
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "ew/cli/run_command.h"
+#include "ew/cli/window_arguments.h"
+#include "ew/ui/run.h"
+
+/// The window: `echoweave` becomes this program when its words name no command.
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // as in the command
+  spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));
+  const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
+  if (!wish) {
+    std::cerr << "echoweave: " << wish.error().sentence << "\n";
+    return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
+  }
+  ew::ui::WindowOptions options;
+  options.open = wish->open;
+  options.startPage = wish->startPage;
+  options.workspace = wish->workspace;
+  options.theme = wish->theme;
+  options.screenshot = wish->screenshot;
+  options.size_px = wish->size_px;
+  return ew::ui::runWorkstation(argc, argv, options);
+}
