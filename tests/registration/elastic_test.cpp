@@ -9,6 +9,7 @@
 
 #include "elastic/levels.h"
 #include "registration/fields.h"
+#include "registration/rising_progress.h"
 #include "registration/tissue.h"
 #include "time_limit.h"
 
@@ -241,6 +242,21 @@ TEST(RegisterElastic, IsCancelledWithinHalfASecondAtAnyPoint) {
   }
 }
 
+TEST(RegisterElastic, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
+  const Grid grid = uprightGrid({40, 40, 40}, 1.0);
+  const Pair pair = bentPair(grid, 3.0, 8.0);
+  for (const int threads : {1, 2}) {
+    test::RisingProgress progress;
+    ElasticOptions options;
+    options.threads = threads;
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, progress);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(progress.backwards(), 0);
+    EXPECT_GT(progress.reports(), 10);
+    EXPECT_EQ(progress.last(), 1.0);
+  }
+}
+
 TEST(RegisterElastic, NamesWhatIsWrongWithItsArguments) {
   const Grid grid = uprightGrid({16, 16, 16}, 1.0);
   const Pair pair = bentPair(grid, 1.0, 0.0);
@@ -318,6 +334,42 @@ TEST(ElasticLevel, TakesBlackThatReachesTheBorderForOutsideAndBlackWithinForTiss
   EXPECT_EQ(belief[grid.indexOf(20, 26, 20)], 255);
   EXPECT_EQ(belief[grid.indexOf(20, 10, 20)], 255);
   EXPECT_TRUE(beliefOf({&volume, std::vector<float>()}).size() == grid.voxelCount());
+}
+
+TEST(ElasticLevel, CountsTheShadowOfOneViewLittleAndAllElseAsBefore) {
+  const Grid grid = uprightGrid({64, 64, 64}, 1.0);
+  const Tissue tissue(3, 5.0, 30.0);
+  const auto inShadow = [](const glm::dvec3& p) { return std::hypot(p.x - 30.0, p.z - 34.0) < 5.0 && p.y > 20.0; };
+  const Volume clear = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 1);
+  // Another gain, and another depth gain, are no shadow.
+  const Volume shadowed = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p) + 15.0 + 10.0 * std::sin(p.y / 15.0) - (inShadow(p) ? 80.0 : 0.0); }, 8.0, 2);
+  const LevelImage a = levelOf(clear, 2.0), b = levelOf(shadowed, 2.0);
+  const NodeGrid nodes = nodesFor(grid, 8.0);
+  const NodeValues nothing(4 * nodes.count(), 0.0F);
+  for (const auto& [fixed, moving] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    LevelPair pair(*fixed, *moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+    ASSERT_TRUE(pair.warp(nothing, noProgress()));
+    ASSERT_TRUE(pair.doubtShadows(nothing, noProgress()));
+    for (int warped = 0; warped < 2; ++warped) {  // the warp at hand, and those that follow
+      double inside = 0.0, outside = 0.0, insideCount = 0.0, outsideCount = 0.0;
+      for (int k = 0; k < 32; ++k) {
+        for (int j = 0; j < 32; ++j) {
+          for (int i = 0; i < 32; ++i) {
+            const glm::dvec3 p(2.0 * i + 0.5, 2.0 * j + 0.5, 2.0 * k + 0.5);
+            const double across = std::hypot(p.x - 30.0, p.z - 34.0),
+                         weight = pair.movedWeights()[fixed->rowOf(j, k) + static_cast<std::size_t>(i)];
+            if (across < 4.0 && p.y > 24.0) inside += weight, insideCount += 1.0;
+            if (across > 10.0) outside += weight, outsideCount += 1.0;
+          }
+        }
+      }
+      EXPECT_LT(inside / insideCount, 0.35);
+      EXPECT_GT(outside / outsideCount, 0.93);
+      ASSERT_TRUE(pair.warp(nothing, noProgress()));
+    }
+  }
 }
 
 TEST(ElasticCost, HasTheDerivativeThatDifferencesShow) {

@@ -1,6 +1,7 @@
 #include "ew/registration/elastic.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "elastic/wide_start.h"
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
+#include "ew/core/quiet_progress.h"
 
 namespace ew::registration {
 namespace {
@@ -213,6 +215,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   const int threads = threadCount(options.threads);
   const auto outOfTime = [&] { return options.maxTime_s > 0.0 && secondsSince(begun) > options.maxTime_s; };
 
+  QuietProgress quiet(progress);
   ElasticResult result;
   result.fixedToMoving.rigid = start;
   ElasticState state;
@@ -222,7 +225,11 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   const NodeValues nothing = state.values;
   result.uncertainty.assign(state.nodes.count(), 1.0F);
 
-  const std::vector<std::uint8_t> fixedBelief = beliefOf(fixed), movingBelief = beliefOf(moving);
+  std::array<std::vector<std::uint8_t>, 2> belief;
+  if (!forEachTask(2, threads, quiet, "Preparing the images",
+                   [&](int side) { belief[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed : moving); }))
+    return cancelled();
+  const auto& [fixedBelief, movingBelief] = belief;
   LevelImage fixedStated, movingStated;  // the level at which agreement is stated
   Stated before, after;
   double decided = 0.0;
@@ -260,15 +267,17 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     PartOfProgress part(progress, 0.95 * done / work, 0.95 * (done + std::pow(step.voxel_mm, -2.0)) / work);
     done += std::pow(step.voxel_mm, -2.0);
     LevelImage fixedLevel, movingLevel;
-    if (!makeLevel(fixed, fixedBelief, step.voxel_mm, settings.window_mm, threads, part, fixedLevel) ||
-        !makeLevel(moving, movingBelief, step.voxel_mm, settings.window_mm, threads, part, movingLevel))
-      return cancelled();
+    part.report("Preparing the images", 0.0);
+    if (!makeLevel(fixed, fixedBelief, step.voxel_mm, settings.window_mm, threads, quiet, fixedLevel)) return cancelled();
+    part.report("Preparing the images", 0.1);
+    if (!makeLevel(moving, movingBelief, step.voxel_mm, settings.window_mm, threads, quiet, movingLevel)) return cancelled();
     if (s == 0 && weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
       return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
     LevelOutcome outcome;
     if (s == 0 && options.largestMotion_mm > 0.0) {
+      PartOfProgress looking(part, 0.2, 0.6);
       const std::vector<NodeValues> starts =
-          wideStarts(fixedLevel, movingLevel, transform, state.nodes, options.largestMotion_mm, threads, part);
+          wideStarts(fixedLevel, movingLevel, transform, state.nodes, options.largestMotion_mm, threads, looking);
       if (starts.empty()) return cancelled();
       ElasticState best = state;
       double most = -std::numeric_limits<double>::infinity();
@@ -277,8 +286,10 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
         if (n >= 0) tried.values = starts[static_cast<std::size_t>(n)];
         if (n == 0 && tried.values == nothing) continue;
         if (!unfold(tried.nodes, settings.leastJacobian, tried.values)) continue;
+        const double each = 0.4 / static_cast<double>(starts.size() + 1), begin = 0.6 + each * (n + 1);
+        PartOfProgress one(part, begin, begin + each);
         const LevelOutcome found =
-            refineLevel(fixedLevel, movingLevel, transform, step.iterations, false, settings, threads, outOfTime, tried, part);
+            refineLevel(fixedLevel, movingLevel, transform, step.iterations, false, settings, threads, outOfTime, tried, one);
         if (found.cancelled) return cancelled();
         if (found.singular || found.noOverlap) {
           if (n < 0) outcome = found;
@@ -292,7 +303,8 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
       }
       state = std::move(best);
     } else {
-      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, s > 0, settings, threads, outOfTime, state, part);
+      PartOfProgress refining(part, 0.2, 1.0);
+      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, s > 0, settings, threads, outOfTime, state, refining);
     }
     if (outcome.cancelled) return cancelled();
     if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);
@@ -315,8 +327,8 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
       movingStated = std::move(movingLevel);
     }
   }
-  if (!agreementOf(fixedStated, movingStated, transform, state.nodes, nothing, threads, progress, before) ||
-      !agreementOf(fixedStated, movingStated, transform, state.nodes, state.values, threads, progress, after))
+  if (!agreementOf(fixedStated, movingStated, transform, state.nodes, nothing, threads, quiet, before) ||
+      !agreementOf(fixedStated, movingStated, transform, state.nodes, state.values, threads, quiet, after))
     return cancelled();
 
   // A field with p parameters that the images decide explains p of n independent structures by itself; the best of many starts, more.

@@ -77,6 +77,8 @@ void blur(std::vector<double>& image, const glm::ivec3& dims, int axis, double s
 
 constexpr double kGreyFloor = 12.0;  // grey levels of deviation that noise alone may have: flat areas are not blown up to structure
 
+constexpr double kBrightness_mm = 2.0;  // smooth enough for speckle to count little, fine enough for a shadow of a few millimetres
+
 /// Takes local mean and deviation out of `level`, whose values are grey levels. Both are smooth, so blocks of about 3 mm suffice.
 bool normalise(LevelImage& level, double window_mm, int threads, Progress& progress) {
   BlockMap mean(level, 0.4 * window_mm);
@@ -105,7 +107,16 @@ bool normalise(LevelImage& level, double window_mm, int threads, Progress& progr
         }
       }))
     return false;
-  for (auto& moment : moments) blurBlocks(moment, mean, level.spacing_mm, window_mm);
+  level.brightness = mean;
+  std::array<std::vector<double>, 2> near{moments[0], moments[1]};
+  // One task per image to be smoothed: each is added up in one order.
+  if (!forEachTask(5, threads, progress, "Preparing the images", [&](int task) {
+        const auto n = static_cast<std::size_t>(task);
+        blurBlocks(n < 3 ? moments[n] : near[n - 3], mean, level.spacing_mm, n < 3 ? window_mm : kBrightness_mm);
+      }))
+    return false;
+  for (std::size_t n = 0; n < mean.values.size(); ++n)
+    level.brightness.values[n] = near[0][n] > 1e-6 ? static_cast<float>(near[1][n] / near[0][n]) : -1.0F;
   BlockMap gain = mean;
   for (std::size_t n = 0; n < mean.values.size(); ++n) {
     const double weight = moments[0][n];
@@ -188,6 +199,23 @@ void BlockMap::row(int j, int k, int width, std::vector<float>& line, float* out
     const int start = i;
     for (; i < end; ++i) out[i] = low + rise * (first + static_cast<float>(i - start) * perSize);
   }
+}
+
+float BlockMap::at(const glm::dvec3& sample) const {
+  const glm::dvec3 place = glm::clamp((sample + 0.5) / glm::dvec3(size) - 0.5, glm::dvec3(0.0), glm::dvec3(blocks - 1));
+  const glm::ivec3 low(place);
+  const glm::vec3 share(place - glm::dvec3(low));
+  float sum = 0.0F, total = 0.0F;
+  for (int n = 0; n < 8; ++n) {
+    const glm::ivec3 up(n & 1, n >> 1 & 1, n >> 2 & 1), corner = glm::min(low + up, blocks - 1);
+    const float value = values[indexOf(corner.x, corner.y, corner.z)];
+    if (value < 0.0F) continue;
+    float weight = 1.0F;
+    for (int axis = 0; axis < 3; ++axis) weight *= up[axis] != 0 ? share[axis] : 1.0F - share[axis];
+    sum += weight * value;
+    total += weight;
+  }
+  return total > 0.5F ? sum / total : -1.0F;
 }
 
 void blurBlocks(std::vector<double>& values, const BlockMap& map, const glm::dvec3& spacing_mm, double sigma_mm) {

@@ -10,28 +10,7 @@
 
 namespace ew::registration {
 
-/// An image of one level of the pyramid: what a volume looks like at some millimetres a voxel, free of gain: (v - m) / (s + floor), with m
-/// and s the mean and deviation of a window of the millimetres around. Rows have one sample of continuation on either side, so that a
-/// central difference needs no special case, and whole vectors may be read from any of them.
-struct LevelImage {
-  glm::ivec3 dims{0};
-  glm::dvec3 spacing_mm{1.0};
-  glm::dvec3 first_mm{0.0};    ///< of sample (0, 0, 0), along the volume's axes from the centre of its voxel (0, 0, 0)
-  int stride = 0;              ///< floats from row to row; sample i of a row stands at 1 + i
-  std::vector<float> values;   ///< 0 where nothing is known
-  std::vector<float> weights;  ///< 0..1, 0 on the continuation; empty: 1 everywhere
-
-  [[nodiscard]] std::size_t rowOf(int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(stride) +
-           1;
-  }
-  [[nodiscard]] std::size_t floats() const;
-};
-
-/// Floats in a row of `width` samples, and beyond the last row so that vectors may overrun.
-[[nodiscard]] int strideOf(int width);
-inline constexpr std::size_t kOverrun = 80;
+struct LevelImage;
 
 /// Smooth values over an image, kept on blocks of samples and linear between their centres.
 struct BlockMap {
@@ -49,9 +28,36 @@ struct BlockMap {
   [[nodiscard]] std::size_t count() const {
     return static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y) * static_cast<std::size_t>(blocks.z);
   }
+  /// Linear between the centres of blocks at a place in samples; negative values are unknown, and so is a place more than half among them.
+  [[nodiscard]] float at(const glm::dvec3& sample) const;
+  [[nodiscard]] glm::dvec3 centreOf(int i, int j, int k) const { return (glm::dvec3(i, j, k) + 0.5) * glm::dvec3(size) - 0.5; }
   /// Values along the row (j, k) of the image it was made for; `line` is scratch.
   void row(int j, int k, int width, std::vector<float>& line, float* out) const;
 };
+/// An image of one level of the pyramid: what a volume looks like at some millimetres a voxel, free of gain: (v - m) / (s + floor), with m
+/// and s the mean and deviation of a window of the millimetres around. Rows have one sample of continuation on either side, so that a
+/// central difference needs no special case, and whole vectors may be read from any of them.
+struct LevelImage {
+  glm::ivec3 dims{0};
+  glm::dvec3 spacing_mm{1.0};
+  glm::dvec3 first_mm{0.0};    ///< of sample (0, 0, 0), along the volume's axes from the centre of its voxel (0, 0, 0)
+  int stride = 0;              ///< floats from row to row; sample i of a row stands at 1 + i
+  std::vector<float> values;   ///< 0 where nothing is known
+  std::vector<float> weights;  ///< 0..1, 0 on the continuation; empty: 1 everywhere
+  BlockMap brightness;         ///< mean grey level of 2 mm around; negative where nothing is known
+
+  [[nodiscard]] std::size_t rowOf(int j, int k) const {
+    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
+               static_cast<std::size_t>(stride) +
+           1;
+  }
+  [[nodiscard]] std::size_t floats() const;
+};
+
+/// Floats in a row of `width` samples, and beyond the last row so that vectors may overrun.
+[[nodiscard]] int strideOf(int width);
+inline constexpr std::size_t kOverrun = 80;
+
 /// Gaussian blur of values on blocks, in place, not normalised: sums of windows.
 void blurBlocks(std::vector<double>& values, const BlockMap& map, const glm::dvec3& spacing_mm, double sigma_mm);
 

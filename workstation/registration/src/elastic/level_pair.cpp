@@ -136,6 +136,124 @@ bool LevelPair::warp(const NodeValues& values, Progress& progress) {
   });
 }
 
+bool LevelPair::believe(BlockMap map, Progress& progress) {
+  // What was warped last is worth as much as what will be.
+  if (!forEachTask(fixed_->dims.z, threads_, progress, "Registering", [&](int k) {
+        std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
+        for (int j = 0; j < fixed_->dims.y; ++j) {
+          map.row(j, k, fixed_->dims.x, line, row.data());
+          float* weights = movedWeights_.data() + fixed_->rowOf(j, k);
+          for (std::size_t i = 0; i < row.size(); ++i) weights[i] *= row[i];
+        }
+      }))
+    return false;
+  if (trust_.values.empty()) {
+    trust_ = std::move(map);
+    return true;
+  }
+  return forEachTask(trust_.blocks.z, threads_, progress, "Registering", [&](int k) {
+    for (int j = 0; j < trust_.blocks.y; ++j) {
+      for (int i = 0; i < trust_.blocks.x; ++i) trust_.values[trust_.indexOf(i, j, k)] *= map.at(trust_.centreOf(i, j, k));
+    }
+  });
+}
+
+glm::dvec3 LevelPair::displacementAt(const NodeValues& values, const glm::dvec3& sample) const {
+  const glm::dvec3 at = glm::clamp((fixed_->first_mm + sample * fixed_->spacing_mm - nodes_.first_mm) / nodes_.spacing_mm, glm::dvec3(0.0),
+                                   glm::dvec3(nodes_.dims - 1));
+  const glm::ivec3 low(at);
+  const glm::dvec3 share = at - glm::dvec3(low);
+  glm::dvec3 sum(0.0);
+  for (int n = 0; n < 8; ++n) {
+    const glm::ivec3 up(n & 1, n >> 1 & 1, n >> 2 & 1), corner = glm::min(low + up, nodes_.dims - 1);
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis) weight *= up[axis] != 0 ? share[axis] : 1.0 - share[axis];
+    const float* v = values.data() + 4 * nodes_.indexOf(corner.x, corner.y, corner.z);
+    sum += weight * glm::dvec3(v[0], v[1], v[2]);
+  }
+  return sum;
+}
+
+bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
+  constexpr double kTrend_mm = 12.0;   // wider than shadows, narrow enough to follow the depth gain
+  constexpr float kUnusual = 3.0F;     // deviations at which a sample counts half
+  constexpr float kLeast = 0.2F;       // what a sample always counts: most shadows still let some tissue through
+  constexpr float kLeastScale = 4.0F;  // grey levels
+  constexpr std::size_t kFewest = 64;
+  BlockMap map = fixed_->brightness;
+  constexpr float kUnknown = 1e9F;
+  std::vector<float> darker(map.count(), kUnknown);  // by how much the moving image is
+  if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int k) {
+        for (int j = 0; j < map.blocks.y; ++j) {
+          for (int i = 0; i < map.blocks.x; ++i) {
+            const std::size_t at = map.indexOf(i, j, k);
+            const glm::dvec3 sample = glm::min(map.centreOf(i, j, k), glm::dvec3(fixed_->dims - 1));
+            const glm::dvec3 index = firstIndex_ + perMm_ * (sample * fixed_->spacing_mm + displacementAt(values, sample));
+            if (map.values[at] < 0.0F || glm::any(glm::lessThan(index, glm::dvec3(-0.5))) ||
+                glm::any(glm::greaterThan(index, glm::dvec3(moving_->dims) - 0.5)))
+              continue;
+            const float there = moving_->brightness.at(index);
+            if (there >= 0.0F) darker[at] = map.values[at] - there;
+          }
+        }
+      }))
+    return false;
+  std::vector<float> sorted;
+  for (const float d : darker) {
+    if (d < kUnknown) sorted.push_back(d);
+  }
+  if (sorted.size() < kFewest) return true;
+  const auto median = [&] {
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+  };
+  // How the images differ around: gains that change slowly. Blocks far from it count little, or a shadow would become the rule beneath it.
+  const float usual = median();
+  std::vector<float> around(map.count(), usual);
+  float scale = kLeastScale;
+  for (int round = 0; round < 4; ++round) {
+    sorted.clear();
+    for (std::size_t n = 0; n < darker.size(); ++n) {
+      if (darker[n] < kUnknown) sorted.push_back(std::abs(darker[n] - around[n]));
+    }
+    scale = std::max(kLeastScale, 1.48F * median());
+    if (round == 3) break;
+    BlockMap trend(*fixed_, kTrend_mm / 3.0);
+    std::vector<double> sum(trend.count(), 0.0), weight(trend.count(), 0.0);
+    for (int k = 0; k < map.blocks.z; ++k) {
+      for (int j = 0; j < map.blocks.y; ++j) {
+        for (int i = 0; i < map.blocks.x; ++i) {
+          const std::size_t at = map.indexOf(i, j, k);
+          if (darker[at] == kUnknown) continue;
+          const glm::ivec3 in = glm::min(glm::ivec3(map.centreOf(i, j, k)) / trend.size, trend.blocks - 1);
+          const std::size_t to = trend.indexOf(in.x, in.y, in.z);
+          const float off = (darker[at] - around[at]) / (kUnusual * scale), w = 1.0F / ((1.0F + off * off) * (1.0F + off * off));
+          sum[to] += static_cast<double>(w * (darker[at] - usual));
+          weight[to] += static_cast<double>(w);
+        }
+      }
+    }
+    blurBlocks(sum, trend, fixed_->spacing_mm, kTrend_mm);
+    blurBlocks(weight, trend, fixed_->spacing_mm, kTrend_mm);
+    constexpr float kAbove = 1e4F;  // a block map takes negative values for unknown ones
+    for (std::size_t n = 0; n < sum.size(); ++n)
+      trend.values[n] = kAbove + (weight[n] > 1e-6 ? static_cast<float>(sum[n] / weight[n]) : 0.0F);
+    if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int k) {
+          for (int j = 0; j < map.blocks.y; ++j) {
+            for (int i = 0; i < map.blocks.x; ++i) around[map.indexOf(i, j, k)] = usual + trend.at(map.centreOf(i, j, k)) - kAbove;
+          }
+        }))
+      return false;
+  }
+  for (std::size_t n = 0; n < darker.size(); ++n) {
+    const float off = darker[n] < kUnknown ? (darker[n] - around[n]) / (kUnusual * scale) : 0.0F;
+    const float off2 = off * off, off4 = off2 * off2;
+    map.values[n] = std::max(kLeast, 1.0F / (1.0F + off4 * off4));
+  }
+  return believe(std::move(map), progress);
+}
+
 bool LevelPair::trustAgreement(double window_mm, double least, double power, Progress& progress) {
   BlockMap map(*fixed_, 0.5 * window_mm);
   std::array<std::vector<double>, 6> moments;  // weight, f, w, ff, ww, fw
@@ -183,16 +301,7 @@ bool LevelPair::trustAgreement(double window_mm, double least, double power, Pro
     for (std::size_t m = 0; m < 6; ++m) here[m] = moments[m][n];
     map.values[n] = static_cast<float>(std::pow(std::clamp(correlationOf(here) / overall, least, 1.0), power));
   }
-  trust_ = std::move(map);
-  // What was warped last is worth as much as what will be.
-  return forEachTask(fixed_->dims.z, threads_, progress, "Registering", [&](int k) {
-    std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
-    for (int j = 0; j < fixed_->dims.y; ++j) {
-      trust_.row(j, k, fixed_->dims.x, line, row.data());
-      float* weights = movedWeights_.data() + fixed_->rowOf(j, k);
-      for (std::size_t i = 0; i < row.size(); ++i) weights[i] *= row[i];
-    }
-  });
+  return believe(std::move(map), progress);
 }
 
 bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const {
@@ -270,11 +379,21 @@ bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSum
     for (std::size_t s = 0; s < kSums; ++s) sums.at[s] += part[s];
   }
   if (system == nullptr) return true;
-  for (int task = 0; task < tasks; ++task) {
-    for (int x = 0; x < cells.x; ++x) {
-      const float* cell = moments.data() + kCell * (static_cast<std::size_t>(task) * cellsAlong + static_cast<std::size_t>(x));
-      system->addCell({x, task % cells.y, task / cells.y}, cell, cell + kCellProducts, static_cast<float>(options.matrixScale));
-    }
+  // Noise that only one image has stiffens the matrix without pulling anywhere.
+  const auto scale = static_cast<float>(std::clamp(sums.commonGradient(), options.leastCommon, 1.0));
+  // Layers of cells two apart share no node: either round may run in any order.
+  for (int round = 0; round < 2 && round < cells.z; ++round) {
+    if (!forEachTask((cells.z - round + 1) / 2, threads_, progress, "Registering", [&](int layer) {
+          const int z = round + 2 * layer;
+          for (int y = 0; y < cells.y; ++y) {
+            for (int x = 0; x < cells.x; ++x) {
+              const auto at = static_cast<std::size_t>(z * cells.y + y) * cellsAlong + static_cast<std::size_t>(x);
+              const float* cell = moments.data() + kCell * at;
+              system->addCell({x, y, z}, cell, cell + kCellProducts, scale);
+            }
+          }
+        }))
+      return false;
   }
   return true;
 }

@@ -23,7 +23,7 @@ struct AxesTransform {
 struct CostOptions {
   double scale = 1.5;        ///< c of the robust cost r^2 / (1 + r^2 / c^2)
   double ofFixed = 0.5;      ///< share of the fixed image's gradient; 0: the exact gradient of the cost
-  double matrixScale = 1.0;  ///< of displacement components in the matrix
+  double leastCommon = 1.0;  ///< displacement components of the matrix are scaled by the common share of the gradients, no lower than this
 };
 
 /// Sums over the samples both sides cover, see Sums in elastic/rows.h.
@@ -48,6 +48,11 @@ class LevelPair {
   /// Of what was warped last. @param system null: sums alone
   [[nodiscard]] bool assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const;
 
+  /// From now on samples count little where one image is much darker than the other, compared with how they differ elsewhere around: in the
+  /// shadow of bone or gas, whose edges would pull at the tissue of the other image.
+  /// @param values at which it was warped last
+  [[nodiscard]] bool doubtShadows(const NodeValues& values, Progress& progress);
+
   /// From now on samples count by how well what was warped last agrees around them: the local correlation (window of standard deviation
   /// `window_mm`) over that of all, between `least` and 1. In a shadow only noise is left, which would pull as hard as tissue does.
   [[nodiscard]] bool trustAgreement(double window_mm, double least, double power, Progress& progress);
@@ -57,6 +62,10 @@ class LevelPair {
   [[nodiscard]] const std::vector<float>& movedWeights() const { return movedWeights_; }
 
  private:
+  /// Makes samples count by `map` too, those of the last warp included.
+  [[nodiscard]] bool believe(BlockMap map, Progress& progress);
+  [[nodiscard]] glm::dvec3 displacementAt(const NodeValues& values, const glm::dvec3& sample) const;  // mm, at a fixed sample
+
   const LevelImage* fixed_;
   const LevelImage* moving_;
   NodeGrid nodes_;

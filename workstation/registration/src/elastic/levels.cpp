@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "elastic/lattice.h"
+#include "ew/core/quiet_progress.h"
 
 namespace ew::registration {
 namespace {
@@ -207,6 +207,7 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
                          const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
                          Progress& progress) {
   LevelOutcome outcome;
+  QuietProgress quiet(progress);
   LevelPair pair(fixed, moving, transform, state.nodes, threads);
   const double sampleVolume = fixed.spacing_mm.x * fixed.spacing_mm.y * fixed.spacing_mm.z;
   const double finest = std::min({fixed.dims.x > 1 ? fixed.spacing_mm.x : 1e9, fixed.dims.y > 1 ? fixed.spacing_mm.y : 1e9,
@@ -218,21 +219,25 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
   };
   CostOptions cost;
   cost.scale = settings.robust * std::sqrt(state.noise);
+  cost.leastCommon = settings.leastCommon;
   double referenceWeight = 0.0, dataWeight = 0.0, lastEnergy = std::numeric_limits<double>::infinity();
   NodeValues lastValues, step(state.values.size()), gradient;
   Prior prior = scaled(settings.prior, state.stiffness);
-  std::optional<NodeSystem> evidence;
+  NodeSystem system(state.nodes), evidence(state.nodes);
+  bool evident = false;
   double stepScale = 1.0;
   int halvings = 0;
   for (int iteration = 0; iteration <= iterations; ++iteration) {
-    if (!pair.warp(state.values, progress)) return cancelled();
+    progress.report("Registering", static_cast<double>(iteration) / (iterations + 1));
+    if (!pair.warp(state.values, quiet)) return cancelled();
+    if (iteration == 0 && trusting && !pair.doubtShadows(state.values, quiet)) return cancelled();
     if (iteration == 0 && trusting && settings.trustWindow_mm > 0.0 &&
-        !pair.trustAgreement(settings.trustWindow_mm, settings.trustLeast, settings.trustPower, progress))
+        !pair.trustAgreement(settings.trustWindow_mm, settings.trustLeast, settings.trustPower, quiet))
       return cancelled();
-    NodeSystem system(state.nodes);
+    system.clear();
     PairSums sums;
     const bool last = iteration == iterations;
-    if (!pair.assemble(cost, last ? nullptr : &system, sums, progress)) return cancelled();
+    if (!pair.assemble(cost, last ? nullptr : &system, sums, quiet)) return cancelled();
     if (!(sums.weight() > 0.0)) {
       outcome.noOverlap = true;
       return outcome;
@@ -276,12 +281,6 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
       outcome.singular = true;
       return outcome;
     }
-    const double common = std::clamp(sums.commonGradient(), settings.leastCommon, 1.0);
-    // The matrix was formed with the whole of the gradients' energy; noise that only one image has stiffens it without pulling anywhere.
-    for (std::size_t n = 0; n < system.blocks.size(); ++n) {
-      const std::size_t row = n % 4, column = n / 4 % 4;
-      system.blocks[n] *= static_cast<float>(row < 3 && column < 3 ? common : row < 3 || column < 3 ? std::sqrt(common) : 1.0);
-    }
     if (settings.measureStiffness && !frozen && iteration > 0) {
       // Evidence: the stiffness under which the field found is as bent as the images' part of it should be.
       const double bent = 2.0 * priorEnergy(state.nodes, {settings.prior.membrane, settings.prior.bending, 0.0, 0.0}, state.values);
@@ -297,7 +296,8 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
       break;
     }
     step = solution.values;
-    evidence = std::move(system);
+    std::swap(evidence, system);
+    evident = true;
     double longest = 0.0;
     for (std::size_t n = 0; n < step.size(); n += 4)
       longest = std::max(longest, static_cast<double>(step[n] * step[n] + step[n + 1] * step[n + 1] + step[n + 2] * step[n + 2]));
@@ -313,7 +313,7 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
     ++outcome.iterations;
     if (longest < 0.01 * finest) break;
   }
-  if (evidence) outcome.uncertainty = uncertaintyOf(*evidence, dataWeight, prior);
+  if (evident) outcome.uncertainty = uncertaintyOf(evidence, dataWeight, prior);
   const double correlation = std::clamp(outcome.correlationAfter, 0.0, 0.999);
   outcome.worth = -0.5 * referenceWeight * sampleVolume / state.independent_mm3 * std::log(1.0 - correlation * correlation) -
                   priorEnergy(state.nodes, settings.prior, state.values);

@@ -182,6 +182,11 @@ NodeSystem::NodeSystem(const NodeGrid& nodes) : grid(nodes) {
   right.assign(4 * grid.count(), 0.0F);
 }
 
+void NodeSystem::clear() {
+  std::fill(blocks.begin(), blocks.end(), 0.0F);
+  std::fill(right.begin(), right.end(), 0.0F);
+}
+
 void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const float* rights, float scale) {
   const float root = std::sqrt(scale);
   // An axis with one node has no upper corner.

@@ -52,6 +52,7 @@ struct NodeSystem {
   NodeValues right;
 
   explicit NodeSystem(const NodeGrid& nodes);
+  void clear();  ///< back to zeros
   /// Adds a cell's moments: `products` 3 x 3 x 3 x 10 (x slowest) and `right` 2 x 2 x 2 x 4, see elastic/rows.h.
   /// @param scale of displacement components in the matrix (not in the right-hand side)
   void addCell(const glm::ivec3& cell, const float* products, const float* right, float scale);
