@@ -33,8 +33,8 @@ Result<void> writeVectorField(const Grid& grid, int components, const fs::path& 
   text.real = true;
   if (!flat) text.sizes.push_back(static_cast<std::uint64_t>(grid.dims.z));
   const std::size_t perSlice = static_cast<std::size_t>(grid.dims.x) * static_cast<std::size_t>(grid.dims.y);
-  // About a megabyte at a time: large enough for the medium, small beside anything else.
-  constexpr std::size_t kAtOnce = 256u << 10;
+  // About four megabytes at a time: slices enough for every thread, small beside anything else.
+  constexpr std::size_t kAtOnce = 1u << 20;
   const int count = static_cast<int>(std::clamp<std::size_t>(kAtOnce / (perSlice * 3), 1, static_cast<std::size_t>(grid.dims.z)));
   std::vector<float> some(static_cast<std::size_t>(count) * perSlice * static_cast<std::size_t>(components));
   int next = 0;
