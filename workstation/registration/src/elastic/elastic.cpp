@@ -289,7 +289,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
         const double each = 0.4 / static_cast<double>(starts.size() + 1), begin = 0.6 + each * (n + 1);
         PartOfProgress one(part, begin, begin + each);
         const LevelOutcome found =
-            refineLevel(fixedLevel, movingLevel, transform, step.iterations, false, settings, threads, outOfTime, tried, one);
+            refineLevel(fixedLevel, movingLevel, transform, step.iterations, Placed::roughly, settings, threads, outOfTime, tried, one);
         if (found.cancelled) return cancelled();
         if (found.singular || found.noOverlap) {
           if (n < 0) outcome = found;
@@ -304,7 +304,8 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
       state = std::move(best);
     } else {
       PartOfProgress refining(part, 0.2, 1.0);
-      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, s > 0, settings, threads, outOfTime, state, refining);
+      const Placed placed = s == 0 ? Placed::roughly : s + 1 < settings.steps.size() ? Placed::nearly : Placed::closely;
+      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, placed, settings, threads, outOfTime, state, refining);
     }
     if (outcome.cancelled) return cancelled();
     if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);

@@ -203,7 +203,7 @@ bool unfold(const NodeGrid& nodes, double least, NodeValues& values) {
   return allAbove(nodes, values, least);
 }
 
-LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, bool trusting,
+LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, Placed placed,
                          const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
                          Progress& progress) {
   LevelOutcome outcome;
@@ -230,8 +230,8 @@ LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, cons
   for (int iteration = 0; iteration <= iterations; ++iteration) {
     progress.report("Registering", static_cast<double>(iteration) / (iterations + 1));
     if (!pair.warp(state.values, quiet)) return cancelled();
-    if (iteration == 0 && trusting && !pair.doubtShadows(state.values, quiet)) return cancelled();
-    if (iteration == 0 && trusting && settings.trustWindow_mm > 0.0 &&
+    if (iteration == 0 && placed == Placed::closely && !pair.doubtShadows(state.values, quiet)) return cancelled();
+    if (iteration == 0 && placed != Placed::roughly && settings.trustWindow_mm > 0.0 &&
         !pair.trustAgreement(settings.trustWindow_mm, settings.trustLeast, settings.trustPower, quiet))
       return cancelled();
     system.clear();

@@ -56,9 +56,16 @@ struct LevelOutcome {
   bool timeUp = false;
 };
 
+/// What is known when a level begins.
+enum class Placed {
+  roughly,  ///< every sample counts
+  nearly,   ///< samples count by how well the images agree around them
+  closely   ///< shadows are told from tissue in the wrong place, too
+};
+
 /// Gauss-Newton on one level from where `state` stands. `outOfTime` is asked once an iteration.
 [[nodiscard]] LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations,
-                                       bool trusting, const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime,
+                                       Placed placed, const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime,
                                        ElasticState& state, Progress& progress);
 
 /// Pulls nodes of cells whose Jacobian would fall below `least` towards their neighbours until none does.
