@@ -88,6 +88,22 @@ TEST(RegisterElastic, RecoversAKnownBendAndSaysThatTheVolumesAgree) {
   EXPECT_LT(*std::min_element(found->uncertainty.begin(), found->uncertainty.end()), 0.3F);
 }
 
+TEST(RegisterElastic, FollowsAWaveThatTurnsWithinTheVolume) {
+  const Grid grid = uprightGrid({64, 64, 64}, 1.0);
+  const Tissue tissue(3);
+  const auto truth = [](const glm::dvec3& p) {
+    return p + 2.7 * glm::dvec3(std::sin(kTurn * p.y / 45.0), std::cos(kTurn * (p.z + 10.0) / 45.0), std::sin(kTurn * (p.x + p.z) / 45.0));
+  };
+  const Volume fixed = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 11);
+  const Volume moving = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 12);
+  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  ASSERT_TRUE(found) << found.error();
+  EXPECT_EQ(found->verdict, Verdict::aligned);
+  EXPECT_LT(errorsOf(found->fixedToMoving, grid, grid, truth).mean, 0.6);  // 3.3 with nothing done
+}
+
 TEST(RegisterElastic, ReachesMotionLargerThanItsStructuresByTheWideSearch) {
   const Grid grid = uprightGrid({44, 44, 44}, 1.25);
   const Tissue tissue(8, 3.0);
