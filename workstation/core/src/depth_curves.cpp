@@ -66,9 +66,25 @@ class Normal {
   std::vector<double> right_;
 };
 
+/// Each owner's group: the lowest owner it is joined to by differences.
+std::vector<std::size_t> groupsOf(std::span<const DepthDifference> differences, std::size_t owners) {
+  std::vector<std::size_t> group(owners);
+  for (std::size_t n = 0; n < owners; ++n) group[n] = n;
+  const auto root = [&](std::size_t n) {
+    while (group[n] != n) n = group[n];
+    return n;
+  };
+  for (const DepthDifference& pair : differences) {
+    const std::size_t a = root(pair.first), b = root(pair.second);
+    group[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::size_t n = 0; n < owners; ++n) group[n] = root(n);
+  return group;
+}
+
 /// Least squares: unknown (owner, knot) is column owner * knots + knot.
 std::vector<double> solved(std::span<const DepthDifference> differences, const std::vector<double>& weights, std::size_t owners,
-                           std::size_t knots, const DepthCurveOptions& options) {
+                           std::size_t knots, const std::vector<std::size_t>& group, const DepthCurveOptions& options) {
   Normal normal(owners * knots);
   double total = 0.0;
   for (std::size_t n = 0; n < differences.size(); ++n) {
@@ -92,6 +108,14 @@ std::vector<double> solved(std::span<const DepthDifference> differences, const s
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) normal.add(at + i, at + j, options.smoothness * share * bend[i] * bend[j]);
     }
+  if (options.common > 0.0) {
+    std::vector<double> size(owners, 0.0);
+    for (const std::size_t own : group) size[own] += 1.0;
+    for (std::size_t s = 0; s < owners; ++s)
+      for (std::size_t t = 0; t <= s; ++t)
+        for (std::size_t k = 0; k < knots && group[s] == group[t]; ++k)
+          normal.add(s * knots + k, t * knots + k, options.common * share / size[group[s]]);
+  }
   // The gauge: of all curves that agree as well, the smallest.
   for (std::size_t i = 0; i < owners * knots; ++i) normal.add(i, i, 1e-5 * share + 1e-12);
   return normal.solved();
@@ -119,10 +143,11 @@ bool fitDepthCurves(std::span<const DepthDifference> differences, std::size_t ow
   curves.knots = knots;
   curves.medianBefore = medianOf(sizes);
   std::vector<double> all(owners * knots, 0.0);
+  const std::vector<std::size_t> group = groupsOf(differences, owners);
   const auto curveOf = [&](std::size_t owner) { return std::span<const double>(all).subspan(owner * knots, knots); };
   for (int round = 0; round < kRounds && !differences.empty(); ++round) {
     if (progress.cancelRequested()) return false;
-    all = solved(differences, weights, owners, knots, options);
+    all = solved(differences, weights, owners, knots, group, options);
     for (std::size_t n = 0; n < differences.size(); ++n) {
       const DepthDifference& pair = differences[n];
       sizes[n] = std::abs(pair.difference + atDepth(curveOf(pair.first), options.knot_mm, pair.firstDepth_mm) -

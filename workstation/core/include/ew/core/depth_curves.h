@@ -25,6 +25,9 @@ struct DepthDifference {
 struct DepthCurveOptions {
   double knot_mm = 10.0;
   double smoothness = 0.02;  ///< how stiff a curve is where nothing says otherwise, as a share of the data's weight
+  /// How much the curve that all owners of a group have in common is held at 0, as a share of the data's weight. It shows only where depths
+  /// differ, so that a difference of another kind (a beam at the edge of a fan is weaker) may pass for it.
+  double common = 0.0;
 };
 
 struct DepthCurves {
