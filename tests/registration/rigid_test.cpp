@@ -603,13 +603,37 @@ TEST(Streaks, AreTakenOutAndWhatIsCompactStays) {
     for (const float v : sum) mean += static_cast<double>(v) / static_cast<double>(sum.size());
     double before = 0.0;
     for (const float v : sum) before += (static_cast<double>(v) - mean) * (static_cast<double>(v) - mean);
-    EXPECT_TRUE(takeOutAlong(grid, beam, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f), sum, 1, noProgress()));
+    EXPECT_TRUE(takeOutAlong(grid, {beam}, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f), sum, 1, noProgress()));
     double after = 0.0;
     for (const float v : sum) after += static_cast<double>(v) * static_cast<double>(v);
     return std::sqrt(after / before);
   };
   EXPECT_LT(spread(streaks), 0.2);
   EXPECT_GT(spread(seen(tissue(6, 80.0), grid, glm::dmat4(1.0), 1, 0.0)), 0.4);
+}
+
+TEST(Streaks, OfAFanAreTakenOutAlongEachBeam) {
+  const Grid grid = centred({60, 56, 20}, 1.5);
+  const Beams fan{{0.0, 1.0, 0.0}, Beams::Fan{{0.0, -70.0, -20.0}, {0.0, -70.0, 20.0}}};
+  std::vector<float> sum(grid.voxelCount());
+  const auto shadowsOfTheFan = [&] {
+    for (int k = 0; k < grid.dims.z; ++k)
+      for (int j = 0; j < grid.dims.y; ++j)
+        for (int i = 0; i < grid.dims.x; ++i) {
+          const glm::dvec3 beam = fan.at(glm::dvec3(grid.voxelToWorld().matrix * glm::dvec4(i, j, k, 1.0)));
+          sum[grid.indexOf(i, j, k)] = static_cast<float>(60.0 * std::sin(40.0 * std::atan2(beam.x, beam.y)));
+        }
+  };
+  const auto left = [&](const Beams& beams) {
+    shadowsOfTheFan();
+    double before = 0.0, after = 0.0;
+    for (const float v : sum) before += static_cast<double>(v) * static_cast<double>(v);
+    EXPECT_TRUE(takeOutAlong(grid, beams, kAlongBeam_mm, std::vector<float>(sum.size(), 1.0f), sum, 2, noProgress()));
+    for (const float v : sum) after += static_cast<double>(v) * static_cast<double>(v);
+    return std::sqrt(after / before);
+  };
+  EXPECT_LT(left(fan), 0.2);
+  EXPECT_GT(left({fan.direction}), 0.4);  // one direction for all leaves those of the sides
 }
 
 TEST(RefineRigid, AndMatchPartialAreNotDrawnAwayByShadowsThatTurnWithTheProbe) {
@@ -619,8 +643,8 @@ TEST(RefineRigid, AndMatchPartialAreNotDrawnAwayByShadowsThatTurnWithTheProbe) {
   pair.fixed = shadowed(std::move(pair.fixed), beam, 0.75);
   pair.moving = shadowed(std::move(pair.moving), beam, 0.75);
   for (const bool given : {false, true}) {
-    const Input fixed{&pair.fixed, {}, given ? std::optional(beam) : std::nullopt};
-    const Input moving{&pair.moving, {}, given ? std::optional(beam) : std::nullopt};
+    const Input fixed{&pair.fixed, {}, given ? std::optional(Beams{beam}) : std::nullopt};
+    const Input moving{&pair.moving, {}, given ? std::optional(Beams{beam}) : std::nullopt};
     const auto refined = refineRigid(fixed, moving, pair.truth, {}, noProgress());
     ASSERT_TRUE(refined);
     EXPECT_EQ(refined->verdict, Verdict::aligned) << refined->reason;

@@ -146,7 +146,7 @@ TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
   other.gain_db = 4.0;
   other.depthGain_db = 3.0;
   TwoViews two(shadowed, other);
-  for (View& view : two.views) view.correction.depthAxis = {0.0, 1.0, 0.0};
+  for (View& view : two.views) view.correction.beams = Beams{{0.0, 1.0, 0.0}};
   const auto before = joined(two.views, {});
   keepPicture(before, "shadow-uncorrected");
 

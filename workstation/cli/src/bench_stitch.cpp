@@ -46,7 +46,7 @@ Views viewsOf(const StitchBenchOptions& options) {
     View view;
     view.volume = &one->volume;
     view.confidence = one->confidence;
-    view.correction.depthAxis = {0.0, 1.0, 0.0};
+    view.correction.beams = Beams{{0.0, 1.0, 0.0}};
     view.name = one == &made.left ? "left" : "right";
     made.views.push_back(std::move(view));
   }

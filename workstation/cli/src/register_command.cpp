@@ -52,8 +52,8 @@ struct RegisterArguments {
 struct Side {
   Volume volume;
   std::vector<float> confidence;
-  std::optional<glm::dvec3> beam;
-  [[nodiscard]] Input input() const { return {&volume, confidence, beam}; }
+  std::optional<Beams> beams;
+  [[nodiscard]] Input input() const { return {&volume, confidence, beams}; }
 };
 
 /// What any method found, in one form.
@@ -388,8 +388,8 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
     if (!read) return passOn(read.error());
     moving = *std::move(read);
   }
-  if (const auto& beam = arguments.beamFixed) fixed.beam = glm::dvec3((*beam)[0], (*beam)[1], (*beam)[2]);
-  if (const auto& beam = arguments.beamMoving) moving.beam = glm::dvec3((*beam)[0], (*beam)[1], (*beam)[2]);
+  if (const auto& beam = arguments.beamFixed) fixed.beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
+  if (const auto& beam = arguments.beamMoving) moving.beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
   auto found = [&] {
     const StepClock clock(run.report, "register");
     PartOfProgress registering(run.progress, 0.06, arguments.assess ? 0.85 : 0.9);

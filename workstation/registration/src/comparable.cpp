@@ -389,10 +389,14 @@ Result<void> checkInput(const Input& input, const char* side) {
     return failure(ErrorCode::badField, "The coverage of the " + who + " volume has " + std::to_string(volume.coverage.size()) +
                                             " values for " + std::to_string(n) + " voxels.");
   }
-  if (input.beam) {
-    const double length = glm::length(*input.beam);
+  if (input.beams) {
+    const double length = glm::length(input.beams->direction);
     if (!(length > 1e-6 && length < 1e6))
       return failure(ErrorCode::badField, "The direction of the beam of the " + who + " volume is no direction.");
+    if (const auto& fan = input.beams->fan) {
+      const double farthest = std::max(glm::length(fan->from_mm), glm::length(fan->to_mm));
+      if (!(farthest < 1e6)) return failure(ErrorCode::badField, "The apex of the beams of the " + who + " volume is no place.");
+    }
   }
   if (!input.confidence.empty()) {
     if (input.confidence.size() != n) {
@@ -457,7 +461,7 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
         level.weight[q] = inside ? 1.0f : 0.0f;
       }
     }
-    if (input.beam && !takeOutAlong(grid, *input.beam, kAlongBeam_mm, level.weight, level.sum, options.threads, progress))
+    if (input.beams && !takeOutAlong(grid, *input.beams, kAlongBeam_mm, level.weight, level.sum, options.threads, progress))
       return cancelled();
     if (!normalise(std::move(level), options, levels[l], progress)) return cancelled();
   }

@@ -48,6 +48,18 @@ std::vector<Tap> tapsAlong(const glm::dvec3& direction, double voxel_mm, double 
   return out;
 }
 
+/// The direction of a beam on the grid's axes in steps of a 32nd, about 2 degrees: neighbours share the steps of their lines.
+using Rounded = std::tuple<int, int, int>;
+constexpr double kPerStep = 32.0;
+Rounded roundedBeam(const Beams& beams, const glm::dmat3& toAxes, const glm::dmat4& toFrame, const glm::ivec3& voxel) {
+  const glm::dvec3 beam = toAxes * beams.at(glm::dvec3(toFrame * glm::dvec4(glm::dvec3(voxel), 1.0)));
+  const glm::ivec3 steps(glm::round(kPerStep * beam));
+  return {steps.x, steps.y, steps.z};
+}
+glm::dvec3 directionOf(const Rounded& steps) {
+  return glm::normalize(glm::dvec3(std::get<0>(steps), std::get<1>(steps), std::get<2>(steps)));
+}
+
 /// Correlation of the image with itself `step` voxels further on.
 struct Alike {
   double both = 0.0;
@@ -78,28 +90,49 @@ void addAlike(const ComparableImage& image, const glm::ivec3& step, int stride, 
 
 }  // namespace
 
-bool takeOutAlong(const Grid& grid, const glm::dvec3& direction, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
+bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
                   int threads, Progress& progress) {
-  const glm::dvec3 onAxes = glm::transpose(grid.directions) * glm::normalize(direction);
-  const std::vector<Tap> taps = tapsAlong(onAxes, grid.spacing_mm.x, sigma_mm);
+  const double voxel_mm = grid.spacing_mm.x;
+  const glm::dmat3 toAxes = glm::transpose(grid.directions);
   const glm::ivec3 dims = grid.dims;
   std::vector<float> out(sum.size());
+  const std::vector<Tap> everywhere = beams.fan ? std::vector<Tap>() : tapsAlong(toAxes * beams.at(grid.origin_mm), voxel_mm, sigma_mm);
+  const glm::dmat4 toFrame = grid.voxelToWorld().matrix;
   const bool done = forEachTask(dims.z, threads, progress, "Preparing images", [&](int k) {
     std::vector<float> echo(dims.x);
     std::vector<float> share(dims.x);
-    for (int j = 0; j < dims.y; ++j) {
-      std::fill(echo.begin(), echo.end(), 0.0f);
-      std::fill(share.begin(), share.end(), 0.0f);
+    std::map<Rounded, std::vector<Tap>> found;
+    // Voxels [first, last) of a row have the same steps.
+    const auto add = [&](int j, int first, int last, const std::vector<Tap>& taps) {
       for (const Tap& tap : taps) {
         const int y = j + tap.step.y;
         const int z = k + tap.step.z;
         if (y < 0 || y >= dims.y || z < 0 || z >= dims.z) continue;
-        const int begin = std::max(0, -tap.step.x);
-        const int end = std::min(dims.x, dims.x - tap.step.x);
+        const int begin = std::max(first, -tap.step.x);
+        const int end = std::min(last, dims.x - tap.step.x);
         const std::size_t row = grid.indexOf(0, y, z);
         for (int i = begin; i < end; ++i) {
           echo[i] += tap.weight * sum[row + i + tap.step.x];
           share[i] += tap.weight * weight[row + i + tap.step.x];
+        }
+      }
+    };
+    for (int j = 0; j < dims.y; ++j) {
+      std::fill(echo.begin(), echo.end(), 0.0f);
+      std::fill(share.begin(), share.end(), 0.0f);
+      if (!beams.fan) {
+        add(j, 0, dims.x, everywhere);
+      } else {
+        int first = 0;
+        Rounded here = roundedBeam(beams, toAxes, toFrame, {0, j, k});
+        for (int i = 1; i <= dims.x; ++i) {
+          const Rounded next = i < dims.x ? roundedBeam(beams, toAxes, toFrame, {i, j, k}) : Rounded{};
+          if (i < dims.x && next == here) continue;
+          auto& taps = found[here];
+          if (taps.empty()) taps = tapsAlong(directionOf(here), voxel_mm, sigma_mm);
+          add(j, first, i, taps);
+          first = i;
+          here = next;
         }
       }
       const std::size_t at = grid.indexOf(0, j, k);

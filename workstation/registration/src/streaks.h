@@ -10,11 +10,11 @@ namespace ew::registration {
 
 constexpr double kAlongBeam_mm = 6.0;  ///< standard deviation of the mean along the beam that is taken out
 
-/// Takes the weighted mean along `direction` out of an echo image on cubes.
-/// @param direction in mm, of any length above 0
-/// @param sum       echo times weight; on return (echo - mean along the direction) times weight
+/// Takes the weighted mean along the beams out of an echo image on cubes. Of a fan, each voxel's own beam is followed straight on, its
+/// direction rounded to about 2 degrees.
+/// @param sum       echo times weight; on return (echo - mean along the beam) times weight
 /// @return false when cancelled
-bool takeOutAlong(const Grid& grid, const glm::dvec3& direction, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
+bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
                   int threads, Progress& progress);
 
 /// The direction (mm) along which the image is most alike to itself 18 to 36 mm further on, which tissue hardly is; empty when it is not

@@ -56,7 +56,7 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
   seen.box.end = glm::max(seen.box.end, seen.box.begin);
   seen.cells.resize(seen.box.count());
   const auto voxelToOwn = view.volume->grid.voxelToWorld();
-  const glm::dvec3 axis = view.correction.depthAxis;
+  const std::optional<Beams>& beams = view.correction.beams;
   const bool whole = forEachTask(seen.box.size().z, threads, progress, "Comparing views", [&](int slice, int, const auto& stopped) {
     const int ck = seen.box.begin.z + slice;
     for (int k = ck * kLooksPerSide; k < (ck + 1) * kLooksPerSide && !stopped(); ++k)
@@ -68,7 +68,7 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
           cell.looks += 1.0f;
           cell.clipped += sample.level <= 0.0 || sample.level >= 255.0 ? 1.0f : 0.0f;
           cell.grey += static_cast<float>(sample.level);
-          cell.depth_mm += static_cast<float>(glm::dot((voxelToOwn * Point<frame::Voxel>{where}).at, axis));
+          if (beams) cell.depth_mm += static_cast<float>(beams->depth_mm((voxelToOwn * Point<frame::Voxel>{where}).at));
         });
   });
   if (!whole || progress.cancelRequested()) return stitchingCancelled();
@@ -128,7 +128,8 @@ std::vector<int> groupsOf(const std::vector<DepthDifference>& pairs, std::size_t
 Result<EqualisedViews> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress) {
   if (auto good = checkViews(views); !good) return passOn(good.error());
   const bool sound = options.cell_mm > 0.0 && options.cell_mm < 1e3 && options.knot_mm > 0.5 && options.knot_mm < 1e3 &&
-                     options.smoothness >= 0.0 && options.smoothness < 1e3 && options.fewestCells >= 1;
+                     options.smoothness >= 0.0 && options.smoothness < 1e3 && options.common >= 0.0 && options.common < 1e6 &&
+                     options.fewestCells >= 1;
   if (!sound)
     return failure(ErrorCode::badField, "The options of the equalisation are out of range; use cells and knots above 0.",
                    {{"field", "equalise"}});
@@ -165,12 +166,13 @@ Result<EqualisedViews> equaliseViews(std::span<const View> views, const Equalise
     pair.secondDepth_mm -= shallowest_mm[pair.second];
   }
   DepthCurves curves;
-  if (!fitDepthCurves(pairs, views.size(), {options.knot_mm, options.smoothness}, progress, curves)) return stitchingCancelled();
+  if (!fitDepthCurves(pairs, views.size(), {options.knot_mm, options.smoothness, options.common}, progress, curves))
+    return stitchingCancelled();
   result.disagreementBefore_db = curves.medianBefore * kDbPerGrey;
   result.disagreementAfter_db = curves.medianAfter * kDbPerGrey;
   for (std::size_t n = 0; n < views.size(); ++n) {
     GreyCorrection correction;
-    correction.depthAxis = views[n].correction.depthAxis;
+    correction.beams = views[n].correction.beams;
     correction.firstKnot_mm = shallowest_mm[n];
     correction.knot_mm = options.knot_mm;
     if (compared[n]) correction.grey = std::move(curves.grey[n]);

@@ -10,8 +10,8 @@ namespace ew::stitching {
 
 double GreyCorrection::at(const glm::dvec3& p_mm) const {
   if (grey.empty()) return 0.0;
-  if (depthAxis == glm::dvec3(0.0)) return grey.front();
-  return atDepth(grey, knot_mm, glm::dot(p_mm, depthAxis) - firstKnot_mm);
+  if (!beams) return grey.front();
+  return atDepth(grey, knot_mm, beams->depth_mm(p_mm) - firstKnot_mm);
 }
 
 ViewSampler::ViewSampler(const View& view, const Grid& result, double interpolatedWeight, const std::vector<float>* distance_mm)
@@ -29,13 +29,13 @@ ViewSampler::ViewSampler(const View& view, const Grid& result, double interpolat
     for (const glm::vec3& u : view.bend->displacement_mm)
       farthestBend_voxel_ = glm::max(farthestBend_voxel_, glm::abs(bendToVoxel_ * glm::dvec3(u)));
   }
-  // A view's own frame is that of its file; depth is linear in its voxels.
+  // A view's own frame is that of its file; along parallel beams depth is linear in its voxels.
   const GreyCorrection& correction = view.correction;
-  if (correction.grey.size() > 1 && correction.depthAxis != glm::dvec3(0.0)) {
-    const glm::dmat4 voxelToFile = volume.grid.voxelToWorld().matrix;
-    for (int axis = 0; axis < 3; ++axis)
-      depthPerVoxel_[axis] = glm::dot(glm::dvec3(voxelToFile[axis]), correction.depthAxis) / correction.knot_mm;
-    depthOfFirst_knot_ = (glm::dot(glm::dvec3(voxelToFile[3]), correction.depthAxis) - correction.firstKnot_mm) / correction.knot_mm;
+  voxelToFile_ = volume.grid.voxelToWorld().matrix;
+  if (correction.grey.size() > 1 && correction.beams && !correction.beams->fan) {
+    const glm::dvec3 along = glm::normalize(correction.beams->direction);
+    for (int axis = 0; axis < 3; ++axis) depthPerVoxel_[axis] = glm::dot(glm::dvec3(voxelToFile_[axis]), along) / correction.knot_mm;
+    depthOfFirst_knot_ = (glm::dot(glm::dvec3(voxelToFile_[3]), along) - correction.firstKnot_mm) / correction.knot_mm;
   }
 }
 
@@ -91,9 +91,10 @@ std::pair<int, int> ViewSampler::insideOf(const glm::dvec3& start, const glm::dv
 }
 
 double ViewSampler::correctionAt(const glm::dvec3& where) const {
-  const std::vector<double>& grey = view_->correction.grey;
-  if (view_->correction.depthAxis == glm::dvec3(0.0)) return grey.front();
-  return atDepth(grey, 1.0, glm::dot(where, depthPerVoxel_) + depthOfFirst_knot_);
+  const GreyCorrection& correction = view_->correction;
+  if (correction.grey.size() == 1 || !correction.beams) return correction.grey.front();
+  if (correction.beams->fan) return correction.at(glm::dvec3(voxelToFile_ * glm::dvec4(where, 1.0)));
+  return atDepth(correction.grey, 1.0, glm::dot(where, depthPerVoxel_) + depthOfFirst_knot_);
 }
 
 ViewSample ViewSampler::at(const glm::dvec3& where) const {

@@ -82,7 +82,8 @@ class ViewSampler {
   glm::dmat4 resultToNode_{1.0};
   glm::dmat3 bendToVoxel_{1.0};  ///< a displacement of the world in voxels of the view
   glm::dvec3 farthestBend_voxel_{0.0};
-  glm::dvec3 depthPerVoxel_{0.0};
+  glm::dmat4 voxelToFile_{1.0};
+  glm::dvec3 depthPerVoxel_{0.0};  ///< along parallel beams
   double depthOfFirst_knot_ = 0.0;
 };
 

@@ -232,12 +232,12 @@ void keepInstead(const glm::dmat4& kept, RigidResult& result) {
 
 Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress) {
   Streaks streaks;
-  const auto fill = [&](const Input& side, const ComparableImage& image, std::vector<glm::dvec3>& directions) {
-    if (side.beam) {
-      directions = {*side.beam};
+  const auto fill = [&](const Input& side, const ComparableImage& image, std::vector<Beams>& directions) {
+    if (side.beams) {
+      directions = {*side.beams};
       return;
     }
-    directions = findStreaks(image, threads, progress);
+    for (const glm::dvec3& found : findStreaks(image, threads, progress)) directions.push_back({found});
     streaks.found = streaks.found || !directions.empty();
   };
   fill(fixed, pair.fixed[0], streaks.fixed);
@@ -256,8 +256,8 @@ Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& movin
   for (std::size_t f = 0; f < std::max<std::size_t>(1, streaks.fixed.size()); ++f) {
     for (std::size_t m = 0; m < std::max<std::size_t>(1, streaks.moving.size()); ++m) {
       Way way{fixed, moving};
-      if (!streaks.fixed.empty()) way.fixed.beam = streaks.fixed[f];
-      if (!streaks.moving.empty()) way.moving.beam = streaks.moving[m];
+      if (!streaks.fixed.empty()) way.fixed.beams = streaks.fixed[f];
+      if (!streaks.moving.empty()) way.moving.beams = streaks.moving[m];
       ways.push_back(way);
     }
   }

@@ -51,10 +51,10 @@ struct Evidence {
 /// of the same images: the stated error grows by how far the two are apart.
 void keepInstead(const glm::dmat4& kept, RigidResult& result);
 
-/// Which way streaks may run, mm: given with the inputs or found in their images, best first.
+/// Which way streaks may run: given with the inputs or found in their images, best first.
 struct Streaks {
-  std::vector<glm::dvec3> fixed;
-  std::vector<glm::dvec3> moving;
+  std::vector<Beams> fixed;
+  std::vector<Beams> moving;
   bool found = false;  ///< at least one was, so that `pair` still shows it
 };
 [[nodiscard]] Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pair, int threads, Progress& progress);

@@ -69,14 +69,29 @@ Result<OpenedSweep> openWithSpacing(const std::filesystem::path& sweep, const sd
 /// The maps of all frames, and while they are pasted the finished volume.
 std::uint64_t bytesWithConfidence(const ImportPlan& plan) { return plan.bytes + plan.frameBytes + 2 * plan.grid.voxelCount(); }
 
-/// The mean direction of the beams, which are the columns of the images.
-glm::dvec3 depthAxisOf(const std::vector<PosedFrame>& frames) {
+/// The way the apex of the fan went, from one end to the other: the pair of places that lie farthest apart, found from the first.
+Beams::Fan wayOfApex(const std::vector<PosedFrame>& frames, const glm::dvec2& apex_px) {
+  std::vector<glm::dvec3> places;
+  for (const PosedFrame& frame : frames) places.emplace_back(frame.imageToWorld.matrix * glm::dvec4(apex_px, 0.0, 1.0));
+  const auto farthestFrom = [&](const glm::dvec3& from) {
+    return *std::max_element(places.begin(), places.end(),
+                             [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(from, a) < glm::distance(from, b); });
+  };
+  const glm::dvec3 one = farthestFrom(places.front());
+  return {one, farthestFrom(one)};
+}
+
+/// The columns of the images are beams, or with a fan all that leave its apex.
+std::optional<Beams> beamsOf(const std::vector<PosedFrame>& frames, const Clip& clip) {
   glm::dvec3 sum(0.0);
   for (const PosedFrame& frame : frames) {
     const glm::dvec3 down(frame.imageToWorld.matrix[1]);
     if (glm::length(down) > 0.0) sum += glm::normalize(down);
   }
-  return glm::length(sum) > 1e-3 * static_cast<double>(frames.size()) ? glm::normalize(sum) : glm::dvec3(0.0);
+  if (!(glm::length(sum) > 1e-3 * static_cast<double>(frames.size()))) return std::nullopt;
+  Beams beams{glm::normalize(sum)};
+  if (clip.fan) beams.fan = wayOfApex(frames, clip.fan->origin_px);
+  return beams;
 }
 
 Result<sdk::SweepVolume> reconstructSweep(const OpenedSweep& opened, const sdk::SweepOptions& options, Progress& progress) {
@@ -95,7 +110,7 @@ Result<sdk::SweepVolume> reconstructSweep(const OpenedSweep& opened, const sdk::
   const auto maps = confidenceOfFrames(frames, plan.reconstruct.clip, plan.confidence, plan.reconstruct.threads, judging);
   if (!maps) return passOn(maps.error());
   sdk::SweepVolume made;
-  made.depthAxis = depthAxisOf(frames);
+  made.beams = beamsOf(frames, plan.reconstruct.clip);
   made.notes = plan.notes;
   // Confidence goes the way of the echoes, so that it lies where they do.
   for (std::size_t n = 0; n < frames.size(); ++n) frames[n].pixels = viewOf((*maps)[n]);

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "ew/core/beams.h"
 #include "ew/core/volume.h"
 
 /// Registration finds how the coordinates of one subvolume (fixed) go over into those of another (moving). Throughout:
@@ -27,9 +28,9 @@ const char* nameOf(StopReason reason);
 struct Input {
   const Volume* volume = nullptr;          ///< never null; lives as long as the call
   std::span<const float> confidence = {};  ///< voxelCount() values in 0..1; empty: 1 wherever covered
-  /// Direction of the view's beams in mm, where known and nearly parallel. What runs along it, as shadows do, is then no evidence for rigid
-  /// registration; without it, streaks are looked for before a result is called aligned.
-  std::optional<glm::dvec3> beam = {};
+  /// The view's beams, where known. What runs along them, as shadows do, is then no evidence for rigid registration; without them, streaks
+  /// are looked for before a result is called aligned.
+  std::optional<Beams> beams = {};
 };
 
 /// Agreement of the images at a transform, over the voxels both sides cover. Correlations are of images made comparable

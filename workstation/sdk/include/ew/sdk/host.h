@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/beams.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -42,7 +43,7 @@ struct SweepPlan {
 struct SweepVolume {
   Volume volume;                         ///< with coverage
   std::vector<std::uint8_t> confidence;  ///< per voxel, 255 for 1: how far the echoes may be trusted; less in shadow and without contact
-  glm::dvec3 depthAxis{0.0};             ///< unit vector in the volume's own frame along which depth grows: the mean of the beams
+  std::optional<Beams> beams;            ///< in the volume's own frame; empty: they cancel out
   std::vector<std::string> notes;
 };
 

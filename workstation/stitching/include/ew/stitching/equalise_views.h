@@ -14,6 +14,7 @@ struct EqualiseViewsOptions {
   double cell_mm = 4.0;      ///< views are compared by the means of cubes of this size
   double knot_mm = 15.0;     ///< a correction is a straight line between depths this far apart
   double smoothness = 0.02;  ///< how stiff a curve is where nothing says otherwise, as a share of the data's weight
+  double common = 1.0;       ///< how much the curve that all have in common is held at 0, as a share of the data's weight
   int fewestCells = 12;      ///< two views overlap when they share so many cells
   int threads = 0;
 };
@@ -26,7 +27,7 @@ struct EqualisedViews {
   std::vector<std::string> notes;
 };
 
-/// Gain and depth gain of subvolumes brought together where they overlap. Depth runs along each view's `depthAxis`; shadows, edges and
+/// Gain and depth gain of subvolumes brought together where they overlap. Depth runs along each view's beams; shadows, edges and
 /// saturated cells are weighed down. The same idea as ew/acquisition/equalise.h, for volumes whose frames are gone.
 /// @error badField, emptyVolume, cancelled
 [[nodiscard]] Result<EqualisedViews> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress);
