@@ -11,8 +11,8 @@ constexpr double kUnit = 16.0;
 constexpr double kWindow_mm = 2.2;
 /// Fewer voxels than this say nothing about a deviation.
 constexpr double kFewest = 24.0;
-/// What a view did not trust does not tell what its speckle is like.
-constexpr double kTrusted = 0.5;
+/// What a view did not trust does not tell what its speckle is like. Deep tissue is trusted little long before its speckle is gone.
+constexpr double kTrusted = 0.2;
 constexpr double kMostStretch = 2.0;
 
 struct Sums {

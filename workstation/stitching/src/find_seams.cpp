@@ -6,6 +6,7 @@
 #include "ew/stitching/distance.h"
 #include "joiner.h"
 #include "seam_cut.h"
+#include "seam_levels.h"
 
 namespace ew::stitching {
 namespace {
@@ -118,11 +119,15 @@ Result<SeamMap> findSeams(std::span<const View> views, const Grid& result, const
 
   std::vector<std::uint8_t> forced;
   paint(map.cells, options.strokes, *surveys, forced);
-  PartOfProgress choosing(progress, 0.4, 1.0);
+  PartOfProgress choosing(progress, 0.4, 0.9);
   const auto chosen = options.method == SeamMethod::nearest ? nearest(*surveys, forced, options, map, choosing)
                                                             : cutSeams(*surveys, forced, options, map, choosing);
   if (!chosen) return passOn(chosen.error());
   weighSeam(*surveys, map);
+  if (options.method == SeamMethod::graphCut && options.blend_mm > 0.0 && options.levelBlend_mm > 0.0 && views.size() > 1) {
+    PartOfProgress levelling(progress, 0.9, 1.0);
+    if (auto levelled = levelSeams(*surveys, options, map, levelling); !levelled) return passOn(levelled.error());
+  }
   return map;
 }
 

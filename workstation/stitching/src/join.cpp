@@ -23,6 +23,13 @@ constexpr double kFewestInCube = 64.0;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// Beams that say where depth grows, or none.
+bool known(const std::optional<Beams>& beams) {
+  if (!beams) return true;
+  const double length = glm::length(beams->direction);
+  return length > 1e-6 && length < 1e6 && (!beams->fan || (finite(beams->fan->from_mm) && finite(beams->fan->to_mm)));
+}
+
 /// Keeps the result in memory.
 class MemorySink final : public BlockSink {
  public:
@@ -59,6 +66,13 @@ Result<void> checkJoin(std::span<const View> views, const SeamMap& seams, const 
   if (options.seam.method == SeamMethod::feather) return {};
   if (seams.view.size() != seams.cells.voxelCount() || !ratioOf(seams.cells, result))
     return failure(ErrorCode::badField, "The seams were found for another grid; find them again for this one.", {{"field", "seams"}});
+  bool whole = seams.levels.empty() || seams.levels.size() == views.size();
+  for (const SeamMap::Levels& each : seams.levels)
+    whole = whole && glm::all(glm::greaterThanEqual(glm::min(each.begin, each.size), glm::ivec3(0))) &&
+            glm::all(glm::lessThanEqual(each.begin + each.size, seams.cells.dims)) &&
+            each.offset.size() ==
+                static_cast<std::size_t>(each.size.x) * static_cast<std::size_t>(each.size.y) * static_cast<std::size_t>(each.size.z);
+  if (!whole) return failure(ErrorCode::badField, "The seams have levels of other volumes; find them again.", {{"field", "seams"}});
   const auto highest = seams.view.empty() ? seams.view.end() : std::max_element(seams.view.begin(), seams.view.end());
   if (highest != seams.view.end() && *highest > views.size())
     return failure(ErrorCode::badField, "The seams name more volumes than there are; find them again.", {{"field", "seams"}});
@@ -126,8 +140,10 @@ std::uint64_t seamBytes(std::span<const PlacedGrid> views, const Grid& cells, co
   std::vector<CellBox> boxes;
   for (const PlacedGrid& view : views) boxes.push_back(boxOf(view, cells));
   for (std::size_t n = 0; n < boxes.size(); ++n) {
-    kept += boxes[n].count() * (2 + 1 + 1 + 2);                         // level, share, trust, cost
-    largest = std::max<std::uint64_t>(largest, boxes[n].count() * 12);  // two sums while looking, or distances with their coverage
+    kept += boxes[n].count() *
+            (2 + 1 + 1 +
+             std::max(2, options.levelBlend_mm > 0.0 ? 1 + 1 + 2 : 0));  // level, share, trust; cost, or border, nearness and offset
+    largest = std::max<std::uint64_t>(largest, boxes[n].count() * 12);   // two sums while looking, or distances with their coverage
     CellBox contested{boxes[n].end, boxes[n].begin};
     for (std::size_t m = 0; m < boxes.size(); ++m) {
       const CellBox shared{glm::max(boxes[n].begin, boxes[m].begin), glm::min(boxes[n].end, boxes[m].end)};
@@ -136,6 +152,7 @@ std::uint64_t seamBytes(std::span<const PlacedGrid> views, const Grid& cells, co
     }
     largest = std::max<std::uint64_t>(largest, contested.count() * GridFlow::kBytesPerCell);
   }
+  if (options.levelBlend_mm > 0.0) largest = std::max<std::uint64_t>(largest, 9 * cells.voxelCount() + largest / 3);
   return kept + largest + (options.method == SeamMethod::nearest ? 4 * cells.voxelCount() : 0);
 }
 
@@ -174,7 +191,7 @@ Result<void> checkViews(std::span<const View> views) {
     if (auto rigid = checkRigid(view.toWorld); !rigid) return about(rigid.error());
     const GreyCorrection& correction = view.correction;
     bool sound = correction.grey.empty() || (correction.knot_mm > 0.0 && std::isfinite(correction.firstKnot_mm) &&
-                                             std::isfinite(correction.knot_mm) && finite(correction.depthAxis));
+                                             std::isfinite(correction.knot_mm) && known(correction.beams));
     for (const double grey : correction.grey) sound = sound && std::isfinite(grey);
     if (!sound) return about({ErrorCode::badField, "Its grey correction has a number that cannot be used.", {{"field", "correction"}}});
     if (view.bend == nullptr || view.bend->displacement_mm.empty()) continue;
@@ -192,6 +209,8 @@ Result<void> checkSeamOptions(const SeamOptions& options, std::size_t views) {
   if (!(options.cell_mm > 0.0 && options.cell_mm < 1e3)) return refuse("cell_mm", "The cells of the seam must be wider than 0 mm.");
   if (!(options.blend_mm >= 0.0 && options.blend_mm < 1e3))
     return refuse("blend_mm", "The blend beside the seam must be 0 or a positive number of mm.");
+  if (!(options.levelBlend_mm >= 0.0 && options.levelBlend_mm < 1e3))
+    return refuse("level_blend_mm", "The blend of levels beside the seam must be 0 or a positive number of mm.");
   if (!(options.confidenceWeight >= 0.0 && options.confidenceWeight < 1e3 && options.distanceWeight >= 0.0 && options.distanceWeight < 1e3))
     return refuse("confidence_weight", "The weights of a seam must be 0 or positive.");
   for (const SeamStroke& stroke : options.strokes)

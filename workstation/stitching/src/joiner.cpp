@@ -140,6 +140,7 @@ void Joiner::feather(const glm::ivec3& begin, const glm::ivec3& end, const Block
 struct Joiner::Weights {
   std::size_t view = 0;
   std::vector<float> cells;
+  std::vector<float> added;  ///< to its grey levels; empty: nothing anywhere
 };
 
 std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& reaching, const CellBox& cells) const {
@@ -154,7 +155,7 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
     }
   std::vector<Weights> found;
   for (const std::size_t n : reaching)
-    if (std::find(labels.begin(), labels.end(), static_cast<std::uint8_t>(n + 1)) != labels.end()) found.push_back({n, {}});
+    if (std::find(labels.begin(), labels.end(), static_cast<std::uint8_t>(n + 1)) != labels.end()) found.push_back({n, {}, {}});
   if (found.empty()) return found;
 
   std::vector<float> all(wide.count(), 1.0f);
@@ -183,6 +184,19 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
           // A view fades out towards its own border, so that no step is left where the seam keeps close to it.
           const float inside = found.size() > 1 ? std::clamp(2.0f * covered[c] / all[c] - 1.0f, 1e-3f, 1.0f) : 1.0f;
           weights.cells[to] = own[c] / all[c] * inside;
+        }
+    if (weights.view >= seams_->levels.size()) continue;
+    const SeamMap::Levels& levels = seams_->levels[weights.view];
+    const CellBox box{levels.begin, levels.begin + levels.size};
+    to = 0;
+    for (int k = cells.begin.z; k < cells.end.z; ++k)
+      for (int j = cells.begin.y; j < cells.end.y; ++j)
+        for (int i = cells.begin.x; i < cells.end.x; ++i, ++to) {
+          if (!box.contains(i, j, k)) continue;
+          const std::int16_t offset = levels.offset[box.indexOf(i, j, k)];
+          if (offset == 0) continue;
+          if (weights.added.empty()) weights.added.assign(cells.count(), 0.0f);
+          weights.added[to] = static_cast<float>(offset * SeamMap::kOffsetUnit);
         }
   }
   return found;
@@ -238,9 +252,11 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
   const std::vector<Weights> weights = weightsOf(reaching, cells);
   std::vector<std::size_t> blended;
   std::vector<const float*> cellWeights;
+  bool levelled = false;
   for (const Weights& each : weights) {
     blended.push_back(each.view);
     cellWeights.push_back(each.cells.data());
+    levelled = levelled || !each.added.empty();
   }
   if (sharp) blended.clear();
   const Band band(samplers_, blended, cellWeights, cells, seams_->cells, ratio_, stopped);
@@ -252,6 +268,7 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
   std::vector<float> line(static_cast<std::size_t>(cells.size().x));
   std::vector<std::vector<float>> rowWeights(weights.size(), std::vector<float>(static_cast<std::size_t>(length), 1.0f));
   const std::size_t views = weights.size();
+  std::vector<std::vector<float>> rowAdded(levelled ? views : 0, std::vector<float>(static_cast<std::size_t>(length), 0.0f));
   std::vector<ViewSample> samples(static_cast<std::size_t>(length) * views);  // empty between rows
   std::vector<double> taken(views);
   for (int k = begin.z; k < end.z; ++k)
@@ -259,20 +276,22 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
       row.clear();
       const BetweenCells y = betweenCells(j, ratio_.y, dims.y, sharp);
       const BetweenCells z = betweenCells(k, ratio_.z, dims.z, sharp);
-      if (!weights.empty()) {
-        for (std::size_t n = 0; n < weights.size(); ++n) {
-          std::fill(line.begin(), line.end(), 0.0f);
-          for (int corner = 0; corner < 4; ++corner) {
-            const float share = ((corner & 1) ? y.part : 1.0f - y.part) * ((corner & 2) ? z.part : 1.0f - z.part);
-            if (share <= 0.0f) continue;
-            const float* from = weights[n].cells.data() + cells.indexOf(cells.begin.x, y.cell + (corner & 1), z.cell + (corner >> 1));
-            for (std::size_t c = 0; c < line.size(); ++c) line[c] += share * from[c];
-          }
-          for (std::size_t at = 0; at < along.size(); ++at) {
-            const auto c = static_cast<std::size_t>(along[at].cell - cells.begin.x);
-            rowWeights[n][at] = along[at].part > 0.0f ? line[c] + along[at].part * (line[c + 1] - line[c]) : line[c];
-          }
+      const auto betweenCellsOfRow = [&](const std::vector<float>& values, std::vector<float>& row_) {
+        std::fill(line.begin(), line.end(), 0.0f);
+        for (int corner = 0; corner < 4; ++corner) {
+          const float share = ((corner & 1) ? y.part : 1.0f - y.part) * ((corner & 2) ? z.part : 1.0f - z.part);
+          if (share <= 0.0f) continue;
+          const float* from = values.data() + cells.indexOf(cells.begin.x, y.cell + (corner & 1), z.cell + (corner >> 1));
+          for (std::size_t c = 0; c < line.size(); ++c) line[c] += share * from[c];
         }
+        for (std::size_t at = 0; at < along.size(); ++at) {
+          const auto c = static_cast<std::size_t>(along[at].cell - cells.begin.x);
+          row_[at] = along[at].part > 0.0f ? line[c] + along[at].part * (line[c + 1] - line[c]) : line[c];
+        }
+      };
+      for (std::size_t n = 0; n < weights.size(); ++n) {
+        betweenCellsOfRow(weights[n].cells, rowWeights[n]);
+        if (!weights[n].added.empty()) betweenCellsOfRow(weights[n].added, rowAdded[n]);
       }
       for (std::size_t n = 0; n < views; ++n) {
         const ViewSampler& sampler = samplers_[weights[n].view];
@@ -295,6 +314,7 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
           taken[n] = share < kLeastWeight ? 0.0 : share < 1.0 ? std::sin(kQuarterTurn * share) : 1.0;
           if (taken[n] > 0.0) row.take(at, weights[n].view, shown[n], taken[n], tally);
         }
+        const auto added = [&](std::size_t n) { return levelled ? static_cast<double>(rowAdded[n][at]) : 0.0; };
         if (row.inputs[at] > 1) {
           if (!band.empty()) row.mean[at] = band.blend(along[at], y, z, taken.data(), row.mean[at]);
           const glm::ivec3 cube(glm::dvec3(begin.x + static_cast<int>(at), j, k) * result_.spacing_mm / kStepCube_mm);
@@ -305,8 +325,17 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
               // What hardly weighs is hardly seen.
               const double seen = 4.0 * taken[a] * taken[b] / ((taken[a] + taken[b]) * (taken[a] + taken[b]));
               sum.count += seen;
-              sum.difference += seen * (shown[a].level - shown[b].level);
+              sum.difference += seen * (shown[a].level + added(a) - shown[b].level - added(b));
             }
+        }
+        if (levelled && row.mean[at] > 0.0) {
+          double sum = 0.0, weight = 0.0;
+          for (std::size_t n = 0; n < views; ++n) {
+            sum += taken[n] * added(n);
+            weight += taken[n];
+          }
+          // What shows an echo goes on showing one.
+          if (weight > 0.0 && sum != 0.0) row.mean[at] = std::clamp(row.mean[at] + sum / weight, std::min(1.0, row.mean[at]), 255.0);
         }
         std::fill(shown, shown + views, ViewSample{});
       }
@@ -331,7 +360,7 @@ std::uint64_t Joiner::scratchBytes(const glm::ivec3& size, std::size_t views, co
   const glm::ivec3 halo = glm::ivec3(8) + 2 * Band::windowOf(cells);
   const glm::dvec3 box(glm::min(size / ratio + halo, cells.dims));
   const auto count = static_cast<std::uint64_t>(box.x * box.y * box.z);
-  return rows + count * (10 * blended + 16 + Band::bytesPerCell(blended));
+  return rows + length * blended * 4 + count * (14 * blended + 16 + Band::bytesPerCell(blended));
 }
 
 }  // namespace ew::stitching

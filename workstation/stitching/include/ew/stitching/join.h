@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/beams.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -18,8 +19,8 @@ namespace ew::stitching {
 
 /// What is added to the grey levels of a view at a depth: gain and depth gain are offsets after log compression. 0 stays 0.
 struct GreyCorrection {
-  glm::dvec3 depthAxis{0.0};  ///< unit vector in the view's own frame along which depth grows; zero: the same correction everywhere
-  double firstKnot_mm = 0.0;  ///< depth (along depthAxis, from the view's own origin) of grey[0]
+  std::optional<Beams> beams = {};  ///< along which depth grows, in the view's own frame; none: the same correction everywhere
+  double firstKnot_mm = 0.0;        ///< depth (beams->depth_mm) of grey[0]
   double knot_mm = 15.0;
   std::vector<double> grey;  ///< empty: none
   [[nodiscard]] double at(const glm::dvec3& p_mm) const;
@@ -52,8 +53,10 @@ enum class SeamMethod {
 
 struct SeamOptions {
   SeamMethod method = SeamMethod::graphCut;
-  double cell_mm = 1.5;           ///< voxels on which the cut is sought, never finer than the result's
-  double blend_mm = 3.0;          ///< half width of the blend on either side of the seam; its weights keep the speckle's deviation
+  double cell_mm = 1.5;   ///< voxels on which the cut is sought, never finer than the result's
+  double blend_mm = 3.0;  ///< half width of the blend on either side of the seam; its weights keep the speckle's deviation
+  double levelBlend_mm =
+      10.0;  ///< half width over which the views' local means pass over into each other, of a cut with a blend; 0: as blend_mm
   double confidenceWeight = 1.0;  ///< how much a view that saw nothing there is shunned: a shadow is filled from another view
   double distanceWeight = 0.1;    ///< how much the middle of a view is preferred to its border
   std::vector<SeamStroke> strokes;
@@ -65,7 +68,16 @@ struct SeamOptions {
 struct SeamMap {
   Grid cells;
   std::vector<std::uint8_t> view;  ///< 1 + index of the view; 0: no view covers the cell
-  double cutCost = 0.0;            ///< mean difference of the views over the seam's faces, grey levels
+  /// What is added to a view's grey levels near seams (SeamOptions::levelBlend_mm), on a box of the cells; linear between their middles.
+  struct Levels {
+    glm::ivec3 begin{0};
+    glm::ivec3 size{0};
+    std::vector<std::int16_t> offset;  ///< kOffsetUnit grey levels
+    bool operator==(const Levels&) const = default;
+  };
+  static constexpr double kOffsetUnit = 1.0 / 64.0;
+  std::vector<Levels> levels;  ///< one per view, or none
+  double cutCost = 0.0;        ///< mean difference of the views over the seam's faces, grey levels
   std::size_t seamFaces = 0;
   bool operator==(const SeamMap&) const = default;
 };
