@@ -5,11 +5,17 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <mutex>
+#include <numeric>
 
+#include "ew/core/depth_curves.h"
+#include "ew/core/parallel.h"
 #include "ew/core/version.h"
+#include "logic/beside.h"
 #include "logic/chain_json.h"
 #include "logic/content_key.h"
 #include "logic/group_bend.h"
+#include "logic/overlap.h"
 #include "logic/pair_match.h"
 #include "logic/places.h"
 #include "logic/provenance.h"
@@ -23,13 +29,23 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using registration::Verdict;
 
-/// Part of every key: raise it when a step starts to give another result for the same inputs.
-constexpr int kChainFormat = 1;
+/// Part of a step's key: raise it when the step starts to give another result for the same inputs.
+constexpr int kInputFormat = 2;
+constexpr int kPairFormat = 2;
+constexpr int kGraphFormat = 1;
+constexpr int kEqualiseFormat = 2;
+constexpr int kBendFormat = 2;
+constexpr int kSeamFormat = 2;
+constexpr int kVolumeFormat = 2;
 constexpr double kHandError_mm = 10.0;  ///< how far a place given by hand is believed
 constexpr double kHandError_deg = 10.0;
 constexpr double kAcceptedError_mm = 1.0;  ///< of a pair a person accepted although its images say nothing about its error
 constexpr double kAcceptedError_deg = 1.0;
 constexpr double kUnconfirmed = 0.1;  ///< trust in an elastic pair that the images did not confirm
+/// What is registered elastically of two views: their overlap and so much around it, for motions and for windows of local means.
+constexpr double kAround_mm = 20.0;
+/// Voxels of the finest images of rigid pairs that are bent afterwards: places within 0.2 mm are all that bending needs.
+constexpr double kFinestBeforeBending_mm = 1.5;
 constexpr const char* kPairStep = "pairs";
 constexpr const char* kBendStep = "bends";
 /// Where each step begins in the whole, from what they took on six virtual subvolumes.
@@ -86,7 +102,12 @@ void addOptions(ContentKey& key, const StitchOptions& grid) {
   key.add(grid.spacing_mm).add(grid.featherWidth_mm).add(grid.interpolatedWeight).add(static_cast<int>(grid.axes));
 }
 void addOptions(ContentKey& key, const SeamOptions& seam) {
-  key.add(static_cast<int>(seam.method)).add(seam.cell_mm).add(seam.blend_mm).add(seam.confidenceWeight).add(seam.distanceWeight);
+  key.add(static_cast<int>(seam.method))
+      .add(seam.cell_mm)
+      .add(seam.blend_mm)
+      .add(seam.levelBlend_mm)
+      .add(seam.confidenceWeight)
+      .add(seam.distanceWeight);
   for (const auto& stroke : seam.strokes) key.add(static_cast<std::uint64_t>(stroke.view)).add(stroke.at_mm).add(stroke.radius_mm);
 }
 
@@ -175,9 +196,9 @@ class Chain {
 
   // ---- keys ----
 
-  [[nodiscard]] ContentKey newKey(const char* what) const {
+  [[nodiscard]] ContentKey newKey(const char* what, int format) const {
     ContentKey key;
-    key.add(what).add(kChainFormat).add(kVersion);
+    key.add(what).add(format).add(kVersion);
     return key;
   }
 
@@ -201,7 +222,7 @@ class Chain {
       if (!info) return passOn(info.error());
       input.info = std::move(*info);
       input.grid = input.info.grid;
-      ContentKey key = newKey("input");
+      ContentKey key = newKey("input", kInputFormat);
       key.add(input.info.sweep).add(asked.spacing_mm);
       std::vector<fs::path> files = input.info.files;
       for (const fs::path& beside : {asked.coverage, asked.confidence, asked.calibration}) {
@@ -263,6 +284,7 @@ class Chain {
                           .maxTurn_deg = settings_.maxTurn_deg,
                           .trackerError_mm = settings_.trackerError_mm,
                           .trackerError_deg = settings_.trackerError_deg};
+        if (settings_.elastic) candidate.task.finest_mm = kFinestBeforeBending_mm;
         if (spoken) {
           candidate.decision = entry->decision;
           candidate.task.method = entry->method;
@@ -283,9 +305,10 @@ class Chain {
   [[nodiscard]] std::string keyOf(const Candidate& candidate) const {
     const PairTask& task = candidate.task;
     const PairMethod first = firstMethod(task);
-    ContentKey key = newKey("pair");
+    ContentKey key = newKey("pair", kPairFormat);
     key.add(inputs_[candidate.fixed].key).add(inputs_[candidate.moving].key);
     key.add(static_cast<int>(task.method)).add(static_cast<int>(first));
+    if (first != PairMethod::byHand) key.add(task.finest_mm);
     if (first == PairMethod::refine || first == PairMethod::byHand) key.add(task.start);
     if (first == PairMethod::refine && task.method == PairMethod::automatic) key.add(task.trackerError_mm).add(task.trackerError_deg);
     if (first == PairMethod::search || (first == PairMethod::refine && task.method == PairMethod::automatic)) key.add(task.maxTurn_deg);
@@ -296,24 +319,24 @@ class Chain {
 
   [[nodiscard]] Keys keysOf(const std::vector<Candidate>& pairs) const {
     Keys keys;
-    ContentKey reconstructed = newKey("reconstruct");
+    ContentKey reconstructed = newKey("reconstruct", kInputFormat);
     for (const Input& input : inputs_) reconstructed.add(input.key);
     keys[Step::reconstruct] = reconstructed.text();
-    ContentKey matched = newKey("rigid");
+    ContentKey matched = newKey("rigid", kPairFormat);
     matched.add(keys[Step::reconstruct]);
     for (const Candidate& pair : pairs)
       if (pair.decision != Decision::rejected)
         matched.add(static_cast<std::uint64_t>(pair.fixed)).add(static_cast<std::uint64_t>(pair.moving)).add(pair.key);
     keys[Step::rigid] = matched.text();
-    ContentKey posed = newKey("graph");
+    ContentKey posed = newKey("graph", kGraphFormat);
     posed.add(keys[Step::rigid]).add(settings_.trackerError_mm).add(settings_.trackerError_deg);
     for (const Candidate& pair : pairs) posed.add(static_cast<int>(pair.decision));
     for (const ProjectVolume& volume : project_.volumes) posed.add(static_cast<int>(volume.placement)).add(volume.toWorld);
     const std::string poses = posed.text();
     for (const ProjectVolume& volume : project_.volumes) posed.add(volume.name);  // the reason names them
     keys[Step::graph] = posed.text();
-    keys[Step::equalise] = newKey("equalise").add(poses).add(settings_.equalise).text();
-    ContentKey bent = newKey("elastic");
+    keys[Step::equalise] = newKey("equalise", kEqualiseFormat).add(poses).add(settings_.equalise).text();
+    ContentKey bent = newKey("elastic", kBendFormat);
     bent.add(poses).add(settings_.elastic);
     if (settings_.elastic) {
       bent.add(static_cast<int>(settings_.effort)).add(settings_.fallOff_mm);
@@ -322,12 +345,12 @@ class Chain {
           bent.add(static_cast<std::uint64_t>(pair.fixed)).add(static_cast<std::uint64_t>(pair.moving)).add(static_cast<int>(*pair.effort));
     }
     keys[Step::elastic] = bent.text();
-    ContentKey cut = newKey("seam");
+    ContentKey cut = newKey("seam", kSeamFormat);
     cut.add(keys[Step::equalise]).add(keys[Step::elastic]);
     addOptions(cut, settings_.join.grid);
     addOptions(cut, settings_.join.seam);
     keys[Step::seam] = cut.text();
-    ContentKey joined = newKey("volume");
+    ContentKey joined = newKey("volume", kVolumeFormat);
     joined.add(keys[Step::seam]).add(keys[Step::graph]);
     for (const ProjectVolume& volume : project_.volumes)
       joined.add(volume.file.generic_string()).add(volume.coverage.generic_string()).add(volume.confidence.generic_string());
@@ -338,11 +361,15 @@ class Chain {
 
   // ---- memory ----
 
-  /// Of the inputs themselves, which stay in memory: echo, coverage and confidence.
+  /// Of the inputs themselves, which stay in memory: echo, coverage and confidence; and of reading the largest.
   [[nodiscard]] std::uint64_t heldBytes() const {
     std::uint64_t bytes = 0;
-    for (const Input& input : inputs_) bytes += 3 * input.grid.voxelCount();
-    return bytes;
+    std::uint64_t largest = 0;
+    for (const Input& input : inputs_) {
+      bytes += 3 * input.grid.voxelCount();
+      largest = std::max<std::uint64_t>(largest, input.grid.voxelCount());
+    }
+    return bytes + 4 * largest;
   }
 
   [[nodiscard]] std::vector<PlacedGrid> placedGrids() const {
@@ -376,6 +403,33 @@ class Chain {
     return options;
   }
 
+  /// How many pairs are registered beside each other, and what they take then: as many as there are threads and room.
+  struct Beside {
+    int pairs = 1;
+    std::uint64_t bytes = 0;
+  };
+  [[nodiscard]] Beside besideEachOther_bytes(std::vector<std::uint64_t> each) const {
+    std::sort(each.rbegin(), each.rend());
+    Beside beside;
+    const auto threads = static_cast<std::size_t>(threadCount(options_.threads));
+    const std::uint64_t held = heldBytes();
+    for (std::size_t n = 0; n < each.size() && n < threads; ++n) {
+      if (n > 0 && held + beside.bytes + each[n] > options_.maxBytes) break;
+      beside.bytes += each[n];
+      beside.pairs = static_cast<int>(n + 1);
+    }
+    return beside;
+  }
+
+  /// Of bending a pair: its parts of both views, and registering these.
+  [[nodiscard]] std::uint64_t bendBytes(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving,
+                                        const registration::ElasticOptions& options) const {
+    const auto [in, there] = sharedBoxes(fixed, moving, fixedToMoving, kAround_mm);
+    if (in.size() == glm::ivec3(0)) return 0;
+    const Grid own = gridOf(fixed, in), other = gridOf(moving, there);
+    return registration::forecastElastic_bytes(own, other, options) + 6 * (own.voxelCount() + other.voxelCount());
+  }
+
   /// At the peak of a step, the inputs not counted.
   [[nodiscard]] std::uint64_t forecastOf(Step step) const {
     std::uint64_t bytes = 0;
@@ -383,26 +437,41 @@ class Chain {
       case Step::reconstruct:
         for (const Input& input : inputs_) bytes = std::max(bytes, input.sweepBytes);
         return bytes;
-      case Step::rigid:
+      case Step::rigid: {
+        std::vector<std::uint64_t> each;
         for (const Candidate& pair : candidates())
           if (pair.decision != Decision::rejected)
-            bytes = std::max(bytes, forecastPair_bytes(inputs_[pair.fixed].grid, inputs_[pair.moving].grid, pair.task));
-        return bytes;
+            each.push_back(forecastPair_bytes(inputs_[pair.fixed].grid, inputs_[pair.moving].grid, pair.task));
+        return besideEachOther_bytes(std::move(each)).bytes;
+      }
       case Step::graph:
-      case Step::equalise:
         return 0;
+      case Step::equalise: {
+        if (!settings_.equalise) return 0;
+        // Differences of the cells that two views share, in a list that grows by doubling.
+        const double cell_mm = EqualiseViewsOptions{}.cell_mm;
+        const auto all = placedGrids();
+        for (std::size_t f = 0; f < all.size(); ++f)
+          for (std::size_t m = f + 1; m < all.size(); ++m) {
+            const VoxelBox shared = sharedBoxes(all[f].grid, all[m].grid, rigidInverse(all[m].toWorld) * all[f].toWorld, 0.0).first;
+            const glm::dvec3 size = glm::dvec3(shared.size()) * all[f].grid.spacing_mm / cell_mm;
+            bytes += static_cast<std::uint64_t>(1.5 * sizeof(DepthDifference) * size.x * size.y * size.z);
+          }
+        return bytes;
+      }
       case Step::elastic: {
         if (!settings_.elastic) return 0;
         std::vector<Grid> grids;
+        std::vector<std::uint64_t> each;
         const auto placedOnes = placedGrids();
-        for (const auto& each : placedOnes) grids.push_back(placed(each.grid, each.toWorld));
+        for (const auto& one : placedOnes) grids.push_back(placed(one.grid, one.toWorld));
         const auto number = [&](std::size_t n) { return included_.empty() ? n : included_[n]; };
         for (std::size_t f = 0; f < grids.size(); ++f)
           for (std::size_t m = f + 1; m < grids.size(); ++m)
             if (boxesMeet(grids[f], grids[m], 0.0))
-              bytes = std::max(
-                  bytes, registration::forecastElastic_bytes(placedOnes[f].grid, placedOnes[m].grid, elasticOptions(number(f), number(m))) +
-                             4 * (placedOnes[f].grid.voxelCount() + placedOnes[m].grid.voxelCount()));
+              each.push_back(bendBytes(placedOnes[f].grid, placedOnes[m].grid, rigidInverse(placedOnes[m].toWorld) * placedOnes[f].toWorld,
+                                       elasticOptions(number(f), number(m))));
+        bytes = besideEachOther_bytes(std::move(each)).bytes;
         return std::max(bytes, forecastBends_bytes(grids, grids.size() * (grids.size() - 1) / 2, bendOptions()));
       }
       case Step::seam:
@@ -449,7 +518,7 @@ class Chain {
     if (auto w = volumes_.writeConfidence(made->volume.grid, made->confidence, store_.fileOf(kSweepStep, key, "confidence.mha"), writing);
         !w)
       return w;
-    ordered_json data = {{"grid", jsonOf(made->volume.grid)}, {"depth_axis", jsonOf(made->depthAxis)}, {"notes", made->notes}};
+    ordered_json data = {{"grid", jsonOf(made->volume.grid)}, {"beams", jsonOf(made->beams)}, {"notes", made->notes}};
     if (auto kept = store_.keep(kSweepStep, key, std::move(data), {"volume.mha", "coverage.mha", "confidence.mha"}); !kept) return kept;
     inputs_[v].grid = made->volume.grid;
     return {};
@@ -457,9 +526,8 @@ class Chain {
 
   Result<std::shared_ptr<LoadedView>> readSweep(std::size_t v, Progress& progress) {
     const std::string& key = inputs_[v].key;
-    const auto about = readBack<std::pair<Grid, glm::dvec3>>(store_.find(kSweepStep, key), [](const json& data) {
-      return std::pair(gridFrom(data.at("grid")), vectorFrom(data.at("depth_axis")));
-    });
+    const auto about = readBack<std::pair<Grid, std::optional<Beams>>>(
+        store_.find(kSweepStep, key), [](const json& data) { return std::pair(gridFrom(data.at("grid")), beamsFrom(data.at("beams"))); });
     if (!about) return failure(ErrorCode::notFound, "The reconstruction of '" + project_.volumes[v].name + "' is not there.");
     auto volume = volumes_.read(store_.fileOf(kSweepStep, key, "volume.mha"), progress);
     if (!volume) return passOn(volume.error());
@@ -470,7 +538,7 @@ class Chain {
     auto view = std::make_shared<LoadedView>();
     view->volume = std::make_shared<const Volume>(std::move(*volume));
     view->confidence = std::move(*confidence);
-    view->depthAxis = about->second;
+    view->beams = about->second;
     return view;
   }
 
@@ -553,39 +621,59 @@ class Chain {
     if (auto fits = checkMemory(Step::rigid); !fits) return fits;
     StepOutcome& outcome = outcomeOf(Step::rigid);
     outcome.reused = store_.find(nameOf(Step::rigid), keys_[Step::rigid]).has_value();
-    const double share = 1.0 / static_cast<double>(std::max<std::size_t>(candidates_.size(), 1));
+    std::vector<std::optional<PairOutcome>> found;
+    std::vector<std::size_t> missing;
+    std::vector<std::uint64_t> bytes;
     for (std::size_t n = 0; n < candidates_.size(); ++n) {
       const Candidate& pair = candidates_[n];
-      if (progress.cancelRequested()) return cancelled();
-      auto found = findPair(pair);
-      if (!found && pair.decision == Decision::rejected) continue;
-      if (!found) {
-        outcome.reused = false;
-        PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
-        auto made = match(pair, part);
+      found.push_back(findPair(pair));
+      if (found.back() || pair.decision == Decision::rejected) continue;
+      missing.push_back(n);
+      bytes.push_back(forecastPair_bytes(inputs_[pair.fixed].grid, inputs_[pair.moving].grid, pair.task));
+    }
+    if (!missing.empty()) {
+      outcome.reused = false;
+      for (const std::size_t n : missing)
+        for (const std::size_t v : {candidates_[n].fixed, candidates_[n].moving})
+          if (auto view = load(v, progress); !view) return passOn(view.error());
+      const int atOnce = besideEachOther_bytes(bytes).pairs;
+      const auto matched = besideEachOther(missing.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
+        auto made = match(candidates_[missing[n]], threadsOfEach(atOnce), part);
         if (!made) return passOn(made.error());
-        found = std::move(*made);
-      }
-      state_.pairs.push_back(std::move(*found));
-      decisions_.push_back(pair.decision);
+        found[missing[n]] = std::move(*made);
+        return {};
+      });
+      if (!matched) return matched;
+    }
+    for (std::size_t n = 0; n < candidates_.size(); ++n) {
+      if (!found[n]) continue;
+      state_.pairs.push_back(std::move(*found[n]));
+      decisions_.push_back(candidates_[n].decision);
     }
     if (outcome.reused) return {};
     return store_.keep(nameOf(Step::rigid), keys_[Step::rigid], {{"pairs", state_.pairs.size()}});
   }
 
-  Result<PairOutcome> match(const Candidate& pair, Progress& progress) {
-    auto fixed = load(pair.fixed, progress);
-    if (!fixed) return passOn(fixed.error());
-    auto moving = load(pair.moving, progress);
-    if (!moving) return passOn(moving.error());
-    progress.report("Registering " + (*fixed)->name + " and " + (*moving)->name, 0.0);
-    registration::OnLevel onLevel;
-    if (options_.onLevel) onLevel = [&](const registration::Level& level) { options_.onLevel(pair.fixed, pair.moving, level); };
-    auto made = matchPair(**fixed, **moving, pair.task, options_.threads, progress, onLevel);
+  /// Threads of each of so many pairs.
+  [[nodiscard]] int threadsOfEach(int atOnce) const { return std::max(1, threadCount(options_.threads) / atOnce); }
+
+  [[nodiscard]] registration::OnLevel levelsOf(std::size_t fixed, std::size_t moving) {
+    if (!options_.onLevel) return {};
+    return [this, fixed, moving](const registration::Level& level) {
+      const std::lock_guard lock(onLevelGuard_);
+      options_.onLevel(fixed, moving, level);
+    };
+  }
+
+  /// Both views are loaded.
+  Result<PairOutcome> match(const Candidate& pair, int threads, Progress& progress) {
+    const LoadedView &fixed = *inputs_[pair.fixed].view, &moving = *inputs_[pair.moving].view;
+    progress.report("Registering " + fixed.name + " and " + moving.name, 0.0);
+    auto made = matchPair(fixed, moving, pair.task, threads, progress, levelsOf(pair.fixed, pair.moving));
     if (!made) return passOn(made.error());
     made->fixed = pair.fixed;
     made->moving = pair.moving;
-    ordered_json data = {{"fixed", (*fixed)->name}, {"moving", (*moving)->name}, {"outcome", jsonOf(*made)}};
+    ordered_json data = {{"fixed", fixed.name}, {"moving", moving.name}, {"outcome", jsonOf(*made)}};
     if (auto kept = store_.keep(kPairStep, pair.key, std::move(data)); !kept) return passOn(kept.error());
     return made;
   }
@@ -699,7 +787,7 @@ class Chain {
       view.toWorld = poseOf(v);
       if (v < state_.bends.size() && !state_.bends[v].displacement_mm.empty()) view.bend = &state_.bends[v];
       if (v < state_.corrections.size()) view.correction = state_.corrections[v];
-      view.correction.depthAxis = (*loaded)->depthAxis;
+      view.correction.beams = (*loaded)->beams;
       view.name = (*loaded)->name;
       views.push_back(std::move(view));
     }
@@ -753,9 +841,10 @@ class Chain {
     BentPair about;
   };
 
-  Result<Bent> bendPair(std::size_t f, std::size_t m, Progress& progress) {
-    const glm::dmat4 start = rigidInverse(poseOf(m)) * poseOf(f);
-    ContentKey name = newKey("bend");
+  /// Both views are loaded.
+  Result<Bent> bendPair(std::size_t f, std::size_t m, const Overlap& overlap, int threads, Progress& progress) {
+    const glm::dmat4 start = startOf(f, m);
+    ContentKey name = newKey("bend", kBendFormat);
     name.add(inputs_[f].key).add(inputs_[m].key).add(start).add(static_cast<int>(effortOf(project_, f, m)));
     const std::string key = name.text();
     const auto kept = [&]() -> std::optional<Bent> {
@@ -770,12 +859,10 @@ class Chain {
       return named(std::move(*bent), f, m);
     };
     if (auto found = kept()) return std::move(*found);
-    const std::vector<float> fixedConfidence = shares(*inputs_[f].view), movingConfidence = shares(*inputs_[m].view);
-    registration::OnLevel onLevel;
-    if (options_.onLevel) onLevel = [&](const registration::Level& level) { options_.onLevel(f, m, level); };
-    auto made =
-        registration::registerElastic({inputs_[f].view->volume.get(), fixedConfidence}, {inputs_[m].view->volume.get(), movingConfidence},
-                                      start, elasticOptions(f, m), progress, onLevel);
+    const PartOfView fixed = around(f, overlap.fixed), moving = around(m, overlap.moving);
+    registration::ElasticOptions options = elasticOptions(f, m);
+    options.threads = threads;
+    auto made = registration::registerElastic(fixed.input(), moving.input(), start, options, progress, levelsOf(f, m));
     if (!made) {
       Error problem = made.error();
       if (problem.code != ErrorCode::cancelled)
@@ -812,12 +899,14 @@ class Chain {
     return bent;
   }
 
-  static std::vector<float> shares(const LoadedView& view) {
-    std::vector<float> shares(view.confidence.size());
-    std::transform(view.confidence.begin(), view.confidence.end(), shares.begin(),
-                   [](std::uint8_t c) { return static_cast<float>(c) / 255.0f; });
-    return shares;
+  /// What a pair needs of a view. Without a coverage map black at a volume's border counts as outside, so such a volume stays whole.
+  [[nodiscard]] PartOfView around(std::size_t v, const VoxelBox& box) const {
+    const LoadedView& view = *inputs_[v].view;
+    const Grid& grid = view.volume->grid;
+    return partOf(view, view.volume->coverage.empty() ? VoxelBox{glm::ivec3(0), grid.dims} : widened(box, grid, kAround_mm));
   }
+
+  [[nodiscard]] glm::dmat4 startOf(std::size_t f, std::size_t m) const { return rigidInverse(poseOf(m)) * poseOf(f); }
 
   Result<void> writeVectors(const char* step, const std::string& key, const std::string& name, const registration::ControlGrid& control) {
     if (auto room = store_.prepare(step); !room) return room;
@@ -869,23 +958,42 @@ class Chain {
     if (settings_.elastic && included_.size() > 1) {
       for (const std::size_t v : included_)
         if (auto loaded = load(v, progress); !loaded) return passOn(loaded.error());
-      std::vector<std::pair<std::size_t, std::size_t>> meeting;
+      struct Meeting {
+        std::size_t f = 0;
+        std::size_t m = 0;
+        Overlap overlap;
+        std::size_t voxels = 0;
+        std::optional<Bent> bent = {};
+      };
+      std::vector<Meeting> meeting;
+      std::vector<std::uint64_t> bytes;
       for (const std::size_t f : included_)
         for (const std::size_t m : included_) {
           if (f >= m || isRejected(f, m)) continue;
           if (progress.cancelRequested()) return cancelled();
-          if (overlapCentre(*inputs_[f].view->volume, *inputs_[m].view->volume, rigidInverse(poseOf(m)) * poseOf(f)))
-            meeting.emplace_back(f, m);
+          const auto overlap = overlapOf(*inputs_[f].view->volume, *inputs_[m].view->volume, startOf(f, m));
+          if (!overlap) continue;
+          meeting.push_back({f, m, *overlap, gridOf(inputs_[f].grid, overlap->fixed).voxelCount()});
+          bytes.push_back(bendBytes(inputs_[f].grid, inputs_[m].grid, startOf(f, m), elasticOptions(f, m)));
         }
-      for (std::size_t n = 0; n < meeting.size(); ++n) {
-        const auto [f, m] = meeting[n];
-        PartOfProgress part(progress, 0.9 * static_cast<double>(n) / static_cast<double>(meeting.size()),
-                            0.9 * static_cast<double>(n + 1) / static_cast<double>(meeting.size()));
-        part.report("Bending " + project_.volumes[f].name + " and " + project_.volumes[m].name, 0.0);
-        auto bent = bendPair(f, m, part);
-        if (!bent) return passOn(bent.error());
-        bends.push_back(std::move(bent->bend));
-        state_.bentPairs.push_back(std::move(bent->about));
+      // Large ones first, so that no thread is left alone with one in the end.
+      std::vector<std::size_t> order(meeting.size());
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return meeting[a].voxels > meeting[b].voxels; });
+      const int atOnce = besideEachOther_bytes(bytes).pairs;
+      PartOfProgress bending(progress, 0.0, 0.9);
+      const auto bent = besideEachOther(meeting.size(), atOnce, bending, [&](std::size_t n, Progress& part) -> Result<void> {
+        Meeting& each = meeting[order[n]];
+        part.report("Bending " + project_.volumes[each.f].name + " and " + project_.volumes[each.m].name, 0.0);
+        auto made = bendPair(each.f, each.m, each.overlap, threadsOfEach(atOnce), part);
+        if (!made) return passOn(made.error());
+        each.bent = std::move(*made);
+        return {};
+      });
+      if (!bent) return bent;
+      for (Meeting& each : meeting) {
+        bends.push_back(std::move(each.bent->bend));
+        state_.bentPairs.push_back(std::move(each.bent->about));
       }
       PartOfProgress sharing(progress, 0.9, 1.0);
       if (auto shared = share(std::move(bends), sharing); !shared) return shared;
@@ -955,10 +1063,23 @@ class Chain {
           map.cells = gridFrom(data.at("cells"));
           map.cutCost = data.at("cut_cost").get<double>();
           map.seamFaces = data.at("seam_faces").get<std::size_t>();
+          for (const auto& box : data.at("levels")) {
+            const auto begin = box.at("begin").get<std::array<int, 3>>(), size = box.at("size").get<std::array<int, 3>>();
+            map.levels.push_back({{begin[0], begin[1], begin[2]}, {size[0], size[1], size[2]}, {}});
+          }
           return map;
         })) {
       const auto cells = files_.readText(store_.fileOf(nameOf(Step::seam), key, "cells.bin"));
-      if (cells && (cells->empty() || cells->size() == found->cells.voxelCount())) {
+      bool whole = cells && (cells->empty() || cells->size() == found->cells.voxelCount());
+      for (std::size_t n = 0; n < found->levels.size() && whole; ++n) {
+        const auto offsets = files_.readText(store_.fileOf(nameOf(Step::seam), key, levelsName(n)));
+        auto& levels = found->levels[n];
+        levels.offset.resize(static_cast<std::size_t>(levels.size.x) * static_cast<std::size_t>(levels.size.y) *
+                             static_cast<std::size_t>(levels.size.z));
+        whole = offsets && offsets->size() == levels.offset.size() * sizeof(std::int16_t);
+        if (whole) std::memcpy(levels.offset.data(), offsets->data(), offsets->size());
+      }
+      if (whole) {
         found->view.assign(cells->begin(), cells->end());
         outcomeOf(Step::seam).reused = true;
         takeSeams(std::move(*found));
@@ -974,10 +1095,22 @@ class Chain {
     if (auto room = store_.prepare(nameOf(Step::seam)); !room) return room;
     if (auto w = files_.writeText(store_.fileOf(nameOf(Step::seam), key, "cells.bin"), std::string(map->view.begin(), map->view.end())); !w)
       return w;
-    ordered_json data = {{"cells", jsonOf(map->cells)}, {"cut_cost", map->cutCost}, {"seam_faces", map->seamFaces}};
+    ordered_json data = {
+        {"cells", jsonOf(map->cells)}, {"cut_cost", map->cutCost}, {"seam_faces", map->seamFaces}, {"levels", ordered_json::array()}};
+    std::vector<std::string> names = {"cells.bin"};
+    for (std::size_t n = 0; n < map->levels.size(); ++n) {
+      const auto& [begin, size, offset] = map->levels[n];
+      data["levels"].push_back({{"begin", {begin.x, begin.y, begin.z}}, {"size", {size.x, size.y, size.z}}});
+      names.push_back(levelsName(n));
+      const std::string bytes(reinterpret_cast<const char*>(offset.data()), offset.size() * sizeof(std::int16_t));
+      if (auto w = files_.writeText(store_.fileOf(nameOf(Step::seam), key, names.back()), bytes); !w) return w;
+    }
     takeSeams(std::move(*map));
-    return store_.keep(nameOf(Step::seam), key, std::move(data), {"cells.bin"});
+    return store_.keep(nameOf(Step::seam), key, std::move(data), names);
   }
+
+  /// Of one of the views that go into the result.
+  [[nodiscard]] static std::string levelsName(std::size_t view) { return "levels-" + std::to_string(view) + ".bin"; }
 
   /// Inside, views are counted among those that go into the result; outside, by their numbers in the project.
   void takeSeams(SeamMap map) {
@@ -985,6 +1118,9 @@ class Chain {
     state_.seams = seams_;
     for (auto& view : state_.seams->view)
       if (view > 0) view = static_cast<std::uint8_t>(included_[view - 1u] + 1);
+    if (state_.seams->levels.empty()) return;
+    state_.seams->levels.assign(inputs_.size(), {});
+    for (std::size_t n = 0; n < included_.size(); ++n) state_.seams->levels[included_[n]] = seams_.levels[n];
   }
 
   // ---- the result ----
@@ -1044,6 +1180,15 @@ class Chain {
     }
   };
 
+  /// Joining measures its seams block by block; where the whole is at hand, nothing has to be left out at the blocks' edges.
+  void measureWhole(const std::array<Volume, 3>& made, JoinReport& report) const {
+    const SeamOptions& seam = settings_.join.seam;
+    if (seam.method == SeamMethod::feather) return;
+    const double step_db = report.seam.meanStep_db;
+    report.seam = seamVisibility(made[0], made[2].echo, seam.blend_mm);
+    if (seam.blend_mm > 0.0) report.seam.meanStep_db = step_db;  // that of the views: an edge of tissue is none
+  }
+
   Result<JoinReport> makeResult(const std::string& key, Progress& progress) {
     const char* step = nameOf(Step::volume);
     auto inputs = views(progress);
@@ -1069,6 +1214,7 @@ class Chain {
     MemoryBlocks blocks(included_, *grid);
     auto report = join(*inputs, seams_, *grid, joinOptions(), blocks, joining);
     if (!report) return report;
+    measureWhole(blocks.made, *report);
     for (std::size_t which = 0; which < 3; ++which)
       if (auto w = volumes_.write(blocks.made[which], fileOf(which), writing); !w) return passOn(w.error());
     return report;
@@ -1184,6 +1330,7 @@ class Chain {
   std::vector<Decision> decisions_;    ///< one per state_.pairs
   std::vector<std::size_t> included_;  ///< volumes that go into the result
   SeamMap seams_;                      ///< views counted among included_
+  std::mutex onLevelGuard_;
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ struct ChainOptions {
   bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
   /// Results of more voxels are written block by block, uncompressed; the voxels do not depend on it.
   std::uint64_t streamAbove_voxels = 1ull << 28;
-  /// Called on the working thread when a level of a pair's registration ends.
+  /// Called on a working thread when a level of a pair's registration ends, one call at a time; pairs are registered beside each other.
   std::function<void(std::size_t fixed, std::size_t moving, const registration::Level&)> onLevel;
 };
 

@@ -320,15 +320,27 @@ registration::GraphResult graphFrom(const json& data) {
   return graph;
 }
 
+ordered_json jsonOf(const std::optional<Beams>& beams) {
+  if (!beams) return nullptr;
+  ordered_json made = {{"direction", jsonOf(beams->direction)}};
+  if (beams->fan) made["apex_way_mm"] = {jsonOf(beams->fan->from_mm), jsonOf(beams->fan->to_mm)};
+  return made;
+}
+std::optional<Beams> beamsFrom(const json& data) {
+  if (data.is_null()) return std::nullopt;
+  Beams beams{vectorFrom(data.at("direction"))};
+  if (data.contains("apex_way_mm")) beams.fan = Beams::Fan{vectorFrom(data["apex_way_mm"].at(0)), vectorFrom(data["apex_way_mm"].at(1))};
+  return beams;
+}
+
 ordered_json jsonOf(const GreyCorrection& correction) {
-  return {{"depth_axis", jsonOf(correction.depthAxis)},
+  return {{"beams", jsonOf(correction.beams)},
           {"first_knot_mm", number(correction.firstKnot_mm)},
           {"knot_mm", number(correction.knot_mm)},
           {"grey", numbers(correction.grey)}};
 }
 GreyCorrection correctionFrom(const json& data) {
-  return {vectorFrom(data.at("depth_axis")), numberFrom(data.at("first_knot_mm")), numberFrom(data.at("knot_mm")),
-          numbersFrom(data.at("grey"))};
+  return {beamsFrom(data.at("beams")), numberFrom(data.at("first_knot_mm")), numberFrom(data.at("knot_mm")), numbersFrom(data.at("grey"))};
 }
 
 ordered_json jsonOf(const JoinReport& report) {

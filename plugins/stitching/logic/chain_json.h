@@ -22,6 +22,8 @@ namespace ew::stitching {
 [[nodiscard]] BentPair bentFrom(const nlohmann::json& data);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const registration::GraphResult& graph);
 [[nodiscard]] registration::GraphResult graphFrom(const nlohmann::json& json);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const std::optional<Beams>& beams);
+[[nodiscard]] std::optional<Beams> beamsFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const GreyCorrection& correction);
 [[nodiscard]] GreyCorrection correctionFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const JoinReport& report);

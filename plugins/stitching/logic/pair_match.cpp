@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "logic/overlap.h"
+
 namespace ew::stitching {
 namespace {
 
@@ -17,7 +19,6 @@ constexpr double kByHand_deg = 3.0;
 /// Beyond such an error of the tracker a refinement may lie outside its reach, so that a search has to follow when it fails.
 constexpr double kReach_mm = 8.0;
 constexpr double kReach_deg = 6.0;
-constexpr double kSample_mm = 3.0;  ///< between the points at which an overlap is looked for
 
 std::vector<float> sharesOf(std::span<const std::uint8_t> confidence) {
   std::vector<float> shares(confidence.size());
@@ -36,6 +37,8 @@ double farthestApart_mm(const Grid& grid, const glm::dmat4& a, const glm::dmat4&
   }
   return farthest;
 }
+
+double leastSpacing_mm(const Grid& grid) { return std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}); }
 
 RigidResult rigidOf(const registration::LandmarkResult& found) {
   RigidResult rigid;
@@ -108,33 +111,14 @@ PairMethod firstMethod(const PairTask& task) {
 std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const PairTask& task) {
   registration::PartialOptions options;
   options.maxTurn_deg = task.maxTurn_deg;
-  // Confidences as numbers, and the images made comparable at the finest level.
-  const std::uint64_t refined = 16 * static_cast<std::uint64_t>(fixed.voxelCount() + moving.voxelCount());
+  // Confidences as numbers, one volume on its way to the finest level, and the images of both at that and the coarser ones.
+  const auto both = static_cast<double>(fixed.voxelCount() + moving.voxelCount());
+  const double finest_mm = std::max(task.finest_mm, std::min(leastSpacing_mm(fixed), leastSpacing_mm(moving)));
+  const double atFinest = std::pow(std::min(leastSpacing_mm(fixed), leastSpacing_mm(moving)) / finest_mm, 3.0);
+  const auto refined = static_cast<std::uint64_t>((4.0 + 15.0 * atFinest) * both) + 13 * std::max(fixed.voxelCount(), moving.voxelCount());
   const PairMethod first = firstMethod(task);
   const bool searches = first == PairMethod::search || task.method == PairMethod::automatic;
   return std::max(refined, searches ? registration::forecastPartial_bytes(fixed, moving, options) : 0);
-}
-
-std::optional<glm::dvec3> overlapCentre(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving) {
-  const Grid& grid = fixed.grid;
-  const glm::dmat4 toFixed = grid.voxelToWorld().matrix;
-  const glm::dmat4 toMoving = moving.grid.worldToVoxel().matrix * fixedToMoving * toFixed;
-  glm::ivec3 step(1);
-  for (int axis = 0; axis < 3; ++axis) step[axis] = std::max(1, static_cast<int>(kSample_mm / grid.spacing_mm[axis]));
-  glm::dvec3 sum(0.0);
-  std::size_t count = 0;
-  for (int k = 0; k < grid.dims.z; k += step.z)
-    for (int j = 0; j < grid.dims.y; j += step.y)
-      for (int i = 0; i < grid.dims.x; i += step.x) {
-        if (fixed.coverageAt(grid.indexOf(i, j, k)) == Coverage::absent) continue;
-        const glm::dvec3 voxel(i, j, k);
-        const glm::ivec3 there(glm::floor(carried(toMoving, voxel) + 0.5));
-        if (!moving.grid.contains(there) || moving.coverageAt(moving.grid.indexOf(there.x, there.y, there.z)) == Coverage::absent) continue;
-        sum += voxel;
-        ++count;
-      }
-  if (count == 0) return std::nullopt;
-  return carried(toFixed, sum / static_cast<double>(count));
 }
 
 Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads, Progress& progress,
@@ -146,9 +130,10 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
   };
   const std::vector<float> fixedConfidence = sharesOf(fixed.confidence);
   const std::vector<float> movingConfidence = sharesOf(moving.confidence);
-  const registration::Input fixedInput{fixed.volume.get(), fixedConfidence};
-  const registration::Input movingInput{moving.volume.get(), movingConfidence};
+  const registration::Input fixedInput{fixed.volume.get(), fixedConfidence, fixed.beams};
+  const registration::Input movingInput{moving.volume.get(), movingConfidence, moving.beams};
   registration::RefineOptions refining;
+  refining.finest_mm = task.finest_mm;
   refining.threads = threads;
   const auto search = [&](Progress& part) {
     registration::PartialOptions searching;
@@ -160,8 +145,8 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
 
   const auto meetingPoint = [&](const glm::dmat4& fixedToMoving) {
     const Grid& grid = fixed.volume->grid;
-    return overlapCentre(*fixed.volume, *moving.volume, fixedToMoving)
-        .value_or(carried(grid.voxelToWorld().matrix, 0.5 * glm::dvec3(grid.dims - 1)));
+    const auto overlap = overlapOf(*fixed.volume, *moving.volume, fixedToMoving);
+    return overlap ? overlap->centre_mm : carried(grid.voxelToWorld().matrix, 0.5 * glm::dvec3(grid.dims - 1));
   };
 
   PairOutcome outcome;

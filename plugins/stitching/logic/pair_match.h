@@ -14,7 +14,7 @@ namespace ew::stitching {
 struct LoadedView {
   std::shared_ptr<const Volume> volume;
   std::vector<std::uint8_t> confidence;  ///< 255 for 1; empty: 1 wherever covered
-  glm::dvec3 depthAxis{0.0};
+  std::optional<Beams> beams;            ///< in its own frame; empty: not known
   std::string name;
 };
 
@@ -27,6 +27,7 @@ struct PairTask {
   double maxTurn_deg = 30.0;
   double trackerError_mm = 3.0;
   double trackerError_deg = 2.0;
+  double finest_mm = 0.75;  ///< voxels of the last level, as RefineOptions::finest_mm
 };
 
 /// Which way an automatic pair goes at first.
@@ -39,9 +40,6 @@ struct PairTask {
 /// @error what registering says, with the names of both volumes; cancelled
 [[nodiscard]] Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads,
                                             Progress& progress, const registration::OnLevel& onLevel);
-
-/// Middle of what both cover, in the fixed frame; nothing when they do not meet.
-[[nodiscard]] std::optional<glm::dvec3> overlapCentre(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving);
 
 /// Deviations of the same size along and about each axis.
 [[nodiscard]] registration::PoseCovariance evenCovariance(double deviation_mm, double deviation_deg);

@@ -1,0 +1,72 @@
+#include "logic/beside.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+namespace ew::stitching {
+namespace {
+
+class Recorder final : public Progress {
+ public:
+  void report(std::string_view, double fraction) override {
+    const std::lock_guard lock(guard);
+    fractions.push_back(fraction);
+  }
+  [[nodiscard]] bool cancelRequested() const override { return cancel; }
+  std::mutex guard;
+  std::vector<double> fractions;
+  std::atomic<bool> cancel{false};
+};
+
+TEST(BesideEachOther, DoesEveryPieceOnceAndProgressNeverGoesBack) {
+  for (const int atOnce : {1, 2, 5}) {
+    Recorder progress;
+    std::vector<std::atomic<int>> done(23);
+    const auto all = besideEachOther(done.size(), atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
+      own.report("half", 0.5);
+      own.report("back", 0.2);
+      ++done[n];
+      return {};
+    });
+    EXPECT_TRUE(all);
+    for (const auto& each : done) EXPECT_EQ(each, 1);
+    EXPECT_TRUE(std::is_sorted(progress.fractions.begin(), progress.fractions.end()));
+    EXPECT_LE(progress.fractions.back(), 1.0);
+  }
+}
+
+TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
+  for (const int atOnce : {1, 3}) {
+    Recorder progress;
+    std::atomic<int> begun{0};
+    const auto all = besideEachOther(200, atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
+      ++begun;
+      if (n == 4) return failure(ErrorCode::badField, "the fourth");
+      if (own.cancelRequested()) return failure(ErrorCode::cancelled, "stopped");
+      return {};
+    });
+    ASSERT_FALSE(all);
+    EXPECT_EQ(all.error().sentence, "the fourth");
+    EXPECT_LT(begun, 200);
+  }
+}
+
+TEST(BesideEachOther, IsCancelledBetweenPieces) {
+  Recorder progress;
+  const auto all = besideEachOther(50, 2, progress, [&](std::size_t n, Progress&) -> Result<void> {
+    if (n == 3) progress.cancel = true;
+    return {};
+  });
+  ASSERT_FALSE(all);
+  EXPECT_EQ(all.error().code, ErrorCode::cancelled);
+}
+
+TEST(BesideEachOther, OfNothingIsDone) {
+  EXPECT_TRUE(besideEachOther(0, 4, noProgress(), [](std::size_t, Progress&) -> Result<void> { return failure(ErrorCode::badField, ""); }));
+}
+
+}  // namespace
+}  // namespace ew::stitching
