@@ -185,15 +185,15 @@ std::vector<Joiner::Weights> Joiner::weightsOf(const std::vector<std::size_t>& r
           const float inside = found.size() > 1 ? std::clamp(2.0f * covered[c] / all[c] - 1.0f, 1e-3f, 1.0f) : 1.0f;
           weights.cells[to] = own[c] / all[c] * inside;
         }
-    if (weights.view >= seams_->levels.size()) continue;
+    if (weights.view >= seams_->levels.size() || seams_->levels[weights.view].offset.empty()) continue;
     const SeamMap::Levels& levels = seams_->levels[weights.view];
     const CellBox box{levels.begin, levels.begin + levels.size};
     to = 0;
     for (int k = cells.begin.z; k < cells.end.z; ++k)
       for (int j = cells.begin.y; j < cells.end.y; ++j)
         for (int i = cells.begin.x; i < cells.end.x; ++i, ++to) {
-          if (!box.contains(i, j, k)) continue;
-          const std::int16_t offset = levels.offset[box.indexOf(i, j, k)];
+          const glm::ivec3 at = glm::clamp(glm::ivec3(i, j, k), box.begin, box.end - 1);
+          const std::int16_t offset = levels.offset[box.indexOf(at.x, at.y, at.z)];
           if (offset == 0) continue;
           if (weights.added.empty()) weights.added.assign(cells.count(), 0.0f);
           weights.added[to] = static_cast<float>(offset * SeamMap::kOffsetUnit);
@@ -252,11 +252,10 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
   const std::vector<Weights> weights = weightsOf(reaching, cells);
   std::vector<std::size_t> blended;
   std::vector<const float*> cellWeights;
-  bool levelled = false;
+  const bool levelled = !seams_->levels.empty();
   for (const Weights& each : weights) {
     blended.push_back(each.view);
     cellWeights.push_back(each.cells.data());
-    levelled = levelled || !each.added.empty();
   }
   if (sharp) blended.clear();
   const Band band(samplers_, blended, cellWeights, cells, seams_->cells, ratio_, stopped);

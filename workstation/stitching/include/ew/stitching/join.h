@@ -55,8 +55,8 @@ struct SeamOptions {
   SeamMethod method = SeamMethod::graphCut;
   double cell_mm = 1.5;   ///< voxels on which the cut is sought, never finer than the result's
   double blend_mm = 3.0;  ///< half width of the blend on either side of the seam; its weights keep the speckle's deviation
-  double levelBlend_mm =
-      10.0;  ///< half width over which the views' local means pass over into each other, of a cut with a blend; 0: as blend_mm
+  /// Half width over which the views' local means pass over into each other, of a cut with a blend; 0: with the blend, in less memory.
+  double levelBlend_mm = 0.0;
   double confidenceWeight = 1.0;  ///< how much a view that saw nothing there is shunned: a shadow is filled from another view
   double distanceWeight = 0.1;    ///< how much the middle of a view is preferred to its border
   std::vector<SeamStroke> strokes;
