@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kSample_mm = 3.0;
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 /// The voxels of `own` that can lie in the box of `other`.
 VoxelBox reached(const Grid& own, const Grid& other, const glm::dmat4& otherVoxelToOwnVoxel) {
   glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());

@@ -66,6 +66,13 @@ struct ProjectPair {
 /// Whether the entry says more than how hard to try to bend the pair: such a pair is matched even where its places need no matching.
 [[nodiscard]] bool speaksOfPose(const ProjectPair& pair);
 
+/// How a project's views are joined when it says nothing: levels pass over more widely than speckle.
+[[nodiscard]] inline JoinOptions joinOfProject() {
+  JoinOptions join;
+  join.seam.levelBlend_mm = 10.0;
+  return join;
+}
+
 struct ProjectSettings {
   double maxTurn_deg = 30.0;
   double trackerError_mm = 3.0;  ///< how far recorded places are believed; 0, and 0 degrees: they are exact, nothing is registered rigidly
@@ -73,8 +80,8 @@ struct ProjectSettings {
   bool equalise = true;
   bool elastic = true;
   registration::ElasticEffort effort = registration::ElasticEffort::balanced;
-  double fallOff_mm = 25.0;  ///< the bend is gone this far outside the overlap
-  JoinOptions join;          ///< threads and maxBytes are not part of the file
+  double fallOff_mm = 25.0;            ///< the bend is gone this far outside the overlap
+  JoinOptions join = joinOfProject();  ///< threads and maxBytes are not part of the file
 };
 
 /// A stitch project (resources/docs/stitching.md, resources/schemas/stitch.schema.json): what a person asked for, never what was found; so
