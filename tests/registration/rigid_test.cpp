@@ -675,8 +675,9 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
   EXPECT_EQ(code({&pair.fixed, wild}, {&pair.moving}, one), ErrorCode::badField);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, 2.0 * one), ErrorCode::notRigid);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, one, {.finest_mm = -1.0}), ErrorCode::badField);
-  EXPECT_EQ(code({&pair.fixed, {}, glm::dvec3(0.0)}, {&pair.moving}, one), ErrorCode::badField);
-  EXPECT_EQ(code({&pair.fixed}, {&pair.moving, {}, glm::dvec3(NAN, 0.0, 1.0)}, one), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed, {}, Beams{}}, {&pair.moving}, one), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed}, {&pair.moving, {}, Beams{{NAN, 0.0, 1.0}}}, one), ErrorCode::badField);
+  EXPECT_EQ(code({&pair.fixed, {}, Beams{{0.0, 1.0, 0.0}, Beams::Fan{{NAN, 0.0, 0.0}, {}}}}, {&pair.moving}, one), ErrorCode::badField);
   Volume none;
   EXPECT_EQ(code({&none}, {&pair.moving}, one), ErrorCode::emptyVolume);
   Volume unseen = pair.fixed;

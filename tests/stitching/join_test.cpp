@@ -87,7 +87,7 @@ struct Crooked {
              viewOf(c, "c", moved(9.0, 22.0, 5.0) * glm::rotate(glm::dmat4(1.0), -0.3, glm::dvec3(1, 0, 0)))};
     views[0].confidence = confidence;
     views[1].bend = &bend;
-    views[2].correction = {{0.0, 0.0, 1.0}, -5.0, 10.0, {-12.0, 3.0, 20.0}};
+    views[2].correction = {Beams{{0.0, 0.0, 1.0}}, -5.0, 10.0, {-12.0, 3.0, 20.0}};
   }
 };
 
@@ -180,7 +180,7 @@ TEST(Join, BendsAViewAsItsControlGridSays) {
 TEST(Join, AddsTheCorrectionOfAViewAtItsDepth) {
   const Volume flat = constant(gridOf({10, 10, 41}), 100);
   View view = viewOf(flat, "a", moved(50, 0, 0) * glm::rotate(glm::dmat4(1.0), 1.0, glm::dvec3(0, 1, 0)));  // depth stays the view's own
-  view.correction = {{0.0, 0.0, 1.0}, 10.0, 10.0, {5.0, -5.0, 25.0}};
+  view.correction = {Beams{{0.0, 0.0, 1.0}}, 10.0, 10.0, {5.0, -5.0, 25.0}};
   JoinOptions options;
   options.seam.method = SeamMethod::nearest;
   const auto result = joined({view}, options);
@@ -188,6 +188,20 @@ TEST(Join, AddsTheCorrectionOfAViewAtItsDepth) {
     const double expected = k <= 10 ? 105 : k <= 20 ? 105 - (k - 10) : k <= 30 ? 95 + 3 * (k - 20) : 125;
     EXPECT_NEAR(view.correction.at({3, 4, k}), expected - 100.0, 1e-12);
     EXPECT_EQ(result.volume.echo[result.volume.grid.indexOf(5, 5, k)], expected) << k;
+  }
+}
+
+TEST(Join, AddsTheCorrectionOfAFanAlongItsBeams) {
+  const Volume flat = constant(gridOf({61, 41, 10}), 100);
+  View view = viewOf(flat, "a");
+  view.correction = {
+      Beams{{0.0, 1.0, 0.0}, Beams::Fan{{30.0, -20.0, 0.0}, {30.0, -20.0, 9.0}}}, 20.0, 10.0, {0.0, 10.0, 20.0, 30.0, 40.0, 50.0}};
+  JoinOptions options;
+  options.seam.method = SeamMethod::nearest;
+  const auto result = joined({view}, options);
+  for (const glm::ivec3 at : {glm::ivec3(30, 10, 4), glm::ivec3(60, 20, 4), glm::ivec3(0, 20, 9), glm::ivec3(12, 4, 0)}) {
+    const double depth = glm::distance(glm::dvec2(at), glm::dvec2(30.0, -20.0));
+    EXPECT_NEAR(result.volume.echo[result.volume.grid.indexOf(at.x, at.y, at.z)], 100.0 + depth - 20.0, 0.51) << at.x;
   }
 }
 

@@ -258,6 +258,23 @@ TEST(Join, MakesAWholeLargerThanItsMemoryIntoFiles) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Join, LevelsPassOverNearSeamsAndNowhereElse) {
+  // Flat views of different grey, side by side: the steps are 20 levels wide and spread over 2 x 10 mm.
+  const Volume left = constant(gridOf({70, 20, 20}), 100), right = constant(gridOf({70, 20, 20}), 120);
+  const std::vector<View> views = {viewOf(left, "left"), viewOf(right, "right", moved(40, 0, 0))};
+  JoinOptions options;
+  options.seam.levelBlend_mm = 10.0;
+  const auto result = joined(views, options);
+  const Grid& grid = result.volume.grid;
+  int largest = 0;
+  for (int i = 0; i + 1 < grid.dims.x; ++i)
+    largest = std::max(largest, std::abs(result.volume.echo[grid.indexOf(i + 1, 10, 10)] - result.volume.echo[grid.indexOf(i, 10, 10)]));
+  EXPECT_LE(largest, 3);
+  EXPECT_EQ(result.volume.echo[grid.indexOf(30, 10, 10)], 100);
+  EXPECT_EQ(result.volume.echo[grid.indexOf(grid.dims.x - 31, 10, 10)], 120);
+  EXPECT_EQ(joined(views, options).volume.echo, result.volume.echo);
+}
+
 TEST(EqualiseViews, GivesTheSameCurvesOnAnyNumberOfThreads) {
   SpeckledViewRecipe right = rightRecipe(true);
   right.gain_db = 5.0;
