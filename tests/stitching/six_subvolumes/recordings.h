@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -59,7 +60,7 @@ class SixRecordings {
       ASSERT_EQ(poses.size(), static_cast<std::size_t>(recipe->frames));
       for (const glm::dmat4& pose : poses) {
         view.toProbe.push_back(glm::inverse(pose));
-        view.pressure.push_back(contactPressureOf(**patient, *probe, {pose}, recipe->indentation_mm));
+        view.pressure.push_back(deformationOf(**patient, *probe, *recipe, {pose}, {}));
       }
     }
   }
@@ -71,13 +72,13 @@ class SixRecordings {
   [[nodiscard]] glm::dvec3 tissueAt(std::size_t view, const glm::dvec3& p_mm) const {
     const View& of = views_[view];
     const glm::dvec3 p_world(glm::inverse(of.fromWorld) * glm::dvec4(p_mm, 1.0));
-    return of.pressure[frameAt(of, p_world)].rest(p_world);
+    return of.pressure[frameAt(of, p_world)]->rest(p_world);
   }
   /// The way back: where a recording shows what rests at a point of the world.
   [[nodiscard]] glm::dvec3 shownAt(std::size_t view, const glm::dvec3& rest_mm) const {
     const View& of = views_[view];
     glm::dvec3 p_world = rest_mm;
-    for (int round = 0; round < 3; ++round) p_world = of.pressure[frameAt(of, p_world)].moved(rest_mm);
+    for (int round = 0; round < 3; ++round) p_world = of.pressure[frameAt(of, p_world)]->moved(rest_mm);
     return glm::dvec3(of.fromWorld * glm::dvec4(p_world, 1.0));
   }
 
@@ -85,7 +86,7 @@ class SixRecordings {
   struct View {
     glm::dmat4 fromWorld{1.0};
     std::vector<glm::dmat4> toProbe;
-    std::vector<ContactPressure> pressure;
+    std::vector<std::unique_ptr<Deformation>> pressure;
   };
 
   /// The frame whose plane is nearest.
