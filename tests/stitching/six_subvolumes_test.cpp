@@ -355,7 +355,7 @@ void runAndJudge(const Asked& asked) {
   EXPECT_LT(std::min(wall_s, 1.25 * processor_s / 2.0), 180.0);
   if (peakKnown && !anyReused) {
     EXPECT_GE(forecast_mib, peak_mib);
-    EXPECT_LE(forecast_mib, 1.6 * peak_mib);
+    EXPECT_LE(forecast_mib, 1.5 * peak_mib);
   }
   EXPECT_EQ(state->verdict, registration::Verdict::aligned) << state->reason;
   EXPECT_TRUE(state->leftOut.empty());

@@ -171,13 +171,12 @@ class Chain {
     if (auto looked = identify(progress_, true); !looked) return passOn(looked.error());
     const Keys keys = keysOf(candidates());
     bool before = true;
-    std::uint64_t held = heldBytes();
     ChainForecast forecast;
     for (const Step step : kSteps) {
       StepOutcome outcome{.step = step};
       before = before && store_.find(nameOf(step), keys[step]).has_value() && (step != Step::volume || resultIsThere(keys[step]));
       outcome.done = outcome.reused = before;
-      outcome.forecast_bytes = before ? 0 : held + forecastOf(step);
+      outcome.forecast_bytes = before ? 0 : peakOf(step);
       forecast.peak_bytes = std::max(forecast.peak_bytes, outcome.forecast_bytes);
       forecast.steps.push_back(outcome);
     }
@@ -403,6 +402,10 @@ class Chain {
     return options;
   }
 
+  /// A seventh more, for what is too small to be counted and what the allocator keeps between steps: measured, the six sweeps of
+  /// tests/stitching/six_subvolumes take up to 1.07 times what is counted.
+  static std::uint64_t withMargin_bytes(std::uint64_t counted) { return counted + counted / 7; }
+
   /// How many pairs are registered beside each other, and what they take then: as many as there are threads and room.
   struct Beside {
     int pairs = 1;
@@ -414,7 +417,7 @@ class Chain {
     const auto threads = static_cast<std::size_t>(threadCount(options_.threads));
     const std::uint64_t held = heldBytes();
     for (std::size_t n = 0; n < each.size() && n < threads; ++n) {
-      if (n > 0 && held + beside.bytes + each[n] > options_.maxBytes) break;
+      if (n > 0 && withMargin_bytes(held + beside.bytes + each[n]) > options_.maxBytes) break;
       beside.bytes += each[n];
       beside.pairs = static_cast<int>(n + 1);
     }
@@ -487,9 +490,11 @@ class Chain {
     return bytes;
   }
 
+  [[nodiscard]] std::uint64_t peakOf(Step step) const { return withMargin_bytes(heldBytes() + forecastOf(step)); }
+
   Result<void> checkMemory(Step step) {
     StepOutcome& outcome = state_.steps[static_cast<std::size_t>(step)];
-    outcome.forecast_bytes = heldBytes() + forecastOf(step);
+    outcome.forecast_bytes = peakOf(step);
     if (outcome.forecast_bytes <= options_.maxBytes) return {};
     return failure(ErrorCode::tooLarge,
                    "The step " + std::string(nameOf(step)) + " would need " + std::to_string(outcome.forecast_bytes >> 20) +
