@@ -391,7 +391,7 @@ void runAndJudge(const Asked& asked) {
   printVisibility("seam", state->report->seam);
   printVisibility("seam of the joined volume alone", seamVisibility(*joined, source->echo, project->settings.join.seam.blend_mm));
   EXPECT_NEAR(state->report->seam.derivativeRatio, 1.0, 0.05);
-  EXPECT_NEAR(state->report->seam.speckleRatio, 1.0, 0.07);  // asked for: 0.05; resources/docs/measurements.md says what is missing
+  EXPECT_NEAR(state->report->seam.speckleRatio, 1.0, 0.05);
   EXPECT_LT(std::abs(state->report->seam.meanStep_db), 0.5);
   const auto confidences = confidencesOf(*state, out, volumes);
   auto views = viewsOf(*state, confidences);

@@ -14,6 +14,8 @@ constexpr double kFewest = 24.0;
 /// What a view did not trust does not tell what its speckle is like. Deep tissue is trusted little long before its speckle is gone.
 constexpr double kTrusted = 0.2;
 constexpr double kMostStretch = 2.0;
+/// Voxels so far apart are of different speckle, yet mostly of the same structure: their difference tells how speckle alone agrees.
+constexpr double kSpeckle_mm = 0.8;
 
 struct Sums {
   double count = 0.0;
@@ -96,11 +98,12 @@ Band::Band(const std::vector<ViewSampler>& samplers, const std::vector<std::size
       }
   const std::size_t pairs = views_ * (views_ - 1) / 2;
   std::vector<Sums> own(wide.count() * views_);  // `second` stays empty
-  std::vector<Sums> both(wide.count() * pairs);
+  std::vector<Sums> both(wide.count() * pairs);  // of differences
   const int first = wide.begin.x * ratio.x;
   const int last = wide.end.x * ratio.x;
   const auto length = static_cast<std::size_t>(last - first);
-  std::vector<std::vector<std::int32_t>> rows(views_, std::vector<std::int32_t>(length));
+  const auto lag = static_cast<std::size_t>(std::max(1L, std::lround(kSpeckle_mm * ratio.x / cells.spacing_mm.x)));
+  std::vector<std::vector<std::int32_t>> rows(views_, std::vector<std::int32_t>(length + lag));
   for (int k = wide.begin.z * ratio.z; k < wide.end.z * ratio.z; ++k)
     for (int j = wide.begin.y * ratio.y; j < wide.end.y * ratio.y && !stopped(); ++j) {
       if (((j + k) & 1) != 0) continue;  // neighbouring rows show the same speckle: every other one tells as much
@@ -112,8 +115,11 @@ Band::Band(const std::vector<ViewSampler>& samplers, const std::vector<std::size
       for (std::size_t n = 0; n < views_; ++n) {
         std::fill(rows[n].begin(), rows[n].end(), -1);
         const ViewSampler& sampler = samplers[views[n]];
-        sampler.alongRow(j, k, first, last, [&](int i, const glm::dvec3& where) {
-          if (wantedHere[static_cast<std::size_t>(i / ratio.x - wide.begin.x) * views_ + n] == 0) return;
+        const auto isWanted = [&](int i) {
+          return i >= first && i < last && wantedHere[static_cast<std::size_t>(i / ratio.x - wide.begin.x) * views_ + n] != 0;
+        };
+        sampler.alongRow(j, k, first, last + static_cast<int>(lag), [&](int i, const glm::dvec3& where) {
+          if (!isWanted(i) && !isWanted(i - static_cast<int>(lag))) return;  // a voxel or the partner of one
           const ViewSample sample = sampler.at(where);
           if (sample.quality <= 0.0 || sample.confidence < kTrusted) return;
           rows[n][static_cast<std::size_t>(i - first)] = static_cast<std::int32_t>(std::lround(kUnit * sample.level));
@@ -124,8 +130,11 @@ Band::Band(const std::vector<ViewSampler>& samplers, const std::vector<std::size
         for (std::size_t a = 0; a < views_; ++a) {
           if (rows[a][at] < 0) continue;
           own[cell * views_ + a].take(rows[a][at], 0.0);
+          const std::size_t next = at + lag;
+          if (rows[a][next] < 0) continue;
           for (std::size_t b = 0; b < a; ++b)
-            if (rows[b][at] >= 0) both[cell * pairs + pairOf(a, b)].take(rows[a][at], rows[b][at]);
+            if (rows[b][at] >= 0 && rows[b][next] >= 0)
+              both[cell * pairs + pairOf(a, b)].take(rows[a][next] - rows[a][at], rows[b][next] - rows[b][at]);
         }
       }
     }
@@ -157,7 +166,7 @@ Band::Band(const std::vector<ViewSampler>& samplers, const std::vector<std::size
             if (moments_[cell * views_ + b].variance < 0.0f) continue;
             const Sums p = sumOver(both, pairOf(a, b), pairs);
             if (p.count < kFewest) continue;
-            // The correlation is that of the voxels both show, the deviations are each view's own.
+            // The correlation is that of the speckle both show, the deviations are each view's own.
             const double one = p.firstSquared - p.first * p.first / p.count;
             const double other = p.secondSquared - p.second * p.second / p.count;
             if (!(one > 0.0 && other > 0.0)) continue;

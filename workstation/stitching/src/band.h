@@ -17,6 +17,7 @@ struct BetweenCells {
 ///   g = sum_n w_n s_n / sqrt(sum_ab w_a w_b c_ab),
 /// with the weights w (their sum 1), the local deviations s of the views and their local covariances c. Views whose speckle agrees have
 /// c_ab = s_a s_b, so g = 1 and the plain blend stays; g is never below 1.
+/// The correlation within c_ab is that of differences over 0.8 mm, so that structure both views show does not pass for speckle they share.
 /// Moments are those of the voxels within about 2.2 mm of a cell; between cells they are linear.
 class Band {
  public:
