@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 
-namespace ew::registration::graph {
+#include "graph/covariance.h"
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+namespace ew::registration::graph {
 
 /// Where a subvolume lies: p -> turn (p - centre) + place. About a centre in its middle, so that a turn does not sweep it away.
 struct Place {
