@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ew/core/parallel.h"
-#include "row_sums.h"
 
 namespace ew::registration {
 namespace {
@@ -60,7 +59,7 @@ PackedImage packed(const ComparableImage& image) {
   return out;
 }
 
-void PoseSums::add(const PoseSums& other) {
+void PairSums::add(const PairSums& other) {
   count += other.count;
   weight += other.weight;
   f += other.f;
@@ -73,6 +72,10 @@ void PoseSums::add(const PoseSums& other) {
   bothGradients += other.bothGradients;
   fixedGradient += other.fixedGradient;
   movingGradient += other.movingGradient;
+}
+
+void PoseSums::add(const PoseSums& other) {
+  PairSums::add(other);
   for (int q = 0; q < 36; ++q) normal[q] += other.normal[q];
   for (int q = 0; q < 6; ++q) right[q] += other.right[q];
   lowest = glm::min(lowest, other.lowest);
@@ -171,21 +174,10 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
           PoseSums& into = options.perBlock && blockSums != nullptr
                                ? (*blockSums)[(static_cast<std::size_t>(cube.z) * cubes.y + cube.y) * cubes.x + cube.x]
                                : mine;
-          into.count += row.count;
-          into.weight += row.weight;
-          into.f += row.f;
-          into.m += row.m;
-          into.ff += row.ff;
-          into.mm += row.mm;
-          into.fm += row.fm;
+          into.PairSums::add(row);
           into.lowest = glm::min(into.lowest, glm::dvec3(job.begin, j, k));
           into.highest = glm::max(into.highest, glm::dvec3(job.end - 1, j, k));
           if (!options.derivatives) continue;
-          into.residual += row.residual;
-          into.robustWeight += row.robustWeight;
-          into.bothGradients += row.bothGradients;
-          into.fixedGradient += row.fixedGradient;
-          into.movingGradient += row.movingGradient;
           const glm::dvec3 p(fixed.grid.voxelToWorld().matrix * glm::dvec4(0.5 * dims.x, j, k, 1.0) - glm::dvec4(centre_mm, 0.0));
           const Lever zeroth = leverOf(p, 1.0);
           const Lever first = leverOf(alongRow, 0.0);

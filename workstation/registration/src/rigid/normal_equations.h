@@ -7,6 +7,7 @@
 
 #include "../comparable.h"
 #include "ew/core/progress.h"
+#include "row_sums.h"
 
 namespace ew::registration {
 
@@ -18,19 +19,7 @@ struct PackedImage {
 [[nodiscard]] PackedImage packed(const ComparableImage& image);
 
 /// What one pass over the overlap of a pair sums up. Rotations are about `centre` of the pass, in the fixed frame.
-struct PoseSums {
-  double count = 0.0;   ///< fixed voxels whose mate is covered
-  double weight = 0.0;  ///< of confidence, without the robust loss
-  double f = 0.0;       ///< weighted sums of fixed and moving values and their products
-  double m = 0.0;
-  double ff = 0.0;
-  double mm = 0.0;
-  double fm = 0.0;
-  double residual = 0.0;  ///< of squared residuals, with the robust weights
-  double robustWeight = 0.0;
-  double bothGradients = 0.0;  ///< of fixed times moving gradients, and of the squares of each
-  double fixedGradient = 0.0;
-  double movingGradient = 0.0;
+struct PoseSums : PairSums {
   std::array<double, 36> normal{};  ///< J J^T of the mean of both gradients
   std::array<double, 6> right{};    ///< J (fixed - moving)
   glm::dvec3 lowest{1e300};         ///< corners of the overlap in voxels of the fixed image

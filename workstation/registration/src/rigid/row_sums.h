@@ -23,11 +23,27 @@ struct PoseRow {
   bool derivatives = true;
 };
 
-/// Sums over the stretch: value sums, then gradient moments for powers 0, 1, 2 of the place along the row (xx xy xz yy yz zz), then
-/// gradient times residual for powers 0 and 1.
-struct PoseRowSums {
-  double count = 0.0, weight = 0.0, f = 0.0, m = 0.0, ff = 0.0, mm = 0.0, fm = 0.0, residual = 0.0, robustWeight = 0.0;
-  double bothGradients = 0.0, fixedGradient = 0.0, movingGradient = 0.0;  // products and squares, with the robust weights
+/// What is summed over a stretch of a row as over a whole pair.
+struct PairSums {
+  double count = 0.0;   ///< fixed voxels whose mate is covered
+  double weight = 0.0;  ///< of confidence, without the robust loss
+  double f = 0.0;       ///< weighted sums of fixed and moving values and their products
+  double m = 0.0;
+  double ff = 0.0;
+  double mm = 0.0;
+  double fm = 0.0;
+  double residual = 0.0;  ///< of squared residuals, with the robust weights
+  double robustWeight = 0.0;
+  double bothGradients = 0.0;  ///< of fixed times moving gradients, and of the squares of each, with the robust weights
+  double fixedGradient = 0.0;
+  double movingGradient = 0.0;
+
+  void add(const PairSums& other);
+};
+
+/// Sums over the stretch: those of a pair (from `residual` on with derivatives alone), then gradient moments for powers 0, 1, 2 of the
+/// place along the row (xx xy xz yy yz zz), then gradient times residual for powers 0 and 1.
+struct PoseRowSums : PairSums {
   double moment[3][6]{};
   double right[2][3]{};
 };
