@@ -4,37 +4,18 @@
 
 #include "bench_register.h"
 #include "bench_register_peers.h"
-#include "cli/cli_world.h"
+#include "cli/bench_run.h"
 
 namespace ew::test {
 namespace {
 
-class BenchRegister : public testing::Test {
+class BenchRegister : public BenchRun<BenchRegister> {
+ public:
+  static std::vector<std::string> command() { return {"bench", "register", "--side", "48", "--no-peers"}; }
+
  protected:
-  static void SetUpTestSuite() {
-    const auto outcome =
-        run({"bench", "register", "--side", "48", "--no-peers", "--html", folder() / "page", "--report", folder() / "r.json"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    quality() = readJson(folder() / "r.json")["quality"];
-    said() = outcome.out;
-  }
-  static TemporaryFolder& folder() {
-    static TemporaryFolder made;
-    return made;
-  }
-  static nlohmann::json& quality() {
-    static nlohmann::json kept;
-    return kept;
-  }
-  static std::string& said() {
-    static std::string kept;
-    return kept;
-  }
-  static nlohmann::json row(const std::string& method, const std::string& setting) {
-    for (const auto& each : quality()["results"])
-      if (each["method"] == method && each["setting"] == setting) return each;
-    ADD_FAILURE() << "no row " << method << ", " << setting;
-    return {};
+  static double error_mm(const std::string& method, const std::string& setting) {
+    return row({{"method", method}, {"setting", setting}})["error_mm"].get<double>();
   }
 };
 
@@ -52,21 +33,19 @@ TEST_F(BenchRegister, EveryRowHasATimeAnErrorBeforeAndAnErrorAfter) {
 }
 
 TEST_F(BenchRegister, SeveralLevelsConvergeWhereOneDoesNot) {
-  EXPECT_LT(row("elastic2d", "chosen by size")["error_mm"].get<double>(), 0.5 * row("elastic2d", "one level")["error_mm"].get<double>());
+  EXPECT_LT(error_mm("elastic2d", "chosen by size"), 0.5 * error_mm("elastic2d", "one level"));
 }
 
 TEST_F(BenchRegister, RobustLandmarksBeatTheClosedFormWhenOneInFiveIsWrong) {
   for (const char* count : {"7", "10", "25"})
-    EXPECT_LT(row("landmarks", std::string(count) + " pairs, robust")["error_mm"].get<double>(),
-              0.6 * row("landmarks", std::string(count) + " pairs, closed form alone")["error_mm"].get<double>());
-  EXPECT_LT(row("landmarks", "25 pairs, robust")["error_mm"].get<double>(), row("landmarks", "5 pairs, robust")["error_mm"].get<double>());
+    EXPECT_LT(error_mm("landmarks", std::string(count) + " pairs, robust"),
+              0.6 * error_mm("landmarks", std::string(count) + " pairs, closed form alone"));
+  EXPECT_LT(error_mm("landmarks", "25 pairs, robust"), error_mm("landmarks", "5 pairs, robust"));
 }
 
 TEST_F(BenchRegister, ThePageStandsOnItsOwn) {
-  const std::string page = readText(folder() / "page/accuracy-and-time.html");
-  EXPECT_NE(page.find("<svg"), std::string::npos);
-  EXPECT_NE(page.find("error removed"), std::string::npos);
-  for (const char* outside : {"http:", "https:", "<script", "src=", "@import"}) EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  expectOnItsOwn(page());
+  EXPECT_NE(page().find("error removed"), std::string::npos);
 }
 
 TEST(BenchRegisterPeers, AProgramThatIsNotThereIsKnownToBeMissing) {

@@ -5,22 +5,21 @@
 
 #include "bench_page.h"
 #include "bench_parts.h"
-#include "cli/cli_world.h"
+#include "cli/bench_run.h"
 
 namespace ew::test {
 namespace {
 
-TEST(BenchFrame, MeasuresEveryEffectAgainstThePeerAndEveryVariantAgainstItsExactAnswer) {
-  const TemporaryFolder folder;
-  const auto outcome = run({"bench", "frame", "--side", "128", "--frame", "160x128", "--poses", "2", "--repetitions", "1", "--html",
-                            folder / "page", "--report", folder / "r.json"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const auto quality = readJson(folder / "r.json")["quality"];
-  const auto row = [&](const std::string& group, const std::string& method) {
-    for (const auto& each : quality["results"])
-      if (each["group"] == group && each["method"] == method) return each;
-    ADD_FAILURE() << "no row " << group << ", " << method;
-    return nlohmann::json();
+class BenchFrame : public BenchRun<BenchFrame> {
+ public:
+  static std::vector<std::string> command() {
+    return {"bench", "frame", "--side", "128", "--frame", "160x128", "--poses", "2", "--repetitions", "1"};
+  }
+};
+
+TEST_F(BenchFrame, MeasuresEveryEffectAgainstThePeerAndEveryVariantAgainstItsExactAnswer) {
+  const auto row = [](const std::string& group, const std::string& method) {
+    return BenchRun::row({{"group", group}, {"method", method}});
   };
   const auto psnr = [&](const std::string& group, const std::string& method) { return row(group, method)["psnr_db"].get<double>(); };
   EXPECT_GT(psnr("sampling", "linear"), psnr("sampling", "weave") + 5.0);
@@ -29,7 +28,7 @@ TEST(BenchFrame, MeasuresEveryEffectAgainstThePeerAndEveryVariantAgainstItsExact
   EXPECT_GT(psnr("focus", "lateral kernel"), psnr("focus", "row stretch"));
   EXPECT_GT(psnr("slice thickness", "7 planes"), psnr("slice thickness", "3 planes") - 0.5);
   EXPECT_GT(psnr("slice thickness", "7 planes"), 30.0) << "planes, beams and scan conversion come near the exact mean";
-  for (const auto& each : quality["results"]) {
+  for (const auto& each : quality()["results"]) {
     EXPECT_GT(each["median_us"].get<double>(), 0.0) << each;
     EXPECT_TRUE(each.contains("of_peer"));
   }
@@ -38,40 +37,15 @@ TEST(BenchFrame, MeasuresEveryEffectAgainstThePeerAndEveryVariantAgainstItsExact
                            "persistence", "grey table", "M-mode"})
     EXPECT_NE(plan.find(step), std::string::npos) << step << " is missing in " << plan;
   EXPECT_EQ(row("sampling", "linear")["plan"], "display: linear") << "a neutral frame runs nothing else";
-  ASSERT_EQ(quality["must_show"].size(), 2u);
-  EXPECT_NE(outcome.out.find("of VTK's bare linear slice"), std::string::npos) << outcome.out;
-
-  const std::string page = readText(folder / "page/accuracy-and-time.html");
-  EXPECT_NE(page.find("<svg"), std::string::npos);
-  for (const char* outside : {"http:", "https:", "<script", "src=", "@import"}) EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  ASSERT_EQ(quality()["must_show"].size(), 2u);
+  EXPECT_NE(said().find("of VTK's bare linear slice"), std::string::npos) << said();
+  expectOnItsOwn(page());
 }
 
-class BenchReconstruct : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    const auto outcome = run({"bench", "reconstruct", "--spacing", "1", "--sweep", "14", "--image", "64", "--views", "1", "--repetitions",
-                              "1", "--html", folder() / "page", "--report", folder() / "r.json"});
-    ASSERT_EQ(outcome.status, 0) << outcome.err;
-    quality() = readJson(folder() / "r.json")["quality"];
-    said() = outcome.out;
-  }
-  static TemporaryFolder& folder() {
-    static TemporaryFolder made;
-    return made;
-  }
-  static nlohmann::json& quality() {
-    static nlohmann::json kept;
-    return kept;
-  }
-  static std::string& said() {
-    static std::string kept;
-    return kept;
-  }
-  static nlohmann::json row(const std::string& name) {
-    for (const auto& each : quality()["results"])
-      if (each["name"] == name) return each;
-    ADD_FAILURE() << "no row " << name;
-    return nlohmann::json();
+class BenchReconstruct : public BenchRun<BenchReconstruct> {
+ public:
+  static std::vector<std::string> command() {
+    return {"bench", "reconstruct", "--spacing", "1", "--sweep", "14", "--image", "64", "--views", "1", "--repetitions", "1"};
   }
 };
 
@@ -89,13 +63,18 @@ TEST_F(BenchReconstruct, MeasuresEverySettingAgainstTheExactField) {
   }
   for (const std::string sweep : {"parallel", "fan", "freehand"}) {
     const std::string at = "reconstruct_" + sweep + "/1mm/";
-    const auto psnr = [&](const std::string& setting, const char* kind) { return row(at + setting)[kind]["psnr_db"].get<double>(); };
+    const auto psnr = [&](const std::string& setting, const char* kind) {
+      return row({{"name", at + setting}})[kind]["psnr_db"].get<double>();
+    };
     EXPECT_GT(psnr("centred/none", "measured"), psnr("nearest/none", "measured")) << sweep;
     if (sweep != "freehand") {  // a hand that goes back is met as well by bridges
       EXPECT_GT(psnr("nearest/sweep_6mm", "filled"), psnr("nearest/bridges_6mm", "filled")) << sweep;
     }
-    EXPECT_EQ(row(at + "nearest/none")["measured"], row(at + "nearest/sweep_6mm")["measured"]) << "filling leaves measured voxels alone";
-    EXPECT_GE(row(at + "nearest/bridges_6mm")["filled"]["share"], row(at + "nearest/bridges_2mm")["filled"]["share"]) << sweep;
+    EXPECT_EQ(row({{"name", at + "nearest/none"}})["measured"], row({{"name", at + "nearest/sweep_6mm"}})["measured"])
+        << "filling leaves measured voxels alone";
+    EXPECT_GE(row({{"name", at + "nearest/bridges_6mm"}})["filled"]["share"],
+              row({{"name", at + "nearest/bridges_2mm"}})["filled"]["share"])
+        << sweep;
   }
   ASSERT_EQ(quality()["threads_measured"].size(), 9u);
   for (const auto& each : quality()["threads_measured"]) EXPECT_TRUE(each["same_voxels"].get<bool>()) << each;
@@ -117,7 +96,7 @@ TEST_F(BenchReconstruct, TellsShadowsOfVirtualFramesByConfidence) {
 }
 
 TEST_F(BenchReconstruct, WritesItsPageWithCurvesOnTheirOwnAxes) {
-  const std::string page = readText(folder() / "page/accuracy-and-time.html");
+  const std::string page = BenchRun::page();
   for (const char* words : {"Pasting frames", "parallel sweep", "fan sweep", "freehand sweep", "two threads", "accuracy, PSNR in dB",
                             ">area under the curve<", "beam-wise", "192 x 256"})
     EXPECT_NE(page.find(words), std::string::npos) << words;
