@@ -89,6 +89,27 @@ std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving,
   return {widened(in, fixed, by_mm + kSample_mm), widened(on, moving, by_mm + kSample_mm)};
 }
 
+bool boxesMeet(const Grid& a, const Grid& b, double margin_mm) {
+  const glm::dvec3 apart = middleOf(b) - middleOf(a);
+  const auto reach = [margin_mm](const Grid& grid, const glm::dvec3& axis) {
+    double sum = margin_mm;
+    for (int d = 0; d < 3; ++d) sum += std::abs(glm::dot(axis, grid.directions[d])) * 0.5 * (grid.dims[d] - 1) * grid.spacing_mm[d];
+    return sum;
+  };
+  const auto parted = [&](const glm::dvec3& axis) {
+    const double length = glm::length(axis);
+    if (length < 1e-9) return false;
+    const glm::dvec3 unit = axis / length;
+    return std::abs(glm::dot(apart, unit)) > reach(a, unit) + reach(b, unit);
+  };
+  for (int d = 0; d < 3; ++d) {
+    if (parted(a.directions[d]) || parted(b.directions[d])) return false;
+    for (int e = 0; e < 3; ++e)
+      if (parted(glm::cross(a.directions[d], b.directions[e]))) return false;
+  }
+  return true;
+}
+
 Grid gridOf(const Grid& grid, const VoxelBox& box) {
   Grid part = grid;
   part.dims = box.size();

@@ -37,6 +37,9 @@ struct Overlap {
 [[nodiscard]] std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving,
                                                         double by_mm);
 
+/// Whether two boxes at their places meet when each is `margin_mm` larger: by the separating axes of their faces and edges.
+[[nodiscard]] bool boxesMeet(const Grid& a, const Grid& b, double margin_mm);
+
 /// The grid of a box of voxels: each keeps its place.
 [[nodiscard]] Grid gridOf(const Grid& grid, const VoxelBox& box);
 

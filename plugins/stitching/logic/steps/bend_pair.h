@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "logic/chain_run.h"
+#include "logic/overlap.h"
+
+namespace ew::stitching {
+
+/// An elastic pair from the poses of the graph.
+struct Bent {
+  PairBend bend;
+  BentPair about;
+};
+
+/// Bends two views by what they both cover and some more around it, or finds in the store how they were bent before.
+/// @param overlap of both at their poses; both views are loaded
+/// @error what registering says, with the names of both volumes; cancelled
+[[nodiscard]] Result<Bent> bendPair(ChainRun& run, std::size_t fixed, std::size_t moving, const Overlap& overlap, int threads,
+                                    Progress& progress);
+
+/// Keeps the displacements of a lattice as a file of a result. @error notWritable
+[[nodiscard]] Result<void> writeVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
+                                        const registration::ControlGrid& control);
+/// Fills the displacements of a lattice whose nodes are known, or leaves it without any when it bends nothing.
+/// @return whether the file is there and fits
+[[nodiscard]] bool readVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
+                               registration::ControlGrid& control);
+
+}  // namespace ew::stitching
