@@ -882,6 +882,10 @@
         <translation>Verformt stimmen die Volumen überein.</translation>
     </message>
     <message>
+        <source>The bend misses motion: at %1 of the places that can tell, tissue lies %2 from where the bend puts it.</source>
+        <translation>Der Verformung entgeht Bewegung: An %1 der Stellen, die es zeigen können, liegt Gewebe %2 neben dem Ort, den sie angibt.</translation>
+    </message>
+    <message>
         <source>%1 with %2</source>
         <translation>%1 mit %2</translation>
     </message>

@@ -1,6 +1,7 @@
 // Hard cases of registration: what the three-dimensional elastic method must do with them stands in resources/docs/hard-cases.md.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -213,6 +214,62 @@ TEST(HardElastic, VolumesOfAFewVoxelsComeBackWithAVerdict) {
     expectUsable(found);
     EXPECT_LT(found.largestMotion_mm, 1.0);
   }
+}
+
+/// Waves along all axes, as `length_mm` and `height_mm` say: 0.8 of the height in the mean.
+glm::dvec3 wave(const glm::dvec3& p, double length_mm, double height_mm) {
+  const double turn = 2.0 * 3.14159265358979323846 / length_mm;
+  return height_mm / 1.5 * glm::dvec3(std::sin(turn * p.y), std::cos(turn * (p.z + 10.0)), std::sin(turn * (p.x + p.z)));
+}
+
+TEST(HardElastic, AWaveTooShortForTheNodesIsNotCalledAlignedAndMarked) {
+  const Grid grid = uprightGrid({64, 64, 64}, 1.0);
+  struct Case {
+    double length_mm, height_mm;
+    unsigned seed;
+  };
+  for (const Case& c : {Case{25.0, 4.0, 3}, Case{25.0, 4.0, 4}, Case{20.0, 3.2, 5}, Case{16.0, 2.5, 6}, Case{12.0, 1.9, 7}}) {
+    const Tissue tissue(c.seed);
+    const auto truth = [&](const glm::dvec3& p) { return p + wave(p, c.length_mm, c.height_mm); };
+    const Volume fixed = imaged(
+        grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 11);
+    const Volume moving = imaged(
+        grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 12);
+    const ElasticResult found = registered(fixed, moving);
+    expectUsable(found);
+    EXPECT_EQ(found.verdict, Verdict::cannotTell) << c.length_mm << ": " << found.reason;
+    ASSERT_EQ(found.remarks.size(), 1u);
+    EXPECT_EQ(found.remarks[0].what, Says::motionIsLeft) << c.length_mm << ": " << found.reason;
+    const auto unsure = std::count_if(found.uncertainty.begin(), found.uncertainty.end(), [](float u) { return u > 0.5F; });
+    EXPECT_GT(static_cast<double>(unsure), 0.5 * static_cast<double>(found.uncertainty.size())) << c.length_mm;
+  }
+}
+
+TEST(HardElastic, WavesInPartOfAVolumeAreMarkedThereAndNowhereElse) {
+  const Grid grid = uprightGrid({96, 48, 48}, 1.0);
+  const Tissue tissue(8);
+  const auto truth = [](const glm::dvec3& p) { return p + wave(p, 25.0, 4.0) / (1.0 + std::exp((60.0 - p.x) / 3.0)); };
+  const Volume fixed = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 11);
+  const Volume moving = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 12);
+  const ElasticResult found = registered(fixed, moving);
+  expectUsable(found);
+  const auto& nodes = found.fixedToMoving.control.nodes;
+  int marked[2] = {0, 0}, all[2] = {0, 0};
+  for (int k = 0; k < nodes.dims.z; ++k) {
+    for (int j = 0; j < nodes.dims.y; ++j) {
+      for (int i = 0; i < nodes.dims.x; ++i) {
+        const double x = nodes.origin_mm.x + i * nodes.spacing_mm.x;
+        if (x > 46.0 && x < 74.0) continue;
+        ++all[x < 60.0 ? 0 : 1];
+        if (found.uncertainty[nodes.indexOf(i, j, k)] > 0.5F) ++marked[x < 60.0 ? 0 : 1];
+      }
+    }
+  }
+  EXPECT_LT(marked[0], 0.1 * all[0]);
+  EXPECT_GT(marked[1], 0.4 * all[1]);
+  EXPECT_GT(found.leftShare, 0.05);
 }
 
 TEST(HardElastic, AnisotropyOfTwentyToOneIsSurvived) {

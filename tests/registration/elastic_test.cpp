@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "elastic/left_motion.h"
 #include "elastic/levels.h"
 #include "registration/fields.h"
 #include "registration/rising_progress.h"
@@ -384,6 +385,67 @@ TEST(ElasticLevel, CountsTheShadowOfOneViewLittleAndAllElseAsBefore) {
       EXPECT_LT(inside / insideCount, 0.35);
       EXPECT_GT(outside / outsideCount, 0.93);
       ASSERT_TRUE(pair.warp(nothing, noProgress()));
+    }
+  }
+}
+
+LeftMotion leftOf(const Volume& fixed, const Volume& moving, int threads = 1) {
+  LevelImage f, m;
+  EXPECT_TRUE(makeLevel({&fixed, {}}, {}, 1.0, 6.0, 1, noProgress(), f));
+  EXPECT_TRUE(makeLevel({&moving, {}}, {}, 1.0, 6.0, 1, noProgress(), m));
+  const NodeGrid nodes = nodesFor(fixed.grid, 8.0);
+  LevelPair pair(f, m, axesTransformOf(fixed.grid, moving.grid, glm::dmat4(1.0)), nodes, 1);
+  EXPECT_TRUE(pair.warp(NodeValues(4 * nodes.count(), 0.0F), noProgress()));
+  LeftMotion left;
+  EXPECT_TRUE(lookForLeftMotion(pair, nodes, threads, noProgress(), left));
+  return left;
+}
+
+TEST(LeftMotion, IsNoneWhereNothingMovesAndTheShiftWhereAllDoes) {
+  const Grid grid = uprightGrid({42, 40, 38}, 1.0);
+  const Tissue tissue(5);
+  const auto shifted = [&](const glm::dvec3& by, unsigned seed) {
+    return imaged(
+        grid, [&](const glm::dvec3& p) { return tissue.at(p + by); }, 8.0, seed);
+  };
+  const Volume fixed = shifted({0, 0, 0}, 1);
+  const LeftMotion still = leftOf(fixed, shifted({0.3, 0.2, -0.3}, 2));
+  EXPECT_GT(still.blocks, 50.0);
+  EXPECT_LT(still.share, 0.2);
+  const LeftMotion moved = leftOf(fixed, shifted({2.0, 0.0, 0.0}, 2));
+  EXPECT_GT(moved.blocks, 50.0);
+  EXPECT_GT(moved.share, 0.9);
+  EXPECT_NEAR(moved.length_mm, 2.0, 0.2);
+  const LeftMotion further = leftOf(fixed, shifted({2.0, -4.0, 2.0}, 2));
+  EXPECT_GT(further.share, 0.9);
+  EXPECT_NEAR(further.length_mm, std::sqrt(24.0), 0.3);
+  // Halves that know nothing agree by chance: once in 125 shifts, once in 25 of a single layer, which is taken off.
+  const auto noise = [](const Grid& of, unsigned seed) {
+    return imaged(
+        of, [](const glm::dvec3&) { return 100.0; }, 35.0, seed);
+  };
+  EXPECT_LT(leftOf(noise(grid, 3), noise(grid, 4)).blocks, 0.1 * moved.blocks);
+  const Grid layer = uprightGrid({240, 240, 1}, 1.0);
+  const LeftMotion chance = leftOf(noise(layer, 5), noise(layer, 6));
+  EXPECT_LT(chance.share * chance.blocks, 0.02 * 800.0);  // every second of 1600 is looked at
+}
+
+TEST(LeftMotion, IsTheSameForAnyNumberOfThreadsAndNamesWhereItIs) {
+  const Grid grid = uprightGrid({60, 36, 36}, 1.0);
+  const Tissue tissue(7);
+  const Volume fixed = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p.x < 30.0 ? p : p + glm::dvec3(0.0, 2.0, 2.0)); }, 8.0, 1);
+  const Volume moving = imaged(
+      grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
+  const LeftMotion one = leftOf(fixed, moving, 1), four = leftOf(fixed, moving, 4);
+  EXPECT_EQ(one.nodeShare, four.nodeShare);
+  EXPECT_EQ(one.share, four.share);
+  const NodeGrid nodes = nodesFor(grid, 8.0);
+  ASSERT_EQ(one.nodeShare.size(), nodes.count());
+  for (int k = 1; k + 1 < nodes.dims.z; ++k) {
+    for (int j = 1; j + 1 < nodes.dims.y; ++j) {
+      EXPECT_LT(one.nodeShare[nodes.indexOf(1, j, k)], 0.4F);
+      EXPECT_GT(one.nodeShare[nodes.indexOf(nodes.dims.x - 2, j, k)], 0.8F);
     }
   }
 }

@@ -41,6 +41,9 @@ TEST(Remark, SaysItsFiguresInTheirPlaces) {
             "12 % overlap, 33.1 deviations above chance).");
   EXPECT_EQ(sentenceOf({Says::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
             "4 pairs agree within 0.8 mm (rms); 'stone' and number 3 do not fit, by 6 mm.");
+  EXPECT_EQ(sentenceOf({Says::motionIsLeft, {0.93, 2.44, 0.82, 0.88}}),
+            "Motion is left that the bend does not follow: at 93 % of the places that can tell, tissue lies elsewhere, by 2.4 mm in the "
+            "mean (bent, a correlation of 0.82 over 88 % of the smaller volume).");
   EXPECT_EQ(sentenceOf({Says::twoReadings, {1, 1, 4}, {"fork", ""}}),
             "One can read the pairs in two ways: without 'fork', or without number 4. Add a pair or correct one.");
   EXPECT_EQ(sentencesOf({{Says::streaksTakenOut, {9.0, 13.2}}, {Says::placedByHand}}),

@@ -157,6 +157,9 @@ QString Reasons::say(const Remark& remark) {
       return tr("Too little structure is shared to tell whether the bend is right.");
     case Says::bendAgrees:
       return tr("Bent, the volumes agree.");
+    case Says::motionIsLeft:
+      return tr("The bend misses motion: at %1 of the places that can tell, tissue lies %2 from where the bend puts it.")
+          .arg(percent(remark.figure(0)), millimetres(remark.figure(1)));
     case Says::count_:
       break;
   }

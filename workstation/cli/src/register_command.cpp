@@ -204,6 +204,7 @@ Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed,
   found.quality["residual_rms"] = result->residualRms;
   found.quality["stiffness"] = result->stiffness;
   found.quality["largest_motion_mm"] = result->largestMotion_mm;
+  found.quality["left_motion_share"] = result->leftShare;
   found.quality["unsure_node_share"] =
       result->uncertainty.empty() ? 0.0 : static_cast<double>(unsure) / static_cast<double>(result->uncertainty.size());
   found.quality["forecast_mib"] = static_cast<double>(forecast) / 1048576.0;

@@ -49,7 +49,8 @@ constexpr std::array<const char*, static_cast<std::size_t>(Says::count_)> kNames
                                                                                     "start kept",
                                                                                     "bend contradicts",
                                                                                     "bend shares too little",
-                                                                                    "bend agrees"};
+                                                                                    "bend agrees",
+                                                                                    "motion is left"};
 
 std::string withDigits(double value, int digits) {
   if (!std::isfinite(value)) return "any amount";
@@ -202,6 +203,10 @@ std::string sentenceOf(const Remark& remark) {
       return "Too little structure is shared to tell: bent, the volumes reach " + bentOver(remark) + ".";
     case Says::bendAgrees:
       return "The volumes agree: " + bentOver(remark) + ", " + withDigits(remark.figure(2), 2) + " before.";
+    case Says::motionIsLeft:
+      return "Motion is left that the bend does not follow: at " + percent(remark.figure(0)) +
+             " of the places that can tell, tissue lies elsewhere, by " + millimetres(remark.figure(1)) + " in the mean (bent, " +
+             bentOver({remark.what, {remark.figure(2), remark.figure(3)}}) + ").";
     case Says::count_:
       break;
   }

@@ -185,6 +185,25 @@ void gatherCell(const RowSums& rows, const float* along, int begin, int end, flo
   }
 }
 
+void addMoments(const float* fixed, const float* fixedWeights, const float* moved, const float* movedWeights, int count, float* moments,
+                int stride) {
+  const Floats d;
+  using V = decltype(hn::Zero(d));
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  for (int i = 0; i < count; i += lanes) {
+    V weight = hn::LoadU(d, movedWeights + i);
+    if (fixedWeights != nullptr) weight = hn::Mul(weight, hn::LoadU(d, fixedWeights + i));
+    if (i + lanes > count) weight = hn::IfThenElseZero(hn::FirstN(d, static_cast<std::size_t>(count - i)), weight);
+    const V f = hn::LoadU(d, fixed + i), m = hn::LoadU(d, moved + i);
+    const V wf = hn::Mul(weight, f), wm = hn::Mul(weight, m);
+    const V part[kMoments] = {weight, wf, wm, hn::Mul(wf, f), hn::Mul(wm, m), hn::Mul(wf, m)};
+    for (int q = 0; q < kMoments; ++q) {
+      float* at = moments + i + static_cast<std::ptrdiff_t>(q) * stride;
+      hn::StoreU(hn::Add(part[q], hn::LoadU(d, at)), d, at);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ew::registration::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -196,6 +215,7 @@ HWY_EXPORT(sampleRow);
 HWY_EXPORT(accumulateRow);
 HWY_EXPORT(sumRow);
 HWY_EXPORT(gatherCell);
+HWY_EXPORT(addMoments);
 
 void sampleRow(const RowField& field, const RowSource& source, int count, float* values, float* weights) {
   HWY_DYNAMIC_DISPATCH(sampleRow)(field, source, count, values, weights);
@@ -204,6 +224,10 @@ void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums) { HWY_D
 void sumRow(const RowPair& pair, Sums& sums) { HWY_DYNAMIC_DISPATCH(sumRow)(pair, sums); }
 void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right) {
   HWY_DYNAMIC_DISPATCH(gatherCell)(rows, along, begin, end, products, right);
+}
+void addMoments(const float* fixed, const float* fixedWeights, const float* moved, const float* movedWeights, int count, float* moments,
+                int stride) {
+  HWY_DYNAMIC_DISPATCH(addMoments)(fixed, fixedWeights, moved, movedWeights, count, moments, stride);
 }
 
 }  // namespace ew::registration

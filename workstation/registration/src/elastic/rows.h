@@ -69,4 +69,12 @@ void sumRow(const RowPair& pair, Sums& sums);
 /// @param products 3 (x) x 3 (y) x kProducts, @param right 2 (x) x 2 (y) x 4
 void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right);
 
+inline constexpr int kMoments = 6;
+
+/// Adds, per sample, what correlations are made of: weight, f, m, ff, mm, fm, each but the first times the weight.
+/// @param fixedWeights null: 1. @param moments kMoments rows of `stride` floats. Whole vectors: up to kOverrun floats beyond are touched,
+/// which stay as they are.
+void addMoments(const float* fixed, const float* fixedWeights, const float* moved, const float* movedWeights, int count, float* moments,
+                int stride);
+
 }  // namespace ew::registration

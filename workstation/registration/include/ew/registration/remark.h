@@ -58,6 +58,7 @@ enum class Says {
   bendContradicts,      ///< correlation, share of overlap
   bendTooLittleShared,  ///< correlation, share of overlap
   bendAgrees,           ///< correlation, share of overlap, correlation before
+  motionIsLeft,         ///< share of the places that tell, mm there, correlation, share of overlap
   count_                ///< none: how many there are
 };
 [[nodiscard]] const char* nameOf(Says what);  ///< a word for files
