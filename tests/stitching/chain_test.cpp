@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <numbers>
 
+#include "logic/pair_match.h"
 #include "stitching/chain_world.h"
 #include "time_limit.h"
 
@@ -128,6 +130,79 @@ TEST(Chain, AnEditedPairIsRegisteredAgainAlone) {
   const auto undone = world.run(into, noProgress(), until);
   ASSERT_TRUE(undone) << undone.error();
   EXPECT_EQ(redone(*undone), std::vector<std::string>{}) << "an edit taken back finds the old answer";
+}
+
+/// Where b would be if the tracker had it turned by 14 degrees and 12 mm off: its views overlap by 14 mm.
+glm::dmat4 farOff(const glm::dmat4& place, double by_mm) {
+  const double turn = 14.0 * std::numbers::pi / 180.0;
+  glm::dmat4 off(1.0);
+  off[0] = glm::dvec4(std::cos(turn), std::sin(turn), 0.0, 0.0);
+  off[1] = glm::dvec4(-std::sin(turn), std::cos(turn), 0.0, 0.0);
+  off[3] = glm::dvec4(0.0, by_mm, 0.0, 1.0);
+  return place * off;
+}
+
+bool wasSearched(const PairOutcome& pair) {
+  return std::any_of(pair.rigid.remarks.begin(), pair.rigid.remarks.end(),
+                     [](const registration::Remark& remark) { return remark.what == registration::Says::foundAboutTheStart; });
+}
+
+TEST(Chain, SearchesAboutAPlaceFromWhichRefiningDoesNotEndAligned) {
+  ChainWorld world;
+  ChainOptions until;
+  until.until = Step::rigid;
+  const glm::dmat4 truth =
+      glm::inverse(world.project.volumes[1].toWorld * test::shiftedBy({-0.8, 0.0, 0.0})) * world.project.volumes[0].toWorld;
+  const auto near = world.run(world.folder / "near", noProgress(), until);
+  ASSERT_TRUE(near) << near.error();
+  EXPECT_FALSE(wasSearched(near->pairs.at(0))) << "what descending finds is not searched for";
+
+  const glm::dmat4 recorded = world.project.volumes[1].toWorld;
+  world.project.volumes[1].toWorld = farOff(recorded, 12.0);
+  const auto found = world.run(world.folder / "far", noProgress(), until);
+  ASSERT_TRUE(found) << found.error();
+  const PairOutcome& pair = found->pairs.at(0);
+  EXPECT_EQ(pair.used, PairMethod::refine);
+  EXPECT_TRUE(wasSearched(pair)) << pair.rigid.reason;
+  EXPECT_EQ(pair.rigid.verdict, registration::Verdict::aligned) << pair.rigid.reason;
+  const glm::dvec4 middle(28.0, 16.0, 14.0, 1.0);
+  EXPECT_LT(glm::distance(pair.rigid.fixedToMoving * middle, truth * middle), 0.5);
+
+  // Nobody believes a place that is further off than the tracker could have been.
+  world.project.volumes[1].toWorld = farOff(recorded, 45.0);
+  ProjectPair refined;
+  refined.fixed = 0;
+  refined.moving = 1;
+  refined.method = PairMethod::refine;
+  world.project.pairs = {refined};
+  const auto tooFar = world.run(world.folder / "too far", noProgress(), until);
+  ASSERT_TRUE(tooFar) << tooFar.error();
+  EXPECT_NE(tooFar->pairs.at(0).rigid.verdict, registration::Verdict::aligned) << tooFar->pairs.at(0).rigid.reason;
+  world.project.settings.trackerError_mm = 20.0;
+  world.project.settings.trackerError_deg = 8.0;
+  const auto believed = world.run(world.folder / "too far", noProgress(), until);
+  ASSERT_TRUE(believed) << believed.error();
+  EXPECT_EQ(believed->pairs.at(0).rigid.verdict, registration::Verdict::aligned) << believed->pairs.at(0).rigid.reason;
+}
+
+TEST(Chain, CountsTheSearchThatMayFollowARefinement) {
+  Grid grid;
+  grid.dims = glm::ivec3(96);
+  grid.spacing_mm = glm::dvec3(3.0);
+  PairTask task{.placesKnown = true, .landmarks = {}, .finest_mm = 1.5};
+  const std::uint64_t refined = forecastPair_bytes(grid, grid, task);
+  task.method = PairMethod::search;
+  task.maxTurn_deg = searchReach(task).turn_deg;
+  EXPECT_EQ(refined, forecastPair_bytes(grid, grid, task)) << "its search has the same reach";
+  task.method = PairMethod::landmarks;
+  EXPECT_LT(forecastPair_bytes(grid, grid, task), refined);
+  PairTask narrow{.placesKnown = true, .landmarks = {}, .maxTurn_deg = 8.0},
+      wide{.placesKnown = true, .landmarks = {}, .maxTurn_deg = 60.0};
+  EXPECT_EQ(searchReach(narrow).turn_deg, 8.0) << "never wider than was asked";
+  EXPECT_EQ(searchReach(wide).turn_deg, 20.0);
+  wide.trackerError_mm = 20.0;
+  EXPECT_EQ(searchReach(wide).turn_deg, 60.0);
+  EXPECT_EQ(searchReach(wide).shift_mm, 60.0);
 }
 
 TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {

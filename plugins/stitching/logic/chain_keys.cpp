@@ -33,8 +33,11 @@ std::string keyOf(const Candidate& candidate, const ChainInputs& inputs) {
   key.add(static_cast<int>(task.method)).add(static_cast<int>(first));
   if (first != PairMethod::byHand) key.add(task.finest_mm);
   if (first == PairMethod::refine || first == PairMethod::byHand) key.add(task.start);
-  if (first == PairMethod::refine && task.method == PairMethod::automatic) key.add(task.trackerError_mm).add(task.trackerError_deg);
-  if (first == PairMethod::search || (first == PairMethod::refine && task.method == PairMethod::automatic)) key.add(task.maxTurn_deg);
+  if (first == PairMethod::search) key.add(task.maxTurn_deg);
+  if (first == PairMethod::refine) {
+    const SearchReach reach = searchReach(task);
+    key.add(reach.turn_deg).add(reach.shift_mm);
+  }
   if (first == PairMethod::landmarks)
     for (const auto& landmark : task.landmarks) key.add(landmark.name).add(landmark.fixed_mm).add(landmark.moving_mm);
   return key.text();

@@ -16,7 +16,7 @@ using registration::Verdict;
 
 constexpr double kByHand_mm = 3.0;  ///< what a person reaches by dragging
 constexpr double kByHand_deg = 3.0;
-/// Beyond such an error of the tracker a refinement may lie outside its reach, so that a search has to follow when it fails.
+/// Beyond such an error of the tracker a refinement may lie outside its reach, so that the search that follows has to be a wide one.
 constexpr double kReach_mm = 8.0;
 constexpr double kReach_deg = 6.0;
 
@@ -108,17 +108,27 @@ PairMethod firstMethod(const PairTask& task) {
   return task.placesKnown ? PairMethod::refine : PairMethod::search;
 }
 
+SearchReach searchReach(const PairTask& task) {
+  SearchReach reach;
+  const bool beyond = task.trackerError_mm > kReach_mm || task.trackerError_deg > kReach_deg;
+  if (beyond) reach = {task.maxTurn_deg, std::max(reach.shift_mm, 3.0 * task.trackerError_mm)};
+  reach.turn_deg = std::min(reach.turn_deg, task.maxTurn_deg);
+  return reach;
+}
+
 std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const PairTask& task) {
-  registration::PartialOptions options;
-  options.maxTurn_deg = task.maxTurn_deg;
-  // Confidences as numbers, one volume on its way to the finest level, and the images of both at that and the coarser ones.
+  const PairMethod first = firstMethod(task);
   const auto both = static_cast<double>(fixed.voxelCount() + moving.voxelCount());
+  // Confidences as numbers, one volume on its way to the finest level, and the images of both at that and the coarser ones.
+  if (first == PairMethod::byHand) return static_cast<std::uint64_t>(4.0 * both);
   const double finest_mm = std::max(task.finest_mm, std::min(leastSpacing_mm(fixed), leastSpacing_mm(moving)));
   const double atFinest = std::pow(std::min(leastSpacing_mm(fixed), leastSpacing_mm(moving)) / finest_mm, 3.0);
   const auto refined = static_cast<std::uint64_t>((4.0 + 15.0 * atFinest) * both) + 13 * std::max(fixed.voxelCount(), moving.voxelCount());
-  const PairMethod first = firstMethod(task);
-  const bool searches = first == PairMethod::search || task.method == PairMethod::automatic;
-  return std::max(refined, searches ? registration::forecastPartial_bytes(fixed, moving, options) : 0);
+  if (first == PairMethod::landmarks) return refined;
+  registration::PartialOptions search;
+  search.maxTurn_deg = first == PairMethod::search ? task.maxTurn_deg : searchReach(task).turn_deg;
+  search.refine.finest_mm = task.finest_mm;
+  return std::max(refined, registration::forecastPartial_bytes(fixed, moving, search));
 }
 
 Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads, Progress& progress,
@@ -135,14 +145,6 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
   registration::RefineOptions refining;
   refining.finest_mm = task.finest_mm;
   refining.threads = threads;
-  const auto search = [&](Progress& part) {
-    registration::PartialOptions searching;
-    searching.maxTurn_deg = task.maxTurn_deg;
-    searching.refine = refining;
-    searching.threads = threads;
-    return registration::matchPartial(fixedInput, movingInput, searching, part, onLevel);
-  };
-
   const auto meetingPoint = [&](const glm::dmat4& fixedToMoving) {
     const Grid& grid = fixed.volume->grid;
     const auto overlap = overlapOf(*fixed.volume, *moving.volume, fixedToMoving);
@@ -179,23 +181,24 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
       return outcome;
     }
     case PairMethod::refine: {
-      PartOfProgress part(progress, 0.0, task.method == PairMethod::refine ? 1.0 : 0.3);
-      auto refined = registration::refineRigid(fixedInput, movingInput, task.start, refining, part, onLevel);
+      const SearchReach reach = searchReach(task);
+      refining.searchTurn_deg = reach.turn_deg;
+      refining.searchShift_mm = reach.shift_mm;
+      auto refined = registration::refineRigid(fixedInput, movingInput, task.start, refining, progress, onLevel);
       if (!refined) return named(refined.error());
       outcome.rigid = std::move(*refined);
-      const bool beyondReach = task.trackerError_mm > kReach_mm || task.trackerError_deg > kReach_deg;
-      if (task.method == PairMethod::refine || outcome.rigid.verdict == Verdict::aligned || !beyondReach) return outcome;
-      break;
+      return outcome;
     }
     case PairMethod::search:
     case PairMethod::automatic:
       break;
   }
-  PartOfProgress part(progress, outcome.used == PairMethod::refine ? 0.3 : 0.0, 1.0);
-  auto found = search(part);
+  registration::PartialOptions searching;
+  searching.maxTurn_deg = task.maxTurn_deg;
+  searching.refine = refining;
+  searching.threads = threads;
+  auto found = registration::matchPartial(fixedInput, movingInput, searching, progress, onLevel);
   if (!found) return named(found.error());
-  if (outcome.used == PairMethod::refine && found->best.verdict != Verdict::aligned) return outcome;
-  outcome.used = PairMethod::search;
   outcome.rigid = std::move(found->best);
   outcome.hypotheses = std::move(found->hypotheses);
   return outcome;

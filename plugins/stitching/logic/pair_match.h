@@ -33,7 +33,16 @@ struct PairTask {
 /// Which way an automatic pair goes at first.
 [[nodiscard]] PairMethod firstMethod(const PairTask& task);
 
-/// Memory for it at the peak, both volumes not counted.
+/// How far about its start a pair is searched when refining from there does not end aligned.
+struct SearchReach {
+  double turn_deg = 20.0;  ///< never more than the task's largest turn
+  double shift_mm = 30.0;
+};
+/// As `register --method rigid` does; where the tracker may be off by more than refining reaches (8 mm or 6 degrees), as far as the task's
+/// largest turn and three times the tracker's error.
+[[nodiscard]] SearchReach searchReach(const PairTask& task);
+
+/// Memory for it at the peak, both volumes not counted; a search that may follow is counted.
 [[nodiscard]] std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const PairTask& task);
 
 /// Brings two volumes together rigidly as the task says.
