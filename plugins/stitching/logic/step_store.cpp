@@ -98,6 +98,19 @@ std::optional<json> StepStore::find(const std::string& step, const std::string& 
   }
 }
 
+std::optional<std::uintmax_t> StepStore::bytesOf(const std::string& step, const std::string& key, const std::string& name) const {
+  std::error_code error;
+  const auto size = fs::file_size(fileOf(step, key, name), error);
+  if (error) return std::nullopt;
+  return size;
+}
+
+bool StepStore::readBytes(const std::string& step, const std::string& key, const std::string& name, std::span<std::byte> into) const {
+  std::ifstream in(fileOf(step, key, name), std::ios::binary);
+  in.read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
+  return static_cast<bool>(in);
+}
+
 Result<void> StepStore::prepare(const std::string& step) const {
   std::error_code error;
   fs::create_directories(folder_ / "steps" / step, error);

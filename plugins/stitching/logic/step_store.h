@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ew/core/progress.h"
@@ -28,6 +32,22 @@ class StepStore {
   [[nodiscard]] std::optional<nlohmann::json> find(const std::string& step, const std::string& key) const;
   /// Where a file of a result lies: steps/STEP/KEY-NAME.
   [[nodiscard]] std::filesystem::path fileOf(const std::string& step, const std::string& key, const std::string& name) const;
+  /// Reads a file of a result that holds exactly `count` values: how large it may be is known from what it belongs to, so that no file is
+  /// too large, and none that was damaged takes memory.
+  /// @param into left as it is unless true is returned
+  /// @return whether the file is there with exactly this size and was read
+  template <class Value>
+  [[nodiscard]] bool readValues(const std::string& step, const std::string& key, const std::string& name, std::size_t count,
+                                std::vector<Value>& into) const {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    if (bytesOf(step, key, name) != count * sizeof(Value)) return false;
+    std::vector<Value> values(count);
+    if (!readBytes(step, key, name, std::as_writable_bytes(std::span(values)))) return false;
+    into = std::move(values);
+    return true;
+  }
+  /// How large a file of a result is; nothing when it is not there.
+  [[nodiscard]] std::optional<std::uintmax_t> bytesOf(const std::string& step, const std::string& key, const std::string& name) const;
   /// Makes room for the files of a result. @error notWritable
   [[nodiscard]] Result<void> prepare(const std::string& step) const;
   /// Declares a result finished. @param names of its files, which have been written
@@ -47,6 +67,7 @@ class StepStore {
  private:
   StepStore(std::filesystem::path folder, sdk::Files& files) : folder_(std::move(folder)), files_(&files) {}
   void clearLeftovers() const;
+  [[nodiscard]] bool readBytes(const std::string& step, const std::string& key, const std::string& name, std::span<std::byte> into) const;
 
   std::filesystem::path folder_;
   sdk::Files* files_;

@@ -1,7 +1,5 @@
 #include "logic/steps/bend_pair.h"
 
-#include <cstring>
-
 #include "logic/chain_json.h"
 #include "logic/chain_memory.h"
 
@@ -54,11 +52,8 @@ Result<void> writeVectors(const ChainRun& run, const char* step, const std::stri
 
 bool readVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
                  registration::ControlGrid& control) {
-  const auto bytes = run.files.readText(run.store.fileOf(step, key, name));
-  if (!bytes || bytes->size() % sizeof(glm::vec3) != 0) return false;
-  control.displacement_mm.resize(bytes->size() / sizeof(glm::vec3));
-  std::memcpy(static_cast<void*>(control.displacement_mm.data()), bytes->data(), bytes->size());
-  return control.displacement_mm.empty() || control.displacement_mm.size() == control.nodes.voxelCount();
+  const std::size_t count = run.store.bytesOf(step, key, name) == 0 ? 0 : control.nodes.voxelCount();
+  return run.store.readValues(step, key, name, count, control.displacement_mm);
 }
 
 Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap& overlap, int threads, Progress& progress) {

@@ -1,5 +1,3 @@
-#include <cstring>
-
 #include "logic/chain_json.h"
 #include "logic/chain_memory.h"
 #include "logic/steps/steps.h"
@@ -10,6 +8,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
+constexpr const char* kCells = "cells.bin";  ///< empty where nothing is cut
 /// Of one of the views that go into the result.
 std::string levelsName(std::size_t view) { return "levels-" + std::to_string(view) + ".bin"; }
 
@@ -38,16 +37,13 @@ std::optional<SeamMap> keptMap(const ChainRun& run, const std::string& key) {
   const char* step = nameOf(Step::seam);
   auto map = readBack<SeamMap>(run.store.find(step, key), mapFrom);
   if (!map) return std::nullopt;
-  const auto cells = run.files.readText(run.store.fileOf(step, key, "cells.bin"));
-  if (!cells || (!cells->empty() && cells->size() != map->cells.voxelCount())) return std::nullopt;
-  map->view.assign(cells->begin(), cells->end());
+  if (run.store.bytesOf(step, key, kCells) != 0 && !run.store.readValues(step, key, kCells, map->cells.voxelCount(), map->view))
+    return std::nullopt;
   for (std::size_t n = 0; n < map->levels.size(); ++n) {
-    const auto offsets = run.files.readText(run.store.fileOf(step, key, levelsName(n)));
     auto& levels = map->levels[n];
-    levels.offset.resize(static_cast<std::size_t>(levels.size.x) * static_cast<std::size_t>(levels.size.y) *
-                         static_cast<std::size_t>(levels.size.z));
-    if (!offsets || offsets->size() != levels.offset.size() * sizeof(std::int16_t)) return std::nullopt;
-    std::memcpy(levels.offset.data(), offsets->data(), offsets->size());
+    const auto count =
+        static_cast<std::size_t>(levels.size.x) * static_cast<std::size_t>(levels.size.y) * static_cast<std::size_t>(levels.size.z);
+    if (!run.store.readValues(step, key, levelsName(n), count, levels.offset)) return std::nullopt;
   }
   return map;
 }
@@ -60,7 +56,7 @@ Result<void> keepMap(const ChainRun& run, const std::string& key, const SeamMap&
     names.push_back(name);
     return run.files.writeText(run.store.fileOf(step, key, name), bytes);
   };
-  if (auto w = write("cells.bin", std::string(map.view.begin(), map.view.end())); !w) return w;
+  if (auto w = write(kCells, std::string(map.view.begin(), map.view.end())); !w) return w;
   for (std::size_t n = 0; n < map.levels.size(); ++n) {
     const auto& offset = map.levels[n].offset;
     const std::string bytes(reinterpret_cast<const char*>(offset.data()), offset.size() * sizeof(std::int16_t));
