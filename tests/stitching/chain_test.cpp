@@ -10,7 +10,9 @@
 #include <numbers>
 
 #include "logic/pair_match.h"
+#include "logic/step_store.h"
 #include "stitching/chain_world.h"
+#include "stitching/memory_watch.h"
 #include "time_limit.h"
 
 namespace ew::stitching {
@@ -337,6 +339,53 @@ TEST(Chain, MakesAgainWhatWasDamagedBetweenRuns) {
   }
 }
 
+/// Texts as they are; what is no text is too large for one.
+class TextsAlone final : public sdk::Files {
+ public:
+  Result<std::string> readText(const fs::path& file) override {
+    if (file.extension() == ".bin") return failure(ErrorCode::tooLarge, "This is too large for a text.");
+    return files_.readText(file);
+  }
+  Result<void> writeText(const fs::path& file, const std::string& text) override { return files_.writeText(file, text); }
+
+ private:
+  door::TextFiles files_;
+};
+
+TEST(Chain, FindsSeamsAndBendsAgainThatAreLargerThanAnyText) {
+  ChainWorld world;
+  TextsAlone texts;
+  const fs::path into = world.folder / "out";
+  const auto first = runChain(world.project, into, {}, world.volumes, texts, noProgress());
+  ASSERT_TRUE(first) << first.error();
+  const auto second = runChain(world.project, into, {}, world.volumes, texts, noProgress());
+  ASSERT_TRUE(second) << second.error();
+  EXPECT_EQ(redone(*second), std::vector<std::string>{});
+  EXPECT_EQ(second->seams, first->seams);
+  EXPECT_EQ(second->bends, first->bends);
+}
+
+TEST(StepStore, ReadsFilesLargerThanATextMayBeAndNoneOfAnotherSize) {
+  const test::TemporaryFolder folder;
+  door::TextFiles files;
+  const auto store = StepStore::open(folder.path(), files);
+  ASSERT_TRUE(store);
+  ASSERT_TRUE(store->prepare("seam"));
+  const std::size_t count = (33u << 20) + 5;  // two bytes each: more than 64 MiB
+  std::string bytes(2 * count, '\0');
+  bytes[2 * count - 2] = 7;
+  ASSERT_TRUE(files.writeText(store->fileOf("seam", "key", "levels-0.bin"), bytes));
+  EXPECT_FALSE(files.readText(store->fileOf("seam", "key", "levels-0.bin")));
+  std::vector<std::int16_t> offsets;
+  ASSERT_TRUE(store->readValues("seam", "key", "levels-0.bin", count, offsets));
+  EXPECT_EQ(offsets.size(), count);
+  EXPECT_EQ(offsets.back(), 7);
+  EXPECT_FALSE(store->readValues("seam", "key", "levels-0.bin", count + 1, offsets));
+  EXPECT_FALSE(store->readValues("seam", "key", "levels-0.bin", count - 1, offsets));
+  EXPECT_FALSE(store->readValues("seam", "key", "levels-1.bin", 0, offsets));
+  EXPECT_EQ(offsets.size(), count) << "left as it was";
+}
+
 TEST(Chain, SaysWhatIsWrongWithItsInputs) {
   ChainWorld world;
   const auto refused = [&](const std::function<void(StitchProject&)>& spoil) {
@@ -380,6 +429,29 @@ TEST(Chain, IsRefusedBeforeItTakesMoreMemoryThanAllowed) {
   ASSERT_FALSE(state);
   EXPECT_EQ(state.error().code, ErrorCode::tooLarge) << state.error();
   EXPECT_NE(state.error().sentence.find("MiB"), std::string::npos);
+}
+
+TEST(Chain, TakesNoMoreInAnyStepThanItsForecast) {
+  ChainWorld small(36);
+  ASSERT_TRUE(small.run(small.folder / "out"));  // what a program needs once is there afterwards
+  ChainWorld world(120);
+  ChainOptions options;
+  options.threads = 2;
+  options.keepVolumes = false;
+  test::MemoryWatch memory;
+  if (!memory.isKnown()) GTEST_SKIP() << "nobody says here what a process takes";
+  double held_mib = 0.0;  // the inputs alone
+  options.onStep = [&](const StepOutcome& step) {
+    const double forecast_mib = static_cast<double>(step.forecast_bytes) / (1024.0 * 1024.0);
+    EXPECT_LE(memory.peak_mib(), forecast_mib) << nameOf(step.step) << ", afterwards " << memory.now_mib();
+    if (step.step == Step::graph) held_mib = forecast_mib;
+    if (step.step > Step::graph) {
+      EXPECT_LE(memory.now_mib(), held_mib) << nameOf(step.step) << " gave back what it freed";
+    }
+    memory.forgetPeak();
+  };
+  const auto state = world.run(world.folder / "out", noProgress(), options);
+  ASSERT_TRUE(state) << state.error();
 }
 
 TEST(Chain, ForecastsWhatIsLeftToDoAndNeed) {

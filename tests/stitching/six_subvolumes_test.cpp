@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <malloc.h>
 #include <sys/resource.h>
 
 #include <Eigen/Dense>
@@ -19,6 +18,7 @@
 #include "library/temporary_folder.h"
 #include "logic/chain.h"
 #include "six_subvolumes/recordings.h"
+#include "stitching/memory_watch.h"
 
 namespace ew::stitching {
 namespace {
@@ -50,21 +50,6 @@ double processorSeconds() {
   getrusage(RUSAGE_SELF, &used);
   const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
   return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
-/// A line of /proc/self/status in MiB; nothing where there is none.
-std::optional<double> memory_mib(const std::string& what) {
-  std::ifstream in("/proc/self/status");
-  for (std::string line; std::getline(in, line);)
-    if (line.starts_with(what + ":")) return std::stod(line.substr(what.size() + 1)) / 1024.0;
-  return std::nullopt;
-}
-/// The peak begins anew.
-bool forgetPeak() {
-  malloc_trim(0);
-  std::ofstream out("/proc/self/clear_refs");
-  out << "5";
-  return static_cast<bool>(out.flush());
 }
 
 glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
@@ -321,40 +306,37 @@ void runAndJudge(const Asked& asked) {
   ChainOptions options;
   options.threads = 2;
 
-  // Step by step, as a person would with --until, so that each step's processor time is known.
   options.keepVolumes = false;
-  const bool peakKnown = forgetPeak() && memory_mib("VmHWM");
-  const double before_mib = memory_mib("VmRSS").value_or(0.0);
+  test::MemoryWatch memory;
   double forecast_mib = 0.0, peak_mib = 0.0;
-  double wall_s = 0.0, processor_s = 0.0;
+  double wall_s = 0.0, processor_s = processorSeconds();
+  const double begun_s = processor_s;
   bool anyReused = false;
-  Result<ChainState> state = failure(ErrorCode::unsupported, "not run");
-  for (const Step step : kSteps) {
-    options.until = step;
-    const double begunProcessor = processorSeconds();
-    const auto begun = std::chrono::steady_clock::now();
-    forgetPeak();
-    state = runChain(*project, out, options, volumes, files, noProgress());
-    ASSERT_TRUE(state) << state.error();
-    const StepOutcome& outcome = state->steps[static_cast<std::size_t>(step)];
-    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    const double worked = processorSeconds() - begunProcessor;
-    wall_s += took;
+  options.onStep = [&](const StepOutcome& outcome) {
+    const double worked = processorSeconds() - processor_s;
     processor_s += worked;
+    wall_s += outcome.seconds;
     const double stepForecast_mib = static_cast<double>(outcome.forecast_bytes) / (1024.0 * 1024.0);
-    const double stepPeak_mib = memory_mib("VmHWM").value_or(before_mib) - before_mib;
+    const double stepPeak_mib = memory.peak_mib();
     forecast_mib = std::max(forecast_mib, stepForecast_mib);
     if (!outcome.reused) peak_mib = std::max(peak_mib, stepPeak_mib);
-    std::cout << nameOf(step) << ": " << took << " s, processor " << worked << " s" << (outcome.reused ? ", reused" : "") << ", forecast "
-              << stepForecast_mib << " MiB, peak " << stepPeak_mib << " MiB" << std::endl;
+    std::cout << nameOf(outcome.step) << ": " << outcome.seconds << " s, processor " << worked << " s" << (outcome.reused ? ", reused" : "")
+              << ", forecast " << stepForecast_mib << " MiB, peak " << stepPeak_mib << " MiB, afterwards " << memory.now_mib() << " MiB"
+              << std::endl;
+    if (memory.isKnown() && !outcome.reused) {
+      EXPECT_GE(stepForecast_mib, stepPeak_mib) << nameOf(outcome.step);
+    }
     anyReused = anyReused || outcome.reused;
-  }
+    memory.forgetPeak();
+  };
+  auto state = runChain(*project, out, options, volumes, files, noProgress());
+  ASSERT_TRUE(state) << state.error();
+  processor_s -= begun_s;
   std::cout << "whole: " << wall_s << " s, processor " << processor_s << " s, forecast " << forecast_mib << " MiB, peak " << peak_mib
             << " MiB" << std::endl;
   // Three minutes on two cores. Where others have the cores too, the processor time tells, with a quarter for what runs on one thread.
   EXPECT_LT(std::min(wall_s, 1.25 * processor_s / 2.0), 180.0);
-  if (peakKnown && !anyReused) {
-    EXPECT_GE(forecast_mib, peak_mib);
+  if (memory.isKnown() && !anyReused) {
     EXPECT_LE(forecast_mib, 1.5 * peak_mib);
   }
   EXPECT_EQ(state->verdict, registration::Verdict::aligned) << state->reason;
@@ -364,6 +346,7 @@ void runAndJudge(const Asked& asked) {
               << pair.rigid.seconds << " s)\n";
 
   options.keepVolumes = true;
+  options.onStep = nullptr;
   state = runChain(*project, out, options, volumes, files, noProgress());  // what was found, with the volumes
   ASSERT_TRUE(state) << state.error();
   ASSERT_TRUE(state->report);

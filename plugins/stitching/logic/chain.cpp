@@ -80,8 +80,11 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     PartOfProgress part(progress, kShares[n], kShares[n + 1]);
     const Clock clock;
     if (auto done = kBodies[n](run, part); !done) return passOn(done.error());
-    run.state.steps[n].done = true;
-    run.state.steps[n].seconds = clock.seconds();
+    StepOutcome& outcome = run.state.steps[n];
+    outcome.done = true;
+    outcome.seconds = clock.seconds();
+    if (!outcome.reused) giveBackFreedMemory();
+    if (options.onStep) options.onStep(outcome);
   }
   if (options.keepVolumes) {
     for (std::size_t v = 0; v < run.inputs.size(); ++v) {

@@ -93,6 +93,8 @@ struct ChainOptions {
   std::uint64_t streamAbove_voxels = 1ull << 28;
   /// Called on a working thread when a level of a pair's registration ends, one call at a time; pairs are registered beside each other.
   std::function<void(std::size_t fixed, std::size_t moving, const registration::Level&)> onLevel;
+  /// Called on the caller's thread when a step ended and gave back the memory it had freed.
+  std::function<void(const StepOutcome&)> onStep;
 };
 
 /// What a run would still do and need, before anything is read into memory.

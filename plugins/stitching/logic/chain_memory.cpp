@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
 #include "logic/overlap.h"
@@ -11,7 +15,7 @@
 namespace ew::stitching {
 namespace {
 
-/// A seventh more, for what is too small to be counted and what the allocator keeps between steps: measured, the six sweeps of
+/// A seventh more, for what is too small to be counted and what the allocator keeps within a step: measured, the six sweeps of
 /// tests/stitching/six_subvolumes take up to 1.07 times what is counted.
 std::uint64_t withMargin_bytes(std::uint64_t counted) { return counted + counted / 7; }
 
@@ -124,6 +128,12 @@ Result<void> checkMemory(ChainRun& run, Step step) {
                      " MiB of memory, more than the " + std::to_string(run.options.maxBytes >> 20) +
                      " MiB allowed; use a coarser spacing_mm or fewer volumes at a time.",
                  {{"step", nameOf(step)}, {"forecast_bytes", std::to_string(outcome.forecast_bytes)}});
+}
+
+void giveBackFreedMemory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace ew::stitching

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "logic/chain_json.h"
+#include "logic/chain_memory.h"
 #include "logic/places.h"
 #include "logic/steps/steps.h"
 
@@ -95,6 +96,7 @@ void include(ChainRun& run) {
 }  // namespace
 
 Result<void> graphStep(ChainRun& run, Progress& progress) {
+  if (auto fits = checkMemory(run, Step::graph); !fits) return fits;
   const Asked asked = askedOf(run);
   const std::string& key = run.keys[Step::graph];
   auto found = readBack<GraphResult>(run.store.find(nameOf(Step::graph), key), [](const json& data) { return graphFrom(data); });
