@@ -233,7 +233,6 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   if (!forEachTask(2, threads, quiet, "Preparing the images",
                    [&](int side) { belief[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed : moving); }))
     return cancelled();
-  const auto& [fixedBelief, movingBelief] = belief;
   LevelImage fixedStated, movingStated;      // the level at which agreement is stated
   LevelImage fixedLookedAt, movingLookedAt;  // without samples: the one before
   Stated before, after;
@@ -257,6 +256,8 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     return result;
   };
 
+  const auto voxels = [](const Input& input) { return static_cast<double>(input.volume->grid.voxelCount()); };
+  const bool alike = std::abs(voxels(fixed) - voxels(moving)) < 0.25 * voxels(fixed);  // one would wait for the other
   double work = 0.0, done = 0.0;
   for (const auto& step : settings.steps) work += std::pow(step.voxel_mm, -2.0);
   const auto finestFrom = [&](double voxel_mm) {
@@ -272,11 +273,25 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     const ElasticSettings::Step& step = settings.steps[s];
     PartOfProgress part(progress, 0.95 * done / work, 0.95 * (done + std::pow(step.voxel_mm, -2.0)) / work);
     done += std::pow(step.voxel_mm, -2.0);
-    LevelImage fixedLevel, movingLevel;
     part.report("Preparing the images", 0.0);
-    if (!makeLevel(fixed, fixedBelief, step.voxel_mm, settings.window_mm, threads, quiet, fixedLevel)) return cancelled();
-    part.report("Preparing the images", 0.1);
-    if (!makeLevel(moving, movingBelief, step.voxel_mm, settings.window_mm, threads, quiet, movingLevel)) return cancelled();
+    std::array<LevelImage, 2> level;
+    const auto make = [&](int side, int own) {
+      const auto at = static_cast<std::size_t>(side);
+      return makeLevel(side == 0 ? fixed : moving, belief[at], step.voxel_mm, settings.window_mm, own, quiet, level[at]);
+    };
+    if (threads > 1 && alike) {
+      // Beside each other also what one image does on one thread: memory that is cleared, small images that are smoothed.
+      std::array<std::uint8_t, 2> made{};
+      const int each = (threads + 1) / 2;
+      if (!forEachTask(2, 2, quiet, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) ||
+          made[0] == 0 || made[1] == 0)
+        return cancelled();
+    } else {
+      if (!make(0, threads)) return cancelled();
+      part.report("Preparing the images", 0.1);
+      if (!make(1, threads)) return cancelled();
+    }
+    auto& [fixedLevel, movingLevel] = level;
     if (s == 0 && weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
       return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
     LevelOutcome outcome;
