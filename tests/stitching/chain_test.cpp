@@ -386,6 +386,52 @@ TEST(StepStore, ReadsFilesLargerThanATextMayBeAndNoneOfAnotherSize) {
   EXPECT_EQ(offsets.size(), count) << "left as it was";
 }
 
+TEST(Chain, TakesAwayWhatEarlierRunsLeftTheLongestUnusedFirst) {
+  ChainWorld world;
+  const fs::path into = world.folder / "out";
+  const auto runWith = [&](double fallOff_mm, std::uint64_t keepBytes) {
+    world.project.settings.fallOff_mm = fallOff_mm;
+    ChainOptions options;
+    options.keepBytes = keepBytes;
+    auto state = world.run(into, noProgress(), options);
+    EXPECT_TRUE(state);
+    return state ? std::move(*state) : ChainState{};
+  };
+  const std::uint64_t all = ~std::uint64_t{0};
+  runWith(15.0, all);
+  const auto whole = ChainWorld::entriesIn(into);
+  runWith(16.0, all);
+  runWith(17.0, all);
+  EXPECT_EQ(redone(runWith(15.0, all)), std::vector<std::string>{"volume"}) << "an edit taken back finds what was found";
+  const auto entries = ChainWorld::entriesIn(into);
+
+  EXPECT_EQ(entries.size(), whole.size() + 4) << "bends and seams of two other runs";
+  EXPECT_EQ(runWith(15.0, all).pruned_bytes, 0u);
+
+  // A byte too much: one result goes, of the run with 16, which is longer ago than that with 17.
+  std::uint64_t unused = 0;
+  for (const auto& each : fs::recursive_directory_iterator(into / "steps")) {
+    if (!each.is_regular_file()) continue;
+    const std::string key = each.path().filename().string().substr(0, 32);
+    const std::string entry = "steps/" + each.path().parent_path().filename().string() + "/" + key + ".json";
+    if (entries.contains(entry) && !whole.contains(entry)) unused += each.file_size();
+  }
+  EXPECT_EQ(runWith(15.0, unused).pruned_bytes, 0u);
+  EXPECT_GT(runWith(15.0, unused - 1).pruned_bytes, 0u);
+  EXPECT_EQ(ChainWorld::entriesIn(into).size() + 1, entries.size());
+  EXPECT_EQ(redone(runWith(17.0, all)), std::vector<std::string>{"volume"});
+  EXPECT_EQ(redone(runWith(16.0, all)), (std::vector<std::string>{"elastic", "volume"}));
+
+  // Nothing but what is used: also what nothing has to read, as bends of pairs under the bends of all.
+  runWith(15.0, all);
+  EXPECT_GT(runWith(15.0, 0).pruned_bytes, 0u);
+  const auto left = ChainWorld::entriesIn(into);
+  EXPECT_EQ(left.size(), whole.size());
+  for (const auto& [name, time] : whole) EXPECT_TRUE(left.contains(name)) << name;
+  EXPECT_EQ(redone(runWith(15.0, 0)), std::vector<std::string>{});
+  EXPECT_EQ(ChainWorld::leftoversIn(into), std::vector<std::string>{});
+}
+
 TEST(Chain, SaysWhatIsWrongWithItsInputs) {
   ChainWorld world;
   const auto refused = [&](const std::function<void(StitchProject&)>& spoil) {

@@ -23,6 +23,7 @@ bool runAndKillAfter(ChainWorld& world, const std::filesystem::path& into, std::
     ChainOptions options;
     options.threads = 2;
     options.keepVolumes = false;
+    options.keepBytes = 0;  // everything there is this project's, and none of it may go
     ::_exit(world.run(into, noProgress(), options) ? 0 : 1);
   }
   EXPECT_GT(child, 0);

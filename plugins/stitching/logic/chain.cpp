@@ -86,6 +86,7 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     if (!outcome.reused) giveBackFreedMemory();
     if (options.onStep) options.onStep(outcome);
   }
+  if (options.until == Step::volume) run.state.pruned_bytes = store->prune(options.keepBytes);
   if (options.keepVolumes) {
     for (std::size_t v = 0; v < run.inputs.size(); ++v) {
       auto view = run.inputs.load(v, progress);

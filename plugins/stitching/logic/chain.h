@@ -80,6 +80,7 @@ struct ChainState {
   std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
+  std::uint64_t pruned_bytes = 0;                                     ///< of results of earlier runs, taken away (ChainOptions::keepBytes)
   registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
   std::string reason;
 };
@@ -91,6 +92,9 @@ struct ChainOptions {
   bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
   /// Results of more voxels are written block by block, uncompressed; the voxels do not depend on it.
   std::uint64_t streamAbove_voxels = 1ull << 28;
+  /// Results of earlier runs that a finished run did not use may take so much of the disk, the last used the longest: an edit that is taken
+  /// back finds its old answers. What this run used always stays.
+  std::uint64_t keepBytes = 2ull << 30;
   /// Called on a working thread when a level of a pair's registration ends, one call at a time; pairs are registered beside each other.
   std::function<void(std::size_t fixed, std::size_t moving, const registration::Level&)> onLevel;
   /// Called on the caller's thread when a step ended and gave back the memory it had freed.
@@ -112,10 +116,10 @@ struct ChainForecast {
 [[nodiscard]] Result<ChainState> runChain(const StitchProject& project, const std::filesystem::path& folder, const ChainOptions& options,
                                           sdk::Volumes& volumes, sdk::Files& files, Progress& progress);
 
-/// `echoweave stitch PROJECT.json -o DIR [--until STEP] [--threads N]`
+/// `echoweave stitch PROJECT.json -o DIR [--until STEP] [--threads N] [--prune]`
 [[nodiscard]] Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes,
                                                               sdk::Files& files, sdk::Log& log, Progress& progress);
-inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--until STEP] [--threads N]";
+inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--until STEP] [--threads N] [--prune]";
 /// What `--help` says after the usage: how a project is written and what lies in DIR afterwards.
 extern const char* const kStitchHelp;
 

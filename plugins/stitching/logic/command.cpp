@@ -25,6 +25,7 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
     peak = std::max(peak, step.forecast_bytes);
   }
   quality.emplace_back("steps_reused", static_cast<double>(reused));
+  if (state.pruned_bytes > 0) quality.emplace_back("pruned_mib", static_cast<double>(state.pruned_bytes) / (1024.0 * 1024.0));
   quality.emplace_back("forecast_mib", static_cast<double>(peak) / (1024.0 * 1024.0));
   if (!state.pairs.empty()) {
     const auto aligned = std::count_if(state.pairs.begin(), state.pairs.end(),
@@ -62,6 +63,8 @@ const char* const kStitchHelp =
     "                    DIR/steps keeps what each step found, so that a second run only does what changed\n"
     "  --until STEP      Stop after reconstruct, rigid, graph, equalise, elastic, seam or volume (volume)\n"
     "  --threads N       Threads; 0: all cores; the voxels do not depend on it (0)\n"
+    "  --prune           Afterwards, keep of DIR/steps only what this project uses. Without it, what earlier projects and edits left\n"
+    "                    may take 2 GiB, the last used the longest\n"
     "\n"
     "PROJECT.json; only the volumes and their files are required, files are relative to it:\n"
     "  { \"format\": 2,\n"
@@ -98,6 +101,8 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
       const auto step = std::find_if(kSteps.begin(), kSteps.end(), [&](Step each) { return word == nameOf(each); });
       if (step == kSteps.end()) return usage("'" + word + "' is not a step; the steps are " + namesOfSteps() + ".");
       options.until = *step;
+    } else if (args[i] == "--prune") {
+      options.keepBytes = 0;
     } else if (args[i].size() > 1 && args[i].front() == '-') {
       return usage("'" + args[i] + "' is not an option of stitch.");
     } else if (projectFile.empty()) {
@@ -106,6 +111,8 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
       return usage("There are two projects, '" + projectFile + "' and '" + args[i] + "', and only one can be stitched.");
     }
   }
+  if (options.keepBytes == 0 && options.until != Step::volume)
+    return usage("--prune keeps what a finished volume was made of and does not go with --until.");
   if (projectFile.empty()) return usage("The project file is missing.");
   if (folder.empty()) return usage("The output folder is missing.");
 

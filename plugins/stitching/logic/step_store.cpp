@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <sstream>
 #include <system_error>
+#include <tuple>
 
 #include "ew/core/version.h"
 #include "logic/content_key.h"
@@ -47,7 +49,8 @@ Result<StepStore> StepStore::open(const fs::path& folder, sdk::Files& files) {
 
 StepStore StepStore::peek(const fs::path& folder, sdk::Files& files) { return {folder, files}; }
 
-StepStore::StepStore(StepStore&& other) noexcept : folder_(std::move(other.folder_)), files_(other.files_), lock_(other.lock_) {
+StepStore::StepStore(StepStore&& other) noexcept
+    : folder_(std::move(other.folder_)), files_(other.files_), uses_(std::move(other.uses_)), lock_(other.lock_) {
   other.lock_ = -1;
 }
 
@@ -92,7 +95,9 @@ std::optional<json> StepStore::find(const std::string& step, const std::string& 
       const auto size = fs::file_size(fileOf(step, key, file.at("name").get<std::string>()), ignored);
       if (ignored || size != file.at("bytes").get<std::uintmax_t>()) return std::nullopt;
     }
-    return std::move(read.at("data"));
+    json data = std::move(read.at("data"));
+    use(step, key);
+    return data;
   } catch (const json::exception&) {
     return std::nullopt;  // damaged: made again
   }
@@ -130,6 +135,7 @@ Result<void> StepStore::keep(const std::string& step, const std::string& key, nl
     entry["files"].push_back({{"name", name}, {"bytes", size}});
   }
   entry["data"] = std::move(data);
+  use(step, key);
   return files_->writeText(folder_ / "steps" / step / (key + ".json"),
                            entry.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
@@ -153,6 +159,82 @@ void StepStore::removeAllBut(const std::string& step, const std::vector<std::str
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) others.push_back(key);
     }
   for (const auto& key : others) remove(step, key);
+}
+
+void StepStore::use(const std::string& step, const std::string& key) const {
+  const std::lock_guard lock(uses_->guard);
+  uses_->names.insert(step + "/" + key);
+}
+
+/// Of each finished result with its files, by its name.
+std::map<std::string, std::uint64_t> StepStore::bytesOfAll() const {
+  std::map<std::string, std::uint64_t> all;
+  std::error_code ignored;
+  for (auto step = fs::directory_iterator(folder_ / "steps", ignored); step != fs::directory_iterator(); step.increment(ignored)) {
+    if (!step->is_directory(ignored)) continue;
+    const std::string home = step->path().filename().string() + "/";
+    std::map<std::string, std::uint64_t> beside;
+    for (auto at = fs::directory_iterator(step->path(), ignored); at != fs::directory_iterator(); at.increment(ignored)) {
+      const std::uintmax_t bytes = at->file_size(ignored);
+      if (ignored) continue;
+      const std::string name = at->path().filename().string();
+      const std::size_t dash = name.find('-');
+      if (dash == std::string::npos && name.ends_with(".json")) all[home + at->path().stem().string()] += bytes;
+      if (dash != std::string::npos) beside[home + name.substr(0, dash)] += bytes;
+    }
+    for (const auto& [name, bytes] : beside)
+      if (const auto at = all.find(name); at != all.end()) at->second += bytes;
+  }
+  return all;
+}
+
+std::uint64_t StepStore::prune(std::uint64_t keepBytes) const {
+  const fs::path memory = folder_ / "steps" / "uses.txt";
+  std::map<std::string, std::uint64_t> known;  // the number of the finished run that used a result last
+  std::uint64_t latest = 0;
+  if (auto text = files_->readText(memory)) {
+    std::istringstream in(*text);
+    std::string name;
+    for (std::uint64_t run = 0; in >> run >> name; latest = std::max(latest, run)) known[name] = run;
+  }
+  const std::lock_guard lock(uses_->guard);
+  struct Unused {
+    std::uint64_t lastRun = 0;
+    std::string name;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<Unused> unused;
+  std::map<std::string, std::uint64_t> next;
+  std::uint64_t spare = 0, freed = 0;
+  for (const auto& [name, bytes] : bytesOfAll()) {
+    if (uses_->names.contains(name)) {
+      next[name] = latest + 1;
+      continue;
+    }
+    const auto at = known.find(name);  // unknown: of a run since the last one that finished
+    unused.push_back({at == known.end() ? latest : at->second, name, bytes});
+    next[name] = unused.back().lastRun;
+    spare += bytes;
+  }
+  std::sort(unused.begin(), unused.end(),
+            [](const Unused& a, const Unused& b) { return std::tie(a.lastRun, a.name) < std::tie(b.lastRun, b.name); });
+  for (const Unused& old : unused) {
+    if (spare <= keepBytes) break;
+    const std::size_t slash = old.name.find('/');
+    remove(old.name.substr(0, slash), old.name.substr(slash + 1));
+    next.erase(old.name);
+    spare -= old.bytes;
+    freed += old.bytes;
+  }
+  // The same run again is no news.
+  std::map<std::string, std::uint64_t> again = next;
+  for (auto& [name, run] : again)
+    if (uses_->names.contains(name)) run = latest;
+  if (again == known) return freed;
+  std::string text;
+  for (const auto& [name, run] : next) text += std::to_string(run) + " " + name + "\n";
+  static_cast<void>(files_->writeText(memory, text));  // without room the order is forgotten, and no result
+  return freed;
 }
 
 FileContents::FileContents(const StepStore& store, sdk::Files& files) : memory_(store.folder() / "steps" / "inputs.json"), files_(files) {

@@ -3,8 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -58,6 +62,13 @@ class StepStore {
   void remove(const std::string& step, const std::string& key) const;
   /// Takes all results of a step away but these.
   void removeAllBut(const std::string& step, const std::vector<std::string>& keys) const;
+  /// Notes that this run builds on a result without reading it; what it finds and keeps is noted anyway.
+  void use(const std::string& step, const std::string& key) const;
+  /// Takes away what earlier runs left and this one did not use, the longest unused first, until it takes no more than `keepBytes`. What
+  /// this run used stays whatever it takes. Each result goes as a whole, so that a program killed meanwhile leaves results or nothing.
+  /// Which finished run used what last is remembered in steps/uses.txt; lost, results are as good as new.
+  /// @return what was freed
+  std::uint64_t prune(std::uint64_t keepBytes) const;
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   ~StepStore();
@@ -65,12 +76,20 @@ class StepStore {
   StepStore& operator=(StepStore&&) = delete;
 
  private:
-  StepStore(std::filesystem::path folder, sdk::Files& files) : folder_(std::move(folder)), files_(&files) {}
+  /// Results of this run by name: "STEP/KEY".
+  struct Uses {
+    std::mutex guard;
+    std::set<std::string> names;
+  };
+  StepStore(std::filesystem::path folder, sdk::Files& files)
+      : folder_(std::move(folder)), files_(&files), uses_(std::make_unique<Uses>()) {}
+  [[nodiscard]] std::map<std::string, std::uint64_t> bytesOfAll() const;
   void clearLeftovers() const;
   [[nodiscard]] bool readBytes(const std::string& step, const std::string& key, const std::string& name, std::span<std::byte> into) const;
 
   std::filesystem::path folder_;
   sdk::Files* files_;
+  std::unique_ptr<Uses> uses_;
   int lock_ = -1;
 };
 

@@ -44,6 +44,11 @@ std::string bytesOf(const std::vector<glm::vec3>& vectors) {
 
 }  // namespace
 
+void useBend(const ChainRun& run, std::size_t fixed, std::size_t moving) {
+  run.store.use(kBendStep,
+                keyOfBend(run.inputs[fixed], run.inputs[moving], run.startOf(fixed, moving), effortOf(run.project, fixed, moving)));
+}
+
 Result<void> writeVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
                           const registration::ControlGrid& control) {
   if (auto room = run.store.prepare(step); !room) return room;

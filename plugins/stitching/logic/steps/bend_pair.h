@@ -19,6 +19,9 @@ struct Bent {
 [[nodiscard]] Result<Bent> bendPair(ChainRun& run, std::size_t fixed, std::size_t moving, const Overlap& overlap, int threads,
                                     Progress& progress);
 
+/// Notes that this run builds on a bend although nothing asked for it: the bends of all were found finished.
+void useBend(const ChainRun& run, std::size_t fixed, std::size_t moving);
+
 /// Keeps the displacements of a lattice as a file of a result. @error notWritable
 [[nodiscard]] Result<void> writeVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
                                         const registration::ControlGrid& control);

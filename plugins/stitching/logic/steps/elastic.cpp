@@ -150,7 +150,10 @@ Result<void> elasticStep(ChainRun& run, Progress& progress) {
   if (auto fits = checkMemory(run, Step::elastic); !fits) return fits;
   StepOutcome& outcome = run.outcomeOf(Step::elastic);
   outcome.reused = readBends(run);
-  if (outcome.reused) return {};
+  if (outcome.reused) {
+    for (const BentPair& bent : run.state.bentPairs) useBend(run, bent.fixed, bent.moving);
+    return {};
+  }
   run.state.bends.assign(run.inputs.size(), {});
   if (run.settings.elastic && run.included.size() > 1) {
     for (const std::size_t v : run.included)
