@@ -715,6 +715,14 @@
         <translation>Das bewegte Volumen enthält kein Echo.</translation>
     </message>
     <message>
+        <source>The fixed volume covers nothing as thick as three voxels of %1. Without coverage, black at the border is outside.</source>
+        <translation>Das feste Volumen erfasst nichts, was drei Voxel zu %1 dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb.</translation>
+    </message>
+    <message>
+        <source>The moving volume covers nothing as thick as three voxels of %1. Without coverage, black at the border is outside.</source>
+        <translation>Das bewegte Volumen erfasst nichts, was drei Voxel zu %1 dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb.</translation>
+    </message>
+    <message>
         <source>The fixed volume is too thin: it takes three voxels of %1 in every direction.</source>
         <translation>Das feste Volumen ist zu dünn: In jeder Richtung braucht es drei Voxel zu %1.</translation>
     </message>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "ew/core/frames.h"
 #include "ew/registration/rigid.h"
@@ -100,6 +102,178 @@ TEST(RigidHardCases, RepeatedStructureCannotTellWhichOfItsPlacesItIs) {
   EXPECT_EQ(found->best.verdict, Verdict::cannotTell) << found->best.reason;
   EXPECT_TRUE(mentions(found->best.reason, "the structure repeats")) << found->best.reason;
   EXPECT_GE(found->hypotheses.size(), 2u);
+}
+
+/// Equal tubes along y at the places of a lattice: nothing tells one from the next, nor one place along them from another.
+Volume combSeen(const glm::dmat4& viewToTissue, unsigned seed) {
+  Tissue comb;
+  constexpr double kPeriod_mm = 13.0;
+  for (int z = -6; z <= 6; ++z)
+    for (int x = -6; x <= 6; ++x) comb.blobs.push_back({kPeriod_mm * glm::dvec3(x, 0, z), glm::dvec3(3.64, 1e4, 3.64), -60.0});
+  return seen(comb, kGrid, viewToTissue, seed, 12.0);
+}
+
+TEST(RigidHardCases, ACombOfEqualVesselsIsNotClaimedByMatchingNorByRefiningFromAStartThatSlidAlongThem) {
+  const glm::dmat4 truth = pose({3.0, -2.0, 1.0}, {});
+  const Volume fixed = combSeen(glm::dmat4(1.0), 1);
+  const Volume moving = combSeen(glm::inverse(truth), 2);
+  const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
+  ASSERT_TRUE(matched);
+  EXPECT_EQ(matched->best.verdict, Verdict::cannotTell) << matched->best.reason;
+  for (const glm::dvec3& off : {glm::dvec3(0.5, 7.0, -0.5), glm::dvec3(1.0, -5.0, 0.5)}) {
+    const auto refined = refineRigid({&fixed}, {&moving}, truth * pose(off, {2.0, 1.0, -2.0}), {}, noProgress());
+    ASSERT_TRUE(refined);
+    EXPECT_EQ(refined->verdict, Verdict::cannotTell) << refined->reason;
+    EXPECT_FALSE(refined->reason.empty());
+  }
+}
+
+TEST(RigidHardCases, AStartHalfAPeriodOffIsNotRefinedToTheWrongRepetitionAndANearOneIsRefined) {
+  Tissue comb;
+  for (int z = -5; z <= 5; ++z)
+    for (int y = -5; y <= 5; ++y)
+      for (int x = -5; x <= 5; ++x) comb.blobs.push_back({15.0 * glm::dvec3(x, y, z), glm::dvec3(5.0), 60.0});
+  const Volume fixed = seen(comb, kGrid, glm::dmat4(1.0), 1, 10.0);
+  const glm::dmat4 truth = pose({4.0, 3.0, -2.0}, {});
+  const Volume moving = seen(comb, kGrid, glm::inverse(truth), 2, 10.0);
+  const auto near = refineRigid({&fixed}, {&moving}, truth * pose({0.8, -0.6, 0.5}, {}), {}, noProgress());
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->verdict, Verdict::aligned) << near->reason;
+  EXPECT_LT(apart_mm(near->fixedToMoving, truth, kGrid), 0.5);
+  for (const double off_mm : {8.5, 10.0}) {
+    const auto far = refineRigid({&fixed}, {&moving}, truth * pose({off_mm, 0.5, -0.5}, {}), {}, noProgress());
+    ASSERT_TRUE(far);
+    EXPECT_EQ(far->verdict, Verdict::cannotTell) << off_mm << " mm off: " << far->reason;
+    EXPECT_TRUE(mentions(far->reason, "the structure repeats") || mentions(far->reason, "too far off")) << far->reason;
+  }
+}
+
+TEST(RigidHardCases, SlicesFifteenTimesThickerThanTheirPixelsAreAligned) {
+  Grid thin = centred({280, 280, 19}, 0.2);  // 0.2 x 0.2 x 3 mm
+  thin.spacing_mm.z = 3.0;
+  thin.origin_mm.z = -0.5 * 3.0 * 18.0;
+  const auto all = tissue(51, 110.0);
+  const Volume fixed = seen(all, thin, glm::dmat4(1.0), 1);
+  Grid turned = thin;  // the other one is sliced along x
+  turned.dims = {19, 280, 280};
+  turned.spacing_mm = {3.0, 0.2, 0.2};
+  turned.origin_mm = -0.5 * glm::dvec3(turned.dims - 1) * turned.spacing_mm;
+  const glm::dmat4 truth = pose({5.0, -4.0, 3.0}, {6.0, -8.0, 5.0});
+  for (const Grid& grid : {thin, turned}) {
+    const Volume moving = seen(all, grid, glm::inverse(truth), 2);
+    const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
+    EXPECT_LT(apart_mm(found->best.fixedToMoving, truth, thin), 1.0);
+  }
+}
+
+TEST(RigidHardCases, ASmallVolumeIsFoundInALargeOneAndAStrangerIsNot) {
+  const auto all = tissue(52, 130.0);
+  const Volume large = seen(all, centred(glm::ivec3(64), 1.5), glm::dmat4(1.0), 1);
+  const Grid small = centred(glm::ivec3(28), 1.5);  // a twelfth of it
+  const glm::dmat4 truth = pose({18.0, -12.0, 9.0}, {7.0, 9.0, -4.0});
+  const Volume part = seen(all, small, glm::inverse(truth), 2);
+  const auto found = matchPartial({&large}, {&part}, {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
+  EXPECT_LT(apart_mm(glm::inverse(found->best.fixedToMoving), glm::inverse(truth), small), 1.5);
+  const Volume stranger = seen(tissue(777, 130.0), small, glm::dmat4(1.0), 2);
+  const auto none = matchPartial({&large}, {&stranger}, {}, noProgress());
+  ASSERT_TRUE(none);
+  EXPECT_NE(none->best.verdict, Verdict::aligned) << none->best.reason;
+}
+
+TEST(RigidHardCases, LeftHandedAxesAreRegisteredAndMirroredTissueIsNot) {
+  const auto all = tissue(53, 110.0);
+  const Volume fixed = seen(all, kGrid, glm::dmat4(1.0), 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    Grid leftHanded = kGrid;  // rows run the other way, and the header says so
+    leftHanded.directions[axis][axis] = -1.0;
+    leftHanded.origin_mm[axis] = -kGrid.origin_mm[axis];
+    const Volume moving = seen(all, leftHanded, glm::inverse(kTruth), 2);
+    for (const bool other : {false, true}) {
+      const auto found = other ? matchPartial({&moving}, {&fixed}, {}, noProgress()) : matchPartial({&fixed}, {&moving}, {}, noProgress());
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
+      EXPECT_LT(apart_mm(other ? glm::inverse(found->best.fixedToMoving) : found->best.fixedToMoving, kTruth, kGrid), 1.0);
+    }
+    glm::dmat4 mirror(1.0);  // and here the header does not: what left and right confused look like
+    mirror[axis][axis] = -1.0;
+    const Volume confused = seen(all, kGrid, mirror, 2);
+    const auto never = matchPartial({&fixed}, {&confused}, {}, noProgress());
+    ASSERT_TRUE(never);
+    EXPECT_NE(never->best.verdict, Verdict::aligned) << never->best.reason;
+  }
+}
+
+TEST(RigidHardCases, GeometryThatIsNoNumberIsRefusedByName) {
+  const Volume fixed = fixedView();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const Volume& moving, const std::string& word) {
+    const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
+    ASSERT_FALSE(matched);
+    EXPECT_EQ(matched.error().code, ErrorCode::badField);
+    EXPECT_TRUE(mentions(matched.error().sentence, word)) << matched.error();
+    const auto refined = refineRigid({&moving}, {&fixed}, glm::dmat4(1.0), {}, noProgress());
+    ASSERT_FALSE(refined);
+    EXPECT_TRUE(mentions(refined.error().sentence, word)) << refined.error();
+  };
+  Volume bad = movingView();
+  bad.grid.spacing_mm.y = nan;
+  refused(bad, "spacing");
+  bad = movingView();
+  bad.grid.origin_mm.z = nan;
+  refused(bad, "origin");
+  bad = movingView();
+  bad.grid.directions[1][2] = nan;
+  refused(bad, "direction");
+  glm::dmat4 start(1.0);
+  start[3][1] = nan;
+  const Volume moving = movingView();
+  const auto refined = refineRigid({&fixed}, {&moving}, start, {}, noProgress());
+  ASSERT_FALSE(refined);
+  EXPECT_EQ(refined.error().code, ErrorCode::notRigid);
+}
+
+TEST(RigidHardCases, AnOverlapOfATenthIsAlignedRightlyOrNotClaimed) {
+  const Grid grid = centred(glm::ivec3(48), 1.5);
+  int found = 0;
+  for (unsigned n = 0; n < 4; ++n) {
+    const auto all = tissue(60 + n, 230.0);
+    glm::dvec3 shift(4.0, -3.0, 2.0);
+    shift[static_cast<int>(n % 3)] = (n % 2 == 0 ? 1.0 : -1.0) * (72.0 - (7.2 + 1.2 * n));  // 10 to 15 %
+    const glm::dmat4 truth = pose(shift, {6.0, 8.0, -5.0});
+    const Volume fixed = seen(all, grid, glm::dmat4(1.0), 1);
+    const Volume moving = seen(all, grid, glm::inverse(truth), 2);
+    const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
+    ASSERT_TRUE(matched);
+    if (matched->best.verdict != Verdict::aligned) continue;
+    ++found;
+    EXPECT_LT(apart_mm(matched->best.fixedToMoving, truth, grid), 5.0) << matched->best.reason;
+  }
+  std::printf("overlaps of 10 to 15 %%: %d of 4 aligned\n", found);
+}
+
+TEST(RigidHardCases, ConfidenceThatBelievesNothingCountsAsNotGiven) {
+  // As of wires in water, where every frame is nearly black.
+  const Volume fixed = fixedView();
+  const Volume moving = movingView();
+  const std::vector<float> none(fixed.echo.size(), 0.0f);
+  const auto found = matchPartial({&fixed, none}, {&moving, none}, {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
+  EXPECT_LT(apart_mm(found->best.fixedToMoving, kTruth, kGrid), 1.0);
+}
+
+TEST(RigidHardCases, BlackThatCountsAsOutsideIsNamedAsTheReason) {
+  Volume wires = movingView();  // two bright voxels in the dark
+  std::fill(wires.echo.begin(), wires.echo.end(), std::uint8_t{0});
+  wires.echo[wires.grid.indexOf(20, 20, 20)] = wires.echo[wires.grid.indexOf(12, 25, 20)] = 255;
+  const auto found = matchPartial({&wires}, {&wires}, {}, noProgress());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best.verdict, Verdict::cannotTell);
+  EXPECT_TRUE(mentions(found->best.reason, "coverage")) << found->best.reason;
 }
 
 TEST(RigidHardCases, DisjointImagesAreRefusedByMatchingAndByRefinement) {

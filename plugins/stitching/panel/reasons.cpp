@@ -58,6 +58,12 @@ QString Reasons::say(const Remark& remark) {
     case Says::noEcho:
       return fixed ? tr("The fixed volume holds no echo.") : tr("The moving volume holds no echo.");
     case Says::tooThin:
+      if (remark.figure(2) != 0.0)
+        return (fixed ? tr("The fixed volume covers nothing as thick as three voxels of %1. Without coverage, black at the border is "
+                           "outside.")
+                      : tr("The moving volume covers nothing as thick as three voxels of %1. Without coverage, black at the border is "
+                           "outside."))
+            .arg(millimetres(remark.figure(1)));
       return (fixed ? tr("The fixed volume is too thin: it takes three voxels of %1 in every direction.")
                     : tr("The moving volume is too thin: it takes three voxels of %1 in every direction."))
           .arg(millimetres(remark.figure(1)));

@@ -13,6 +13,8 @@ namespace ew::registration {
 namespace {
 
 constexpr int kPlanesPerTask = 8;
+constexpr float kBelieved = 0.05f;           // a confidence above it
+constexpr std::size_t kLeastBelieved = 200;  // one voxel of so many has to be, or the map says nothing
 
 /// dst = max (or min) over 2 r + 1 neighbours along one axis; outside counts as `outside`.
 template <class Pick>
@@ -415,11 +417,24 @@ Result<void> checkInput(const Input& input, const char* side) {
   return {};
 }
 
+std::span<const float> usedConfidence(const Input& input) {
+  const auto& coverage = input.volume->coverage;
+  std::size_t covered = 0;
+  std::size_t believed = 0;
+  for (std::size_t q = 0; q < input.confidence.size(); ++q) {
+    if (!coverage.empty() && coverage[q] == 0) continue;
+    ++covered;
+    believed += input.confidence[q] > kBelieved ? 1 : 0;
+  }
+  return believed < covered / kLeastBelieved ? std::span<const float>() : input.confidence;
+}
+
 Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::span<const double> voxel_mm,
                                                       const ComparableOptions& options, Progress& progress) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   const Volume& volume = *input.volume;
   const std::size_t n = volume.grid.voxelCount();
+  const auto confidence = usedConfidence(input);
   Weighted image;
   image.grid = volume.grid;
   {
@@ -429,7 +444,7 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
     image.weight.resize(n);
     image.sum.resize(n);
     for (std::size_t q = 0; q < n; ++q) {
-      const float w = mask[q] == 0 ? 0.0f : input.confidence.empty() ? 1.0f : input.confidence[q];
+      const float w = mask[q] == 0 ? 0.0f : confidence.empty() ? 1.0f : confidence[q];
       image.weight[q] = w;
       image.sum[q] = w * volume.echo[q];
     }
@@ -454,7 +469,7 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
       }
     }
     // Voxels that straddle the rim of the covered area are mostly made of what lies beside it.
-    if (input.confidence.empty()) {
+    if (confidence.empty()) {
       for (std::size_t q = 0; q < level.weight.size(); ++q) {
         const bool inside = level.weight[q] > 0.5f;
         level.sum[q] = inside ? level.sum[q] / level.weight[q] : 0.0f;

@@ -60,4 +60,7 @@ struct ComparableMemory {
 /// @error emptyVolume (no voxel, none covered), badField (sizes, a confidence outside 0..1)
 [[nodiscard]] Result<void> checkInput(const Input& input, const char* side);
 
+/// The confidence of a side; empty where there is none, or where it says nothing (see Input).
+[[nodiscard]] std::span<const float> usedConfidence(const Input& input);
+
 }  // namespace ew::registration

@@ -103,6 +103,10 @@ std::string sentenceOf(const Remark& remark) {
     case Says::noEcho:
       return volume() + "holds no echo.";
     case Says::tooThin:
+      if (remark.figure(2) != 0.0)
+        return volume() + "covers nothing as thick as three voxels of " + withDigits(remark.figure(1), 1) +
+               " mm. Where no coverage is given, black that reaches the border counts as outside: give the coverage that reconstruct "
+               "wrote.";
       return volume() + "is too thin to be registered in three dimensions: it takes three voxels of " + withDigits(remark.figure(1), 1) +
              " mm in every direction.";
     case Says::noStructure:
@@ -112,6 +116,9 @@ std::string sentenceOf(const Remark& remark) {
     case Says::fewSharedVoxels:
       return "The overlap is too small to register: fewer than 50 voxels are covered by both volumes.";
     case Says::poseNotHeld:
+      if (remark.figure(0) > 0.0)
+        return "The overlap does not hold the pose: moved by " + millimetres(remark.figure(1)) +
+               " along or about what holds it least, the images still agree " + percent(remark.figure(0)) + " as well.";
       return "The overlap does not hold the pose: the normal equations are singular.";
     case Says::overlapTooSmall:
       return "The overlap is too small to tell" + agreement(0) + ".";
@@ -138,7 +145,7 @@ std::string sentenceOf(const Remark& remark) {
       return "The best pose agrees hardly better than unrelated tissue does" + agreement(0) + ".";
     case Says::twoPosesAlike:
       return "Two different poses agree almost equally (margin " + withDigits(remark.figure(0), 2) +
-             "): the structure repeats, a start or landmarks must choose" + agreement(1) + ".";
+             "): the structure repeats, a close start or landmarks must choose" + agreement(1) + ".";
     case Says::halvesContradict:
       return "Halves of the overlap registered apart contradict each other by " + millimetres(remark.figure(0)) + agreement(1) + ".";
     case Says::onePoseStandsOut:

@@ -233,9 +233,9 @@ std::size_t LevelImage::floats() const {
 
 std::vector<std::uint8_t> beliefOf(const Input& input) {
   std::vector<std::uint8_t> belief = coveredMask(*input.volume);
-  if (!input.confidence.empty()) {
+  if (const auto confidence = usedConfidence(input); !confidence.empty()) {
     for (std::size_t n = 0; n < belief.size(); ++n)
-      belief[n] = static_cast<std::uint8_t>(std::lround(static_cast<float>(belief[n]) * std::clamp(input.confidence[n], 0.0F, 1.0F)));
+      belief[n] = static_cast<std::uint8_t>(std::lround(static_cast<float>(belief[n]) * std::clamp(confidence[n], 0.0F, 1.0F)));
   }
   if (std::all_of(belief.begin(), belief.end(), [](std::uint8_t b) { return b == 255; })) belief.clear();
   return belief;

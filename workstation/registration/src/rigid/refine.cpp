@@ -98,7 +98,11 @@ std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
       return std::any_of(weights.begin(), weights.end(), [](std::uint8_t w) { return w != 0; });
     };
     if (!any(image.weight)) return Remark{Says::noEcho, {which}};
-    if (!any(image.inner)) return Remark{Says::tooThin, {which, image.grid.spacing_mm.x}};
+    if (!any(image.inner)) {
+      const glm::ivec3 dims = image.grid.dims;
+      const bool grid = std::min({dims.x, dims.y, dims.z}) < 3;  // else what is covered of it
+      return Remark{Says::tooThin, {which, image.grid.spacing_mm.x, grid ? 0.0 : 1.0}};
+    }
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t q = 0; q < image.value.size(); ++q) {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
+#include "doubts.h"
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
 #include "refine.h"
@@ -10,8 +12,10 @@ namespace ew::registration {
 namespace {
 
 /// The refinement of a pair that shows something.
+/// @param doubt what speaks against a result that is called aligned
 Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, const RefineOptions& options, int threads,
-                               Progress& progress, const OnLevel& onLevel) {
+                               Progress& progress, const OnLevel& onLevel, std::optional<Remark>& doubt) {
+  doubt.reset();
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
   RigidResult result;
   result.fixedToMoving = start;
@@ -58,6 +62,7 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
   if (!(result.halvesDisagree_mm <= kHalvesApart_mm)) {
     return finish(Verdict::cannotTell, remarkWith(Says::startMayBeFar, {result.halvesDisagree_mm}, after));
   }
+  if (!doubtsAbout(pair, start, result.fixedToMoving, after, threads, halves, doubt)) return cancelled();
   return finish(Verdict::aligned, remarkWith(Says::halvesAgree, {result.halvesDisagree_mm}, after));
 }
 
@@ -81,7 +86,8 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
     return finish(Verdict::cannotTell, {std::move(*why)});
   }
   PartOfProgress refining(progress, 0.3, 0.9);
-  auto refined = refinePair(*prepared, start, options, threads, refining, onLevel);
+  std::optional<Remark> doubt;
+  auto refined = refinePair(*prepared, start, options, threads, refining, onLevel, doubt);
   if (!refined) return passOn(refined.error());
   result = std::move(*refined);
   if (result.verdict != Verdict::aligned) return finish(result.verdict, result.remarks);
@@ -90,18 +96,20 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
   PartOfProgress checking(progress, 0.9, 1.0);
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
-  if (!streaks.found) return finish(result.verdict, result.remarks);
+  // Streaks are the better reason where both are one.
+  const auto unlessInDoubt = [&] { return doubt ? finish(Verdict::cannotTell, {*doubt}) : finish(result.verdict, result.remarks); };
+  if (!streaks.found) return unlessInDoubt();
   const auto fare =
       fareWithoutStreaks(fixed, moving, streaks, voxels, 0, result.fixedToMoving, kSureOfDescent, threads, checking, *prepared);
   if (!fare) return passOn(fare.error());
-  if (!fare->rests) return finish(result.verdict, result.remarks);
+  if (!fare->rests) return unlessInDoubt();
   if (!whyNothingCanBeSaid(*prepared)) {
     // From the start, and from where the pose went without streaks: either may be the nearer one.
     for (const glm::dmat4& from : {start, fare->fixedToMoving}) {
-      auto again = refinePair(*prepared, from, options, threads, checking, onLevel);
+      auto again = refinePair(*prepared, from, options, threads, checking, onLevel, doubt);
       if (!again) return passOn(again.error());
       const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
-      if (again->verdict != Verdict::aligned || !elsewhere(moved)) continue;
+      if (again->verdict != Verdict::aligned || doubt || !elsewhere(moved)) continue;
       result = std::move(*again);
       return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.remarks.front()});
     }

@@ -14,12 +14,12 @@ namespace ew::registration {
 enum class Says {
   // Of the volumes.
   noEcho,       ///< which: 0 the fixed volume, 1 the moving one
-  tooThin,      ///< which, mm of a voxel
+  tooThin,      ///< which, mm of a voxel, 0 or 1: the volume is thick enough, what is covered of it is not
   noStructure,  ///< which
   // Refining from a start.
   apartAtTheStart,
   fewSharedVoxels,
-  poseNotHeld,
+  poseNotHeld,         ///< share of the correlation that is left when it moves, by how many mm; nothing when the equations are singular
   overlapTooSmall,     ///< agreement
   unrelatedNearStart,  ///< agreement
   hardlyBetter,        ///< agreement

@@ -26,8 +26,10 @@ const char* nameOf(StopReason reason);
 
 /// One side of a registration: echo levels with coverage, and how far each voxel's echo may be trusted.
 struct Input {
-  const Volume* volume = nullptr;          ///< never null; lives as long as the call
-  std::span<const float> confidence = {};  ///< voxelCount() values in 0..1; empty: 1 wherever covered
+  const Volume* volume = nullptr;  ///< never null; lives as long as the call
+  /// voxelCount() values in 0..1; empty: 1 wherever covered. Where less than half a per cent of what is covered is believed above 0.05, as
+  /// in a recording that is black nearly throughout (wires in water), it tells of no shadow and counts as empty.
+  std::span<const float> confidence = {};
   /// The view's beams, where known. What runs along them, as shadows do, is then no evidence for rigid registration; without them, streaks
   /// are looked for before a result is called aligned.
   std::optional<Beams> beams = {};
