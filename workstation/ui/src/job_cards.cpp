@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kShowAfter_s = 0.5;
 constexpr int kWidth_px = 336;
+constexpr int kAround_px = 16;
 
 }  // namespace
 
@@ -87,30 +88,32 @@ JobCards::JobCards(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
 
 void JobCards::placeIn(const QRect& area) {
   area_ = area;
-  const int width_px = std::min(kWidth_px, area.width() - 32);
+  const int width_px = std::min(kWidth_px, area.width() - 2 * kAround_px);
   for (const auto& [id, card] : cards_) card->setFixedWidth(width_px);
   layout()->activate();
   const QSize size = sizeHint();
-  setGeometry(area.right() - 16 - size.width(), area.bottom() - 16 - size.height(), size.width(), size.height());
+  setGeometry(area.right() - kAround_px - size.width(), area.bottom() - kAround_px - size.height(), size.width(), size.height());
   raise();
 }
+
+int JobCards::heightWanted() const { return cards_.empty() ? 0 : sizeHint().height() + 2 * kAround_px; }
 
 void JobCards::refresh() {
   const auto jobs = jobs_.seen();
   if (jobs.empty()) poll_.stop();
   std::set<int> running;
-  bool rearranged = false;
+  bool changed = false;
   for (const Jobs::Seen& job : jobs) {
     running.insert(job.id);
     auto at = cards_.find(job.id);
     if (at == cards_.end()) {
       if (job.age_s < kShowAfter_s) continue;
       auto* card = new Card(this);
-      card->setFixedWidth(std::min(kWidth_px, area_.width() - 32));
+      card->setFixedWidth(std::min(kWidth_px, area_.width() - 2 * kAround_px));
       connect(card->cancel, &QPushButton::clicked, &jobs_, [this, id = job.id] { jobs_.cancel(id); });
       layout()->addWidget(card);
       at = cards_.emplace(job.id, card).first;
-      rearranged = true;
+      changed = true;
     }
     at->second->show(job);
     at->second->QWidget::show();
@@ -124,12 +127,13 @@ void JobCards::refresh() {
     at->second->hide();
     at->second->deleteLater();
     at = cards_.erase(at);
-    rearranged = true;
+    changed = true;
   }
-  if (!rearranged) return;
+  if (!changed) return;
   setVisible(!cards_.empty());
   layout()->activate();
   placeIn(area_);
+  Q_EMIT rearranged();
 }
 
 }  // namespace ew::ui

@@ -16,6 +16,11 @@ class JobCards final : public QWidget {
   JobCards(Jobs& jobs, QWidget* parent);
   /// Keeps the cards at the lower right of `area` (in the parent's coordinates).
   void placeIn(const QRect& area);
+  /// Of the cards that are shown, with the space around them; 0: there are none.
+  [[nodiscard]] int heightWanted() const;
+
+ Q_SIGNALS:
+  void rearranged();  ///< there are more cards or fewer
 
  private:
   struct Card;

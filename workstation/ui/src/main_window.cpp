@@ -105,12 +105,23 @@ void MainWindow::makeViews() {
   p.panels->setAttribute(Qt::WA_StyledBackground);
   p.panels->setDocumentMode(true);
   p.panels->setMinimumWidth(kPanelWidth_px);
-  p.panels->hide();
+  // Below the panels room for the cards of running work, so that they cover none of a panel's buttons.
+  p.panelColumn = new QWidget;
+  p.panelColumn->setObjectName(QStringLiteral("authorColumn"));
+  p.panelColumn->setAttribute(Qt::WA_StyledBackground);
+  auto* belowEachOther = new QVBoxLayout(p.panelColumn);
+  belowEachOther->setContentsMargins(0, 0, 1, 0);  // the line beside it
+  belowEachOther->setSpacing(0);
+  belowEachOther->addWidget(p.panels, 1);
+  p.cardRoom = new QWidget;
+  p.cardRoom->setFixedHeight(0);
+  belowEachOther->addWidget(p.cardRoom);
+  p.panelColumn->hide();
 
   p.columns = new QSplitter(Qt::Horizontal);
   p.columns->setHandleWidth(1);
   p.columns->setChildrenCollapsible(false);
-  p.columns->addWidget(p.panels);
+  p.columns->addWidget(p.panelColumn);
   p.columns->addWidget(p.view3d);
   p.columns->addWidget(p.scanView);
   p.stages = new QStackedWidget;
@@ -163,6 +174,7 @@ void MainWindow::connectParts() {
     parts_->hand.setEnabled(!frozen);
     parts_->freezeAction->setChecked(frozen);
   });
+  connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
@@ -314,8 +326,8 @@ void MainWindow::setWorkspace(Workspace workspace) {
   p.topBar->setWorkspace(author ? 1 : 0);
   p.exploreAction->setChecked(!author);
   p.authorAction->setChecked(author);
-  const bool wasAuthor = p.panels->isVisible();
-  p.panels->setVisible(author);
+  const bool wasAuthor = p.panelColumn->isVisible();
+  p.panelColumn->setVisible(author);
   if (author && !wasAuthor) {
     const int rest = p.columns->width() - kPanelWidth_px;
     p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2});
@@ -407,8 +419,10 @@ void MainWindow::placeOverlays() {
     area.setRight(area.right() - parts_->console->width());
   }
   parts_->messages->placeIn(area);
-  // Beside a stage below the panel's own column, where its buttons are; a stage has pictures in every corner.
-  parts_->cards->placeIn(parts_->staged ? QRect(parts_->panels->mapTo(parts_->central, QPoint(0, 0)), parts_->panels->size()) : area);
+  // Beside a stage below the panel; a stage has pictures in every corner.
+  QWidget* column = parts_->panelColumn;
+  parts_->cardRoom->setFixedHeight(parts_->staged ? parts_->cards->heightWanted() : 0);
+  parts_->cards->placeIn(parts_->staged ? QRect(column->mapTo(parts_->central, QPoint(0, 0)), column->size()) : area);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -47,7 +47,9 @@ struct MainWindow::Parts {
   QStackedWidget* pages = nullptr;
   StartPage* startPage = nullptr;
   QWidget* workspacePage = nullptr;
+  QWidget* panelColumn = nullptr;  ///< panels, and room for cards below them
   QTabWidget* panels = nullptr;
+  QWidget* cardRoom = nullptr;
   QStackedWidget* stages = nullptr;  ///< what panels bring in place of the views
   bool staged = false;
   QSplitter* columns = nullptr;

@@ -78,7 +78,8 @@ QToolTip { color: @text; background: @raised; border: 1px solid @line; padding: 
 #statusLine { border-top: 1px solid @line; }
 #brand { font-weight: 700; }
 #console { background: @panel; border-left: 1px solid @line; }
-#authorPanel { background: @panel; border-right: 1px solid @line; }
+#authorColumn { background: @panel; border-right: 1px solid @line; }
+#authorPanel { background: @panel; }
 #startPage, #startBody { background: @ground; }
 #viewLabel, #viewHints { color: @hint; background: transparent; }
 #viewHints { background: @veil; border-radius: 4px; padding: 6px 12px; }
@@ -104,6 +105,7 @@ QPushButton:checked:focus, QPushButton[primary="true"]:focus { border-color: @te
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QPushButton:disabled { color: @quiet; background: @panel; border-color: @line; }
 QPushButton[compact="true"] { padding: 6px 4px; }
+QPushButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; }
 QPushButton[flat="true"] { background: transparent; border-color: transparent; padding: 2px 8px; }
 QPushButton[flat="true"]:hover { background: @raised; }
 QPushButton[flat="true"]:focus { border-color: @accent; }
