@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <numbers>
+#include <thread>
 
 #include "logic/pair_match.h"
 #include "logic/step_store.h"
@@ -205,6 +206,38 @@ TEST(Chain, CountsTheSearchThatMayFollowARefinement) {
   wide.trackerError_mm = 20.0;
   EXPECT_EQ(searchReach(wide).turn_deg, 60.0);
   EXPECT_EQ(searchReach(wide).shift_mm, 60.0);
+}
+
+TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
+  ChainWorld world;
+  world.project.settings.trackerError_mm = 8.5;  // so that pairs are matched as well
+  /// Takes the processor away from whoever works, as a busy machine does.
+  class Busy final : public Progress {
+   public:
+    void report(std::string_view, double) override { std::this_thread::sleep_for(std::chrono::microseconds(200)); }
+    [[nodiscard]] bool cancelRequested() const override { return false; }
+  } busy;
+  ChainOptions until;
+  until.until = Step::elastic;
+  until.threads = 1;
+  const fs::path into = world.folder / "out";
+  const auto made = world.run(into, busy, until);
+  ASSERT_TRUE(made) << made.error();
+  ASSERT_FALSE(made->bentPairs.empty());
+  for (const BentPair& bent : made->bentPairs) {
+    EXPECT_GT(bent.processor_s, 0.0);
+    EXPECT_LT(bent.processor_s, 0.7 * bent.seconds);
+  }
+  ASSERT_FALSE(made->pairs.empty());
+  for (const PairOutcome& pair : made->pairs) {
+    EXPECT_GT(pair.processor_s, 0.0);
+    EXPECT_LT(pair.processor_s, 0.7 * pair.rigid.seconds);
+  }
+  // It is kept with the rest.
+  const auto again = world.run(into, noProgress(), until);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(again->bentPairs[0].processor_s, made->bentPairs[0].processor_s);
+  EXPECT_EQ(again->pairs[0].processor_s, made->pairs[0].processor_s);
 }
 
 TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {

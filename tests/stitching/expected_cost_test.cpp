@@ -65,13 +65,13 @@ TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
   EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).pairs, 0u);
   EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).factor, 1.0);
   std::vector<BentPair> bent(4);
-  bent[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 0.9};
-  bent[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45};
-  bent[2] = {.fixed = 1, .moving = 0, .effort = ElasticEffort::balanced, .seconds = 1.8};
-  bent[3] = {.fixed = 1, .moving = 2, .effort = ElasticEffort::fast, .seconds = 99.0};  // a volume that is no longer there
+  bent[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 50.0, .processor_s = 0.9};
+  bent[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45, .processor_s = 0.45};
+  bent[2] = {.fixed = 1, .moving = 0, .effort = ElasticEffort::balanced, .seconds = 70.0, .processor_s = 1.8};
+  bent[3] = {.fixed = 1, .moving = 2, .effort = ElasticEffort::fast, .processor_s = 99.0};  // a volume that is no longer there
   const MachinePace pace = paceOf(bent, grids);
   EXPECT_EQ(pace.pairs, 3u);
-  EXPECT_NEAR(pace.factor, 3.0, 1e-9) << "the middle of 2, 3 and 4";
+  EXPECT_NEAR(pace.factor, 3.0, 1e-9) << "the middle of 2, 3 and 4; that the machine was busy says nothing about it";
   EXPECT_NEAR(expectedBends(*grids[0], *grids[1], pace)[1].seconds, 1.35, 1e-9);
 }
 

@@ -30,6 +30,7 @@ struct PairOutcome {
   std::optional<registration::GraphEdgeReport> inGraph;  ///< what the graph made of it; none where it was not asked
   bool wrong = false;                                    ///< the graph does not believe it
   bool suspect = false;                                  ///< it could be the wrong one as well as another
+  double processor_s = 0.0;                              ///< as of BentPair
 };
 
 /// What bending one pair of views found, before all bends were brought together.
@@ -46,6 +47,9 @@ struct BentPair {
   double smallestJacobian = 1.0;
   std::vector<registration::Level> levels = {};
   double seconds = 0.0;  ///< that it took when it was made
+  /// Of these, what the thread that bent it worked; the others worked beside it. On a free machine both are the same, on a busy one only
+  /// this tells what the pair costs. 0: not known.
+  double processor_s = 0.0;
 };
 
 /// What one step left, read back from the output folder or just made.

@@ -24,6 +24,7 @@ ordered_json jsonOf(const PairOutcome& outcome) {
                                   {"significance", number(each.significance)},
                                   {"correlation", number(each.correlation)},
                                   {"overlap_share", number(each.overlapShare)}});
+  made["processor_s"] = number(outcome.processor_s);
   return made;
 }
 PairOutcome pairFrom(const json& data) {
@@ -34,6 +35,7 @@ PairOutcome pairFrom(const json& data) {
   for (const auto& each : data.at("hypotheses"))
     outcome.hypotheses.push_back({matrixFrom(each.at("fixed_to_moving")), numberFrom(each.at("significance")),
                                   numberFrom(each.at("correlation")), numberFrom(each.at("overlap_share"))});
+  if (data.contains("processor_s")) outcome.processor_s = numberFrom(data.at("processor_s"));
   return outcome;
 }
 
@@ -47,6 +49,7 @@ ordered_json jsonOf(const BentPair& bent) {
   made["smallest_jacobian"] = number(bent.smallestJacobian);
   made["levels"] = jsonOf(bent.levels);
   made["seconds"] = number(bent.seconds);
+  made["processor_s"] = number(bent.processor_s);
   return made;
 }
 BentPair bentFrom(const json& data) {
@@ -60,6 +63,7 @@ BentPair bentFrom(const json& data) {
   bent.smallestJacobian = numberFrom(data.at("smallest_jacobian"));
   bent.levels = levelsFrom(data.at("levels"));
   bent.seconds = numberFrom(data.at("seconds"));
+  if (data.contains("processor_s")) bent.processor_s = numberFrom(data.at("processor_s"));
   return bent;
 }
 

@@ -84,7 +84,7 @@ MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional
   for (const BentPair& pair : bent) {
     if (pair.fixed >= grids.size() || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
     for (const ExpectedCost& expected : expectedBends(*grids[pair.fixed], *grids[pair.moving]))
-      if (expected.effort == pair.effort) timed.push_back({expected.seconds, pair.seconds});
+      if (expected.effort == pair.effort) timed.push_back({expected.seconds, pair.processor_s});
   }
   return paceOf(timed);
 }

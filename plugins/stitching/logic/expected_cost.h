@@ -40,7 +40,8 @@ struct Timed {
 };
 /// The median of measured over expected.
 [[nodiscard]] MachinePace paceOf(std::span<const Timed> timed);
-/// The median of what bent pairs took here over what they were expected to take. @param grids one per volume of the pairs
+/// The median of what bent pairs took here over what they were expected to take, in processor time: a machine that had other things to do
+/// while they were bent is not slower for that. @param grids one per volume of the pairs
 [[nodiscard]] MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids);
 
 }  // namespace ew::stitching

@@ -405,11 +405,15 @@ void PairInspector::showCost() {
   if (bent == nullptr) {
     measured_->setText(none);
   } else {
-    const QString took = inSeconds(bent->seconds);
+    const QString took = inSeconds(bent->processor_s > 0.0 ? bent->processor_s : bent->seconds);
     measured_->setText(bent->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(bent->effort)));
     measured_->setToolTip(
         tr("That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
-            .arg(number(bent->after.correlation, 2), number(bent->before.correlation, 2), number(bent->largestMotion_mm, 1)));
+            .arg(number(bent->after.correlation, 2), number(bent->before.correlation, 2), number(bent->largestMotion_mm, 1)) +
+        (bent->processor_s > 0.0
+             ? QLatin1Char('\n') +
+                   tr("By processor time, which other programs do not change; by the clock it took %1.").arg(inSeconds(bent->seconds))
+             : QString()));
   }
   bentReason_->setVisible(bent != nullptr);
   if (bent != nullptr)
@@ -441,7 +445,7 @@ void PairInspector::showCost() {
   cost_->setToolTip(from);
   costHead_->say(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
   costHead_->setToolTip(from);
-  cost_->show(costs, effort, fresh ? std::optional(bent->seconds) : std::nullopt);
+  cost_->show(costs, effort, fresh && bent->processor_s > 0.0 ? std::optional(bent->processor_s) : std::nullopt);
   showSearchCost();
 }
 

@@ -2,6 +2,7 @@
 
 #include "logic/chain_json.h"
 #include "logic/chain_memory.h"
+#include "logic/thread_clock.h"
 
 namespace ew::stitching {
 namespace {
@@ -69,6 +70,7 @@ Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap
   if (auto kept = keptBend(run, key)) return named(std::move(*kept), f, m);
   const PartOfView fixed = around(*run.inputs[f].view, overlap.fixed), moving = around(*run.inputs[m].view, overlap.moving);
   const std::string &fixedName = run.project.volumes[f].name, &movingName = run.project.volumes[m].name;
+  const ThreadClock clock;
   auto made = registration::registerElastic(fixed.input(), moving.input(), start, options, progress, run.levelsOf(f, m));
   if (!made) {
     Error problem = made.error();
@@ -86,7 +88,8 @@ Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap
                 .largestMotion_mm = made->largestMotion_mm,
                 .smallestJacobian = made->jacobian.smallest,
                 .levels = std::move(made->levels),
-                .seconds = made->seconds};
+                .seconds = made->seconds,
+                .processor_s = clock.seconds()};
   ordered_json data = {{"fixed", fixedName},
                        {"moving", movingName},
                        {"outcome", jsonOf(bent.about)},

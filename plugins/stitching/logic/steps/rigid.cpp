@@ -2,6 +2,7 @@
 #include "logic/chain_json.h"
 #include "logic/chain_memory.h"
 #include "logic/steps/steps.h"
+#include "logic/thread_clock.h"
 
 namespace ew::stitching {
 namespace {
@@ -24,10 +25,12 @@ std::optional<PairOutcome> findPair(const ChainRun& run, const Candidate& pair) 
 Result<PairOutcome> match(ChainRun& run, const Candidate& pair, int threads, Progress& progress) {
   const LoadedView &fixed = *run.inputs[pair.fixed].view, &moving = *run.inputs[pair.moving].view;
   progress.report("Registering " + fixed.name + " and " + moving.name, 0.0);
+  const ThreadClock clock;
   auto made = matchPair(fixed, moving, pair.task, threads, progress, run.levelsOf(pair.fixed, pair.moving));
   if (!made) return passOn(made.error());
   made->fixed = pair.fixed;
   made->moving = pair.moving;
+  made->processor_s = clock.seconds();
   ordered_json data = {{"fixed", fixed.name}, {"moving", moving.name}, {"outcome", jsonOf(*made)}};
   if (auto kept = run.store.keep(kPairStep, pair.key, std::move(data)); !kept) return passOn(kept.error());
   return made;
