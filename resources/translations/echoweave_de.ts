@@ -644,6 +644,609 @@
         <source>Of this pair alone</source>
         <translation>Nur dieses Paares</translation>
     </message>
+    <message>
+        <source>By processor time, which other programs do not change; by the clock it took %1.</source>
+        <translation>Nach Prozessorzeit, an der andere Programme nichts ändern; nach der Uhr waren es %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::Phrases</name>
+    <message>
+        <source>Looking at %1</source>
+        <translation>%1 wird angesehen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Registering %1 and %2</source>
+        <translation>%1 und %2 werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>Bending %1 and %2</source>
+        <translation>%1 und %2 werden verformt</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Zuordnen</translation>
+    </message>
+    <message>
+        <source>Preparing images</source>
+        <translation>Bilder werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Preparing the images</source>
+        <translation>Bilder werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Comparing images</source>
+        <translation>Bilder werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Looking for shadows</source>
+        <translation>Schatten werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for large motion</source>
+        <translation>Große Bewegungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Writing out the displacements</source>
+        <translation>Verschiebungen werden ausgeschrieben</translation>
+    </message>
+    <message>
+        <source>Warping the moving volume</source>
+        <translation>Das bewegte Volumen wird verformt</translation>
+    </message>
+    <message>
+        <source>Inverting the deformation</source>
+        <translation>Die Verformung wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>Placing subvolumes</source>
+        <translation>Teilvolumen werden platziert</translation>
+    </message>
+    <message>
+        <source>Looking at overlaps</source>
+        <translation>Überlappungen werden angesehen</translation>
+    </message>
+    <message>
+        <source>Sharing the bends</source>
+        <translation>Verformungen werden verteilt</translation>
+    </message>
+    <message>
+        <source>Unfolding</source>
+        <translation>Faltungen werden entfernt</translation>
+    </message>
+    <message>
+        <source>Comparing views</source>
+        <translation>Ansichten werden verglichen</translation>
+    </message>
+    <message>
+        <source>Looking for seams</source>
+        <translation>Nähte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Cutting seams</source>
+        <translation>Nähte werden geschnitten</translation>
+    </message>
+    <message>
+        <source>Measuring distances from the border</source>
+        <translation>Abstände vom Rand werden gemessen</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Mischen</translation>
+    </message>
+    <message>
+        <source>Copying</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Reading frames</source>
+        <translation>Bilder werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading voxels</source>
+        <translation>Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>Writing voxels</source>
+        <translation>Voxel werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing vectors</source>
+        <translation>Vektoren werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Pasting frames</source>
+        <translation>Bilder werden eingefügt</translation>
+    </message>
+    <message>
+        <source>Estimating confidence</source>
+        <translation>Verlässlichkeit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Filling holes</source>
+        <translation>Lücken werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Filling holes along the sweep</source>
+        <translation>Lücken entlang des Schwenks werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Reading frames at the voxels</source>
+        <translation>Bilder werden an den Voxeln gelesen</translation>
+    </message>
+    <message>
+        <source>Comparing sweeps</source>
+        <translation>Schwenks werden verglichen</translation>
+    </message>
+    <message>
+        <source>Converting scan lines</source>
+        <translation>Bildzeilen werden umgewandelt</translation>
+    </message>
+    <message>
+        <source>The stitch project has no volumes; add some.</source>
+        <translation>Das Stitching-Projekt hat keine Volumen; fügen Sie welche hinzu.</translation>
+    </message>
+    <message>
+        <source>The project has no volume yet; add one before it is saved.</source>
+        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor es gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at a time.</source>
+        <translation>Der Schritt „%1“ bräuchte %2 MiB Speicher, mehr als die erlaubten %3 MiB; nehmen Sie einen gröberen Voxelabstand oder weniger Volumen auf einmal.</translation>
+    </message>
+    <message>
+        <source>The reconstruction of &apos;%1&apos; is not there.</source>
+        <translation>Die Rekonstruktion von „%1“ ist nicht da.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written (%2); choose another folder.</source>
+        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; could not be written (%2); choose another folder or make room.</source>
+        <translation>„%1“ konnte nicht geschrieben werden (%2); wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gave no volume; check what kind of file it is.</source>
+        <translation>„%1“ ergab kein Volumen; prüfen Sie, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in the stitch project is %2; it must be %3.</source>
+        <translation>„%1“ im Stitching-Projekt ist %2; es muss %3 sein.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in the stitch project is not a field of it; correct the name or remove the field.</source>
+        <translation>„%1“ ist kein Feld eines Stitching-Projekts; berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
+    </message>
+    <message>
+        <source>The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.</source>
+        <translation>Das Stitching-Projekt hat das Format %1, und dieses Programm liest Formate bis %2; öffnen Sie es mit einem neueren EchoWeave.</translation>
+    </message>
+    <message>
+        <source>The transform in &apos;%1&apos; cannot be used. %2</source>
+        <translation>Die Transformation in „%1“ ist nicht zu gebrauchen. %2</translation>
+    </message>
+    <message>
+        <source>The stitch project nests too deeply to be one; check that it is the right file.</source>
+        <translation>Das Stitching-Projekt ist zu tief verschachtelt, um eines zu sein; prüfen Sie, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>The stitch project is not valid JSON; correct the place named at the end of this message or choose another file (%1).</source>
+        <translation>Das Stitching-Projekt ist kein gültiges JSON; berichtigen Sie die Stelle, die am Ende dieser Meldung steht, oder wählen Sie eine andere Datei (%1).</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written (%2); choose one you may write to.</source>
+        <translation>In den Ordner „%1“ kann nicht geschrieben werden (%2); wählen Sie einen, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>Another run is at work in &apos;%1&apos;; wait until it has ended, or choose another folder.</source>
+        <translation>In „%1“ arbeitet schon ein anderer Lauf; warten Sie, bis er zu Ende ist, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read; check the medium it is on.</source>
+        <translation>„%1“ kann nicht gelesen werden; prüfen Sie den Datenträger.</translation>
+    </message>
+    <message>
+        <source>The file that keeps unsaved work (&apos;%1&apos;) is damaged; it is left where it is and nothing was reopened.</source>
+        <translation>Die Datei mit ungespeicherter Arbeit („%1“) ist beschädigt; sie bleibt, wo sie ist, und nichts wurde wieder geöffnet.</translation>
+    </message>
+    <message>
+        <source>A volume needs a name; type one.</source>
+        <translation>Ein Volumen braucht einen Namen; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>Another volume is called &apos;%1&apos; already; choose another name.</source>
+        <translation>Ein anderes Volumen heißt schon „%1“; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is one volume alone.</source>
+        <translation>Es gibt nur ein Volumen.</translation>
+    </message>
+    <message>
+        <source>The recorded places were taken as they are.</source>
+        <translation>Die aufgezeichneten Lagen wurden übernommen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>There is no volume to stitch; add at least one.</source>
+        <translation>Es gibt kein Volumen zu verbinden; fügen Sie mindestens eines hinzu.</translation>
+    </message>
+    <message>
+        <source>At most %1 volumes can be stitched at once; stitch them in groups.</source>
+        <translation>Höchstens %1 Volumen können auf einmal verbunden werden; verbinden Sie sie in Gruppen.</translation>
+    </message>
+    <message>
+        <source>Stitching would need more memory than there is, and the limit is %1; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
+        <translation>Das Verbinden bräuchte mehr Speicher, als es gibt, und die Grenze ist %1; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+    </message>
+    <message>
+        <source>Stitching would need %1, and the limit is %2; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
+        <translation>Das Verbinden bräuchte %1, und die Grenze ist %2; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+    </message>
+    <message>
+        <source>Joining would need %1 MiB, and the limit is %2 MiB; choose a coarser spacing or smaller blocks.</source>
+        <translation>Das Zusammenfügen bräuchte %1 MiB, und die Grenze ist %2 MiB; wählen Sie einen gröberen Voxelabstand oder kleinere Blöcke.</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; cannot be stitched. %2</source>
+        <translation>Das Volumen „%1“ kann nicht verbunden werden. %2</translation>
+    </message>
+    <message>
+        <source>The spacing of the result must be a positive number of mm, or 0 for the finest of the inputs.</source>
+        <translation>Der Voxelabstand des Ergebnisses muss eine positive Zahl in mm sein, oder 0 für den feinsten der Eingaben.</translation>
+    </message>
+    <message>
+        <source>The feather width must be 0 or a positive number of mm.</source>
+        <translation>Die Breite des Auslaufens muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The weight of interpolated voxels must be above 0 and at most 1.</source>
+        <translation>Das Gewicht interpolierter Voxel muss über 0 und höchstens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The options of the equalisation are out of range; use cells and knots above 0.</source>
+        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; nehmen Sie Zellen und Knoten über 0.</translation>
+    </message>
+    <message>
+        <source>The blocks of a join must be at least 8 voxels wide.</source>
+        <translation>Die Blöcke müssen mindestens 8 Voxel breit sein.</translation>
+    </message>
+    <message>
+        <source>The seams were found for another grid; find them again for this one.</source>
+        <translation>Die Nähte wurden für ein anderes Gitter gefunden; suchen Sie sie für dieses neu.</translation>
+    </message>
+    <message>
+        <source>The seams have levels of other volumes; find them again.</source>
+        <translation>Die Nähte haben Pegel anderer Volumen; suchen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The seams name more volumes than there are; find them again.</source>
+        <translation>Die Nähte nennen mehr Volumen, als es gibt; suchen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>Its grey correction has a number that cannot be used.</source>
+        <translation>Seine Graukorrektur enthält eine Zahl, die nicht zu gebrauchen ist.</translation>
+    </message>
+    <message>
+        <source>Its bend has a displacement too many, too few or without a number.</source>
+        <translation>Seine Verformung hat eine Verschiebung zu viel, zu wenig oder ohne Zahl.</translation>
+    </message>
+    <message>
+        <source>The cells of the seam must be wider than 0 mm.</source>
+        <translation>Die Zellen der Naht müssen breiter als 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The blend beside the seam must be 0 or a positive number of mm.</source>
+        <translation>Die Breite des Mischens neben der Naht muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The blend of levels beside the seam must be 0 or a positive number of mm.</source>
+        <translation>Die Breite, auf der die Pegel neben der Naht übergehen, muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The weights of a seam must be 0 or positive.</source>
+        <translation>Die Gewichte einer Naht müssen 0 oder positiv sein.</translation>
+    </message>
+    <message>
+        <source>A stroke of the seam editor names a volume that is not there, or has no place or radius.</source>
+        <translation>Ein Strich des Nahteditors nennt ein Volumen, das es nicht gibt, oder hat keinen Ort oder Radius.</translation>
+    </message>
+    <message>
+        <source>The %1 volume has %2 echo values for %3 voxels.</source>
+        <translation>Im %1 Volumen sind %2 Echowerte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The coverage of the %1 volume has %2 values for %3 voxels.</source>
+        <translation>Die Abdeckung des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The direction of the beam of the %1 volume is no direction.</source>
+        <translation>Die Strahlrichtung des %1 Volumens ist keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The apex of the beams of the %1 volume is no place.</source>
+        <translation>Der Scheitel der Strahlen des %1 Volumens ist kein Ort.</translation>
+    </message>
+    <message>
+        <source>The confidence of the %1 volume has %2 values for %3 voxels.</source>
+        <translation>Die Verlässlichkeit des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The confidence of the %1 volume has values outside 0 to 1.</source>
+        <translation>Die Verlässlichkeit des %1 Volumens hat Werte außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>No voxel of the %1 volume was measured; choose a volume that holds an echo.</source>
+        <translation>Kein Voxel des %1 Volumens wurde gemessen; wählen Sie ein Volumen, das ein Echo enthält.</translation>
+    </message>
+    <message>
+        <source>The control grid has %1 displacements for %2 nodes; write it anew.</source>
+        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; schreiben Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The deformation folds in %1 of its control grid and has no inverse; register again with a stiffer grid.</source>
+        <translation>Die Verformung faltet sich in %1 ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
+    </message>
+    <message>
+        <source>The moving volume holds another number of voxels than its grid says; write it anew.</source>
+        <translation>Das bewegte Volumen enthält eine andere Zahl von Voxeln, als sein Gitter sagt; schreiben Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The %1 volume has more than 2^30 voxels; resample it to a coarser spacing first.</source>
+        <translation>Im %1 Volumen sind mehr als 2^30 Voxel; rechnen Sie es erst auf einen gröberen Voxelabstand um.</translation>
+    </message>
+    <message>
+        <source>The option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 ist %2; sie muss %3 sein.</translation>
+    </message>
+    <message>
+        <source>The covariance of %1 %2; a covariance is symmetric and no variance is negative.</source>
+        <translation>Die Kovarianz von %1 %2; eine Kovarianz ist symmetrisch, und keine Varianz ist negativ.</translation>
+    </message>
+    <message>
+        <source>There is no subvolume to place; add at least one.</source>
+        <translation>Es gibt kein Teilvolumen zu platzieren; fügen Sie mindestens eines hinzu.</translation>
+    </message>
+    <message>
+        <source>The option %1 must be above 0.</source>
+        <translation>Die Einstellung %1 muss über 0 sein.</translation>
+    </message>
+    <message>
+        <source>At least one iteration is needed.</source>
+        <translation>Mindestens ein Durchgang ist nötig.</translation>
+    </message>
+    <message>
+        <source>The pose of %1 cannot be used: %2</source>
+        <translation>Die Lage von %1 ist nicht zu gebrauchen: %2</translation>
+    </message>
+    <message>
+        <source>The centre of the tracker&apos;s covariance of %1 is not a number.</source>
+        <translation>Die Mitte der Tracker-Kovarianz von %1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 names a subvolume that does not exist; there are %2.</source>
+        <translation>%1 nennt ein Teilvolumen, das es nicht gibt; es sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 joins %2 with itself.</source>
+        <translation>%1 verbindet %2 mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>The transform of the pair %1 cannot be used: %2</source>
+        <translation>Die Transformation des Paares %1 ist nicht zu gebrauchen: %2</translation>
+    </message>
+    <message>
+        <source>The pair %1 has a centre that is not a number or a trust outside 0..1.</source>
+        <translation>Das Paar %1 hat eine Mitte, die keine Zahl ist, oder ein Vertrauen außerhalb von 0..1.</translation>
+    </message>
+    <message>
+        <source>The solver of poses failed (%1).</source>
+        <translation>Das Lösen der Lagen ist fehlgeschlagen (%1).</translation>
+    </message>
+    <message>
+        <source>The pick error of landmarks must be a length above 0 mm.</source>
+        <translation>Der Klickfehler der Landmarken muss eine Länge über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The landmark %1 has a coordinate that is not a number; correct or remove it.</source>
+        <translation>Die Landmarke %1 hat eine Koordinate, die keine Zahl ist; berichtigen oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>A volume is missing: name two.</source>
+        <translation>Ein Volumen fehlt: nennen Sie zwei.</translation>
+    </message>
+    <message>
+        <source>Regions and windows need a side above 0 mm.</source>
+        <translation>Gebiete und Fenster brauchen eine Seite über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The deformation has another number of vectors than its lattice has nodes.</source>
+        <translation>Die Verformung hat eine andere Zahl von Vektoren, als ihr Gitter Knoten hat.</translation>
+    </message>
+    <message>
+        <source>The matching option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 des Zuordnens ist %2; sie muss %3 sein.</translation>
+    </message>
+    <message>
+        <source>The registration option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 des Zuordnens ist %2; sie muss %3 sein.</translation>
+    </message>
+    <message>
+        <source>The images at voxels of %1 mm are too large to register; ask for a coarser finest level.</source>
+        <translation>Die Bilder mit Voxeln zu %1 mm sind zu groß zum Zuordnen; verlangen Sie eine gröbere feinste Stufe.</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>festen</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegten</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;; check its name and folder.</source>
+        <translation>Es gibt keine Datei „%1“; prüfen Sie Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read (%2); check its permissions.</source>
+        <translation>„%1“ kann nicht gelesen werden (%2); prüfen Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened; check its permissions.</source>
+        <translation>„%1“ kann nicht geöffnet werden; prüfen Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file; choose a file.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei; wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.</source>
+        <translation>„%1“ hat eine Endung, die nicht gelesen wird; geben Sie eine Datei .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a MetaImage: a header line has no &quot;=&quot;; check what kind of file it is.</source>
+        <translation>„%1“ ist kein MetaImage: Eine Kopfzeile hat kein „=“; prüfen Sie, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a NRRD file; check what kind of file it is.</source>
+        <translation>„%1“ ist keine NRRD-Datei; prüfen Sie, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a text header followed by samples; check what kind of file it is.</source>
+        <translation>„%1“ ist kein Textkopf mit Abtastwerten danach; prüfen Sie, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>The header of &quot;%1&quot; ends before it says where the samples are (ElementDataFile); get the file again.</source>
+        <translation>Der Kopf von „%1“ endet, bevor er sagt, wo die Abtastwerte sind (ElementDataFile); besorgen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too short: its header promises %2 bytes of samples, the file has %3; get the file again.</source>
+        <translation>„%1“ ist zu kurz: Ihr Kopf verspricht %2 Byte, die Datei hat %3; besorgen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too short: its header promises %2 compressed bytes, the file has %3; get the file again.</source>
+        <translation>„%1“ ist zu kurz: Ihr Kopf verspricht %2 gepackte Byte, die Datei hat %3; besorgen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>The compressed samples of &quot;%1&quot; are damaged; get the file again.</source>
+        <translation>Die gepackten Abtastwerte von „%1“ sind beschädigt; besorgen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>The compressed samples of &quot;%1&quot; break off after %2 unpacked bytes; get the file again.</source>
+        <translation>Die gepackten Abtastwerte von „%1“ brechen nach %2 ausgepackten Byte ab; besorgen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot;, %2 is &quot;%3&quot;, but %4 is needed; correct the header or export the file again.</source>
+        <translation>In „%1“ ist %2 „%3“, nötig ist aber %4; berichtigen Sie den Kopf oder exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; keeps its samples in &quot;%2&quot;, which is not there; put both files into one folder.</source>
+        <translation>„%1“ hat seine Abtastwerte in „%2“, das nicht da ist; legen Sie beide Dateien in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no voxels (%2); choose a file with samples in it.</source>
+        <translation>„%1“ enthält keine Voxel (%2); wählen Sie eine Datei mit Inhalt.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 values per sample, but one value or a colour is needed; export the echo levels alone.</source>
+        <translation>„%1“ hat %2 Werte je Punkt, nötig ist einer oder eine Farbe; exportieren Sie nur die Echopegel.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a recorded sweep, not a volume; reconstruct it first.</source>
+        <translation>„%1“ ist ein aufgezeichneter Schwenk, kein Volumen; rekonstruieren Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a volume, not a recorded sweep; open it as a volume.</source>
+        <translation>„%1“ ist ein Volumen, kein aufgezeichneter Schwenk; öffnen Sie es als Volumen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written (%2); choose another place or free some room.</source>
+        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The sweep would become %1 x %2 x %3 voxels and need %4 MiB, more than the %5 MiB allowed; give a coarser spacing_mm.</source>
+        <translation>Aus dem Schwenk würden %1 × %2 × %3 Voxel, und er bräuchte %4 MiB, mehr als die erlaubten %5 MiB; geben Sie einen gröberen Voxelabstand an.</translation>
+    </message>
+    <message>
+        <source>The sweep has no frame with a usable pose; check the tracking of the recording.</source>
+        <translation>Der Schwenk hat kein Bild mit brauchbarer Lage; prüfen Sie den Tracker der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The volume has no voxels along axis %1; check the file&apos;s dimensions.</source>
+        <translation>Das Volumen hat keine Voxel entlang der Achse %1; prüfen Sie die Größe in der Datei.</translation>
+    </message>
+    <message>
+        <source>The voxel spacing along axis %1 is not a positive number; check the file&apos;s spacing.</source>
+        <translation>Der Voxelabstand entlang der Achse %1 ist keine positive Zahl; prüfen Sie den Abstand in der Datei.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s origin is not finite; check the file&apos;s offset.</source>
+        <translation>Der Ursprung des Volumens ist nicht endlich; prüfen Sie den Versatz in der Datei.</translation>
+    </message>
+    <message>
+        <source>The volume has more voxels than can be handled; use a coarser spacing.</source>
+        <translation>Das Volumen hat mehr Voxel, als zu bewältigen sind; nehmen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>The direction of axis %1 is not of unit length; check the file&apos;s orientation matrix.</source>
+        <translation>Die Richtung der Achse %1 hat nicht die Länge eins; prüfen Sie die Ausrichtung in der Datei.</translation>
+    </message>
+    <message>
+        <source>The directions of the volume&apos;s axes lie in one plane; check the file&apos;s orientation matrix.</source>
+        <translation>Die Richtungen der Achsen liegen in einer Ebene; prüfen Sie die Ausrichtung in der Datei.</translation>
+    </message>
+    <message>
+        <source>The pose is not a rotation with a translation: %1. Give 16 numbers, row by row, with orthonormal axes and a last row of 0 0 0 1.</source>
+        <translation>Die Lage ist keine Drehung mit Verschiebung: %1. Geben Sie 16 Zahlen, Zeile für Zeile, mit orthonormalen Achsen und 0 0 0 1 als letzter Zeile.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; close other programs or choose a coarser spacing.</source>
+        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a volume of %1; use a coarser spacing.</source>
+        <translation>Für ein Volumen von %1 reicht der Speicher nicht; nehmen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.</source>
+        <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in the stitch project cannot be used. %2</source>
+        <translation>„%1“ im Stitching-Projekt ist nicht zu gebrauchen. %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; could not be bent together. %3</source>
+        <translation>„%1“ und „%2“ konnten nicht miteinander verformt werden. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; could not be registered. %3</source>
+        <translation>„%1“ und „%2“ konnten nicht zugeordnet werden. %3</translation>
+    </message>
+    <message>
+        <source>Searching poses</source>
+        <translation>Lagen werden gesucht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds %2; a transform is 16 numbers, row by row.</source>
+        <translation>„%1“ enthält %2; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>something that is not a number</source>
+        <translation>etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::PlacementView</name>
@@ -1010,28 +1613,12 @@
         <translation>Volumen hinzufügen…</translation>
     </message>
     <message>
-        <source>Take the place from a file with 16 numbers, row by row</source>
-        <translation>Die Lage aus einer Datei mit 16 Zahlen lesen, Zeile für Zeile</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
         <source>Axes</source>
         <translation>Achsen</translation>
-    </message>
-    <message>
-        <source>Transforms (*.txt *.tfm);;All files (*)</source>
-        <translation>Transformationen (*.txt *.tfm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1 voxels of %2 × %3 × %4 mm</source>
-        <translation>%1 Voxel zu %2 × %3 × %4 mm</translation>
     </message>
     <message>
         <source>Add volumes</source>
@@ -1062,20 +1649,8 @@
         <translation>Teilvolumen</translation>
     </message>
     <message>
-        <source>save</source>
-        <translation>sichern</translation>
-    </message>
-    <message>
         <source>Save the stitch project; the command line runs it identically (Ctrl+S)</source>
         <translation>Das Stitching-Projekt speichern; die Kommandozeile führt es genauso aus (Strg+S)</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>öffnen</translation>
-    </message>
-    <message>
-        <source>Open a stitch project in place of this one</source>
-        <translation>Ein anderes Stitching-Projekt an Stelle dieses öffnen</translation>
     </message>
     <message>
         <source>+ add</source>
@@ -1086,24 +1661,8 @@
         <translation>Volumen oder Schwenks hinzufügen</translation>
     </message>
     <message>
-        <source>call %1 &apos;%2&apos;</source>
-        <translation>%1 „%2“ nennen</translation>
-    </message>
-    <message>
-        <source>move %1 in the list</source>
-        <translation>%1 in der Liste verschieben</translation>
-    </message>
-    <message>
         <source>Pairs</source>
         <translation>Paare</translation>
-    </message>
-    <message>
-        <source>Where the chosen volume&apos;s place comes from: found by matching, believed as the tracker&apos;s, or a start by hand</source>
-        <translation>Woher die Lage des gewählten Volumens kommt: durch Zuordnen gefunden, dem Tracker geglaubt, oder von Hand als Anfang gesetzt</translation>
-    </message>
-    <message>
-        <source>Take this volume off the list; its file stays (Delete)</source>
-        <translation>Dieses Volumen von der Liste nehmen; seine Datei bleibt (Entf)</translation>
     </message>
     <message>
         <source>Match all without tracker</source>
@@ -1225,30 +1784,6 @@
         <source>axes of the %1</source>
         <translation>Achsen: %1</translation>
     </message>
-    <message>
-        <source>place unknown</source>
-        <translation>Lage unbekannt</translation>
-    </message>
-    <message>
-        <source>recorded</source>
-        <translation>aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>nicht lesbar</translation>
-    </message>
-    <message>
-        <source>reading…</source>
-        <translation>wird gelesen…</translation>
-    </message>
-    <message>
-        <source>F2 renames, Alt + up and down move it, Delete takes it off the list</source>
-        <translation>F2 benennt um, Alt + auf und ab verschiebt, Entf nimmt es von der Liste</translation>
-    </message>
     <message numerus="yes">
         <source>A project of %n volumes was not saved when the program ended.</source>
         <translation>
@@ -1259,14 +1794,6 @@
     <message>
         <source>Changes to &apos;%1&apos; were not saved when the program ended.</source>
         <translation>Änderungen an „%1“ waren nicht gespeichert, als das Programm endete.</translation>
-    </message>
-    <message>
-        <source>all looked at</source>
-        <translation>alle angesehen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 need a look</source>
-        <translation>%1 von %2 ansehen</translation>
     </message>
     <message>
         <source>What the stitched volume will be, and the memory that making it takes at its peak</source>
@@ -1293,32 +1820,40 @@
         <translation>Stitching-Projekte (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Place of %1</source>
-        <translation>Lage von %1</translation>
-    </message>
-    <message>
-        <source>place %1 from a file</source>
-        <translation>%1 nach einer Datei legen</translation>
-    </message>
-    <message>
-        <source>remove %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Datei…</translation>
-    </message>
-    <message>
         <source>Older than the last edit.</source>
         <translation>Älter als die letzte Bearbeitung.</translation>
     </message>
     <message>
         <source>&apos;Seams and blend&apos; renews the stitched volume</source>
         <translation>„Nähte und Mischen“ erneuert das zusammengefügte Volumen</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Begin, open or save a stitch project</source>
+        <translation>Ein Stitching-Projekt beginnen, öffnen oder speichern</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern als…</translation>
+    </message>
+    <message>
+        <source>The stitch project has changes that are not saved.</source>
+        <translation>Das Stitching-Projekt hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +2111,21 @@
         <source>Taking up what was found</source>
         <translation>Früher Gefundenes wird gelesen</translation>
     </message>
+    <message>
+        <source>%1 of %2 pairs not matched</source>
+        <translation>%1 von %2 Paaren nicht zugeordnet</translation>
+    </message>
+    <message>
+        <source>%1: in the list already.</source>
+        <translation>%1: schon in der Liste.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more could not be read either.</source>
+        <translation>
+            <numerusform>Auch eine weitere Datei war nicht lesbar.</numerusform>
+            <numerusform>Auch %n weitere Dateien waren nicht lesbar.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::StitchStage</name>
@@ -1822,6 +2372,85 @@
     <message>
         <source>undo, redo, save the project</source>
         <translation>zurück, wieder, Projekt speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ew::stitching::VolumeList</name>
+    <message>
+        <source>call %1 &apos;%2&apos;</source>
+        <translation>%1 „%2“ nennen</translation>
+    </message>
+    <message>
+        <source>move %1 in the list</source>
+        <translation>%1 in der Liste verschieben</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>Where the chosen volume&apos;s place comes from: found by matching, believed as the tracker&apos;s, or a start by hand</source>
+        <translation>Woher die Lage des gewählten Volumens kommt: durch Zuordnen gefunden, dem Tracker geglaubt, oder von Hand als Anfang gesetzt</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Take the place from a file with 16 numbers, row by row</source>
+        <translation>Die Lage aus einer Datei mit 16 Zahlen lesen, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take this volume off the list; its file stays (Delete)</source>
+        <translation>Dieses Volumen von der Liste nehmen; seine Datei bleibt (Entf)</translation>
+    </message>
+    <message>
+        <source>place unknown</source>
+        <translation>Lage unbekannt</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 voxels of %2 × %3 × %4 mm</source>
+        <translation>%1 Voxel zu %2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>F2 renames, Alt + up and down move it, Delete takes it off the list</source>
+        <translation>F2 benennt um, Alt + auf und ab verschiebt, Entf nimmt es von der Liste</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Lage von %1</translation>
+    </message>
+    <message>
+        <source>Transforms (*.txt *.tfm);;All files (*)</source>
+        <translation>Transformationen (*.txt *.tfm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>place %1 from a file</source>
+        <translation>%1 nach einer Datei legen</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 
 #include "ew/sdk/panel.h"
 #include "logic/places.h"
+#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -29,7 +30,8 @@ void StitchSession::saveResult(const fs::path& folder) {
   const QPointer<StitchSession> here(this);
   host_.jobs().start(
       tr("Saving the stitched volume").toStdString(),
-      [folder, parts = resultFiles_](Progress& progress) -> Result<void> {
+      [folder, parts = resultFiles_](Progress& whole) -> Result<void> {
+        ProgressInWords progress(whole);
         std::error_code failed;
         fs::create_directories(folder, failed);
         for (std::size_t n = 0; n < parts.size(); ++n) {
@@ -74,7 +76,8 @@ void StitchSession::handToCase() {
   auto& volumes = host_.volumes();
   host_.jobs().start(
       tr("Handing the volume to the case").toStdString(),
-      [read, &volumes, caseFolder, name](Progress& progress) -> Result<void> {
+      [read, &volumes, caseFolder, name](Progress& whole) -> Result<void> {
+        ProgressInWords progress(whole);
         std::error_code unmade;
         fs::create_directories(caseFolder / "volumes", unmade);
         PartOfProgress second(progress, 0.0, 0.6);
