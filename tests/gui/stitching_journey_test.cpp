@@ -1,5 +1,6 @@
 // From three subvolumes without places to a case: the way an author goes through the stitching panel, with the hand and the keys alone.
 // ECHOWEAVE_TEST_PICTURES names a folder for what was seen on the way.
+#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -9,18 +10,21 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QThread>
 #include <QTimer>
 #include <QTranslator>
 #include <QUrl>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "ew/phantom/patient.h"
@@ -423,6 +427,17 @@ class StitchingJourneyTest : public WindowFixture {
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     QVERIFY2(verdict(0, 1) == QLatin1String("aligned"), qPrintable(find<QLabel>("pairReason")->text()));
+    // What was reconstructed for reading is not reconstructed again for matching: both folders have the same files.
+    namespace fs = std::filesystem;
+    const fs::path made = fs::path(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) / "stitching" /
+                          "work" / "untitled" / "steps" / "reconstruct";
+    int volumes = 0;
+    for (const auto& file : fs::directory_iterator(made)) {
+      if (file.path().filename().string().find("-volume.mha") == std::string::npos) continue;
+      ++volumes;
+      QCOMPARE(static_cast<int>(fs::hard_link_count(file)), 2);
+    }
+    QCOMPARE(volumes, 2);
     // A reconstructed sweep keeps the tracker's coordinates, which here are those of the piece.
     QVERIFY2(errorBetween_mm(a, b) < 1.0, qPrintable(QString::number(errorBetween_mm(a, b))));
     checkNoTextIsCut();
@@ -578,6 +593,108 @@ class StitchingJourneyTest : public WindowFixture {
     QCOMPARE(find<QListWidget>("volumes")->count(), 1);
     QVERIFY2(problem().contains(QStringLiteral("bad.mha")), qPrintable(problem()));
     keepPicture("16-problem");
+    // Of several the first is explained and the others are counted.
+    const QString worse = files_.path(QStringLiteral("worse.mha"));
+    QVERIFY(writeFileSafely(worse.toStdString(), "no volume either"));
+    drop({bad, worse});
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().contains(QStringLiteral("bad.mha")) && problem().contains(QStringLiteral("1 more")), qPrintable(problem()));
+  }
+
+  /// Work of others runs while the panel is used: its cards lie beside the panel's buttons and sentences, not on them.
+  void cardsOfRunningWorkCoverNothingOfThePanel() {
+    openWindow(files_.writeCase(QStringLiteral("covered case")));
+    drop({parts_[0].file, parts_[1].file});
+    QVERIFY(jobsEnd());
+    const auto idle = [](Progress& progress) -> Result<void> {
+      while (!progress.cancelRequested()) QThread::msleep(10);
+      return {};
+    };
+    window_->jobs().start(QStringLiteral("Something else"), idle, {}, Jobs::Kind::background);
+    window_->jobs().start(QStringLiteral("And something more"), idle, {}, Jobs::Kind::background);
+    auto* cards = find<QWidget>("jobCards");
+    QVERIFY(waitUntil([&] { return cards->findChildren<QPushButton*>(QStringLiteral("cancelJob")).size() == 2 && cards->isVisible(); }));
+    const QString bad = files_.path(QStringLiteral("covered.mha"));
+    QVERIFY(writeFileSafely(bad.toStdString(), "no volume"));
+    drop({bad});
+    QVERIFY(waitUntil([this] { return !problem().isEmpty(); }));
+    QTest::qWait(100);
+    keepPicture("28-cards");
+    const auto onScreen = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint(0, 0)), widget->size()); };
+    QScrollArea* scroll = nullptr;
+    for (QWidget* above = panel(); above != nullptr && scroll == nullptr; above = above->parentWidget())
+      scroll = qobject_cast<QScrollArea*>(above->parentWidget());
+    QVERIFY(scroll != nullptr);
+    const QRect seen = onScreen(scroll->viewport());
+    QVERIFY2(!seen.intersects(onScreen(cards)), "the cards lie on the panel");
+    const auto* sentence = panel()->findChild<QLabel*>(QStringLiteral("problem"));
+    QVERIFY2(seen.contains(onScreen(sentence)), "the sentence about what went wrong is not seen");
+    window_->jobs().cancelAllAndWait();
+    QVERIFY(waitUntil([&] { return !cards->isVisible() && onScreen(scroll->viewport()).height() > seen.height() + 100; }, 5000));
+  }
+
+  /// One button leads on; what comes of it is shown; the keyboard stays where it was.
+  void theNextStepLeadsAndItsResultIsShown() {
+    openWindow(files_.writeCase(QStringLiteral("lead case")));
+    const auto leads = [this](const char* name) { return find<QPushButton>(name)->property("primary").toBool(); };
+    drop({parts_[0].file, parts_[1].file});
+    QVERIFY(jobsEnd());
+    QVERIFY2(leads("refine") && !leads("matchAll") && !leads("seams"), "places are recorded");
+    find<QPushButton>("matchAll")->setFocus();
+    click("matchAll");
+    QCOMPARE(QApplication::focusWidget(), panel());  // the button is off; whatever is next in the window must not take the keys
+    QVERIFY(jobsEnd());
+    QCOMPARE(QApplication::focusWidget(), find<QPushButton>("matchAll"));
+    QVERIFY2(leads("seams") && !leads("matchAll") && !leads("refine"), "the places are found");
+    click("seams");
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().isEmpty(), qPrintable(problem()));
+    QCOMPARE(find<QComboBox>("fourthChoice")->currentData().toInt(), 3);
+    QVERIFY(leads("handToCase") && !leads("seams"));
+    // What came later was not matched, and nobody says that all is well.
+    drop({parts_[2].file});
+    QVERIFY(jobsEnd());
+    QCOMPARE(find<QLabel>("pairWord")->text(), QStringLiteral("2 of 3 pairs not matched"));
+    QVERIFY(leads("matchAll") && !leads("handToCase"));
+    // The row that takes the place of one that went is chosen as one sees.
+    auto* list = find<QListWidget>("volumes");
+    list->setCurrentRow(2);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Delete);
+    QCOMPARE(list->currentRow(), 1);
+    QVERIFY(list->item(1)->isSelected());
+  }
+
+  /// A project that was not saved is not thrown away by beginning another one.
+  void anUnsavedProjectIsAskedAbout() {
+    openWindow(files_.writeCase(QStringLiteral("asked case")));
+    drop({parts_[0].file, parts_[1].file});
+    QVERIFY(jobsEnd());
+    int asked = 0;
+    const auto beginAnew = [&](QMessageBox::StandardButton answer) {
+      QTimer::singleShot(200, window_.get(), [&asked, answer, this] {
+        auto* question = window_->findChild<QMessageBox*>(QStringLiteral("unsavedProjectQuestion"));
+        if (question == nullptr) return;
+        ++asked;
+        QTest::mouseClick(question->button(answer), Qt::LeftButton);
+      });
+      window_->findChild<QAction*>(QStringLiteral("newProject"))->trigger();
+    };
+    beginAnew(QMessageBox::Cancel);
+    QCOMPARE(asked, 1);
+    QCOMPARE(find<QListWidget>("volumes")->count(), 2);
+    beginAnew(QMessageBox::Discard);
+    QCOMPARE(asked, 2);
+    QCOMPARE(find<QListWidget>("volumes")->count(), 0);
+    QVERIFY(find<QPushButton>("addFirst")->isVisible());
+    // Saved, it may go.
+    drop({parts_[0].file, parts_[1].file});
+    QVERIFY(jobsEnd());
+    QVERIFY(ask<bool>(stitching(), "saveProjectAs", Q_ARG(QString, files_.path(QStringLiteral("kept.json")))));
+    beginAnew(QMessageBox::Cancel);
+    QTest::qWait(300);
+    QCOMPARE(asked, 2);
+    QCOMPARE(find<QListWidget>("volumes")->count(), 0);
   }
 
   void whatGoesWrongWhileAStepRunsHarmsNothing() {
@@ -592,6 +709,11 @@ class StitchingJourneyTest : public WindowFixture {
     QVERIFY(!problem().isEmpty());
     QVERIFY(view("recoveryOffer")->isHidden());
     drop({parts_[0].file, parts_[1].file, parts_[0].file});  // one of them twice
+    QVERIFY(jobsEnd());
+    QCOMPARE(find<QListWidget>("volumes")->count(), 2);
+    drop({parts_[1].file});
+    QVERIFY2(problem().contains(QStringLiteral("in the list already")), qPrintable(problem()));
+    drop({writeStranger(QStringLiteral("stranger.mha"))});
     QVERIFY(jobsEnd());
     QCOMPARE(find<QListWidget>("volumes")->count(), 3);
     click("matchAll");
@@ -630,7 +752,19 @@ class StitchingJourneyTest : public WindowFixture {
     keepPicture("23-german-empty");
     drop({parts_[0].file, parts_[1].file, writeStranger(QStringLiteral("ein Fremder mit einem sehr langen und umständlichen Namen.mha"))});
     QVERIFY(jobsEnd());
+    const QString bad = files_.path(QStringLiteral("kein Volumen.mha"));
+    QVERIFY(writeFileSafely(bad.toStdString(), "no volume"));
+    drop({bad});
+    QVERIFY(jobsEnd());
+    QVERIFY2(problem().contains(QStringLiteral("„kein Volumen.mha“ ist kein MetaImage")), qPrintable(problem()));
     click("matchAll");
+    QVERIFY2(waitUntil([this] {
+               const auto seen = window_->jobs().seen();
+               return std::any_of(seen.begin(), seen.end(), [](const auto& job) {
+                 return job.step.contains(QLatin1String("zugeordnet")) || job.step.contains(QLatin1String("verglichen"));
+               });
+             }),
+             "no step of the run is named in German");
     QTest::qWait(900);
     keepPicture("24-german-running");
     QVERIFY(jobsEnd());

@@ -89,7 +89,9 @@ void LevelChart::paintEvent(QPaintEvent*) {
     painter.setBrush(Qt::NoBrush);
     painter.drawLine(before, after);
     painter.drawEllipse(before, 2.5, 2.5);
-    const QString word = QStringLiteral("%1 mm").arg(QLocale().toString(levels[n].voxel_mm, 'g', 2));
+    // The unit once, at the end: with it at each, the last one found no room beside its neighbour.
+    QString word = QLocale().toString(levels[n].voxel_mm, 'g', 2);
+    if (n + 1 == levels.size()) word += QStringLiteral(" mm");
     const double wide = painter.fontMetrics().horizontalAdvance(word);
     const double left = std::clamp(after.x() - wide / 2, 4.0, width() - wide - 4.0);
     if (left > free + 6) {

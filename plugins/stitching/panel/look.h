@@ -48,6 +48,11 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
   return {};
 }
 
+/// "141 × 247 × 127"
+[[nodiscard]] inline QString sizeOf(const Grid& grid) {
+  return QStringLiteral("%1 × %2 × %3").arg(grid.dims.x).arg(grid.dims.y).arg(grid.dims.z);
+}
+
 /// A sign per verdict, so that it reads without colour: tick, question mark, cross, bar, ring.
 void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, const QPalette& palette);
 

@@ -125,6 +125,25 @@ int StitchSession::pairsToLookAt() const {
   return static_cast<int>(std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.needsLook; }));
 }
 
+QString StitchSession::standOfPairs() const {
+  const auto all = pairs();
+  const auto matched = std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.outcome != nullptr; });
+  const int look = pairsToLookAt();
+  const int left = static_cast<int>(all.size()) - static_cast<int>(matched);
+  if (matched == 0) return {};
+  if (look > 0) return tr("%1 of %2 pairs need a look").arg(look).arg(all.size());
+  if (left > 0) return tr("%1 of %2 pairs not matched").arg(left).arg(all.size());
+  return tr("no pair needs a look");
+}
+
+bool StitchSession::isMatchFresh() const {
+  if (!found_ || !found_->graph) return false;
+  for (std::size_t n = 0; n < project().volumes.size(); ++n)
+    if (!foundIndex(n) || !samePlaces(n)) return false;
+  const auto all = pairs();
+  return std::none_of(all.begin(), all.end(), [](const PairLine& line) { return line.stale; });
+}
+
 const glm::dmat4* StitchSession::foundPlace(std::size_t index) const {
   const auto at = foundIndex(index);
   return at && found_->graph && *at < found_->graph->toWorld.size() && samePlaces(index) ? &found_->graph->toWorld[*at] : nullptr;
@@ -214,7 +233,7 @@ MachinePace StitchSession::searchPace() const {
   for (const PairOutcome& pair : found_->pairs) {
     if (pair.used != PairMethod::search || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
     const double turn_deg = ew::stitching::pairOf(asked_, pair.fixed, pair.moving).maxTurn_deg.value_or(asked_.settings.maxTurn_deg);
-    timed.push_back({expectedSearch_s(*grids[pair.fixed], *grids[pair.moving], turn_deg), pair.rigid.seconds});
+    timed.push_back({expectedSearch_s(*grids[pair.fixed], *grids[pair.moving], turn_deg), pair.processor_s});
   }
   return paceOf(timed);
 }

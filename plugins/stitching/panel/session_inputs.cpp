@@ -2,10 +2,13 @@
 
 #include <QPointer>
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "ew/sdk/panel.h"
 #include "logic/places.h"
+#include "panel/folders.h"
+#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -15,6 +18,12 @@ namespace fs = std::filesystem;
 using sdk::words;
 
 bool isProject(const fs::path& file) { return file.extension() == ".json"; }
+
+/// A file's name without what only tells its kind, which is two words for sweeps and packed volumes.
+std::string nameOfFile(const fs::path& file) {
+  const fs::path stem = file.stem();
+  return (stem.extension() == ".igs" || stem.extension() == ".nii") && stem.stem() != stem ? stem.stem().string() : stem.string();
+}
 
 Result<Volume> readOne(const ProjectVolume& line, const fs::path& folder, sdk::Volumes& volumes, sdk::Files& files, Progress& progress) {
   // A sweep is no volume yet: the chain's first step makes one of it, and says in a sentence what is wrong with what is neither.
@@ -49,7 +58,17 @@ Result<Volume> readOne(const ProjectVolume& line, const fs::path& folder, sdk::V
 
 void StitchSession::addFiles(const std::vector<fs::path>& files) {
   Q_EMIT problem({});
+  if (!files.empty()) keepFolderOf(words(files.front().string()));
   std::vector<ProjectVolume> lines;
+  QStringList known;
+  // The same file twice is a slip of the hand: it would be stitched with itself.
+  const auto isListed = [&](const fs::path& file) {
+    const auto same = [&](const ProjectVolume& line) {
+      std::error_code ignored;
+      return line.file == file || fs::equivalent(line.file, file, ignored);
+    };
+    return std::any_of(project().volumes.begin(), project().volumes.end(), same) || std::any_of(lines.begin(), lines.end(), same);
+  };
   for (const auto& file : files) {
     if (isProject(file)) {
       if (project().volumes.empty() && files.size() == 1) {
@@ -67,16 +86,23 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
         continue;
       }
       lines.insert(lines.end(), other->volumes.begin(), other->volumes.end());
+    } else if (isListed(file)) {
+      known << words(file.filename().string());
     } else {
       ProjectVolume line;
       line.file = file;
-      line.name = file.stem().string();
+      line.name = nameOfFile(file);
       lines.push_back(std::move(line));
     }
   }
+  if (!known.isEmpty()) Q_EMIT problem(tr("%1: in the list already.").arg(known.join(QStringLiteral(", "))));
   if (lines.empty()) return;
   // Read before they are added: a file that is no volume never becomes a line.
-  auto read = std::make_shared<std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>>>();
+  struct Read {
+    std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;
+    int failed = 0;
+  };
+  auto read = std::make_shared<Read>();
   const QPointer<StitchSession> here(this);
   const QString what = lines.size() == 1 ? tr("Reading %1").arg(words(lines.front().name))
                                          : tr("Reading %n volumes", nullptr, static_cast<int>(lines.size()));
@@ -84,7 +110,8 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
   auto& texts = host_.files();
   host_.jobs().start(
       what.toStdString(),
-      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& progress) -> Result<void> {
+      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& whole) -> Result<void> {
+        ProgressInWords progress(whole);
         const double share = 1.0 / static_cast<double>(lines.size());
         std::optional<Error> first;
         for (std::size_t n = 0; n < lines.size(); ++n) {
@@ -93,9 +120,10 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
           auto volume = readOne(lines[n], folder, volumes, texts, part);
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
           if (volume) {
-            read->emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
-          } else if (!first) {
-            first = volume.error();
+            read->volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
+          } else {
+            ++read->failed;
+            if (!first) first = volume.error();
           }
         }
         if (first) return passOn(*first);
@@ -105,7 +133,7 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
         StitchSession* session = here.data();
         if (session == nullptr) return;
         std::vector<ProjectVolume> added;
-        for (auto& [line, volume] : *read) {
+        for (auto& [line, volume] : read->volumes) {
           session->volumes_[keyOf(line)] = volume;
           added.push_back(line);
         }
@@ -114,7 +142,11 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
                                                  : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
           session->edit(withVolumes(session->project(), std::move(added)), step);
         }
-        if (!outcome) session->say(outcome.error());
+        if (outcome) return;
+        session->say(outcome.error());
+        if (read->failed > 1)
+          Q_EMIT session->problem(phraseOf(outcome.error().sentence) + QLatin1Char(' ') +
+                                  tr("%n more could not be read either.", nullptr, read->failed - 1));
       });
 }
 
@@ -135,7 +167,8 @@ void StitchSession::readVolumes() {
   auto& texts = host_.files();
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
-      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& progress) -> Result<void> {
+      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& whole) -> Result<void> {
+        ProgressInWords progress(whole);
         const double share = 1.0 / static_cast<double>(lines.size());
         for (std::size_t n = 0; n < lines.size(); ++n) {
           PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));

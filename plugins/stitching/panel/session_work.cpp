@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "ew/sdk/panel.h"
 #include "logic/places.h"
+#include "panel/phrases.h"
 #include "panel/reasons.h"
 #include "panel/session_parts.h"
 
@@ -16,6 +18,22 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::words;
+
+/// Sweeps were made volumes when they were read: the run takes these up instead of making them again. What does not work is made again.
+void takeUpRead(const fs::path& reading, const fs::path& work) {
+  const fs::path from = reading / "steps" / nameOf(Step::reconstruct), to = work / "steps" / nameOf(Step::reconstruct);
+  std::error_code ignored;
+  fs::create_directories(to, ignored);
+  // A result counts once its .json lies there: these are looked for first and put there last, since another file may just be read.
+  std::vector<fs::path> finished, beside;
+  for (const bool first : {true, false})
+    for (fs::directory_iterator at(from, ignored), end; at != end; at.increment(ignored)) {
+      const fs::path name = at->path().filename();
+      if ((name.extension() == ".json") == first && !name.string().starts_with('.')) (first ? finished : beside).push_back(name);
+    }
+  for (const auto* names : {&beside, &finished})
+    for (const fs::path& name : *names) fs::create_hard_link(from / name, to / name, ignored);
+}
 
 }  // namespace
 
@@ -93,9 +111,12 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
   const QPointer<StitchSession> here(this);
   host_.jobs().start(
       title.toStdString(),
-      [made, asked, options, until, &volumes, &files, folder = workFolder()](Progress& progress) mutable -> Result<void> {
+      [made, asked, options, until, &volumes, &files, folder = workFolder(),
+       reading = folder_ / "work" / "reading"](Progress& whole) mutable -> Result<void> {
+        ProgressInWords progress(whole);
         std::error_code ignored;
         fs::create_directories(folder, ignored);
+        if (until) takeUpRead(reading, folder);
         std::optional<Step> last = until;
         if (!last) {  // as far as it was finished before
           auto known = forecastChain(asked, folder, options, volumes, files);
@@ -136,6 +157,7 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
             session->resultAsked_ = asked;
           }
           session->settle(std::move(made->state), asked);
+          if (until && session->isResultFresh()) Q_EMIT session->resultMade();
         }
         if (another) session->takeUp();
         Q_EMIT session->changed();

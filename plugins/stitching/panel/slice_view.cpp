@@ -16,6 +16,16 @@ namespace {
 constexpr int kMostPixels = 400 * 1000;  // above it a plane is drawn coarser and smoothed: a drag must follow the hand
 constexpr double kLattice_mm = 10.0;
 const QColor kCross(0xd9, 0xb8, 0x4a);
+const QColor kBehindWords(0, 0, 0, 200);
+
+/// A word that is read on any picture: dark around, as pictures may be bright where it stands.
+void drawWord(QPainter& painter, const QRectF& box, int flags, const QString& word, const QColor& colour) {
+  painter.setPen(kBehindWords);
+  for (const QPointF& off : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1), QPointF(-1, -1), QPointF(1, 1)})
+    painter.drawText(box.translated(off), flags, word);
+  painter.setPen(colour);
+  painter.drawText(box, flags, word);
+}
 
 QImage imageOf(const GreyPicture& picture) {
   QImage image(picture.size.x, picture.size.y, QImage::Format_Grayscale8);
@@ -201,10 +211,9 @@ void SliceView::drawLattice(QPainter& painter) const {
   const QRectF bar(width() - 24.0, 24.0, 8.0, std::min(120.0, height() - 48.0));
   for (int y = 0; y < static_cast<int>(bar.height()); ++y)
     painter.fillRect(QRectF(bar.left(), bar.bottom() - y - 1, bar.width(), 1.0), colourOf(colourOfLength(y, bar.height())));
-  painter.setPen(kViewBright);
-  painter.drawText(QRectF(0, bar.top() - 20, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter,
-                   QStringLiteral("%1 mm").arg(longest_mm_, 0, 'f', 1));
-  painter.drawText(QRectF(0, bar.bottom() + 2, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
+  drawWord(painter, QRectF(0, bar.top() - 20, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter,
+           QStringLiteral("%1 mm").arg(QLocale().toString(longest_mm_, 'f', 1)), kViewBright);
+  drawWord(painter, QRectF(0, bar.bottom() + 2, width() - 14.0, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"), kViewBright);
 }
 
 void SliceView::drawLandmarks(QPainter& painter) const {
@@ -284,21 +293,24 @@ void SliceView::drawFrameWords(QPainter& painter) const {
                        : (up ? SliceView::tr("H", "head") : SliceView::tr("F", "feet"));
   };
   const Plane shown = plane();
-  painter.setPen(kViewQuiet);
   const QRectF box = QRectF(rect()).adjusted(6, 4, -6, -4);
-  painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, letter(turn * shown.right));
-  painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, letter(-(turn * shown.right)));
-  painter.drawText(box, Qt::AlignHCenter | Qt::AlignBottom, letter(turn * shown.down));
-  painter.drawText(box, Qt::AlignHCenter | Qt::AlignTop, letter(-(turn * shown.down)));
+  drawWord(painter, box, Qt::AlignRight | Qt::AlignVCenter, letter(turn * shown.right), kViewQuiet);
+  drawWord(painter, box, Qt::AlignLeft | Qt::AlignVCenter, letter(-(turn * shown.right)), kViewQuiet);
+  drawWord(painter, box, Qt::AlignHCenter | Qt::AlignBottom, letter(turn * shown.down), kViewQuiet);
+  drawWord(painter, box, Qt::AlignHCenter | Qt::AlignTop, letter(-(turn * shown.down)), kViewQuiet);
   // A length to compare with.
   double bar_mm = 10.0;
   while (bar_mm / shown.pixel_mm > width() / 3.0) bar_mm /= 2.0;
   while (bar_mm / shown.pixel_mm < 24.0 && bar_mm < 1000.0) bar_mm *= 2.0;
   const double length = bar_mm / shown.pixel_mm;
   const QPointF end(width() - 10.0, height() - 10.0);
-  painter.setPen(QPen(QColor(0xc8, 0xcc, 0xd0), 2.0));
-  painter.drawLine(end - QPointF(length, 0), end);
-  painter.drawText(QRectF(end.x() - 100, end.y() - 20, 100, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("%1 mm").arg(bar_mm));
+  const QColor bright(0xc8, 0xcc, 0xd0);
+  for (const QPen& pen : {QPen(kBehindWords, 4.0), QPen(bright, 2.0)}) {
+    painter.setPen(pen);
+    painter.drawLine(end - QPointF(length, 0), end);
+  }
+  drawWord(painter, QRectF(end.x() - 100, end.y() - 20, 100, 16), Qt::AlignRight | Qt::AlignVCenter,
+           QStringLiteral("%1 mm").arg(QLocale().toString(bar_mm)), bright);
 }
 
 void SliceView::paintEvent(QPaintEvent*) {

@@ -1,22 +1,25 @@
 #include "panel/stitch_panel.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QKeyEvent>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
+#include <QScrollArea>
 #include <QStackedWidget>
-#include <QStyledItemDelegate>
+#include <QStyle>
 #include <QUrl>
 #include <algorithm>
 
+#include "panel/folders.h"
 #include "panel/look.h"
+#include "panel/phrases.h"
 
 namespace ew::stitching {
 namespace {
@@ -25,67 +28,19 @@ namespace fs = std::filesystem;
 using sdk::kGap_px;
 using sdk::words;
 
-constexpr int kRow_px = 44;
-constexpr int kJobRoom_px = 104;  // a card of the window's jobs fits in
-
 QString mebibytes(double bytes) {
   const double mib = bytes / (1024.0 * 1024.0);
   return mib < 1024.0 ? QStringLiteral("%1 MiB").arg(QLocale().toString(mib, 'f', mib < 10.0 ? 1 : 0))
                       : QStringLiteral("%1 GiB").arg(QLocale().toString(mib / 1024.0, 'f', 1));
 }
 
-QString sizeOf(const Grid& grid) { return QStringLiteral("%1 × %2 × %3").arg(grid.dims.x).arg(grid.dims.y).arg(grid.dims.z); }
-
-enum Role { kLine = Qt::UserRole, kMark, kBroken };
-
-/// Letter, name, size and where it lies; at the right what holds it.
-class VolumeDelegate final : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRow_px}; }
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    const QRect box = option.rect;
-    const QPalette& colours = option.palette;
-    if (option.state.testFlag(QStyle::State_Selected)) {
-      painter->setPen(Qt::NoPen);
-      painter->setBrush(colours.color(QPalette::Button));
-      painter->drawRoundedRect(box.adjusted(2, 1, -2, -1), 4, 4);
-    }
-    if (option.state.testFlag(QStyle::State_HasFocus)) {
-      painter->setPen(QPen(colours.color(QPalette::Highlight), 1.0));
-      painter->setBrush(Qt::NoBrush);
-      painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
-    }
-    const QRectF badge(box.left() + 10, box.top() + 11, 22, 22);
-    painter->setPen(QPen(colourOf(colourOfView(static_cast<std::size_t>(index.row()))), 2.0));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(badge.adjusted(1, 1, -1, -1));
-    QFont font = option.font;
-    font.setPixelSize(12);
-    painter->setFont(font);
-    painter->setPen(colours.color(QPalette::WindowText));
-    painter->drawText(badge, Qt::AlignCenter, words(letterOf(static_cast<std::size_t>(index.row()))));
-    const int left = box.left() + 42;
-    const int wide = box.right() - 32 - left;
-    font.setPixelSize(13);
-    painter->setFont(font);
-    painter->drawText(QRect(left, box.top() + 4, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
-                      QFontMetrics(font).elidedText(index.data(Qt::EditRole).toString(), Qt::ElideMiddle, wide));
-    font.setPixelSize(12);
-    painter->setFont(font);
-    painter->setPen(colours.color(index.data(kBroken).toBool() ? QPalette::BrightText : QPalette::PlaceholderText));
-    painter->drawText(QRect(left, box.top() + 22, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
-                      QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
-    drawMark(*painter, QRectF(box.right() - 27, box.top() + 15, 14, 14), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
-             colours);
-    painter->restore();
-  }
-  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
-    editor->setGeometry(option.rect.adjusted(38, 6, -8, -6));
-  }
-};
+/// Marks the one button that is the next thing to do.
+void setPrimary(QPushButton* button, bool primary) {
+  if (button->property("primary").toBool() == primary) return;
+  button->setProperty("primary", primary);
+  button->style()->unpolish(button);
+  button->style()->polish(button);
+}
 
 class LegendMark final : public QWidget {
  public:
@@ -124,6 +79,7 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   column->addWidget(offer_);
   pages_ = new QStackedWidget(this);
   auto* add = new QPushButton(tr("Add volumes…"));
+  addFirst_ = add;
   add->setObjectName(QStringLiteral("addFirst"));
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
   pages_->addWidget(sdk::emptyState(
@@ -135,12 +91,8 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   problem_->setObjectName(QStringLiteral("problem"));
   problem_->setContentsMargins(2 * kGap_px, kGap_px, 2 * kGap_px, kGap_px);
   column->addWidget(problem_);
-  jobRoom_ = new QWidget;
-  jobRoom_->setFixedHeight(kJobRoom_px);
-  jobRoom_->hide();
-  column->addWidget(jobRoom_);
   connect(&session_, &StitchSession::changed, this, &StitchPanel::refresh);
-  connect(&session_, &StitchSession::problem, this, [this](const QString& sentence) { sdk::setProblem(problem_, sentence); });
+  connect(&session_, &StitchSession::problem, this, &StitchPanel::showProblem);
   connect(&session_, &StitchSession::said, this, [this](const QString& sentence) {
     outcome_->say(sentence);
     outcome_->setVisible(!sentence.isEmpty());
@@ -188,59 +140,32 @@ QWidget* StitchPanel::makeWorkPage() {
   auto* top = new QHBoxLayout;
   top->setSpacing(0);
   top->addWidget(sdk::headingLabel(tr("Subvolumes")), 1);
-  saveProject_ = flat(tr("save"), tr("Save the stitch project; the command line runs it identically (Ctrl+S)"), "saveProject");
-  connect(saveProject_, &QPushButton::clicked, this, [this] { session_.save(false); });
-  top->addWidget(saveProject_);
-  auto* open = flat(tr("open"), tr("Open a stitch project in place of this one"), "openProject");
-  connect(open, &QPushButton::clicked, this, &StitchPanel::askForProject);
-  top->addWidget(open);
+  auto* whole = flat(tr("project"), tr("Begin, open or save a stitch project"), "projectMenu");
+  auto* menu = new QMenu(whole);
+  const auto entry = [&](const QString& text, const char* name, auto&& act) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QLatin1String(name));
+    connect(action, &QAction::triggered, this, act);
+    return action;
+  };
+  entry(tr("New"), "newProject", [this] {
+    if (mayLeaveProject()) session_.startAnew();
+  });
+  entry(tr("Open…"), "openProject", [this] { askForProject(); });
+  saveProject_ = entry(tr("Save"), "saveProject", [this] { session_.save(false); });
+  saveProject_->setToolTip(tr("Save the stitch project; the command line runs it identically (Ctrl+S)"));
+  menu->setToolTipsVisible(true);
+  entry(tr("Save as…"), "saveProjectElsewhere", [this] { session_.save(true); });
+  whole->setMenu(menu);
+  top->addWidget(whole);
   auto* add = flat(tr("+ add"), tr("Add volumes or sweeps"), "addMore");
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
   top->addWidget(add);
   column->addLayout(top);
 
-  list_ = new QListWidget;
-  list_->setObjectName(QStringLiteral("volumes"));
-  list_->setItemDelegate(new VolumeDelegate(list_));
-  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  list_->setDragDropMode(QAbstractItemView::InternalMove);
-  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  list_->setMinimumHeight(2 * kRow_px + 4);
-  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  list_->installEventFilter(this);
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (!showing_ && row >= 0) session_.chooseVolume(static_cast<std::size_t>(row));
-  });
-  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    if (showing_) return;
-    const auto at = static_cast<std::size_t>(list_->row(item));
-    const std::string name = item->text().trimmed().toStdString();
-    if (auto problem = problemOfName(session_.project(), at, name)) {
-      sdk::setProblem(problem_, words(problem->sentence));
-    } else {
-      StitchProject next = session_.project();
-      next.volumes[at].name = name;
-      sdk::setProblem(problem_, {});
-      session_.edit(std::move(next), tr("call %1 '%2'").arg(words(letterOf(at)), words(name)));
-    }
-    QMetaObject::invokeMethod(this, &StitchPanel::refresh, Qt::QueuedConnection);
-  });
-  connect(list_->model(), &QAbstractItemModel::rowsMoved, this, [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
-    if (showing_) return;
-    const auto at = static_cast<std::size_t>(from);
-    const auto there = static_cast<std::size_t>(to > from ? to - 1 : to);
-    // After the view is done with its own move.
-    QMetaObject::invokeMethod(
-        this,
-        [this, at, there] {
-          session_.edit(withVolumeMoved(session_.project(), at, there), tr("move %1 in the list").arg(words(letterOf(at))));
-          session_.chooseVolume(there);
-        },
-        Qt::QueuedConnection);
-  });
+  list_ = new VolumeList(session_);
+  connect(list_, &VolumeList::problem, this, &StitchPanel::showProblem);
   column->addWidget(list_, 3);
-  column->addWidget(makeVolumeBox());
 
   pairsBox_ = new QWidget;
   auto* pairs = new QVBoxLayout(pairsBox_);
@@ -263,39 +188,6 @@ QWidget* StitchPanel::makeWorkPage() {
   column->addWidget(makeResultBox());
   column->addStretch(1);
   return page;
-}
-
-QWidget* StitchPanel::makeVolumeBox() {
-  volumeBox_ = new QWidget;
-  auto* row = new QHBoxLayout(volumeBox_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kGap_px / 2);
-  placement_ = new QComboBox;
-  placement_->setObjectName(QStringLiteral("placement"));
-  placement_->addItem(tr("unknown"), static_cast<int>(Placement::unknown));
-  placement_->addItem(tr("recorded"), static_cast<int>(Placement::tracker));
-  placement_->addItem(tr("by hand"), static_cast<int>(Placement::hand));
-  placement_->setToolTip(
-      tr("Where the chosen volume's place comes from: found by matching, believed as the tracker's, or a start by hand"));
-  placement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  connect(placement_, qOverload<int>(&QComboBox::activated), this, [this] {
-    if (const auto chosen = session_.chosenVolume())
-      session_.setPlacement(*chosen, static_cast<Placement>(placement_->currentData().toInt()));
-  });
-  row->addWidget(placement_, 1);
-  const auto small = [&](const QString& text, const QString& hint, const char* name) {
-    auto* button = new QPushButton(text);
-    button->setProperty("compact", true);
-    button->setToolTip(hint);
-    button->setObjectName(QLatin1String(name));
-    row->addWidget(button);
-    return button;
-  };
-  connect(small(tr("File…"), tr("Take the place from a file with 16 numbers, row by row"), "placeFromFile"), &QPushButton::clicked, this,
-          &StitchPanel::chooseTransform);
-  connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
-          &StitchPanel::removeChosen);
-  return volumeBox_;
 }
 
 QWidget* StitchPanel::makeLegend() {
@@ -332,7 +224,6 @@ QWidget* StitchPanel::makeSteps() {
   };
   match_ = step(tr("Match all without tracker"), tr("Find how all subvolumes lie to each other, whatever is recorded about their places"),
                 "matchAll");
-  match_->setProperty("primary", true);
   connect(match_, &QPushButton::clicked, this, [this] { session_.matchAll(true); });
   column->addWidget(match_);
   refine_ = step(tr("Refine the places"), tr("Start from the places as they are recorded or put by hand, and let the images refine them"),
@@ -375,11 +266,11 @@ QWidget* StitchPanel::makeResultBox() {
     row->addWidget(made, 1);
     return made;
   };
-  connect(button(tr("Into the case"), tr("The open case takes over the stitched volume"), "handToCase"), &QPushButton::clicked, &session_,
-          &StitchSession::handToCase);
+  handOver_ = button(tr("Into the case"), tr("The open case takes over the stitched volume"), "handToCase");
+  connect(handOver_, &QPushButton::clicked, &session_, &StitchSession::handToCase);
   connect(button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult"), &QPushButton::clicked,
           this, [this] {
-            const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"));
+            const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"), lastFolder());
             if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
           });
   column->addWidget(resultBox_);
@@ -466,50 +357,11 @@ QWidget* StitchPanel::makeOptions() {
   return box;
 }
 
-void StitchPanel::showVolumes() {
-  const auto& volumes = session_.project().volumes;
-  const int rows = static_cast<int>(volumes.size());
-  list_->setMinimumHeight(std::clamp(rows, 2, 4) * kRow_px + 4);
-  list_->setMaximumHeight(std::max(2, rows) * kRow_px + 4);
-  while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
-  for (std::size_t n = 0; n < volumes.size(); ++n) {
-    QListWidgetItem* item = list_->item(static_cast<int>(n));
-    if (item == nullptr) {
-      item = new QListWidgetItem(list_);
-      item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
-    }
-    const auto volume = session_.volume(n);
-    const QString place = volumes[n].placement == Placement::unknown   ? tr("place unknown")
-                          : volumes[n].placement == Placement::tracker ? tr("recorded")
-                                                                       : tr("by hand");
-    const auto mark = session_.markOf(n);
-    item->setText(words(volumes[n].name));
-    item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
-                         : session_.isUnreadable(n) ? tr("cannot be read")
-                                                    : tr("reading…"));
-    item->setData(kBroken, !volume && session_.isUnreadable(n));
-    item->setData(kMark, static_cast<int>(mark));
-    QString tip = words(volumes[n].name) + QLatin1Char('\n') + words(volumes[n].file.string());
-    if (volume) {
-      const Grid& grid = volume->grid;
-      const QLocale locale;
-      tip += QLatin1Char('\n') + tr("%1 voxels of %2 × %3 × %4 mm")
-                                     .arg(sizeOf(grid), locale.toString(grid.spacing_mm.x, 'g', 4),
-                                          locale.toString(grid.spacing_mm.y, 'g', 4), locale.toString(grid.spacing_mm.z, 'g', 4));
-    }
-    item->setToolTip(tip + QLatin1Char('\n') + wordsOfMark(mark) + QLatin1Char('\n') +
-                     tr("F2 renames, Alt + up and down move it, Delete takes it off the list"));
-  }
-  const auto chosen = session_.chosenVolume();
-  list_->setCurrentRow(chosen ? static_cast<int>(*chosen) : -1);
-  volumeBox_->setVisible(chosen.has_value());
-  if (chosen) placement_->setCurrentIndex(placement_->findData(static_cast<int>(volumes[*chosen].placement)));
-}
-
 void StitchPanel::refresh() {
   const bool was = std::exchange(showing_, true);
   const auto& left = session_.left();
   offer_->setVisible(left.has_value());
+  setPrimary(addFirst_, !left.has_value());
   if (left)
     offerWord_->setText(
         left->file.empty()
@@ -517,22 +369,37 @@ void StitchPanel::refresh() {
             : tr("Changes to '%1' were not saved when the program ended.").arg(words(left->file.stem().string())));
   const auto& project = session_.project();
   pages_->setCurrentIndex(project.volumes.empty() ? 0 : 1);
-  showVolumes();
-  const auto all = session_.pairs();
-  const int look = session_.pairsToLookAt();
-  const bool seen = std::any_of(all.begin(), all.end(), [](const auto& line) { return line.outcome != nullptr; });
-  pairWord_->setText(!seen ? QString() : look == 0 ? tr("all looked at") : tr("%1 of %2 need a look").arg(look).arg(all.size()));
+  list_->refresh();
+  pairWord_->setText(session_.standOfPairs());
   pairsBox_->setVisible(project.volumes.size() >= 2);
   const bool running = session_.isRunning();
-  jobRoom_->setVisible(running);
   moreRow_->setVisible(!running);  // its room is the card's on a small screen
+  // Where the focus is on a button that is switched off, it waits here: else it goes to whatever comes next in the window.
+  if (running && !waiting_ && isAncestorOf(QApplication::focusWidget())) {
+    for (QPushButton* button : {match_, refine_, elastic_, seams_})
+      if (button->hasFocus()) {
+        waiting_ = button;
+        setFocus();
+      }
+  }
   for (QPushButton* button : {match_, refine_, elastic_, seams_}) button->setEnabled(!running);
+  if (!running && waiting_ != nullptr) {
+    if (hasFocus()) waiting_->setFocus();
+    waiting_ = nullptr;
+  }
   // Once each: what is shown and hidden again in one go leaves its room behind.
   for (QPushButton* button : {match_, elastic_, seams_}) button->setVisible(project.volumes.size() >= 2);
-  refine_->setVisible(project.volumes.size() >= 2 && std::any_of(project.volumes.begin(), project.volumes.end(), [](const auto& volume) {
-                        return volume.placement != Placement::unknown;
-                      }));
-  saveProject_->setVisible(session_.document().hasUnsavedChanges());
+  const auto isPlaced = [](const ProjectVolume& volume) { return volume.placement != Placement::unknown; };
+  refine_->setVisible(project.volumes.size() >= 2 && std::any_of(project.volumes.begin(), project.volumes.end(), isPlaced));
+  // One button leads: finding the places, from the recorded ones where all are; then the volume; then what it is for.
+  const bool matched = session_.isMatchFresh();
+  const bool placed = std::all_of(project.volumes.begin(), project.volumes.end(), isPlaced);
+  const bool made = session_.isResultFresh();
+  setPrimary(match_, !matched && !placed);
+  setPrimary(refine_, !matched && placed);
+  setPrimary(seams_, matched && !made);
+  setPrimary(handOver_, matched && made);
+  saveProject_->setEnabled(session_.document().hasUnsavedChanges());
   resultBox_->setVisible(session_.result() != nullptr);
   old_->setVisible(session_.result() != nullptr && !session_.isResultFresh());
   spacing_->setValue(project.settings.join.grid.spacing_mm);
@@ -549,7 +416,7 @@ void StitchPanel::showForecast() {
     if (const auto volume = session_.volume(n)) grids.push_back({volume->grid, session_.toWorld(n), session_.project().volumes[n].name});
   if (grids.empty()) return forecast_->say({});
   const auto forecast = forecastJoin(grids, session_.project().settings.join);
-  if (!forecast) return forecast_->say(words(forecast.error().sentence));
+  if (!forecast) return forecast_->say(phraseOf(forecast.error().sentence));
   const QString needs = mebibytes(static_cast<double>(forecast->bytes));
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
   if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));
@@ -559,74 +426,50 @@ void StitchPanel::showForecast() {
 
 void StitchPanel::askForFiles() {
   const QStringList chosen = QFileDialog::getOpenFileNames(
-      this, tr("Add volumes"), {},
+      this, tr("Add volumes"), lastFolder(),
       tr("Volumes, sweeps and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)"));
+  if (chosen.isEmpty()) return;
   std::vector<fs::path> files;
   for (const auto& each : chosen) files.emplace_back(each.toStdString());
-  if (!files.empty()) session_.addFiles(files);
+  session_.addFiles(files);
+}
+
+bool StitchPanel::mayLeaveProject() {
+  if (session_.project().volumes.empty() || !session_.document().hasUnsavedChanges()) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedProjectQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The stitch project has changes that are not saved."));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Save) {
+    session_.save(false);
+    return !session_.document().hasUnsavedChanges();
+  }
+  return answer == QMessageBox::Discard;
 }
 
 void StitchPanel::askForProject() {
-  const QString chosen = QFileDialog::getOpenFileName(this, tr("Open a stitch project"), {}, tr("Stitch projects (*.json);;All files (*)"));
-  if (!chosen.isEmpty()) session_.openProject(chosen.toStdString());
+  if (!mayLeaveProject()) return;
+  const QString chosen =
+      QFileDialog::getOpenFileName(this, tr("Open a stitch project"), lastFolder(), tr("Stitch projects (*.json);;All files (*)"));
+  if (chosen.isEmpty()) return;
+  keepFolderOf(chosen);
+  session_.openProject(chosen.toStdString());
 }
 
-void StitchPanel::chooseTransform() {
-  const auto chosen = session_.chosenVolume();
-  if (!chosen) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Place of %1").arg(words(session_.project().volumes[*chosen].name)), {},
-                                                    tr("Transforms (*.txt *.tfm);;All files (*)"));
-  if (file.isEmpty()) return;
-  auto text = session_.host().files().readText(file.toStdString());
-  if (!text) return sdk::setProblem(problem_, words(text.error().sentence));
-  auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
-  if (!matrix) return sdk::setProblem(problem_, words(matrix.error().sentence));
-  sdk::setProblem(problem_, {});
-  session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
-                tr("place %1 from a file").arg(words(letterOf(*chosen))));
-}
-
-void StitchPanel::removeChosen() {
-  const auto chosen = session_.chosenVolume();
-  if (!chosen) return;
-  session_.edit(withoutVolume(session_.project(), *chosen), tr("remove %1").arg(words(session_.project().volumes[*chosen].name)));
-}
-
-void StitchPanel::moveChosen(int step) {
-  const auto chosen = session_.chosenVolume();
-  if (!chosen) return;
-  const int to = static_cast<int>(*chosen) + step;
-  if (to < 0 || to >= list_->count()) return;
-  session_.edit(withVolumeMoved(session_.project(), *chosen, static_cast<std::size_t>(to)),
-                tr("move %1 in the list").arg(words(letterOf(*chosen))));
-  session_.chooseVolume(static_cast<std::size_t>(to));
-}
-
-bool StitchPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == list_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
-    auto* key = static_cast<QKeyEvent*>(event);
-    const bool act = event->type() == QEvent::KeyPress;
-    const bool up = key->key() == Qt::Key_Up;
-    if (key->key() == Qt::Key_Delete && key->modifiers() == Qt::NoModifier) {
-      if (act)
-        removeChosen();
-      else
-        event->accept();
-      return true;
-    }
-    if ((up || key->key() == Qt::Key_Down) && key->modifiers().testFlag(Qt::AltModifier)) {
-      if (act)
-        moveChosen(up ? -1 : 1);
-      else
-        event->accept();
-      return true;
-    }
-    if (!act && (up || key->key() == Qt::Key_Down || key->key() == Qt::Key_F2)) {
-      event->accept();
-      return true;
-    }
-  }
-  return QWidget::eventFilter(watched, event);
+void StitchPanel::showProblem(const QString& sentence) {
+  sdk::setProblem(problem_, sentence);
+  if (sentence.isEmpty()) return;
+  // Where the column is longer than the window, the sentence stands below what is seen of it.
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget())
+          if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(problem_, 0, 0);
+      },
+      Qt::QueuedConnection);
 }
 
 void StitchPanel::dragEnterEvent(QDragEnterEvent* event) {

@@ -7,11 +7,11 @@
 #include "panel/pair_graph.h"
 #include "panel/paragraph.h"
 #include "panel/stitch_session.h"
+#include "panel/volume_list.h"
 
+class QAction;
 class QComboBox;
 class QLabel;
-class QListWidget;
-class QListWidgetItem;
 class QPushButton;
 class QStackedWidget;
 
@@ -28,32 +28,27 @@ class StitchPanel final : public QWidget {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* makeOffer();
   QWidget* makeWorkPage();
-  QWidget* makeVolumeBox();
   QWidget* makeLegend();
   QWidget* makeSteps();
   QWidget* makeResultBox();
   QWidget* makeOptions();
   void refresh();
-  void showVolumes();
   void showForecast();
+  void showProblem(const QString& sentence);
   void askForFiles();
   void askForProject();
-  void chooseTransform();
-  void removeChosen();
-  void moveChosen(int step);
+  bool mayLeaveProject();  ///< asks where something would be lost
 
   StitchSession& session_;
   QWidget* offer_ = nullptr;
   QLabel* offerWord_ = nullptr;
   QStackedWidget* pages_ = nullptr;
-  QListWidget* list_ = nullptr;
-  QWidget* volumeBox_ = nullptr;
-  QComboBox* placement_ = nullptr;
+  QPushButton* addFirst_ = nullptr;
+  VolumeList* list_ = nullptr;
   PairGraph* graph_ = nullptr;
   QWidget* pairsBox_ = nullptr;
   QLabel* pairWord_ = nullptr;
@@ -61,7 +56,9 @@ class StitchPanel final : public QWidget {
   QPushButton* refine_ = nullptr;
   QPushButton* elastic_ = nullptr;
   QPushButton* seams_ = nullptr;
-  QPushButton* saveProject_ = nullptr;
+  QPushButton* handOver_ = nullptr;
+  QPushButton* waiting_ = nullptr;  ///< had the focus when a run began
+  QAction* saveProject_ = nullptr;
   QWidget* resultBox_ = nullptr;
   QWidget* moreRow_ = nullptr;
   QWidget* options_ = nullptr;
@@ -73,7 +70,6 @@ class StitchPanel final : public QWidget {
   Paragraph* outcome_ = nullptr;
   Paragraph* old_ = nullptr;  ///< the result no longer is what the project asks for
   QLabel* problem_ = nullptr;
-  QWidget* jobRoom_ = nullptr;
   bool showing_ = false;
 };
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
+#include "panel/folders.h"
+#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -74,7 +76,7 @@ void StitchSession::tell() {
 void StitchSession::say(const Error& error) {
   if (error.code == ErrorCode::cancelled) return;  // the user knows
   host_.log().warn(error.sentence);
-  Q_EMIT problem(words(error.sentence));
+  Q_EMIT problem(phraseOf(error.sentence));
 }
 
 std::string StitchSession::title() const {
@@ -90,14 +92,7 @@ std::string StitchSession::remark() const {
   return document_.hasUnsavedChanges() ? tr("not saved").toStdString() : tr("saved").toStdString();
 }
 
-std::string StitchSession::note() const {
-  const auto all = pairs();
-  const auto seen = std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.outcome != nullptr; });
-  const int look = pairsToLookAt();
-  if (seen == 0) return {};
-  return look == 0 ? tr("no pair needs a look").toStdString()
-                   : tr("%1 of %2 pairs need a look").arg(look).arg(static_cast<int>(all.size())).toStdString();
-}
+std::string StitchSession::note() const { return standOfPairs().toStdString(); }
 
 void StitchSession::undo() {
   document_.undo();
@@ -117,9 +112,10 @@ void StitchSession::save(bool elsewhere) {
   fs::path file = document_.file();
   if (file.empty() || elsewhere) {
     QString chosen = QFileDialog::getSaveFileName(QApplication::activeWindow(), tr("Save the stitch project"),
-                                                  file.empty() ? QString() : words(file.string()), tr("Stitch projects (*.json)"));
+                                                  file.empty() ? lastFolder() : words(file.string()), tr("Stitch projects (*.json)"));
     if (chosen.isEmpty()) return;
     if (!chosen.endsWith(QLatin1String(".json"))) chosen += QLatin1String(".json");
+    keepFolderOf(chosen);
     file = chosen.toStdString();
   }
   saveAs(file);

@@ -90,6 +90,10 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] PairLine pairLine(std::size_t fixed, std::size_t moving) const;
   [[nodiscard]] Mark markOf(std::size_t volume) const;  ///< the best of its pairs: what holds it
   [[nodiscard]] int pairsToLookAt() const;
+  /// In a few words: how many pairs need a look, else how many were not matched, else that none does. Empty before the first run.
+  [[nodiscard]] QString standOfPairs() const;
+  /// Every volume was in the last run, and nothing that shapes the places was edited since.
+  [[nodiscard]] bool isMatchFresh() const;
   /// As found, else as placed. A volume placed anew since lies where it was put beside those that were not.
   [[nodiscard]] glm::dmat4 toWorld(std::size_t volume) const;
   /// Puts a volume where `shown` says, in the frame of toWorld.
@@ -186,6 +190,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void problem(const QString& sentence);  ///< empty: none any more
   void said(const QString& sentence);     ///< what was done, where it matters
   void nextPairAsked(int step);
+  void resultMade();  ///< a run that was asked for has made a whole
 
  private:
   struct Inbox;

@@ -99,7 +99,9 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   overlay_->addItem(tr("difference"), static_cast<int>(Overlay::difference));
   overlay_->addItem(tr("flicker"), static_cast<int>(Overlay::flicker));
   overlay_->addItem(tr("colours"), static_cast<int>(Overlay::colours));
-  overlay_->setMinimumWidth(124);
+  overlay_->setMinimumContentsLength(11);
+  overlay_->setMinimumWidth(84);  // in the narrowest window all of a head's controls stay beside each other
+  overlay_->setMaximumWidth(136);
   connect(overlay_, qOverload<int>(&QComboBox::activated), this,
           [this] { setOverlay(static_cast<Overlay>(overlay_->currentData().toInt())); });
   stageChoice_ = combo("stageChoice", tr("As it was at the start, as matched, or with the elastic step (X)"));
@@ -179,6 +181,9 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   });
   connect(&session_, &StitchSession::changed, this, &StitchStage::showTitles);
   connect(&session_, &StitchSession::lookChanged, this, &StitchStage::showTitles);
+  connect(&session_, &StitchSession::resultMade, this, [this] {
+    if (tools_.fourth != Tools::Fourth::seam) setFourth(Tools::Fourth::result);  // a seam that is being edited stays in view
+  });
   showTitles();
   setFourth(tools_.fourth);
 }

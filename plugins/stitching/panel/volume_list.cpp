@@ -1,0 +1,267 @@
+#include "panel/volume_list.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QStyledItemDelegate>
+#include <algorithm>
+#include <utility>
+
+#include "ew/sdk/panel.h"
+#include "panel/folders.h"
+#include "panel/look.h"
+#include "panel/phrases.h"
+
+namespace ew::stitching {
+namespace {
+
+namespace fs = std::filesystem;
+using sdk::kGap_px;
+using sdk::words;
+
+constexpr int kRow_px = 44;
+
+enum Role { kLine = Qt::UserRole, kMark, kBroken };
+
+/// Letter, name, size and where it lies; at the right what holds it.
+class VolumeDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRow_px}; }
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const QRect box = option.rect;
+    const QPalette& colours = option.palette;
+    if (option.state.testFlag(QStyle::State_Selected)) {
+      painter->setPen(Qt::NoPen);
+      painter->setBrush(colours.color(QPalette::Button));
+      painter->drawRoundedRect(box.adjusted(2, 1, -2, -1), 4, 4);
+    }
+    if (option.state.testFlag(QStyle::State_HasFocus)) {
+      painter->setPen(QPen(colours.color(QPalette::Highlight), 1.0));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
+    }
+    const QRectF badge(box.left() + 10, box.top() + 11, 22, 22);
+    painter->setPen(QPen(colourOf(colourOfView(static_cast<std::size_t>(index.row()))), 2.0));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawEllipse(badge.adjusted(1, 1, -1, -1));
+    QFont font = option.font;
+    font.setPixelSize(12);
+    painter->setFont(font);
+    painter->setPen(colours.color(QPalette::WindowText));
+    painter->drawText(badge, Qt::AlignCenter, words(letterOf(static_cast<std::size_t>(index.row()))));
+    const int left = box.left() + 42;
+    const int wide = box.right() - 32 - left;
+    font.setPixelSize(13);
+    painter->setFont(font);
+    painter->drawText(QRect(left, box.top() + 4, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetrics(font).elidedText(index.data(Qt::EditRole).toString(), Qt::ElideMiddle, wide));
+    font.setPixelSize(12);
+    painter->setFont(font);
+    painter->setPen(colours.color(index.data(kBroken).toBool() ? QPalette::BrightText : QPalette::PlaceholderText));
+    painter->drawText(QRect(left, box.top() + 22, wide, 18), Qt::AlignLeft | Qt::AlignVCenter,
+                      QFontMetrics(font).elidedText(index.data(kLine).toString(), Qt::ElideRight, wide));
+    drawMark(*painter, QRectF(box.right() - 27, box.top() + 15, 14, 14), static_cast<StitchSession::Mark>(index.data(kMark).toInt()),
+             colours);
+    painter->restore();
+  }
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    editor->setGeometry(option.rect.adjusted(38, 6, -8, -6));
+  }
+};
+
+}  // namespace
+
+VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  list_ = new QListWidget;
+  list_->setObjectName(QStringLiteral("volumes"));
+  list_->setItemDelegate(new VolumeDelegate(list_));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->setDragDropMode(QAbstractItemView::InternalMove);
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setMinimumHeight(2 * kRow_px + 4);
+  list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  list_->installEventFilter(this);
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (!showing_ && row >= 0) session_.chooseVolume(static_cast<std::size_t>(row));
+  });
+  connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+    if (showing_) return;
+    const auto at = static_cast<std::size_t>(list_->row(item));
+    const std::string name = item->text().trimmed().toStdString();
+    if (auto wrong = problemOfName(session_.project(), at, name)) {
+      Q_EMIT problem(phraseOf(wrong->sentence));
+    } else {
+      StitchProject next = session_.project();
+      next.volumes[at].name = name;
+      Q_EMIT problem({});
+      session_.edit(std::move(next), tr("call %1 '%2'").arg(words(letterOf(at)), words(name)));
+    }
+    QMetaObject::invokeMethod(this, &VolumeList::refresh, Qt::QueuedConnection);
+  });
+  connect(list_->model(), &QAbstractItemModel::rowsMoved, this, [this](const QModelIndex&, int from, int, const QModelIndex&, int to) {
+    if (showing_) return;
+    const auto at = static_cast<std::size_t>(from);
+    const auto there = static_cast<std::size_t>(to > from ? to - 1 : to);
+    // After the view is done with its own move.
+    QMetaObject::invokeMethod(
+        this,
+        [this, at, there] {
+          session_.edit(withVolumeMoved(session_.project(), at, there), tr("move %1 in the list").arg(words(letterOf(at))));
+          session_.chooseVolume(there);
+        },
+        Qt::QueuedConnection);
+  });
+  column->addWidget(list_, 1);
+  column->addWidget(makeChosenBox());
+}
+
+QWidget* VolumeList::makeChosenBox() {
+  chosenBox_ = new QWidget;
+  auto* row = new QHBoxLayout(chosenBox_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap_px / 2);
+  placement_ = new QComboBox;
+  placement_->setObjectName(QStringLiteral("placement"));
+  placement_->addItem(tr("unknown"), static_cast<int>(Placement::unknown));
+  placement_->addItem(tr("recorded"), static_cast<int>(Placement::tracker));
+  placement_->addItem(tr("by hand"), static_cast<int>(Placement::hand));
+  placement_->setToolTip(
+      tr("Where the chosen volume's place comes from: found by matching, believed as the tracker's, or a start by hand"));
+  placement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(placement_, qOverload<int>(&QComboBox::activated), this, [this] {
+    if (const auto chosen = session_.chosenVolume())
+      session_.setPlacement(*chosen, static_cast<Placement>(placement_->currentData().toInt()));
+  });
+  row->addWidget(placement_, 1);
+  const auto small = [&](const QString& text, const QString& hint, const char* name) {
+    auto* button = new QPushButton(text);
+    button->setProperty("compact", true);
+    button->setToolTip(hint);
+    button->setObjectName(QLatin1String(name));
+    row->addWidget(button);
+    return button;
+  };
+  connect(small(tr("File…"), tr("Take the place from a file with 16 numbers, row by row"), "placeFromFile"), &QPushButton::clicked, this,
+          &VolumeList::chooseTransform);
+  connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
+          &VolumeList::removeChosen);
+  return chosenBox_;
+}
+
+void VolumeList::refresh() {
+  const bool was = std::exchange(showing_, true);
+  const auto& volumes = session_.project().volumes;
+  const int rows = static_cast<int>(volumes.size());
+  list_->setMinimumHeight(std::clamp(rows, 2, 4) * kRow_px + 4);
+  list_->setMaximumHeight(std::max(2, rows) * kRow_px + 4);
+  while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    QListWidgetItem* item = list_->item(static_cast<int>(n));
+    if (item == nullptr) {
+      item = new QListWidgetItem(list_);
+      item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
+    }
+    const auto volume = session_.volume(n);
+    const QString place = volumes[n].placement == Placement::unknown   ? tr("place unknown")
+                          : volumes[n].placement == Placement::tracker ? tr("recorded")
+                                                                       : tr("by hand");
+    const auto mark = session_.markOf(n);
+    item->setText(words(volumes[n].name));
+    item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
+                         : session_.isUnreadable(n) ? tr("cannot be read")
+                                                    : tr("reading…"));
+    item->setData(kBroken, !volume && session_.isUnreadable(n));
+    item->setData(kMark, static_cast<int>(mark));
+    QString tip = words(volumes[n].name) + QLatin1Char('\n') + words(volumes[n].file.string());
+    if (volume) {
+      const Grid& grid = volume->grid;
+      const QLocale locale;
+      tip += QLatin1Char('\n') + tr("%1 voxels of %2 × %3 × %4 mm")
+                                     .arg(sizeOf(grid), locale.toString(grid.spacing_mm.x, 'g', 4),
+                                          locale.toString(grid.spacing_mm.y, 'g', 4), locale.toString(grid.spacing_mm.z, 'g', 4));
+    }
+    item->setToolTip(tip + QLatin1Char('\n') + wordsOfMark(mark) + QLatin1Char('\n') +
+                     tr("F2 renames, Alt + up and down move it, Delete takes it off the list"));
+  }
+  const auto chosen = session_.chosenVolume();
+  // Selected as well: a row that became the current one because another was taken away is not.
+  list_->setCurrentRow(chosen ? static_cast<int>(*chosen) : -1, QItemSelectionModel::ClearAndSelect);
+  chosenBox_->setVisible(chosen.has_value());
+  if (chosen) placement_->setCurrentIndex(placement_->findData(static_cast<int>(volumes[*chosen].placement)));
+  setMaximumHeight(list_->maximumHeight() + (chosen ? kGap_px + chosenBox_->sizeHint().height() : 0));
+  showing_ = was;
+}
+
+void VolumeList::chooseTransform() {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Place of %1").arg(words(session_.project().volumes[*chosen].name)),
+                                                    lastFolder(), tr("Transforms (*.txt *.tfm);;All files (*)"));
+  if (file.isEmpty()) return;
+  keepFolderOf(file);
+  auto text = session_.host().files().readText(file.toStdString());
+  if (!text) return Q_EMIT problem(phraseOf(text.error().sentence));
+  auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
+  if (!matrix) return Q_EMIT problem(phraseOf(matrix.error().sentence));
+  Q_EMIT problem({});
+  session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
+                tr("place %1 from a file").arg(words(letterOf(*chosen))));
+}
+
+void VolumeList::removeChosen() {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  session_.edit(withoutVolume(session_.project(), *chosen), tr("remove %1").arg(words(session_.project().volumes[*chosen].name)));
+}
+
+void VolumeList::moveChosen(int step) {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  const int to = static_cast<int>(*chosen) + step;
+  if (to < 0 || to >= list_->count()) return;
+  session_.edit(withVolumeMoved(session_.project(), *chosen, static_cast<std::size_t>(to)),
+                tr("move %1 in the list").arg(words(letterOf(*chosen))));
+  session_.chooseVolume(static_cast<std::size_t>(to));
+}
+
+bool VolumeList::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == list_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride)) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool act = event->type() == QEvent::KeyPress;
+    const bool up = key->key() == Qt::Key_Up;
+    if (key->key() == Qt::Key_Delete && key->modifiers() == Qt::NoModifier) {
+      if (act)
+        removeChosen();
+      else
+        event->accept();
+      return true;
+    }
+    if ((up || key->key() == Qt::Key_Down) && key->modifiers().testFlag(Qt::AltModifier)) {
+      if (act)
+        moveChosen(up ? -1 : 1);
+      else
+        event->accept();
+      return true;
+    }
+    if (!act && (up || key->key() == Qt::Key_Down || key->key() == Qt::Key_F2)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ew::stitching

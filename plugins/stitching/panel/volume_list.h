@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+#include "panel/stitch_session.h"
+
+class QComboBox;
+class QListWidget;
+
+namespace ew::stitching {
+
+/// The project's subvolumes: name, size, where the place comes from, and what holds each. Rows are renamed, moved and taken off here; the
+/// chosen one's place is told below them.
+class VolumeList final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit VolumeList(StitchSession& session, QWidget* parent = nullptr);
+  /// Shows the project as it is now. The panel calls it with its own refresh, so that nothing is laid out twice.
+  void refresh();
+
+ Q_SIGNALS:
+  void problem(const QString& sentence);  ///< empty: none any more
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeChosenBox();
+  void chooseTransform();
+  void removeChosen();
+  void moveChosen(int step);
+
+  StitchSession& session_;
+  QListWidget* list_ = nullptr;
+  QWidget* chosenBox_ = nullptr;
+  QComboBox* placement_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace ew::stitching
