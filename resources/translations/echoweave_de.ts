@@ -1908,11 +1908,11 @@
     </message>
     <message>
         <source>no pair needs a look</source>
-        <translation>kein Paar braucht einen Blick</translation>
+        <translation>kein Paar anzusehen</translation>
     </message>
     <message>
         <source>%1 of %2 pairs need a look</source>
-        <translation>%1 von %2 Paaren brauchen einen Blick</translation>
+        <translation>%1 von %2 Paaren ansehen</translation>
     </message>
     <message>
         <source>The project has no volume yet; add one before it is saved.</source>
@@ -2113,7 +2113,7 @@
     </message>
     <message>
         <source>%1 of %2 pairs not matched</source>
-        <translation>%1 von %2 Paaren nicht zugeordnet</translation>
+        <translation>%1 von %2 nicht zugeordnet</translation>
     </message>
     <message>
         <source>%1: in the list already.</source>

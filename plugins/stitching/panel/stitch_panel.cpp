@@ -397,7 +397,7 @@ void StitchPanel::refresh() {
   const bool made = session_.isResultFresh();
   setPrimary(match_, !matched && !placed);
   setPrimary(refine_, !matched && placed);
-  setPrimary(seams_, matched && !made);
+  setPrimary(seams_, matched && !made && session_.pairsToLookAt() == 0);  // a pair that needs a look comes first
   setPrimary(handOver_, matched && made);
   saveProject_->setEnabled(session_.document().hasUnsavedChanges());
   resultBox_->setVisible(session_.result() != nullptr);
