@@ -8,8 +8,8 @@ namespace {
 
 TEST(BenchStitch, MeasuresEverySettingAndDrawsThem) {
   const TemporaryFolder folder;
-  const auto outcome =
-      run({"bench", "stitch", "--side", "80", "--repetitions", "1", "--html", folder / "page", "--report", folder / "r.json"});
+  const auto outcome = run({"bench", "stitch", "--side", "80", "--repetitions", "1", "--html", folder / "page", "--report",
+                            folder / "r.json", "--note", "Nothing else ran."});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto quality = readJson(folder / "r.json")["quality"];
   const auto row = [&](const std::string& name) {
@@ -30,6 +30,7 @@ TEST(BenchStitch, MeasuresEverySettingAndDrawsThem) {
   for (const auto& threads : quality["threads_measured"]) EXPECT_TRUE(threads["same_voxels"].get<bool>());
   EXPECT_NE(outcome.out.find("derivative across the seam"), std::string::npos);
   EXPECT_EQ(stitchSections(quality).size(), 2u);
+  EXPECT_NE(readText(folder / "page/accuracy-and-time.html").find(". Nothing else ran."), std::string::npos) << "said beside the machine";
 }
 
 TEST(BenchStitch, RefusesOptionsOutsideTheirRange) {

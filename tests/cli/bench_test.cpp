@@ -123,6 +123,25 @@ TEST(BenchField, HasTheMeanThatItsSamplesHaveUnderANormalDistribution) {
   }
 }
 
+TEST(BenchPage, KeepsWhatAnotherRunMeasuredAndRenewsWhatThisOneDid) {
+  const auto section = [](const std::string& title, const std::string& text) {
+    BenchSection made;
+    made.title = title;
+    made.text = text;
+    return made;
+  };
+  const std::string first = benchPage("t", {"intro"}, {section("frames & more", "old frames"), section("slices", "old slices")});
+  const std::string second = benchPage("t", {"intro"}, {section("pairs", "new pairs"), section("slices", "new slices")}, first);
+  const auto at = [&](const std::string& words) { return second.find(words); };
+  EXPECT_LT(at("old frames"), at("new slices")) << "each stays where it was";
+  EXPECT_LT(at("new slices"), at("new pairs"));
+  EXPECT_NE(at("new pairs"), std::string::npos);
+  EXPECT_EQ(at("old slices"), std::string::npos);
+  EXPECT_EQ(at("intro"), second.rfind("intro")) << "no words before the sections are doubled";
+  EXPECT_EQ(benchPage("t", {"intro"}, {section("pairs", "new pairs"), section("slices", "new slices")}, second), second);
+  EXPECT_EQ(benchPage("t", {}, {section("a", "b")}, "<h2>no page of ours"), benchPage("t", {}, {section("a", "b")}));
+}
+
 TEST(BenchPage, EscapesWhatItShows) {
   BenchSection section;
   section.title = "a < b & c";

@@ -1,4 +1,7 @@
+#include <fstream>
 #include <ostream>
+#include <sstream>
+#include <utility>
 
 #include "arguments.h"
 #include "bench_frame.h"
@@ -19,6 +22,7 @@ using nlohmann::json;
 
 struct BenchArguments {
   std::string html;
+  std::string note;   ///< about the machine, for the page
   std::string paper;  ///< folder for the figures
   std::vector<std::string> sides;
   int sliceSide = 400;
@@ -196,19 +200,26 @@ Result<json> stitching(const BenchArguments& arguments, Run& run, Progress& prog
 
 constexpr const char* kPage = "accuracy-and-time.html";
 
-Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, const std::vector<BenchSection>& sections) {
+Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, std::vector<BenchSection> sections) {
   const std::filesystem::path folder(arguments.html);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   const std::vector<std::string> introduction = {
-      "Medians of interleaved repetitions, one run. Times of one thread are its processor time, so that other programs disturb them "
-      "little; "
-      "accuracy is measured against a field known exactly, so its ceiling is the rounding to 256 grey levels, and that of confidence "
-      "against "
-      "the shadows of a forward model. VTK's vtkImageReslice reads "
-      "the same voxels in the same memory, on one thread, with its optimisation on. In the charts, up and to the left is better.",
-      "Machine: " + machine};
-  if (auto written = writeFileSafely(folder / kPage, benchPage("EchoWeave: accuracy and time", introduction, sections)); !written)
+      "Medians of interleaved repetitions; what stands in one section comes from one run. Times of one thread are its processor time, so "
+      "that "
+      "other programs disturb them little; accuracy is measured against a field known exactly, so its ceiling is the rounding to 256 grey "
+      "levels, and that of confidence against the shadows of a forward model. VTK's vtkImageReslice reads the same voxels in the same "
+      "memory, "
+      "on one thread, with its optimisation on. In the charts, up and to the left is better."};
+  for (BenchSection& section : sections) {
+    section.text += (section.text.empty() ? "" : " ") + ("Machine: " + machine + ".");
+    if (!arguments.note.empty()) section.text += " " + arguments.note;
+  }
+  // What this run did not measure stays on the page.
+  std::ostringstream before;
+  if (std::ifstream old(folder / kPage, std::ios::binary); old) before << old.rdbuf();
+  if (auto written = writeFileSafely(folder / kPage, benchPage("EchoWeave: accuracy and time", introduction, sections, before.str()));
+      !written)
     return written;
   run.report.outputs.push_back((folder / kPage).string());
   run.say("Wrote " + (folder / kPage).string() + ".");
@@ -272,7 +283,7 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     if (auto taken = take("stitch", stitching(arguments, run, part), stitchSections); !taken) return passOn(taken.error());
   }
   if (!arguments.html.empty())
-    if (auto written = writePage(arguments, run, machine, sections); !written) return passOn(written.error());
+    if (auto written = writePage(arguments, run, machine, std::move(sections)); !written) return passOn(written.error());
   return kDone;
 }
 
@@ -285,8 +296,10 @@ void addBench(CLI::App& root, Selection& selection) {
     auto arguments = std::make_shared<BenchArguments>();
     auto& app =
         addCommand(group, selection, name, description, examples, [what, arguments](Run& run) { return bench(what, *arguments, run); });
-    app.add_option("--html", arguments->html, std::string("Also write ") + kPage + ", the curves of accuracy against time")
+    app.add_option("--html", arguments->html,
+                   std::string("Also write ") + kPage + ", the curves of accuracy against time; what it held of other benchmarks stays")
         ->type_name("DIR");
+    app.add_option("--note", arguments->note, "A sentence about the machine, for the page: what else it was doing")->type_name("TEXT");
     const bool slices = what != Bench::reconstruct && what != Bench::registration && what != Bench::stitch;
     if (slices)
       app.add_option("--side", arguments->sides, "Voxels a side of the volume; may be given several times (256 and 512)")

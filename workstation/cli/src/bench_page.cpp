@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace ew {
 namespace {
@@ -226,6 +228,32 @@ svg text { font: 12px system-ui, sans-serif; fill: var(--text); } .grid { stroke
 th, td { border-top: 1px solid var(--line); padding: 4px 8px; text-align: right; } .words { text-align: left; }
 )";
 
+const std::string kHeading = "<h2>", kHeadingEnd = "</h2>", kPageEnd = "</body></html>\n";
+
+std::string headingOf(const BenchSection& section) { return kHeading + escaped(section.title) + kHeadingEnd; }
+
+std::string htmlOf(const BenchSection& section) {
+  std::string html = headingOf(section) + "<section>";
+  if (!section.text.empty()) html += "<p>" + escaped(section.text) + "</p>";
+  html += legendOf(section);
+  if (!section.points.empty()) html += chart(section.points, section.axis);
+  if (!section.bars.empty()) html += barChart(section.bars, section.limits_ms);
+  return html + tableOf(section.table) + "</section>";
+}
+
+/// The sections of a page that benchPage made, as they stand there. None of another page.
+std::vector<std::string> sectionsOfPage(const std::string& page) {
+  std::vector<std::string> sections;
+  const std::size_t end = page.rfind(kPageEnd);
+  if (end == std::string::npos) return sections;
+  for (std::size_t from = page.find(kHeading); from < end;) {
+    const std::size_t next = std::min(page.find(kHeading, from + 1), end);
+    sections.push_back(page.substr(from, next - from));
+    from = next;
+  }
+  return sections;
+}
+
 }  // namespace
 
 std::string fixedText(double value, int decimals) {
@@ -234,20 +262,24 @@ std::string fixedText(double value, int decimals) {
   return text;
 }
 
-std::string benchPage(const std::string& title, const std::vector<std::string>& introduction, const std::vector<BenchSection>& sections) {
+std::string benchPage(const std::string& title, const std::vector<std::string>& introduction, const std::vector<BenchSection>& sections,
+                      const std::string& before) {
   std::string html =
       "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>" +
       escaped(title) + "</title><style>" + kStyle + "</style></head><body><h1>" + escaped(title) + "</h1>";
   for (const auto& paragraph : introduction) html += "<p>" + escaped(paragraph) + "</p>";
-  for (const BenchSection& section : sections) {
-    html += "<h2>" + escaped(section.title) + "</h2><section>";
-    if (!section.text.empty()) html += "<p>" + escaped(section.text) + "</p>";
-    html += legendOf(section);
-    if (!section.points.empty()) html += chart(section.points, section.axis);
-    if (!section.bars.empty()) html += barChart(section.bars, section.limits_ms);
-    html += tableOf(section.table) + "</section>";
-  }
-  return html + "</body></html>\n";
+  std::vector<BenchSection> left = sections;
+  const auto take = [&](const std::string& heading) {
+    const auto at = std::find_if(left.begin(), left.end(), [&](const BenchSection& section) { return headingOf(section) == heading; });
+    if (at == left.end()) return false;
+    html += htmlOf(*at);
+    left.erase(at);
+    return true;
+  };
+  for (const std::string& kept : sectionsOfPage(before))
+    if (!take(kept.substr(0, kept.find(kHeadingEnd) + kHeadingEnd.size()))) html += kept;
+  for (const BenchSection& section : left) html += htmlOf(section);
+  return html + kPageEnd;
 }
 
 }  // namespace ew

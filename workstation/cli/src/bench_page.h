@@ -54,8 +54,9 @@ struct BenchSection {
 };
 
 /// A self-contained page (no network, no script, light and dark). Texts are escaped.
+/// @param before the page as it was: its sections stay where they were unless one with the same title takes their place
 [[nodiscard]] std::string benchPage(const std::string& title, const std::vector<std::string>& introduction,
-                                    const std::vector<BenchSection>& sections);
+                                    const std::vector<BenchSection>& sections, const std::string& before = {});
 
 /// "1.234"
 [[nodiscard]] std::string fixedText(double value, int decimals);
