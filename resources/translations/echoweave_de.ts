@@ -1247,6 +1247,10 @@
         <source>%1 numbers</source>
         <translation>%1 Zahlen</translation>
     </message>
+    <message>
+        <source>Looking for motion that is left</source>
+        <translation>Übrige Bewegung wird gesucht</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::PlacementView</name>

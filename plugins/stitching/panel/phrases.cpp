@@ -23,6 +23,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Comparing images"),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Comparing"),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Looking for shadows"),
+    QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Looking for motion that is left"),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Looking for large motion"),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Writing out the displacements"),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "Warping the moving volume"),
