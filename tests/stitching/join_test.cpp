@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <malloc.h>
-
 #include <atomic>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "memory_in_use.h"
 #include "stitching/views.h"
 
 namespace ew::stitching {
@@ -305,10 +304,6 @@ TEST(FindSeams, GivesWhatAStrokeCoversToTheViewItNamesWhereThatCovers) {
 /// Samples the memory in use whenever it is asked.
 class WatchedMemory final : public Progress {
  public:
-  static std::uint64_t used() {
-    const auto now = mallinfo2();
-    return now.uordblks + now.hblkhd;
-  }
   void report(std::string_view, double) override { look(); }
   bool cancelRequested() const override {
     look();
@@ -318,12 +313,12 @@ class WatchedMemory final : public Progress {
 
  private:
   void look() const {
-    const std::uint64_t now = used();
+    const std::uint64_t now = test::memoryInUse_bytes();
     std::uint64_t known = most_;
     while (known < now && !most_.compare_exchange_weak(known, now)) {
     }
   }
-  std::uint64_t atFirst_ = used();
+  std::uint64_t atFirst_ = test::memoryInUse_bytes();
   mutable std::atomic<std::uint64_t> most_{atFirst_};
 };
 

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <malloc.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include "ew/io/volume_stream.h"
 #include "ew/phantom/speckled_view.h"
 #include "ew/stitching/equalise_views.h"
+#include "memory_in_use.h"
 #include "stitching/views.h"
 
 /// Seams of views whose truth is known: what measure 20 says of them, and that it says so of those that are bad.
@@ -198,8 +198,7 @@ class FileSink final : public BlockSink {
     echo_.put(corner, size, echo);
     coverage_.put(corner, size, coverage);
     source_.put(corner, size, source);
-    const auto now = mallinfo2();
-    most = std::max<std::uint64_t>(most, now.uordblks + now.hblkhd);
+    most_bytes = std::max(most_bytes, test::memoryInUse_bytes());
     return {};
   }
   Result<void> finish() {
@@ -207,7 +206,7 @@ class FileSink final : public BlockSink {
       if (auto done = stream->finish(); !done) return done;
     return {};
   }
-  std::uint64_t most = 0;
+  std::uint64_t most_bytes = 0;
 
  private:
   VolumeStream echo_, coverage_, source_;
@@ -243,12 +242,12 @@ TEST(Join, MakesAWholeLargerThanItsMemoryIntoFiles) {
     ASSERT_TRUE(stream) << (stream ? "" : stream.error().sentence);
     streams.push_back(std::move(*stream));
   }
-  const auto before = mallinfo2();
+  const std::uint64_t before_bytes = test::memoryInUse_bytes();
   FileSink sink(std::move(streams[0]), std::move(streams[1]), std::move(streams[2]));
   ASSERT_TRUE(join(two.views, *seams, grid, options, sink, noProgress()));
   ASSERT_TRUE(sink.finish());
-  const std::uint64_t taken = sink.most - (before.uordblks + before.hblkhd);
-  EXPECT_LT(taken, grid.voxelCount()) << "three bytes a voxel of " << grid.voxelCount() << " voxels are not to be held";
+  const std::uint64_t taken_bytes = sink.most_bytes - before_bytes;
+  EXPECT_LT(taken_bytes, grid.voxelCount()) << "three bytes a voxel of " << grid.voxelCount() << " voxels are not to be held";
 
   const auto whole = join(two.views, *seams, grid, options, noProgress());
   ASSERT_TRUE(whole);
