@@ -15,13 +15,19 @@ constexpr int kBlocks = 1200;       // looked at, at most about
 constexpr double kCovered = 0.5;    // of a block, or it is not looked at
 constexpr double kAround_mm = 9.0;  // of a node: whose blocks speak for it
 constexpr double kFewest = 2.0;     // blocks that must have told
+constexpr double kPlainly = 0.95;    // of the difference at rest: a correlation alone is highest where structure is strongest, moved or not
 
 enum class Told : std::uint8_t { notAsked, nothing, still, moved };
 
-double correlationOf(const std::array<double, kMoments>& m) {
-  if (!(m[0] > 0.0)) return -1.0;
+/// How alike two sets of samples are, each less its mean.
+struct Alike {
+  double correlation = -1.0;
+  double difference = 0.0;  ///< mean square
+};
+Alike alikeOf(const std::array<double, kMoments>& m) {
+  if (!(m[0] > 0.0)) return {};
   const double ff = m[3] - m[1] * m[1] / m[0], mm = m[4] - m[2] * m[2] / m[0], fm = m[5] - m[1] * m[2] / m[0];
-  return ff > 1e-6 * m[0] && mm > 1e-6 * m[0] ? fm / std::sqrt(ff * mm) : -1.0;
+  return {ff > 1e-6 * m[0] && mm > 1e-6 * m[0] ? fm / std::sqrt(ff * mm) : -1.0, (ff + mm - 2.0 * fm) / m[0]};
 }
 
 struct Blocks {
@@ -63,8 +69,10 @@ void lookAlong(const LevelPair& pair, const Blocks& blocks, int j, int k, Told* 
   const int stride = blocks.count.x * size.x;
   const auto across = static_cast<std::size_t>(blocks.count.x);
   struct Best {
-    double correlation = -1.0;
+    Alike alike;
     std::size_t shift = 0;
+    double atRest = 0.0;  ///< difference without a shift
+    [[nodiscard]] bool plainly() const { return alike.difference < kPlainly * atRest; }
   };
   std::vector<std::array<Best, 2>> best(across);
   std::vector<std::array<double, 2>> covered(across);
@@ -98,16 +106,23 @@ void lookAlong(const LevelPair& pair, const Blocks& blocks, int j, int k, Told* 
       for (std::size_t h = 0; h < 2; ++h) {
         if (s == 0) covered[b][h] = sums[h][0];
         if (sums[h][0] < 0.5 * covered[b][h]) continue;
-        const double correlation = correlationOf(sums[h]);
-        if (correlation > best[b][h].correlation) best[b][h] = {correlation, s};
+        const Alike alike = alikeOf(sums[h]);
+        if (s == 0) best[b][h].atRest = alike.difference;
+        if (alike.correlation > best[b][h].alike.correlation) best[b][h].alike = alike, best[b][h].shift = s;
       }
     }
   }
   const double whole = static_cast<double>(size.x) * size.y * size.z;
   for (std::size_t b = 0; b < across; ++b) {
     const auto& [one, other] = best[b];
-    if (covered[b][0] + covered[b][1] < kCovered * whole || one.correlation < 0.0 || other.correlation < 0.0) continue;
-    told[b] = one.shift != other.shift ? Told::nothing : one.shift == 0 ? Told::still : Told::moved;
+    if (covered[b][0] + covered[b][1] < kCovered * whole || one.alike.correlation < 0.0 || other.alike.correlation < 0.0) continue;
+    if (one.shift != other.shift) {
+      told[b] = Told::nothing;
+    } else if (one.shift == 0) {
+      told[b] = Told::still;
+    } else {
+      told[b] = one.plainly() && other.plainly() ? Told::moved : Told::nothing;
+    }
     length_mm[b] = static_cast<float>(glm::length(glm::dvec3(blocks.shifts[one.shift]) * fixed.spacing_mm));
   }
 }
