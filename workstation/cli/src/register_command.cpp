@@ -291,6 +291,8 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
         only(arguments.stepTurn_deg.has_value(), "--step-turn", {"partial"}),
         only(arguments.leastOverlap.has_value(), "--least-overlap", {"partial"}),
         only(arguments.effort != "balanced", "--effort", {"elastic3d"}),
+        only(arguments.beamFixed.has_value(), "--beam-fixed", {"rigid", "partial", "elastic3d"}),
+        only(arguments.beamMoving.has_value(), "--beam-moving", {"rigid", "partial", "elastic3d"}),
         only(arguments.finest_mm.has_value(), "--finest", {"rigid", "partial", "elastic3d"}),
         only(arguments.node_mm.has_value(), "--node", {"elastic3d"}),
         only(arguments.stiffness.has_value(), "--stiffness", {"elastic2d", "elastic3d"}),
@@ -487,8 +489,9 @@ void addRegister(CLI::App& root, Selection& selection) {
   app.add_option("--confidence-fixed", arguments->confidenceFixed, "How far each voxel of FIXED is believed, 0..255 on the same grid")
       ->type_name("C.mha");
   app.add_option("--confidence-moving", arguments->confidenceMoving, "The same of MOVING")->type_name("C.mha");
-  addNumberList(app, "--beam-fixed", arguments->beamFixed, 3, "X Y Z",
-                "rigid, partial: the direction of FIXED's beams, in its coordinates; shadows along it do not count (looked for)");
+  addNumberList(
+      app, "--beam-fixed", arguments->beamFixed, 3, "X Y Z",
+      "rigid, partial, elastic3d: the direction of FIXED's beams, in its coordinates; shadows along it do not count (looked for)");
   addNumberList(app, "--beam-moving", arguments->beamMoving, 3, "X Y Z", "The same of MOVING");
   app.add_option("--effort", arguments->effort, "elastic3d: fast, balanced or accurate (balanced)")
       ->check(CLI::IsMember({"fast", "balanced", "accurate"}))

@@ -476,7 +476,8 @@ Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::s
         level.weight[q] = inside ? 1.0f : 0.0f;
       }
     }
-    if (input.beams && !takeOutAlong(grid, *input.beams, kAlongBeam_mm, level.weight, level.sum, options.threads, progress))
+    const RowLayout rows{static_cast<std::size_t>(grid.dims.x)};
+    if (input.beams && !takeOutAlong(grid, rows, *input.beams, kAlongBeam_mm, level.weight, level.sum, options.threads, progress))
       return cancelled();
     if (!normalise(std::move(level), options, levels[l], progress)) return cancelled();
   }

@@ -25,14 +25,14 @@ struct Tap {
 };
 
 /// The line through a voxel, read by linear interpolation: the same steps for every voxel.
-std::vector<Tap> tapsAlong(const glm::dvec3& direction, double voxel_mm, double sigma_mm) {
-  const double between_mm = std::max(voxel_mm, 0.25 * sigma_mm);
+std::vector<Tap> tapsAlong(const glm::dvec3& direction, const glm::dvec3& voxel_mm, double sigma_mm) {
+  const double between_mm = std::max(std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z}), 0.25 * sigma_mm);
   const int reach = static_cast<int>(std::ceil(2.5 * sigma_mm / between_mm));
   std::map<std::tuple<int, int, int>, double> taps;
   for (int t = -reach; t <= reach; ++t) {
     const double along_mm = t * between_mm;
     const double g = std::exp(-0.5 * along_mm * along_mm / (sigma_mm * sigma_mm));
-    const glm::dvec3 at = direction * (along_mm / voxel_mm);
+    const glm::dvec3 at = direction * along_mm / voxel_mm;
     const glm::dvec3 low = glm::floor(at);
     const glm::dvec3 share = at - low;
     for (int c = 0; c < 8; ++c) {
@@ -90,9 +90,13 @@ void addAlike(const ComparableImage& image, const glm::ivec3& step, int stride, 
 
 }  // namespace
 
-bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const std::vector<float>& weight, std::vector<float>& sum,
-                  int threads, Progress& progress) {
-  const double voxel_mm = grid.spacing_mm.x;
+bool takeOutAlong(const Grid& grid, const RowLayout& rows, const Beams& beams, double sigma_mm, const std::vector<float>& weight,
+                  std::vector<float>& sum, int threads, Progress& progress) {
+  const glm::dvec3 voxel_mm = grid.spacing_mm;
+  const auto rowOf = [&](int j, int k) {
+    return rows.first + (static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.dims.y) + static_cast<std::size_t>(j)) * rows.stride;
+  };
+  const bool weighted = !weight.empty();
   const glm::dmat3 toAxes = glm::transpose(grid.directions);
   const glm::ivec3 dims = grid.dims;
   std::vector<float> out(sum.size());
@@ -110,10 +114,10 @@ bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const s
         if (y < 0 || y >= dims.y || z < 0 || z >= dims.z) continue;
         const int begin = std::max(first, -tap.step.x);
         const int end = std::min(last, dims.x - tap.step.x);
-        const std::size_t row = grid.indexOf(0, y, z);
+        const std::size_t row = rowOf(y, z);
         for (int i = begin; i < end; ++i) {
           echo[i] += tap.weight * sum[row + i + tap.step.x];
-          share[i] += tap.weight * weight[row + i + tap.step.x];
+          share[i] += tap.weight * (weighted ? weight[row + i + tap.step.x] : 1.0f);
         }
       }
     };
@@ -135,9 +139,10 @@ bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const s
           here = next;
         }
       }
-      const std::size_t at = grid.indexOf(0, j, k);
+      const std::size_t at = rowOf(j, k);
       for (int i = 0; i < dims.x; ++i) {
-        out[at + i] = share[i] > 1e-6f ? sum[at + i] - weight[at + i] * echo[i] / share[i] : 0.0f;
+        const float here = weighted ? weight[at + i] : 1.0f;
+        out[at + i] = share[i] > 1e-6f ? sum[at + i] - here * echo[i] / share[i] : 0.0f;
       }
     }
   });
@@ -146,7 +151,7 @@ bool takeOutAlong(const Grid& grid, const Beams& beams, double sigma_mm, const s
 }
 
 std::vector<glm::dvec3> findStreaks(const ComparableImage& image, int threads, Progress& progress) {
-  const double voxel_mm = image.grid.spacing_mm.x;
+  const glm::dvec3 voxel_mm = image.grid.spacing_mm;
   const int stride = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(image.grid.voxelCount()) / kMostRows))));
   std::vector<glm::dvec3> directions(kDirections);
   std::vector<double> alike(kDirections, 0.0);
@@ -159,9 +164,9 @@ std::vector<glm::dvec3> findStreaks(const ComparableImage& image, int threads, P
   const bool done = forEachTask(kDirections, threads, progress, "Looking for shadows", [&](int d) {
     Alike sums;
     for (const double along_mm : {18.0, 24.0, 30.0, 36.0}) {
-      addAlike(image, glm::ivec3(glm::round(directions[d] * (along_mm / voxel_mm))), stride, sums);
+      addAlike(image, glm::ivec3(glm::round(directions[d] * along_mm / voxel_mm)), stride, sums);
     }
-    const double compared_mm3 = sums.count * stride * stride * voxel_mm * voxel_mm * voxel_mm;
+    const double compared_mm3 = sums.count * stride * stride * voxel_mm.x * voxel_mm.y * voxel_mm.z;
     if (compared_mm3 >= kLeastCompared_mm3 && sums.here > 0.0 && sums.there > 0.0) {
       alike[d] = sums.both / std::sqrt(sums.here * sums.there);
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "comparable.h"
+#include "elastic/along_beams.h"
 #include "elastic/left_motion.h"
 #include "elastic/levels.h"
 #include "elastic/wide_start.h"
@@ -23,10 +24,11 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 constexpr double kAgreement_mm = 2.0;  // voxels at which agreement is stated: speckle is suppressed, structure is not
 constexpr double kCoarsest_mm = 4.0;
-constexpr double kLookedAt_mm = 0.7;  // the finest voxels, from these on, at which motion left by the bend is looked for
-constexpr double kLeftShare = 0.32;   // of the places that tell; less one deviation good bends reach 0.26, missed waves 0.33 to 0.96
-constexpr double kLeftPlaces = 12.0;  // that must tell
-constexpr double kSearched = 3.0;     // measured on unrelated tissue, which reaches about 1.3 times the root of p / n
+constexpr double kLookedAt_mm = 0.7;       // the finest voxels, from these on, at which motion left by the bend is looked for
+constexpr double kLeftShare = 0.32;        // of the places that tell; less one deviation good bends reach 0.26, missed waves 0.33 to 0.96
+constexpr double kLeftPlaces = 12.0;       // that must tell
+constexpr double kStreakyMembrane = 5e-2;  // weight of slopes: what is left of shadows pulls far from tissue that holds against it
+constexpr double kSearched = 3.0;          // measured on unrelated tissue, which reaches about 1.3 times the root of p / n
 
 /// Places in a level are 32-bit numbers.
 Result<void> checkSize(const Input& input, const char* side) {
@@ -214,7 +216,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "The elastic registration was cancelled."); };
 
   const Grid& grid = fixed.volume->grid;
-  const ElasticSettings settings = settingsFor(options, grid);
+  ElasticSettings settings = settingsFor(options, grid);
   const AxesTransform transform = axesTransformOf(grid, moving.volume->grid, start);
   const int threads = threadCount(options.threads);
   const auto outOfTime = [&] { return options.maxTime_s > 0.0 && secondsSince(begun) > options.maxTime_s; };
@@ -233,6 +235,7 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
   if (!forEachTask(2, threads, quiet, "Preparing the images",
                    [&](int side) { belief[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed : moving); }))
     return cancelled();
+  std::optional<BeamPair> takenOut;
   LevelImage fixedStated, movingStated;      // the level at which agreement is stated
   LevelImage fixedLookedAt, movingLookedAt;  // without samples: the one before
   Stated before, after;
@@ -274,26 +277,28 @@ Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, c
     PartOfProgress part(progress, 0.95 * done / work, 0.95 * (done + std::pow(step.voxel_mm, -2.0)) / work);
     done += std::pow(step.voxel_mm, -2.0);
     part.report("Preparing the images", 0.0);
-    std::array<LevelImage, 2> level;
-    const auto make = [&](int side, int own) {
-      const auto at = static_cast<std::size_t>(side);
-      return makeLevel(side == 0 ? fixed : moving, belief[at], step.voxel_mm, settings.window_mm, own, quiet, level[at]);
-    };
-    if (threads > 1 && alike) {
+    LevelImage fixedLevel, movingLevel;
+    const auto makeLevels = [&](const BeamPair* along, LevelImage& f, LevelImage& m) {
+      const auto make = [&](int side, int own) {
+        const Beams* beams = along == nullptr ? nullptr : side == 0 ? &along->fixed : &along->moving;
+        return makeLevel(side == 0 ? fixed : moving, belief[static_cast<std::size_t>(side)], step.voxel_mm, settings.window_mm, own, quiet,
+                         side == 0 ? f : m, beams);
+      };
+      if (threads == 1 || !alike) return make(0, threads) && make(1, threads);
       // Beside each other also what one image does on one thread: memory that is cleared, small images that are smoothed.
       std::array<std::uint8_t, 2> made{};
       const int each = (threads + 1) / 2;
-      if (!forEachTask(2, 2, quiet, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) ||
-          made[0] == 0 || made[1] == 0)
-        return cancelled();
-    } else {
-      if (!make(0, threads)) return cancelled();
-      part.report("Preparing the images", 0.1);
-      if (!make(1, threads)) return cancelled();
+      return forEachTask(2, 2, quiet, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) &&
+             made[0] != 0 && made[1] != 0;
+    };
+    if (!makeLevels(takenOut ? &*takenOut : nullptr, fixedLevel, movingLevel)) return cancelled();
+    if (s == 0) {
+      if (weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
+        return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
+      takenOut = beamsToTakeOut(fixed, moving, start, transform, state.nodes, makeLevels, threads, quiet, fixedLevel, movingLevel);
+      if (progress.cancelRequested()) return cancelled();
+      if (takenOut) settings.prior.membrane = kStreakyMembrane;
     }
-    auto& [fixedLevel, movingLevel] = level;
-    if (s == 0 && weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
-      return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
     LevelOutcome outcome;
     if (s == 0 && options.largestMotion_mm > 0.0) {
       PartOfProgress looking(part, 0.2, 0.6);

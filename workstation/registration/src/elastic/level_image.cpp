@@ -6,6 +6,7 @@
 
 #include "comparable.h"
 #include "ew/core/parallel.h"
+#include "streaks.h"
 
 namespace ew::registration {
 namespace {
@@ -79,36 +80,63 @@ constexpr double kGreyFloor = 12.0;  // grey levels of deviation that noise alon
 
 constexpr double kBrightness_mm = 2.0;  // smooth enough for speckle to count little, fine enough for a shadow of a few millimetres
 
-/// Takes local mean and deviation out of `level`, whose values are grey levels. Both are smooth, so blocks of about 3 mm suffice.
-bool normalise(LevelImage& level, double window_mm, int threads, Progress& progress) {
-  BlockMap mean(level, 0.4 * window_mm);
-  const glm::ivec3 size = mean.size, blocks = mean.blocks;
-  std::array<std::vector<double>, 3> moments;
-  for (auto& moment : moments) moment.assign(mean.count(), 0.0);
-  if (!forEachTask(blocks.z, threads, progress, "Preparing the images", [&](int slab) {
-        const int last = std::min(level.dims.z, (slab + 1) * size.z);
-        for (int k = slab * size.z; k < last; ++k) {
-          for (int j = 0; j < level.dims.y; ++j) {
-            const float* value = level.values.data() + level.rowOf(j, k);
-            const float* weight = level.weights.empty() ? nullptr : level.weights.data() + level.rowOf(j, k);
-            for (int b = 0; b < blocks.x; ++b) {
-              float sums[3] = {0.0F, 0.0F, 0.0F};
-              const int end = std::min(level.dims.x, (b + 1) * size.x);
-              for (int i = b * size.x; i < end; ++i) {
-                const float w = weight != nullptr ? weight[i] : 1.0F;
-                sums[0] += w;
-                sums[1] += w * value[i];
-                sums[2] += w * value[i] * value[i];
-              }
-              const std::size_t at = mean.indexOf(b, j / size.y, slab);
-              for (std::size_t m = 0; m < 3; ++m) moments[m][at] += static_cast<double>(sums[m]);
-            }
+/// Sums over blocks of weight, weight times value and weight times value squared.
+using Moments = std::array<std::vector<double>, 3>;
+bool momentsOf(const LevelImage& level, const BlockMap& map, int threads, Progress& progress, Moments& moments) {
+  const glm::ivec3 size = map.size, blocks = map.blocks;
+  for (auto& moment : moments) moment.assign(map.count(), 0.0);
+  return forEachTask(blocks.z, threads, progress, "Preparing the images", [&](int slab) {
+    const int last = std::min(level.dims.z, (slab + 1) * size.z);
+    for (int k = slab * size.z; k < last; ++k) {
+      for (int j = 0; j < level.dims.y; ++j) {
+        const float* value = level.values.data() + level.rowOf(j, k);
+        const float* weight = level.weights.empty() ? nullptr : level.weights.data() + level.rowOf(j, k);
+        for (int b = 0; b < blocks.x; ++b) {
+          float sums[3] = {0.0F, 0.0F, 0.0F};
+          const int end = std::min(level.dims.x, (b + 1) * size.x);
+          for (int i = b * size.x; i < end; ++i) {
+            const float w = weight != nullptr ? weight[i] : 1.0F;
+            sums[0] += w;
+            sums[1] += w * value[i];
+            sums[2] += w * value[i] * value[i];
           }
+          const std::size_t at = map.indexOf(b, j / size.y, slab);
+          for (std::size_t m = 0; m < 3; ++m) moments[m][at] += static_cast<double>(sums[m]);
         }
-      }))
+      }
+    }
+  });
+}
+
+/// What runs along the beams, out of `level`, whose values are grey levels.
+bool takeOut(const Beams& along, const Grid& volume, int threads, Progress& progress, LevelImage& level) {
+  Grid grid = volume;
+  grid.dims = level.dims;
+  grid.spacing_mm = level.spacing_mm;
+  grid.origin_mm = volume.origin_mm + volume.directions * level.first_mm;
+  const auto weigh = [&](bool undo) {
+    for (std::size_t n = 0; n < level.weights.size(); ++n) {
+      const float w = level.weights[n];
+      level.values[n] = undo ? (w > 0.0F ? level.values[n] / w : 0.0F) : level.values[n] * w;
+    }
+  };
+  weigh(false);
+  if (!takeOutAlong(grid, {static_cast<std::size_t>(level.stride), level.rowOf(0, 0)}, along, kAlongBeam_mm, level.weights, level.values,
+                    threads, progress))
     return false;
+  weigh(true);
+  return true;
+}
+
+/// Takes local mean and deviation out of `level`, whose values are grey levels. Both are smooth, so blocks of about 3 mm suffice.
+bool normalise(const Grid& volume, const Beams* along, double window_mm, int threads, Progress& progress, LevelImage& level) {
+  BlockMap mean(level, 0.4 * window_mm);
+  Moments moments;
+  if (!momentsOf(level, mean, threads, progress, moments)) return false;
   level.brightness = mean;
   std::array<std::vector<double>, 2> near{moments[0], moments[1]};
+  if (along != nullptr && (!takeOut(*along, volume, threads, progress, level) || !momentsOf(level, mean, threads, progress, moments)))
+    return false;
   // One task per image to be smoothed: each is added up in one order.
   if (!forEachTask(5, threads, progress, "Preparing the images", [&](int task) {
         const auto n = static_cast<std::size_t>(task);
@@ -242,7 +270,7 @@ std::vector<std::uint8_t> beliefOf(const Input& input) {
 }
 
 bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, double voxel_mm, double window_mm, int threads,
-               Progress& progress, LevelImage& level) {
+               Progress& progress, LevelImage& level, const Beams* along) {
   const Volume& volume = *input.volume;
   const Grid& grid = volume.grid;
   std::array<Taps, 3> taps;
@@ -357,7 +385,7 @@ bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, doub
       return false;
     slices = {};
   }
-  if (!normalise(level, window_mm, threads, progress)) return false;
+  if (!normalise(grid, along, window_mm, threads, progress, level)) return false;
   if (weighted) shrinkWeights(level);
   return true;
 }

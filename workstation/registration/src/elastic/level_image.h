@@ -67,8 +67,9 @@ void blurBlocks(std::vector<double>& values, const BlockMap& map, const glm::dve
 
 /// @param voxel_mm  of the level; never finer than the volume's own
 /// @param window_mm standard deviation of the window of mean and deviation
+/// @param along     what runs along these beams of the volume is taken out first (not of the brightness); null: nothing is
 /// @return false when cancelled
 [[nodiscard]] bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, double voxel_mm, double window_mm, int threads,
-                             Progress& progress, LevelImage& level);
+                             Progress& progress, LevelImage& level, const Beams* along = nullptr);
 
 }  // namespace ew::registration
