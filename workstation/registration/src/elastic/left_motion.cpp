@@ -15,7 +15,7 @@ constexpr int kBlocks = 1200;       // looked at, at most about
 constexpr double kCovered = 0.5;    // of a block, or it is not looked at
 constexpr double kAround_mm = 9.0;  // of a node: whose blocks speak for it
 constexpr double kFewest = 2.0;     // blocks that must have told
-constexpr double kPlainly = 0.95;    // of the difference at rest: a correlation alone is highest where structure is strongest, moved or not
+constexpr double kPlainly = 0.95;   // of the difference at rest: a correlation alone is highest where structure is strongest, moved or not
 
 enum class Told : std::uint8_t { notAsked, nothing, still, moved };
 
