@@ -156,6 +156,7 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
         const std::size_t at = fixed.grid.indexOf(0, j, k);
         job.fixedValue = fixed.value.data() + at;
         job.fixedWeight = fixed.inner.data() + at;
+        job.room = static_cast<std::ptrdiff_t>(fixed.value.size() - at);
         for (int a = 0; a < 3; ++a) job.at[a] = static_cast<float>(start[a]);
         const int begin = std::clamp(static_cast<int>(std::ceil(low)), 1, dims.x - 1);
         const int end = std::clamp(static_cast<int>(std::floor(high)) + 1, begin, dims.x - 1);

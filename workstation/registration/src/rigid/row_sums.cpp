@@ -1,5 +1,7 @@
 #include "row_sums.h"
 
+#include <algorithm>
+
 // The instruction sets left out would only repeat the code of a neighbour, or have vectors that cannot stand in arrays.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -43,8 +45,22 @@ void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
   for (int i = job.begin; i < job.end; i += lanes) {
     const VI index = hn::Add(hn::Iota(di, 0), hn::Set(di, i));
     const V at = hn::ConvertTo(d, index);
-    // Past the stretch the weight is nothing; reading there is safe because inner voxels have a row behind them.
-    V w = hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(du8, job.fixedWeight + i)));
+    // Past the stretch the weight is nothing, and what is read there does not count. In the last rows of an image it may not be read.
+    const bool atEnd = i + job.fixedPlane + lanes > job.room;
+    const int inside = std::min(lanes, job.end - i);
+    const auto load = [&](const float* from) HWY_ATTR {
+      if (!atEnd) return hn::LoadU(d, from);
+      HWY_ALIGN float some[hn::MaxLanes(d)] = {};
+      std::copy_n(from, inside, some);
+      return hn::Load(d, some);
+    };
+    const auto loadWeight = [&](const std::uint8_t* from) HWY_ATTR {
+      if (!atEnd) return hn::LoadU(du8, from);
+      HWY_ALIGN std::uint8_t some[hn::MaxLanes(d)] = {};
+      std::copy_n(from, inside, some);
+      return hn::LoadU(du8, some);
+    };
+    V w = hn::ConvertTo(d, hn::PromoteTo(di, loadWeight(job.fixedWeight + i)));
     w = hn::IfThenElseZero(hn::Lt(at, hn::Set(d, static_cast<float>(job.end))), w);
     if (hn::AllTrue(d, hn::Eq(w, zero))) continue;
     const V x = hn::MulAdd(at, hn::Set(d, job.step[0]), hn::Set(d, job.at[0]));
@@ -89,7 +105,7 @@ void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
     const V g1 = hn::MulAdd(fy, dy1, e01);
     const V gz = hn::Sub(g1, g0);
     const V m = hn::MulAdd(fz, gz, g0);
-    const V f = hn::LoadU(d, job.fixedValue + i);
+    const V f = load(job.fixedValue + i);
     const V r = hn::Sub(f, m);
     count = hn::Add(count, hn::IfThenElseZero(valid, one));
     weight = hn::Add(weight, w);
@@ -111,9 +127,9 @@ void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
     const V gx = hn::MulAdd(fz, hn::Sub(dx1, dx0), dx0);
     const V gy = hn::MulAdd(fz, hn::Sub(dy1, dy0), dy0);
     const float* fixed = job.fixedValue + i;
-    const V ffx = hn::Mul(half, hn::Sub(hn::LoadU(d, fixed + 1), hn::LoadU(d, fixed - 1)));
-    const V ffy = hn::Mul(half, hn::Sub(hn::LoadU(d, fixed + job.fixedRow), hn::LoadU(d, fixed - job.fixedRow)));
-    const V ffz = hn::Mul(half, hn::Sub(hn::LoadU(d, fixed + job.fixedPlane), hn::LoadU(d, fixed - job.fixedPlane)));
+    const V ffx = hn::Mul(half, hn::Sub(load(fixed + 1), load(fixed - 1)));
+    const V ffy = hn::Mul(half, hn::Sub(load(fixed + job.fixedRow), load(fixed - job.fixedRow)));
+    const V ffz = hn::Mul(half, hn::Sub(load(fixed + job.fixedPlane), load(fixed - job.fixedPlane)));
     const auto turned = [&](int a) HWY_ATTR {
       const V sum = hn::Mul(hn::Set(d, job.turn[3 * a]), gx);
       return hn::MulAdd(hn::Set(d, job.turn[3 * a + 2]), gz, hn::MulAdd(hn::Set(d, job.turn[3 * a + 1]), gy, sum));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace ew::registration {
@@ -10,6 +11,7 @@ struct PoseRow {
   const std::uint8_t* fixedWeight = nullptr;  ///< likewise; > 0 only where all neighbours exist
   int fixedRow = 0;                           ///< floats to the next row and plane
   int fixedPlane = 0;
+  std::ptrdiff_t room = 0;  ///< voxels of the image from i = 0 of the row on
   int begin = 0;
   int end = 0;
   const float* moving = nullptr;  ///< packed
