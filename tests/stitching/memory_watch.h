@@ -13,7 +13,11 @@ class MemoryWatch {
   MemoryWatch() {
     malloc_trim(0);
     before_mib_ = own_mib("VmRSS");
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    known_ = false;  // the sanitizers keep what is freed, and shadows of it
+#else
     known_ = forgetPeak() && before_mib_ > 0.0;
+#endif
   }
   [[nodiscard]] bool isKnown() const { return known_; }
   /// Since the watch was made or the peak was forgotten.
