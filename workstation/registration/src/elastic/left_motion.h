@@ -24,7 +24,8 @@ struct LeftMotion {
 
 /// The images of `pair` as they were warped last, for which samples must not have been doubted. A block's voxels are halved like a
 /// checkerboard of eight cubes; either half names the shift under which it correlates best. Where nothing moves any more both name none;
-/// where nothing can be told they name different ones. About a thousand blocks are looked at, of larger volumes not all.
+/// where nothing can be told they name different ones, or one under which the difference is no smaller than without. About a thousand
+/// blocks are looked at, of larger volumes not all.
 /// @return false when cancelled
 [[nodiscard]] bool lookForLeftMotion(const LevelPair& pair, const NodeGrid& nodes, int threads, Progress& progress, LeftMotion& left);
 
