@@ -1,12 +1,15 @@
 #include "ew/io/safe_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <stdexcept>
 
 #include "ew/io/image_file.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
+#include "ew/io/volume_stream.h"
 #include "files.h"
 
 namespace ew {
@@ -88,15 +91,83 @@ TEST(SafeFile, APairKeepsItsOldSamplesWhenItsHeaderCannotBeWritten) {
   EXPECT_EQ(folder.names().size(), 2u);
 }
 
+/// For its lifetime no file grows beyond `bytes`: the system refuses the rest as a full medium does, wherever the test runs.
+class SmallMedium {
+ public:
+  explicit SmallMedium(rlim_t bytes) : signal_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallMedium() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_);
+  }
+  SmallMedium(const SmallMedium&) = delete;
+  SmallMedium& operator=(const SmallMedium&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int);
+};
+
 TEST(SafeFile, AFullMediumIsAnErrorAndNotAShortFile) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const TempFolder folder;
-  const auto written = writeFileSafely(folder / "a.bin", [](std::ostream& out) -> Result<void> {
-    out.setstate(std::ios::badbit);  // what a stream reports when the medium takes no more
-    return {};
-  });
-  EXPECT_TRUE(failedWith(written, ErrorCode::notWritable));
-  EXPECT_TRUE(folder.names().empty());
+  const auto kept = folder.put("kept.txt", "before");
+  // 100 bytes fail when the stream is emptied at the end, 1 MB while it is written.
+  for (const std::size_t bytes : {std::size_t{100}, std::size_t{1} << 20})
+    for (const char* name : {"new.txt", "kept.txt"}) {
+      const auto written = [&] {
+        const SmallMedium medium(10);
+        return writeFileSafely(folder / name, std::string(bytes, 'x'));
+      }();
+      EXPECT_TRUE(failedWith(written, ErrorCode::notWritable)) << bytes;
+      if (bytes == 100) {
+        EXPECT_TRUE(says(written, "File too large")) << "the system's own reason";
+      }
+    }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"kept.txt"});
+  EXPECT_EQ(bytesOfFile(kept), "before");
+}
+
+TEST(SafeFile, EveryWriterLeavesTheFolderAsItWasOnAFullMedium) {
+  const TempFolder folder;
+  Volume volume;
+  volume.grid.dims = {32, 32, 32};
+  for (int n = 0; n < 32 * 32 * 32; ++n) volume.echo.push_back(static_cast<std::uint8_t>((n * 2654435761U) >> 24U));
+  Sequence sequence;
+  sequence.width = sequence.height = 32;
+  sequence.frames.resize(32);
+  sequence.pixels = volume.echo;
+  const GreyImage picture(256, 256, 7);
+  for (const char* name : {"v.mha", "v.mhd", "v.raw", "s.igs.mha", "p.mha"}) ASSERT_FALSE(folder.put(name, "before").empty());
+  {
+    const SmallMedium medium(2000);  // room for every header
+    EXPECT_TRUE(failedWith(writeVolume(volume, folder / "v.mha"), ErrorCode::notWritable));
+    EXPECT_TRUE(failedWith(writeVolume(volume, folder / "v.mhd"), ErrorCode::notWritable));
+    EXPECT_TRUE(failedWith(writeSequence(sequence, folder / "s.igs.mha"), ErrorCode::notWritable));
+    EXPECT_TRUE(failedWith(writeImage(viewOf(picture), 1.0, folder / "p.mha"), ErrorCode::notWritable));
+    EXPECT_FALSE(VolumeStream::create(volume.grid, folder / "v.mha"));
+  }
+  EXPECT_EQ(folder.names().size(), 5u);
+  for (const char* name : {"v.mha", "v.mhd", "v.raw", "s.igs.mha", "p.mha"}) EXPECT_EQ(bytesOfFile(folder / name), "before") << name;
+}
+
+TEST(SafeFile, APairIsReplacedTogetherAndItsHeaderNamesTheSamplesBesideIt) {
+  const TempFolder folder;
+  fs::create_directories(folder / "far");
+  fs::create_symlink("far/v.mhd", folder / "link.mhd");
+  Volume volume;
+  volume.grid.dims = {2, 2, 2};
+  for (const std::uint8_t level : {std::uint8_t{1}, std::uint8_t{2}}) {
+    volume.echo.assign(8, level);
+    ASSERT_TRUE(succeeded(writeVolume(volume, folder / "link.mhd")));
+    const auto read = readVolume(folder / "far" / "v.mhd");
+    ASSERT_TRUE(succeeded(read));
+    EXPECT_EQ(read->volume.echo, volume.echo);
+  }
+  EXPECT_TRUE(fs::is_symlink(folder / "link.mhd"));
+  EXPECT_EQ(folder.names().size(), 2u);
 }
 
 TEST(TextFile, IsReadUpToItsLimit) {

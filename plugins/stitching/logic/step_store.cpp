@@ -12,6 +12,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "ew/core/output_set.h"
 #include "ew/core/version.h"
 #include "logic/content_key.h"
 
@@ -43,6 +44,9 @@ Result<StepStore> StepStore::open(const fs::path& folder, sdk::Files& files) {
     return failure(ErrorCode::notWritable,
                    "Another run is at work in '" + folder.string() + "'; wait until it has ended, or choose another folder.",
                    {{"file", lock.string()}});
+  removeLeftovers(folder / "steps");
+  for (auto step = fs::directory_iterator(folder / "steps", error); step != fs::directory_iterator(); step.increment(error))
+    if (step->is_directory(error)) removeLeftovers(step->path());
   store.clearLeftovers();
   return store;
 }

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <ostream>
 
@@ -165,23 +166,16 @@ Result<void> writeMetaStream(const fs::path& file, const MetaText& meta, const s
 Result<void> writeMetaPair(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, std::string_view what,
                            Progress& progress) {
   if (auto fits = checkFields(file, meta); !fits) return fits;
-  fs::path rawFile = file;
-  rawFile.replace_extension(".raw");
-  auto raw = StagedFile::create(rawFile);
-  if (!raw) return passOn(raw.error());
-  auto header = StagedFile::create(file);
-  if (!header) return passOn(header.error());
-  if (auto written = writeRaw(raw->stream(), rawFile, samples, what, progress); !written) return written;
-  header->stream() << headerText(meta, false, nullptr) << "ElementDataFile = " << rawFile.filename().string() << "\n";
-  if (auto finished = raw->finish(); !finished) return finished;
-  if (auto finished = header->finish(); !finished) return finished;
-  if (auto kept = raw->keepEarlier(); !kept) return kept;
-  if (auto committed = raw->commit(); !committed) return committed;
-  if (auto committed = header->commit(); !committed) {
-    raw->undo();
-    return committed;
-  }
-  return {};
+  OutputSet outputs(LateFile::replace);
+  if (auto announced = outputs.announce(file, ".mhd"); !announced) return announced;
+  const fs::path rawFile = filesNamedBy(file).front();
+  std::ofstream raw(outputs.staged(rawFile), std::ios::binary), header(outputs.staged(file), std::ios::binary);
+  if (auto written = writeRaw(raw, rawFile, samples, what, progress); !written) return written;
+  // Aside as in place, the samples lie beside the header: of a link, beside what it points to.
+  header << headerText(meta, false, nullptr) << "ElementDataFile = " << outputs.staged(rawFile).filename().string() << "\n";
+  if (auto finished = finishStream(raw, rawFile); !finished) return finished;
+  if (auto finished = finishStream(header, file); !finished) return finished;
+  return outputs.commit();
 }
 
 }  // namespace ew::detail

@@ -3,43 +3,37 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ew/core/output_set.h"
 #include "ew/core/result.h"
 
 namespace ew::detail {
 
-/// A file written beside its target and moved over it at the end. Until `commit`, the target is untouched; without it, nothing is left.
+/// One file written aside and moved over its target at the end (OutputSet). Until `commit`, the target is untouched; without it, nothing
+/// is left.
 class StagedFile {
  public:
   /// @error notWritable (no such folder, no permission, or the target is no regular file)
   [[nodiscard]] static Result<StagedFile> create(const std::filesystem::path& target);
 
-  StagedFile(StagedFile&& other) noexcept;
-  StagedFile& operator=(StagedFile&&) = delete;
-  ~StagedFile();
-
   [[nodiscard]] std::ofstream& stream() { return out_; }
   [[nodiscard]] const std::filesystem::path& aside() const { return aside_; }
 
-  /// Everything written is on the medium. @error notWritable
+  /// Everything written has left the stream. @error notWritable
   [[nodiscard]] Result<void> finish();
 
-  /// Moves the finished file over its target. @error notWritable
+  /// Brings the finished file onto the medium and moves it over its target. @error notWritable
   [[nodiscard]] Result<void> commit();
-
-  /// Takes a commit back: the earlier target returns, or the new one goes. Only for the first of several files that belong together.
-  void undo();
-
-  /// Keeps the earlier target aside until this object ends, so that `undo` can bring it back. Call before `commit`.
-  [[nodiscard]] Result<void> keepEarlier();
 
  private:
   StagedFile() = default;
+  OutputSet outputs_{LateFile::replace};  // caches are written by several programs at once; the last one is as good as the first
   std::filesystem::path target_;
   std::filesystem::path aside_;
-  std::filesystem::path earlier_;
   std::ofstream out_;
-  bool committed_ = false;
 };
+
+/// Closes a stream. @error notWritable (something did not reach the file): `target` is what the user calls it
+[[nodiscard]] Result<void> finishStream(std::ofstream& out, const std::filesystem::path& target);
 
 [[nodiscard]] tl::unexpected<Error> notWritable(const std::filesystem::path& file, const std::string& reason);
 
