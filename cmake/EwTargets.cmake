@@ -9,11 +9,13 @@ target_compile_options(ew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
 target_compile_options(ew_warnings INTERFACE $<$<CONFIG:Release>:-Wno-restrict> $<$<CONFIG:Release>:-Wno-null-dereference>)
 
 include(EwSanitizers)
+include(${CMAKE_CURRENT_LIST_DIR}/../workstation/sdk/cmake/EwKnownWords.cmake)
 
 # ew_add_library(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ... [QT]): the static library ew_NAME, also known as ew::NAME.
 # include/ is its interface; src/ is nobody else's business. QT turns on moc for this target.
 function(ew_add_library name)
   cmake_parse_arguments(arg "QT" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;RESOURCES" ${ARGN})
+  ew_refuse_unknown_words("ew_add_library(${name})" HEADERS SOURCES PUBLIC PRIVATE RESOURCES)
   add_library(ew_${name} STATIC ${arg_HEADERS} ${arg_SOURCES} ${arg_RESOURCES})
   add_library(ew::${name} ALIAS ew_${name})
   target_include_directories(ew_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
@@ -33,6 +35,7 @@ function(ew_add_test name)
     return()
   endif()
   cmake_parse_arguments(arg "ALONE" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  ew_refuse_unknown_words("ew_add_test(${name})" SOURCES LINK LABELS)
   if(arg_ALONE)
     set(alone TRUE)
   else()
@@ -66,6 +69,7 @@ function(ew_add_gui_test name)
     return()
   endif()
   cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  ew_refuse_unknown_words("ew_add_gui_test(${name})" SOURCES LINK)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 300)
   endif()

@@ -89,6 +89,21 @@ TEST_F(OutOfTree, TheStitchingPluginConfiguresAgainstTheInstalledSdkAlone) {
   EXPECT_TRUE(fs::exists(f / "sdk/include/ew/stitching/stitch.h"));
 }
 
+TEST_F(OutOfTree, AWordThatIsNotKnownStopsTheConfigurationInsteadOfAPluginWithoutItsPanel) {
+  const auto& f = *folder_;
+  std::string text = textOf(EW_SOURCE_DIR "/tests/example_plugin/CMakeLists.txt");
+  const std::string entry = "ENTRY mean_echo.cpp";
+  ASSERT_NE(text.find(entry), std::string::npos);
+  text.replace(text.find(entry), entry.size(), entry + "\n  PANELS panel.cpp");  // all it should say is PANEL
+  writeText(f / "slip/CMakeLists.txt", text);
+  fs::copy_file(EW_SOURCE_DIR "/tests/example_plugin/mean_echo.cpp", f / "slip/mean_echo.cpp");
+  const std::string configure = std::string(CMAKE_PROGRAM) + " -S '" + (f / "slip").string() + "' -B '" + (f / "slip-build").string() +
+                                "' -G '" CMAKE_GENERATOR "' -DCMAKE_CXX_COMPILER='" CMAKE_CXX "' -DCMAKE_PREFIX_PATH='" +
+                                (f / "sdk").string() + "' > '" + (f / "log").string() + "' 2>&1";
+  EXPECT_NE(std::system(configure.c_str()), 0);
+  EXPECT_NE(textOf(f / "log").find("PANELS"), std::string::npos) << textOf(f / "log");
+}
+
 TEST_F(OutOfTree, APluginBuiltAgainstAnOlderSdkIsRefusedByItsManifest) {
   HeadlessHost host;
   PluginList plugins({*folder_ / "older-build/lib/plugins"});

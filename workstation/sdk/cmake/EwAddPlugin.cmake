@@ -5,6 +5,7 @@
 #   ENTRY  the source with the three exported functions of ew/sdk/plugin.h
 # The library lands in <build>/lib/plugins/NAME/ with its manifest plugin.json beside it and installs to lib/echoweave/plugins/NAME.
 include_guard(GLOBAL)
+include(${CMAKE_CURRENT_LIST_DIR}/EwKnownWords.cmake)
 
 # The ABI number depends on the compiler, so the compiler is asked. Remembered per content of abi.h.
 function(ew_sdk_abi result)
@@ -39,6 +40,7 @@ endfunction()
 
 function(ew_add_plugin name)
   cmake_parse_arguments(arg "" "DESCRIPTION;VERSION;TITLE" "LOGIC;PANEL;ENTRY;LINK;PANEL_LINK;CAPABILITIES" ${ARGN})
+  ew_refuse_unknown_words("ew_add_plugin(${name})" LOGIC PANEL ENTRY LINK PANEL_LINK CAPABILITIES)
   if(NOT arg_ENTRY)
     message(FATAL_ERROR "ew_add_plugin(${name}): name the source with the exported functions after ENTRY.")
   endif()
