@@ -14,7 +14,7 @@ class StitchingPlugin final : public ew::sdk::Plugin {
   explicit StitchingPlugin(ew::sdk::Host& host) {
     const std::string usage = std::string(ew::stitching::kStitchUsage) + "\n\n" + ew::stitching::kStitchHelp;
     host.commands().add("stitch", usage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
-      return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), host.log(), progress);
+      return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), progress);
     });
     // Without a window there is no panel, and the command line stays free of timers and folders.
     if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) return;

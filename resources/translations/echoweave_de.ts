@@ -354,10 +354,6 @@
         <translation>Korrelation</translation>
     </message>
     <message>
-        <source>Before and after; without gain and speckle. In brackets what unrelated tissue reaches by chance</source>
-        <translation>Vorher und nachher, ohne Verstärkung und Speckle. In Klammern, was fremdes Gewebe durch Zufall erreicht</translation>
-    </message>
-    <message>
         <source>Grey levels now</source>
         <translation>Grauwerte jetzt</translation>
     </message>
@@ -546,10 +542,6 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 to %2 (chance %3)</source>
-        <translation>%1 zu %2 (Zufall %3)</translation>
-    </message>
-    <message>
         <source>How well two volumes fit is told here, once there are two.</source>
         <translation>Hier steht, wie gut zwei Volumen passen, sobald es zwei gibt.</translation>
     </message>
@@ -645,8 +637,28 @@
         <translation>Nur dieses Paares</translation>
     </message>
     <message>
-        <source>By processor time, which other programs do not change; by the clock it took %1.</source>
-        <translation>Nach Prozessorzeit, an der andere Programme nichts ändern; nach der Uhr waren es %1.</translation>
+        <source>by hand, accepted</source>
+        <translation>von Hand, angenommen</translation>
+    </message>
+    <message>
+        <source>At the far side %1 mm are to be expected; the images were not asked.</source>
+        <translation>Am fernen Ende sind %1 mm zu erwarten; die Bilder wurden nicht befragt.</translation>
+    </message>
+    <message>
+        <source>%1 (was %2, chance %3)</source>
+        <translation>%1 (war %2, Zufall %3)</translation>
+    </message>
+    <message>
+        <source>As matched; without gain and speckle. In brackets what it was at the start, and what unrelated tissue reaches by chance. It may fall: a search that has no start looks for the pose that stands out, and the start may lie on it already</source>
+        <translation>Wie zugeordnet; ohne Verstärkung und Speckle. In Klammern, was es am Anfang war und was unverwandtes Gewebe durch Zufall erreicht. Es darf sinken: Eine Suche ohne Anfang sucht die Lage, die heraussticht, und der Anfang kann schon dort liegen</translation>
+    </message>
+    <message>
+        <source>By the clock; %1 of it were work of the processor.</source>
+        <translation>Nach der Uhr; %1 davon hat der Prozessor gearbeitet.</translation>
+    </message>
+    <message>
+        <source>By the clock, as bending went here; %1 of it are work of the processor.</source>
+        <translation>Nach der Uhr, wie das Biegen hier lief; %1 davon arbeitet der Prozessor.</translation>
     </message>
 </context>
 <context>
@@ -810,10 +822,6 @@
     <message>
         <source>&apos;%1&apos; cannot be written (%2); choose another folder.</source>
         <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; could not be written (%2); choose another folder or make room.</source>
-        <translation>„%1“ konnte nicht geschrieben werden (%2); wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; gave no volume; check what kind of file it is.</source>
@@ -1250,6 +1258,58 @@
     <message>
         <source>Looking for motion that is left</source>
         <translation>Übrige Bewegung wird gesucht</translation>
+    </message>
+    <message>
+        <source>'%1' is not a result that was written here before, and would be lost; move it away or choose another folder.</source>
+        <translation>„%1“ ist kein Ergebnis, das hier früher geschrieben wurde, und ginge verloren; verschieben Sie die Datei oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>'%1' is read by this project and would be written over by its result; choose another folder.</source>
+        <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>'%1' lies among the intermediate results of '%2', which come and go; copy it to a place of its own or choose another folder.</source>
+        <translation>„%1“ liegt unter den Zwischenergebnissen von „%2“, die kommen und gehen; kopieren Sie die Datei an einen eigenen Ort oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The reconstruction of '%1' was damaged.</source>
+        <translation>Die Rekonstruktion von „%1“ war beschädigt.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image; %2.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen; %2.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image, and %2 stand apart; %3.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen, und %2 stehen für sich; %3.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached; %3.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen; %3.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached, and %3 stand apart; %4.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen, und %3 stehen für sich; %4.</translation>
+    </message>
+    <message>
+        <source>give the device set (.xml) with the calibration from Image to %1</source>
+        <translation>geben Sie die Gerätedatei (.xml) mit der Kalibrierung von Image zu %1 an</translation>
+    </message>
+    <message>
+        <source>the device set given has no transform from or to Image, give the one this sweep was recorded with</source>
+        <translation>die angegebene Gerätedatei hat keine Transformation von oder zu Image; geben Sie die an, mit der dieser Schwenk aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>name one of those frames as the target, or give the device set (.xml) that leads on</source>
+        <translation>geben Sie die Gerätedatei (.xml) an, die weiterführt</translation>
+    </message>
+    <message>
+        <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker</source>
+        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: Wählen Sie eine, die mit einem Tracker aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>"%1" was made by somebody else in the meantime and is left as it is; choose another name.</source>
+        <translation>„%1“ wurde inzwischen von jemand anderem angelegt und bleibt, wie es ist; wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -1859,6 +1919,13 @@
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more is offered after it.</source>
+        <translation>
+            <numerusform>Danach wird noch eines angeboten.</numerusform>
+            <numerusform>Danach werden noch %n angeboten.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::StitchSession</name>
@@ -2129,6 +2196,99 @@
             <numerusform>Auch eine weitere Datei war nicht lesbar.</numerusform>
             <numerusform>Auch %n weitere Dateien waren nicht lesbar.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>by landmarks</source>
+        <translation>nach Landmarken</translation>
+    </message>
+    <message>
+        <source>by hand, not checked</source>
+        <translation>von Hand, ungeprüft</translation>
+    </message>
+    <message>
+        <source>refine the places</source>
+        <translation>die Orte verfeinern</translation>
+    </message>
+    <message>
+        <source>Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.</source>
+        <translation>Nicht nach ihren Bildern zugeordnet, weil Sie sie nach Landmarken platziert oder von Hand angenommen haben: %1.</translation>
+    </message>
+    <message>
+        <source>'%1' was changed by another program since it was opened here.</source>
+        <translation>„%1“ wurde von einem anderen Programm geändert, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Reloading drops your changes, overwriting drops the other ones.</source>
+        <translation>Neu laden verwirft Ihre Änderungen, Überschreiben die anderen.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
+        <translation>
+            <numerusform>Eine Datei liegt in einem anderen Ordner und ist mit ihrem ganzen Pfad genannt: Legen Sie sie neben das Projekt, bevor Sie es auf einen anderen Rechner mitnehmen.</numerusform>
+            <numerusform>%n Dateien liegen in anderen Ordnern und sind mit ihrem ganzen Pfad genannt: Legen Sie sie neben das Projekt, bevor Sie es auf einen anderen Rechner mitnehmen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 already and was not saved there by this program. Replace it?</source>
+        <translation>In %2 liegt schon %1, und dieses Programm hat es dort nicht gespeichert. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The patient of this case is a recipe, and the stitched volume takes its place.</source>
+        <translation>Der Patient dieses Falls ist ein Rezept, und das verbundene Volumen tritt an seine Stelle.</translation>
+    </message>
+    <message>
+        <source>What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.</source>
+        <translation>Was nur das Rezept wusste, geht mit ihm: %1, %2. Um diesen Fall zu behalten, wie er ist, speichern Sie ihn zuerst unter einem anderen Namen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n targets</source>
+        <translation>
+            <numerusform>ein Ziel</numerusform>
+            <numerusform>%n Ziele</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurements</source>
+        <translation>
+            <numerusform>eine Messung</numerusform>
+            <numerusform>%n Messungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace the volume</source>
+        <translation>Volumen ersetzen</translation>
+    </message>
+    <message>
+        <source>Another case was opened meanwhile; no case was changed.</source>
+        <translation>Inzwischen wurde ein anderer Fall geöffnet; kein Fall wurde geändert.</translation>
+    </message>
+    <message>
+        <source>calibration of %1</source>
+        <translation>Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>no calibration of %1</source>
+        <translation>keine Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>voxel spacing of %1</source>
+        <translation>Voxelabstand von %1</translation>
     </message>
 </context>
 <context>
@@ -2455,6 +2615,42 @@
     <message>
         <source>remove %1</source>
         <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
+        <source>Calibration…</source>
+        <translation>Kalibrierung …</translation>
+    </message>
+    <message>
+        <source>Spacing of the volume that is made of this sweep; at the least value as fine as its pixels and frames are</source>
+        <translation>Voxelabstand des Volumens, das aus diesem Schwenk wird; beim kleinsten Wert so fein wie seine Pixel und Bilder</translation>
+    </message>
+    <message>
+        <source>A device set (.xml) that says where the pixels lie on the probe; needed by a sweep that does not say it itself</source>
+        <translation>Eine Gerätedatei (.xml), die sagt, wo die Pixel am Schallkopf liegen; nötig für einen Schwenk, der es nicht selbst sagt</translation>
+    </message>
+    <message>
+        <source>Calibration from %1; click to choose another file</source>
+        <translation>Kalibrierung aus %1; klicken, um eine andere Datei zu wählen</translation>
+    </message>
+    <message>
+        <source>Calibration of %1</source>
+        <translation>Kalibrierung von %1</translation>
+    </message>
+    <message>
+        <source>Device sets (*.xml);;All files (*)</source>
+        <translation>Gerätedateien (*.xml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>sweep, not yet a volume</source>
+        <translation>Schwenk, noch kein Volumen</translation>
     </message>
 </context>
 <context>

@@ -91,12 +91,4 @@ class PlainFiles final : public sdk::Files {
   Result<void> writeText(const std::filesystem::path& file, const std::string& text) override;
 };
 
-class QuietLog final : public sdk::Log {
- public:
-  void info(const std::string&) override {}
-  void warn(const std::string& text) override { warnings.push_back(text); }
-  void error(const std::string&) override {}
-  std::vector<std::string> warnings;
-};
-
 }  // namespace ew::test

@@ -29,7 +29,6 @@ namespace {
 using nlohmann::json;
 using test::MemoryVolumes;
 using test::PlainFiles;
-using test::QuietLog;
 using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
@@ -356,9 +355,7 @@ class StitchCommand : public testing::Test {
     place[3] = 4.0;
     writeText(folder / "p.json", json{{"volumes", {{{"file", "a.mha"}}, {{"file", "b.mha"}, {"to_world", place}}}}}.dump());
   }
-  Result<sdk::Commands::Outcome> run(const std::vector<std::string>& args) {
-    return runStitchCommand(args, volumes, files, log, noProgress());
-  }
+  Result<sdk::Commands::Outcome> run(const std::vector<std::string>& args) { return runStitchCommand(args, volumes, files, noProgress()); }
   std::size_t entriesOf(const std::filesystem::path& where) const {
     std::size_t entries = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(where)) ++entries;
@@ -368,7 +365,6 @@ class StitchCommand : public testing::Test {
   TemporaryFolder folder;
   PlainFiles files;
   MemoryVolumes volumes{files};
-  QuietLog log;
 };
 
 TEST_F(StitchCommand, WritesVolumeCoverageSourceAndProvenance) {
@@ -385,20 +381,57 @@ TEST_F(StitchCommand, WritesVolumeCoverageSourceAndProvenance) {
 }
 
 TEST_F(StitchCommand, LeavesNoHalfResultWhenWritingFails) {
-  std::filesystem::create_directory(folder / "old");
-  writeText(folder / "old/volume.mha", "the result of last week");
-  writeText(folder / "old/provenance.json", "{}");
+  const std::string out = (folder / "out").string();
+  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
+  const std::string before = textOf(folder / "out/provenance.json");
+  json project = json::parse(textOf(folder / "p.json"));
+  project["spacing_mm"] = 2.0;
+  writeText(folder / "p.json", project.dump());
   for (const int writes : {0, 1, 2}) {
     volumes.writesLeft = writes;
-    const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "old").string()});
+    const auto outcome = run({(folder / "p.json").string(), "-o", out});
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().code, ErrorCode::notWritable);
-    EXPECT_EQ(textOf(folder / "old/volume.mha"), "the result of last week");
-    EXPECT_EQ(entriesOf(folder / "old"), 3u);
+    EXPECT_EQ(textOf(folder / "out/provenance.json"), before) << "the result of last week";
+    EXPECT_EQ(entriesOf(folder / "out"), 5u);
   }
   volumes.writesLeft = 1000;
-  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", (folder / "old").string()}));
-  EXPECT_NE(textOf(folder / "old/volume.mha"), "the result of last week");
+  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
+  EXPECT_NE(textOf(folder / "out/provenance.json"), before);
+}
+
+TEST_F(StitchCommand, NeverWritesOverItsInputsNorOverAForeignResult) {
+  writeText(folder / "volume.mha", "my only copy");
+  const auto foreign = run({(folder / "p.json").string(), "-o", folder.path().string()});
+  ASSERT_FALSE(foreign);
+  EXPECT_EQ(foreign.error().code, ErrorCode::notWritable) << foreign.error();
+  EXPECT_EQ(textOf(folder / "volume.mha"), "my only copy");
+  EXPECT_FALSE(std::filesystem::exists(folder / "steps")) << "refused before anything is made";
+  volumes.volumes[(folder / "volume.mha").string()] = volumes.volumes[(folder / "a.mha").string()];
+  writeText(folder / "p.json", json{{"volumes", {{{"file", "volume.mha"}}}}}.dump());
+  const auto input = run({(folder / "p.json").string(), "-o", folder.path().string()});
+  ASSERT_FALSE(input);
+  EXPECT_EQ(input.error().code, ErrorCode::badUsage) << input.error();
+  EXPECT_EQ(textOf(folder / "volume.mha"), "my only copy");
+}
+
+TEST_F(StitchCommand, TellsHowEachPairEndedAndWhatNothingChecks) {
+  json project = json::parse(textOf(folder / "p.json"));
+  project["format"] = 2;
+  project["settings"] = {{"elastic", false}};
+  for (auto& volume : project["volumes"]) {
+    volume["placement"] = "unknown";
+    volume.erase("to_world");
+  }
+  json start = identity();
+  start[3] = -4.0;
+  project["pairs"] = {{{"fixed", "a.mha"}, {"moving", "b.mha"}, {"method", "by hand"}, {"start", start}}};
+  writeText(folder / "p.json", project.dump());
+  const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
+  ASSERT_TRUE(outcome) << outcome.error();
+  ASSERT_GE(outcome->notes.size(), 2u);
+  EXPECT_EQ(outcome->notes[0], "'a.mha' with 'b.mha': by hand, not checked. Placed by hand.");
+  EXPECT_NE(outcome->notes[1].find("No loop checks"), std::string::npos) << outcome->notes[1];
 }
 
 TEST_F(StitchCommand, SaysHowItIsUsed) {

@@ -27,6 +27,16 @@ class Clock {
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
+/// What lies where the result will, when all of it may be written over.
+Result<ResultFiles> checkedResultFiles(const StitchProject& project, const fs::path& folder, const ChainOptions& options, sdk::Files& files,
+                                       const Progress& progress) {
+  if (auto free = checkNoInputIsOutput(project, folder); !free) return passOn(free.error());
+  auto seen = ResultFiles::look(folder, resultFilesIn(StepStore::peek(folder, files)), files, progress);
+  if (!seen || options.isFolderOwn) return seen;
+  if (auto own = seen->checkOwn(); !own) return passOn(own.error());
+  return seen;
+}
+
 }  // namespace
 
 const char* nameOf(Step step) {
@@ -71,10 +81,17 @@ Result<ChainForecast> forecastChain(const StitchProject& project, const fs::path
 
 Result<ChainState> runChain(const StitchProject& project, const fs::path& folder, const ChainOptions& options, sdk::Volumes& volumes,
                             sdk::Files& files, Progress& progress) {
+  if (project.volumes.empty()) return failure(ErrorCode::emptyVolume, "The stitch project has no volumes; add some.");
+  std::optional<ResultFiles> resultFiles;
+  if (options.until == Step::volume) {  // before anything is made, and before minutes of work
+    auto seen = checkedResultFiles(project, folder, options, files, progress);
+    if (!seen) return passOn(seen.error());
+    resultFiles = std::move(*seen);
+  }
   auto store = StepStore::open(folder, files);
   if (!store) return passOn(store.error());
-  if (project.volumes.empty()) return failure(ErrorCode::emptyVolume, "The stitch project has no volumes; add some.");
   ChainRun run(project, folder, options, volumes, files, *store);
+  run.resultFiles = std::move(resultFiles);
   for (std::size_t n = 0; n < kSteps.size() && kSteps[n] <= options.until; ++n) {
     if (progress.cancelRequested()) return cancelledChain();
     PartOfProgress part(progress, kShares[n], kShares[n + 1]);

@@ -94,6 +94,8 @@ struct ChainOptions {
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
   bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
+  /// The folder is the program's own: nobody else's files can lie there, so that nothing is asked about what does.
+  bool isFolderOwn = false;
   /// Results of more voxels are written block by block, uncompressed; the voxels do not depend on it.
   std::uint64_t streamAbove_voxels = 1ull << 28;
   /// Results of earlier runs that a finished run did not use may take so much of the disk, the last used the longest: an edit that is taken
@@ -115,14 +117,15 @@ struct ChainForecast {
 
 /// Runs the steps that are not finished for these inputs and settings. Each step leaves its result in `folder`/steps/NAME, complete or not
 /// at all, under a key of everything it depends on; so a run that was cancelled or killed goes on where it stopped and ends with the same
-/// bytes.
-/// @error what a step says, naming the volume or pair; notWritable; tooLarge (the forecast above maxBytes); cancelled (within 0.5 s)
+/// bytes. A finished volume lies in `folder` under four names (result_files.h); a file there that no earlier run wrote is never touched.
+/// @error what a step says, naming the volume or pair; notWritable (also: somebody else's file has a name of the result); badUsage (the
+///        result would be written over an input); tooLarge (the forecast above maxBytes); cancelled (within 0.5 s)
 [[nodiscard]] Result<ChainState> runChain(const StitchProject& project, const std::filesystem::path& folder, const ChainOptions& options,
                                           sdk::Volumes& volumes, sdk::Files& files, Progress& progress);
 
 /// `echoweave stitch PROJECT.json -o DIR [--until STEP] [--threads N] [--prune]`
 [[nodiscard]] Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes,
-                                                              sdk::Files& files, sdk::Log& log, Progress& progress);
+                                                              sdk::Files& files, Progress& progress);
 inline constexpr const char* kStitchUsage = "stitch PROJECT.json -o DIR [--until STEP] [--threads N] [--prune]";
 /// What `--help` says after the usage: how a project is written and what lies in DIR afterwards.
 extern const char* const kStitchHelp;

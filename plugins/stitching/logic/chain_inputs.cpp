@@ -1,6 +1,7 @@
 #include "logic/chain_inputs.h"
 
 #include <algorithm>
+#include <array>
 
 #include "logic/chain_json.h"
 #include "logic/chain_keys.h"
@@ -12,6 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using nlohmann::ordered_json;
+
+/// Of a sweep's volume, in the store.
+constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
 
 /// For what takes no time worth counting: it can be cancelled and says nothing.
 class Silent final : public Progress {
@@ -28,7 +32,7 @@ class Silent final : public Progress {
 
 ChainInputs::ChainInputs(const StitchProject& project, const ChainOptions& options, sdk::Volumes& volumes, sdk::Files& files,
                          const StepStore& store)
-    : project_(project), options_(options), volumes_(volumes), files_(files), store_(store), contents_(store, files) {
+    : project_(project), options_(options), volumes_(volumes), files_(files), store_(store), contents_(store.folder(), files) {
   inputs_.resize(project.volumes.size());
 }
 
@@ -117,7 +121,7 @@ Result<void> ChainInputs::make(std::size_t v, Progress& progress) {
   if (auto w = volumes_.writeConfidence(made->volume.grid, made->confidence, store_.fileOf(kStep, key, "confidence.mha"), writing); !w)
     return w;
   ordered_json data = {{"grid", jsonOf(made->volume.grid)}, {"beams", jsonOf(made->beams)}, {"notes", made->notes}};
-  if (auto kept = store_.keep(kStep, key, std::move(data), {"volume.mha", "coverage.mha", "confidence.mha"}); !kept) return kept;
+  if (auto kept = store_.keep(kStep, key, std::move(data), {kSweepFiles.begin(), kSweepFiles.end()}); !kept) return kept;
   inputs_[v].grid = made->volume.grid;
   return {};
 }
@@ -127,6 +131,9 @@ Result<std::shared_ptr<LoadedView>> ChainInputs::readSweep(std::size_t v, Progre
   const auto about = readBack<std::pair<Grid, std::optional<Beams>>>(
       store_.find(kStep, key), [](const json& data) { return std::pair(gridFrom(data.at("grid")), beamsFrom(data.at("beams"))); });
   if (!about) return failure(ErrorCode::notFound, "The reconstruction of '" + project_.volumes[v].name + "' is not there.");
+  for (const char* name : kSweepFiles)
+    if (!store_.isSound(kStep, key, name))
+      return failure(ErrorCode::badHeader, "The reconstruction of '" + project_.volumes[v].name + "' was damaged.");
   auto volume = volumes_.read(store_.fileOf(kStep, key, "volume.mha"), progress);
   if (!volume) return passOn(volume.error());
   if (auto r = volumes_.readCoverageInto(*volume, store_.fileOf(kStep, key, "coverage.mha"), progress); !r) return passOn(r.error());

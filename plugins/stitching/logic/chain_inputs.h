@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "logic/chain.h"
+#include "logic/file_contents.h"
 #include "logic/pair_match.h"
 #include "logic/step_store.h"
 

@@ -9,6 +9,7 @@
 #include "logic/chain_inputs.h"
 #include "logic/chain_keys.h"
 #include "logic/group_bend.h"
+#include "logic/result_files.h"
 
 namespace ew::stitching {
 
@@ -24,6 +25,8 @@ struct ChainRun {
   sdk::Volumes& volumes;
   sdk::Files& files;
   StepStore& store;
+
+  std::optional<ResultFiles> resultFiles;  ///< what lay in the folder when the run began; none when it stops before the volume
 
   ChainInputs inputs;
   std::vector<Candidate> candidates;  ///< after reconstruct

@@ -56,6 +56,24 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
   }
 }
 
+/// What a person should know of a run, a sentence each: how each pair ended, what holds the whole, what joining had to decide.
+std::vector<std::string> notesOf(const StitchProject& project, const ChainState& state) {
+  std::vector<std::string> notes;
+  for (const PairOutcome& pair : state.pairs) {
+    const std::string verdict = pair.used == PairMethod::byHand ? "by hand, not checked"
+                                : pair.used == PairMethod::landmarks
+                                    ? std::string("by landmarks, ") + registration::nameOf(pair.rigid.verdict)
+                                    : registration::nameOf(pair.rigid.verdict);
+    notes.push_back("'" + project.volumes[pair.fixed].name + "' with '" + project.volumes[pair.moving].name + "': " + verdict +
+                    (pair.wrong ? ", and the other pairs contradict it. " : ". ") + pair.rigid.reason);
+  }
+  // Another verdict is told with its reason by whoever ends the program.
+  if (state.graph && !state.pairs.empty() && state.verdict == registration::Verdict::aligned && !state.reason.empty())
+    notes.push_back(state.reason);
+  if (state.report) notes.insert(notes.end(), state.report->notes.begin(), state.report->notes.end());
+  return notes;
+}
+
 }  // namespace
 
 const char* const kStitchHelp =
@@ -81,7 +99,7 @@ const char* const kStitchHelp =
     "about which there is something to say. Every field: resources/docs/stitching.md.";
 
 Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes, sdk::Files& files,
-                                                sdk::Log& log, Progress& progress) {
+                                                Progress& progress) {
   const auto usage = [](const std::string& what) { return failure(ErrorCode::badUsage, what + " Usage: echoweave " + kStitchUsage + "."); };
   std::string projectFile;
   std::string folder;
@@ -123,13 +141,11 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   options.keepVolumes = false;
   auto state = runChain(*project, folder, options, volumes, files, progress);
   if (!state) return passOn(state.error());
-  if (state->report)
-    for (const auto& note : state->report->notes) log.warn(note);
-
   sdk::Commands::Outcome outcome;
   for (const auto& file : {state->volume, state->coverage, state->source, state->provenance})
     if (!file.empty()) outcome.outputs.push_back(file.string());
   tellQuality(*state, outcome);
+  outcome.notes = notesOf(*project, *state);
   // Recorded places that are taken as they are were judged by nobody.
   if (state->graph && !state->pairs.empty()) {
     outcome.verdict = registration::nameOf(state->verdict);

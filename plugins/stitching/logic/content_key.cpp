@@ -1,8 +1,11 @@
 #include "logic/content_key.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <vector>
 
 namespace ew::stitching {
 namespace {
@@ -13,6 +16,8 @@ std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
   return x ^ (x >> 31);
 }
+
+constexpr std::size_t kChunk_bytes = 1u << 20;  ///< of a file, named one after the other
 
 }  // namespace
 
@@ -50,6 +55,31 @@ std::string ContentKey::text() const {
   char digits[33] = {};
   std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(a_), static_cast<unsigned long long>(b_));
   return digits;
+}
+
+std::string contentOf(std::span<const std::byte> bytes) {
+  ContentKey key;
+  for (std::size_t at = 0; at < bytes.size(); at += kChunk_bytes) {
+    const auto chunk = bytes.subspan(at, std::min(kChunk_bytes, bytes.size() - at));
+    key.add(std::span(reinterpret_cast<const std::uint8_t*>(chunk.data()), chunk.size()));
+  }
+  return key.text();
+}
+
+Result<std::optional<std::string>> contentOf(const std::filesystem::path& file, const Progress& progress) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::optional<std::string>();
+  ContentKey key;
+  std::vector<char> chunk(kChunk_bytes);
+  while (in) {
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The stitching was cancelled.");
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    if (in.gcount() > 0) key.add(std::span(reinterpret_cast<const std::uint8_t*>(chunk.data()), static_cast<std::size_t>(in.gcount())));
+  }
+  if (in.bad())
+    return failure(ErrorCode::notReadable, "\"" + file.string() + "\" cannot be read; check the medium it is on.",
+                   {{"file", file.string()}});
+  return std::optional(key.text());
 }
 
 }  // namespace ew::stitching

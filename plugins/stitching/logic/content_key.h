@@ -1,10 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
 
 namespace ew::stitching {
 
@@ -27,5 +32,11 @@ class ContentKey {
   std::uint64_t a_ = 0x9e3779b97f4a7c15u;
   std::uint64_t b_ = 0xc2b2ae3d27d4eb4fu;
 };
+
+/// The name of what a file holds; that of the same bytes in memory is the same.
+[[nodiscard]] std::string contentOf(std::span<const std::byte> bytes);
+/// @return empty when the file cannot be opened
+/// @error notReadable, cancelled
+[[nodiscard]] Result<std::optional<std::string>> contentOf(const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace ew::stitching

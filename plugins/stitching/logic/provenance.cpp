@@ -41,10 +41,12 @@ ordered_json pairOf(const StitchProject& project, const PairOutcome& pair) {
 
 }  // namespace
 
-std::string provenanceText(const StitchProject& project, const ChainState& state, const std::string& key) {
+std::string provenanceText(const StitchProject& project, const ChainState& state, const std::string& key, std::vector<ResultFile> volumes) {
   ordered_json document;
   document["made_by"] = std::string("EchoWeave ") + kVersion + ", stitch";
   document["key"] = key;
+  for (ResultFile& file : volumes) file.changed_ns = 0;
+  document["files"] = jsonOf(volumes);
   document["verdict"] = registration::nameOf(state.verdict);
   document["reason"] = state.reason;
   document["inputs"] = ordered_json::array();

@@ -14,7 +14,9 @@
 
 #include "ew/core/output_set.h"
 #include "ew/core/version.h"
+#include "logic/chain.h"
 #include "logic/content_key.h"
+#include "logic/value_json.h"
 
 namespace ew::stitching {
 namespace {
@@ -30,7 +32,40 @@ tl::unexpected<Error> notWritable(const fs::path& folder, const std::string& rea
 
 std::string reasonOf(int number) { return std::generic_category().message(number); }
 
+constexpr std::size_t kKeyLength = 32;
+
+bool beginsWithKey(std::string_view name) {
+  return name.size() > kKeyLength && name.substr(0, kKeyLength).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+/// The key of a finished result by the name of its file; empty: it is something else.
+std::string keyOfEntry(const std::string& name) {
+  return beginsWithKey(name) && name.substr(kKeyLength) == ".json" ? name.substr(0, kKeyLength) : std::string();
+}
+
+/// The key of the result that a file belongs to; empty: to none.
+std::string keyOfBeside(const std::string& name) {
+  return beginsWithKey(name) && name[kKeyLength] == '-' ? name.substr(0, kKeyLength) : std::string();
+}
+
+/// The regular files of a folder by their names.
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (auto at = fs::directory_iterator(folder, ignored); at != fs::directory_iterator(); at.increment(ignored))
+    if (at->symlink_status(ignored).type() == fs::file_type::regular) names.push_back(at->path().filename().string());
+  return names;
+}
+
+/// The name of everything an entry says but this name itself.
+std::string contentOfEntry(json entry) {
+  entry.erase("content");
+  return ContentKey().add(entry.dump(-1, ' ', false, json::error_handler_t::replace)).text();
+}
+
 }  // namespace
+
+bool isMarkedAsOwn(std::string_view text) { return text.substr(0, 64).find(kOwner) != std::string_view::npos; }
 
 Result<StepStore> StepStore::open(const fs::path& folder, sdk::Files& files) {
   StepStore store(folder, files);
@@ -44,9 +79,6 @@ Result<StepStore> StepStore::open(const fs::path& folder, sdk::Files& files) {
     return failure(ErrorCode::notWritable,
                    "Another run is at work in '" + folder.string() + "'; wait until it has ended, or choose another folder.",
                    {{"file", lock.string()}});
-  removeLeftovers(folder / "steps");
-  for (auto step = fs::directory_iterator(folder / "steps", error); step != fs::directory_iterator(); step.increment(error))
-    if (step->is_directory(error)) removeLeftovers(step->path());
   store.clearLeftovers();
   return store;
 }
@@ -54,7 +86,7 @@ Result<StepStore> StepStore::open(const fs::path& folder, sdk::Files& files) {
 StepStore StepStore::peek(const fs::path& folder, sdk::Files& files) { return {folder, files}; }
 
 StepStore::StepStore(StepStore&& other) noexcept
-    : folder_(std::move(other.folder_)), files_(other.files_), uses_(std::move(other.uses_)), lock_(other.lock_) {
+    : folder_(std::move(other.folder_)), files_(other.files_), known_(std::move(other.known_)), lock_(other.lock_) {
   other.lock_ = -1;
 }
 
@@ -64,47 +96,66 @@ StepStore::~StepStore() {
 
 void StepStore::clearLeftovers() const {
   std::error_code ignored;
-  std::vector<fs::path> besides;  // of the memory of inputs, which is written aside as well
-  for (auto at = fs::directory_iterator(folder_ / "steps", ignored); at != fs::directory_iterator(); at.increment(ignored))
-    if (at->path().extension() == ".part" && at->is_regular_file(ignored)) besides.push_back(at->path());
-  for (const auto& file : besides) fs::remove(file, ignored);
-  for (auto step = fs::directory_iterator(folder_ / "steps", ignored); step != fs::directory_iterator(); step.increment(ignored)) {
-    if (!step->is_directory(ignored)) continue;
-    std::vector<fs::path> stale;
-    for (auto at = fs::directory_iterator(step->path(), ignored); at != fs::directory_iterator(); at.increment(ignored)) {
-      const std::string name = at->path().filename().string();
-      const std::size_t dash = name.find('-');
-      // Half-written neighbours begin with a dot. A finished file whose .json never came is made again, so it only takes room.
-      const bool orphan = dash != std::string::npos && !fs::exists(step->path() / (name.substr(0, dash) + ".json"), ignored);
-      if (name.starts_with('.') || orphan) stale.push_back(at->path());
+  const fs::path steps = folder_ / "steps";
+  removeLeftovers(steps);
+  for (const auto& step : folders()) {
+    removeLeftovers(steps / step);
+    for (const auto& name : namesIn(steps / step)) {
+      // A finished file whose .json never came is made again, so it only takes room.
+      const std::string key = keyOfBeside(name);
+      if (!key.empty() && !fs::exists(steps / step / (key + ".json"), ignored)) fs::remove(steps / step / name, ignored);
     }
-    for (const auto& file : stale) fs::remove(file, ignored);
   }
+}
+
+const std::vector<std::string>& StepStore::folders() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"pairs", "bends"};
+    for (const Step step : kSteps) all.emplace_back(nameOf(step));
+    return all;
+  }();
+  return names;
 }
 
 fs::path StepStore::fileOf(const std::string& step, const std::string& key, const std::string& name) const {
   return folder_ / "steps" / step / (key + "-" + name);
 }
 
-std::optional<json> StepStore::find(const std::string& step, const std::string& key) const {
+std::optional<json> StepStore::entryOf(const std::string& step, const std::string& key) const {
   const fs::path entry = folder_ / "steps" / step / (key + ".json");
   std::error_code ignored;
   if (!fs::is_regular_file(entry, ignored)) return std::nullopt;
   const auto text = files_->readText(entry);
   if (!text) return std::nullopt;
+  json read = jsonOfText(*text);
+  if (!read.is_object() || read.value("key", json()) != key || read.value("content", json()) != contentOfEntry(read)) return std::nullopt;
+  return read;
+}
+
+std::optional<json> StepStore::find(const std::string& step, const std::string& key) const {
+  auto entry = entryOf(step, key);
+  if (!entry) return std::nullopt;
+  std::error_code ignored;
   try {
-    json read = json::parse(*text);
-    if (read.at("key") != key) return std::nullopt;
-    for (const auto& file : read.at("files")) {
-      const auto size = fs::file_size(fileOf(step, key, file.at("name").get<std::string>()), ignored);
+    for (const auto& file : entry->at("files")) {
+      const fs::path path = fileOf(step, key, file.at("name").get<std::string>());
+      const auto size = fs::file_size(path, ignored);
       if (ignored || size != file.at("bytes").get<std::uintmax_t>()) return std::nullopt;
+      promise(path, file.at("content").get<std::string>());
     }
-    json data = std::move(read.at("data"));
+    json data = std::move(entry->at("data"));
     use(step, key);
     return data;
   } catch (const json::exception&) {
     return std::nullopt;  // damaged: made again
   }
+}
+
+std::vector<json> StepStore::all(const std::string& step) const {
+  std::vector<json> found;
+  for (const auto& key : keysOf(step))
+    if (auto entry = entryOf(step, key); entry && entry->contains("data")) found.push_back(std::move(entry->at("data")));
+  return found;
 }
 
 std::optional<std::uintmax_t> StepStore::bytesOf(const std::string& step, const std::string& key, const std::string& name) const {
@@ -114,10 +165,38 @@ std::optional<std::uintmax_t> StepStore::bytesOf(const std::string& step, const 
   return size;
 }
 
+void StepStore::promise(const fs::path& file, const std::string& content) const {
+  const std::lock_guard lock(known_->guard);
+  Content& known = known_->contents[file.string()];
+  if (known.key != content) known = {content, false};
+}
+
+std::string StepStore::promised(const fs::path& file) const {
+  const std::lock_guard lock(known_->guard);
+  const auto at = known_->contents.find(file.string());
+  return at == known_->contents.end() ? std::string() : at->second.key;
+}
+
+bool StepStore::isSound(const std::string& step, const std::string& key, const std::string& name) const {
+  const fs::path file = fileOf(step, key, name);
+  {
+    const std::lock_guard lock(known_->guard);
+    const auto at = known_->contents.find(file.string());
+    if (at == known_->contents.end()) return false;
+    if (at->second.seen) return true;
+  }
+  const auto content = contentOf(file, noProgress());
+  if (!content || !*content || **content != promised(file)) return false;
+  const std::lock_guard lock(known_->guard);
+  known_->contents[file.string()].seen = true;
+  return true;
+}
+
 bool StepStore::readBytes(const std::string& step, const std::string& key, const std::string& name, std::span<std::byte> into) const {
-  std::ifstream in(fileOf(step, key, name), std::ios::binary);
+  const fs::path file = fileOf(step, key, name);
+  std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
-  return static_cast<bool>(in);
+  return in && contentOf(into) == promised(file);
 }
 
 Result<void> StepStore::prepare(const std::string& step) const {
@@ -134,60 +213,60 @@ Result<void> StepStore::keep(const std::string& step, const std::string& key, nl
   entry["files"] = nlohmann::ordered_json::array();
   for (const auto& name : names) {
     std::error_code error;
-    const auto size = fs::file_size(fileOf(step, key, name), error);
+    const fs::path file = fileOf(step, key, name);
+    const auto size = fs::file_size(file, error);
     if (error) return notWritable(folder_, error.message());
-    entry["files"].push_back({{"name", name}, {"bytes", size}});
+    const auto content = contentOf(file, noProgress());
+    if (!content || !*content) return notWritable(folder_, "what was just written cannot be read");
+    promise(file, **content);
+    entry["files"].push_back({{"name", name}, {"bytes", size}, {"content", **content}});
   }
   entry["data"] = std::move(data);
+  const auto textOf = [](const nlohmann::ordered_json& document) {
+    return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  };
+  entry["content"] = contentOfEntry(jsonOfText(textOf(entry)));  // as it will be read
   use(step, key);
-  return files_->writeText(folder_ / "steps" / step / (key + ".json"),
-                           entry.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return files_->writeText(folder_ / "steps" / step / (key + ".json"), textOf(entry));
 }
 
 void StepStore::remove(const std::string& step, const std::string& key) const {
   std::error_code ignored;
   const fs::path home = folder_ / "steps" / step;
   fs::remove(home / (key + ".json"), ignored);
-  std::vector<fs::path> files;
-  for (auto at = fs::directory_iterator(home, ignored); at != fs::directory_iterator(); at.increment(ignored))
-    if (at->path().filename().string().starts_with(key + "-")) files.push_back(at->path());
-  for (const auto& file : files) fs::remove(file, ignored);
+  for (const auto& name : namesIn(home))
+    if (keyOfBeside(name) == key) fs::remove(home / name, ignored);
+}
+
+std::vector<std::string> StepStore::keysOf(const std::string& step) const {
+  std::vector<std::string> keys;
+  for (const auto& name : namesIn(folder_ / "steps" / step))
+    if (const std::string key = keyOfEntry(name); !key.empty()) keys.push_back(key);
+  return keys;
 }
 
 void StepStore::removeAllBut(const std::string& step, const std::vector<std::string>& keys) const {
-  std::error_code ignored;
-  std::vector<std::string> others;
-  for (auto at = fs::directory_iterator(folder_ / "steps" / step, ignored); at != fs::directory_iterator(); at.increment(ignored))
-    if (at->path().extension() == ".json") {
-      const std::string key = at->path().stem().string();
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) others.push_back(key);
-    }
-  for (const auto& key : others) remove(step, key);
+  for (const auto& key : keysOf(step))
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) remove(step, key);
 }
 
 void StepStore::use(const std::string& step, const std::string& key) const {
-  const std::lock_guard lock(uses_->guard);
-  uses_->names.insert(step + "/" + key);
+  const std::lock_guard lock(known_->guard);
+  known_->used.insert(step + "/" + key);
 }
 
 /// Of each finished result with its files, by its name.
 std::map<std::string, std::uint64_t> StepStore::bytesOfAll() const {
   std::map<std::string, std::uint64_t> all;
-  std::error_code ignored;
-  for (auto step = fs::directory_iterator(folder_ / "steps", ignored); step != fs::directory_iterator(); step.increment(ignored)) {
-    if (!step->is_directory(ignored)) continue;
-    const std::string home = step->path().filename().string() + "/";
-    std::map<std::string, std::uint64_t> beside;
-    for (auto at = fs::directory_iterator(step->path(), ignored); at != fs::directory_iterator(); at.increment(ignored)) {
-      const std::uintmax_t bytes = at->file_size(ignored);
-      if (ignored) continue;
-      const std::string name = at->path().filename().string();
-      const std::size_t dash = name.find('-');
-      if (dash == std::string::npos && name.ends_with(".json")) all[home + at->path().stem().string()] += bytes;
-      if (dash != std::string::npos) beside[home + name.substr(0, dash)] += bytes;
+  for (const auto& step : folders()) {
+    const fs::path home = folder_ / "steps" / step;
+    for (const auto& key : keysOf(step)) all[step + "/" + key] = 0;
+    for (const auto& name : namesIn(home)) {
+      std::error_code error;
+      const std::uintmax_t bytes = fs::file_size(home / name, error);
+      const auto at = all.find(step + "/" + (keyOfEntry(name).empty() ? keyOfBeside(name) : keyOfEntry(name)));
+      if (!error && at != all.end()) at->second += bytes;
     }
-    for (const auto& [name, bytes] : beside)
-      if (const auto at = all.find(name); at != all.end()) at->second += bytes;
   }
   return all;
 }
@@ -196,12 +275,16 @@ std::uint64_t StepStore::prune(std::uint64_t keepBytes) const {
   const fs::path memory = folder_ / "steps" / "uses.txt";
   std::map<std::string, std::uint64_t> known;  // the number of the finished run that used a result last
   std::uint64_t latest = 0;
-  if (auto text = files_->readText(memory)) {
+  std::error_code ignored;
+  bool isForeign = fs::exists(fs::symlink_status(memory, ignored));
+  if (auto text = files_->readText(memory); text && isMarkedAsOwn(*text)) {
+    isForeign = false;
     std::istringstream in(*text);
     std::string name;
+    std::getline(in, name);  // whose it is
     for (std::uint64_t run = 0; in >> run >> name; latest = std::max(latest, run)) known[name] = run;
   }
-  const std::lock_guard lock(uses_->guard);
+  const std::lock_guard lock(known_->guard);
   struct Unused {
     std::uint64_t lastRun = 0;
     std::string name;
@@ -211,7 +294,7 @@ std::uint64_t StepStore::prune(std::uint64_t keepBytes) const {
   std::map<std::string, std::uint64_t> next;
   std::uint64_t spare = 0, freed = 0;
   for (const auto& [name, bytes] : bytesOfAll()) {
-    if (uses_->names.contains(name)) {
+    if (known_->used.contains(name)) {
       next[name] = latest + 1;
       continue;
     }
@@ -233,50 +316,12 @@ std::uint64_t StepStore::prune(std::uint64_t keepBytes) const {
   // The same run again is no news.
   std::map<std::string, std::uint64_t> again = next;
   for (auto& [name, run] : again)
-    if (uses_->names.contains(name)) run = latest;
-  if (again == known) return freed;
-  std::string text;
+    if (known_->used.contains(name)) run = latest;
+  if (again == known || isForeign) return freed;
+  std::string text = "# " + std::string(kOwner) + ": which finished run used what last\n";
   for (const auto& [name, run] : next) text += std::to_string(run) + " " + name + "\n";
   static_cast<void>(files_->writeText(memory, text));  // without room the order is forgotten, and no result
   return freed;
-}
-
-FileContents::FileContents(const StepStore& store, sdk::Files& files) : memory_(store.folder() / "steps" / "inputs.json"), files_(files) {
-  std::error_code ignored;
-  if (fs::is_regular_file(memory_, ignored))
-    if (const auto text = files.readText(memory_)) known_ = json::parse(*text, nullptr, false);
-  if (!known_.is_object()) known_ = json::object();
-}
-
-Result<std::optional<std::string>> FileContents::keyOf(const fs::path& file, Progress& progress) {
-  struct stat status {};
-  std::ifstream in(file, std::ios::binary);
-  if (!in || ::stat(file.c_str(), &status) != 0) return std::optional<std::string>();
-  std::error_code ignored;
-  const std::string name = fs::absolute(file, ignored).lexically_normal().string();
-  const json stamp = {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino};
-  if (known_.contains(name) && known_[name].is_object() && known_[name].value("stamp", json()) == stamp &&
-      known_[name].contains("content") && known_[name]["content"].is_string())
-    return std::optional(known_[name]["content"].get<std::string>());
-  ContentKey key;
-  std::vector<char> chunk(1u << 20);
-  while (in) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The stitching was cancelled.");
-    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    key.add(std::span(reinterpret_cast<const std::uint8_t*>(chunk.data()), static_cast<std::size_t>(in.gcount())));
-  }
-  if (in.bad())
-    return failure(ErrorCode::notReadable, "\"" + file.string() + "\" cannot be read; check the medium it is on.",
-                   {{"file", file.string()}});
-  known_[name] = {{"stamp", stamp}, {"content", key.text()}};
-  changed_ = true;
-  return std::optional(key.text());
-}
-
-void FileContents::save() {
-  if (!changed_) return;
-  static_cast<void>(files_.writeText(memory_, known_.dump(1, ' ', false, json::error_handler_t::replace)));
-  changed_ = false;
 }
 
 }  // namespace ew::stitching

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,25 +22,36 @@
 
 namespace ew::stitching {
 
+/// How files in FOLDER/steps that belong to no result say whose they are; they have names that others use too.
+inline constexpr const char* kOwnMark = "#made_by";  ///< field of a JSON object, in front of all others
+inline constexpr const char* kOwner = "EchoWeave";
+[[nodiscard]] bool isMarkedAsOwn(std::string_view text);
+
 /// What the steps of a chain leave in `folder`/steps. A result is NAME/KEY.json, written last, and files NAME/KEY-… beside it, each written
 /// whole or not at all; so what lies there without its .json is no result, and a program killed at any moment leaves results or nothing.
-/// Held by one program at a time.
+/// NAME is one of folders(), KEY 32 hexadecimal digits; what is called otherwise belongs to somebody else and is left alone. A result is
+/// believed when its .json and, once they are read, its files hold what was kept, by their content. Held by one program at a time.
 class StepStore {
  public:
+  /// Below `folder`/steps, where results lie.
+  [[nodiscard]] static const std::vector<std::string>& folders();
+
   /// Makes the folder and takes it; clears away what a killed run left half-written.
   /// @error notWritable (also while another program works in the folder)
   [[nodiscard]] static Result<StepStore> open(const std::filesystem::path& folder, sdk::Files& files);
   /// The same to look only: nothing is made or taken, and a folder that is not there is empty.
   [[nodiscard]] static StepStore peek(const std::filesystem::path& folder, sdk::Files& files);
 
-  /// The data of a finished result, if it is there with all its files.
+  /// The data of a finished result, if it is there undamaged with all its files, which have the sizes they had.
   [[nodiscard]] std::optional<nlohmann::json> find(const std::string& step, const std::string& key) const;
   /// Where a file of a result lies: steps/STEP/KEY-NAME.
   [[nodiscard]] std::filesystem::path fileOf(const std::string& step, const std::string& key, const std::string& name) const;
-  /// Reads a file of a result that holds exactly `count` values: how large it may be is known from what it belongs to, so that no file is
-  /// too large, and none that was damaged takes memory.
+  /// Whether a file of a result that was found or kept holds what it held then. The file is read for it, once in the life of this store.
+  [[nodiscard]] bool isSound(const std::string& step, const std::string& key, const std::string& name) const;
+  /// Reads a file of a result that was found or kept and holds exactly `count` values: how large it may be is known from what it belongs
+  /// to, so that no file is too large, and none that was damaged takes memory.
   /// @param into left as it is unless true is returned
-  /// @return whether the file is there with exactly this size and was read
+  /// @return whether the file is there with exactly this size, was read, and holds what was kept
   template <class Value>
   [[nodiscard]] bool readValues(const std::string& step, const std::string& key, const std::string& name, std::size_t count,
                                 std::vector<Value>& into) const {
@@ -54,7 +66,7 @@ class StepStore {
   [[nodiscard]] std::optional<std::uintmax_t> bytesOf(const std::string& step, const std::string& key, const std::string& name) const;
   /// Makes room for the files of a result. @error notWritable
   [[nodiscard]] Result<void> prepare(const std::string& step) const;
-  /// Declares a result finished. @param names of its files, which have been written
+  /// Declares a result finished. @param names of its files, which have been written and are read for their content
   /// @error notWritable
   [[nodiscard]] Result<void> keep(const std::string& step, const std::string& key, nlohmann::ordered_json data,
                                   const std::vector<std::string>& names = {}) const;
@@ -64,6 +76,8 @@ class StepStore {
   void removeAllBut(const std::string& step, const std::vector<std::string>& keys) const;
   /// Notes that this run builds on a result without reading it; what it finds and keeps is noted anyway.
   void use(const std::string& step, const std::string& key) const;
+  /// The data of all results of a step, in no order.
+  [[nodiscard]] std::vector<nlohmann::json> all(const std::string& step) const;
   /// Takes away what earlier runs left and this one did not use, the longest unused first, until it takes no more than `keepBytes`. What
   /// this run used stays whatever it takes. Each result goes as a whole, so that a program killed meanwhile leaves results or nothing.
   /// Which finished run used what last is remembered in steps/uses.txt; lost, results are as good as new.
@@ -76,38 +90,30 @@ class StepStore {
   StepStore& operator=(StepStore&&) = delete;
 
  private:
-  /// Results of this run by name: "STEP/KEY".
-  struct Uses {
+  struct Content {
+    std::string key;
+    bool seen = false;  ///< that the file holds it
+  };
+  /// What this run knows.
+  struct Known {
     std::mutex guard;
-    std::set<std::string> names;
+    std::set<std::string> used;               ///< results by name: "STEP/KEY"
+    std::map<std::string, Content> contents;  ///< of files by path: what was kept
   };
   StepStore(std::filesystem::path folder, sdk::Files& files)
-      : folder_(std::move(folder)), files_(&files), uses_(std::make_unique<Uses>()) {}
+      : folder_(std::move(folder)), files_(&files), known_(std::make_unique<Known>()) {}
   [[nodiscard]] std::map<std::string, std::uint64_t> bytesOfAll() const;
   void clearLeftovers() const;
+  [[nodiscard]] std::vector<std::string> keysOf(const std::string& step) const;
+  [[nodiscard]] std::optional<nlohmann::json> entryOf(const std::string& step, const std::string& key) const;
+  void promise(const std::filesystem::path& file, const std::string& content) const;
+  [[nodiscard]] std::string promised(const std::filesystem::path& file) const;
   [[nodiscard]] bool readBytes(const std::string& step, const std::string& key, const std::string& name, std::span<std::byte> into) const;
 
   std::filesystem::path folder_;
   sdk::Files* files_;
-  std::unique_ptr<Uses> uses_;
+  std::unique_ptr<Known> known_;
   int lock_ = -1;
-};
-
-/// The content of files by name, size and time of change; read again only when one of these changed.
-class FileContents {
- public:
-  explicit FileContents(const StepStore& store, sdk::Files& files);
-  /// @return empty when the file cannot be opened
-  /// @error notReadable, cancelled
-  [[nodiscard]] Result<std::optional<std::string>> keyOf(const std::filesystem::path& file, Progress& progress);
-  /// Remembers what was read. Without room nothing is remembered, and nothing is lost.
-  void save();
-
- private:
-  std::filesystem::path memory_;
-  sdk::Files& files_;
-  nlohmann::json known_;
-  bool changed_ = false;
 };
 
 }  // namespace ew::stitching

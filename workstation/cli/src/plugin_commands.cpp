@@ -66,6 +66,7 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   run.report.outputs = outcome->outputs;
   for (const auto& [figure, value] : outcome->quality) run.report.quality[figure] = value;
   for (const auto& [step, seconds] : outcome->steps) run.report.addStep(step, 1e6 * seconds);
+  for (const auto& note : outcome->notes) run.remark(note);
   for (const auto& file : outcome->outputs) run.say("Wrote " + file + ".");
   if (!outcome->verdict) return kDone;
   run.report.verdict = *outcome->verdict;

@@ -1,6 +1,10 @@
+#include <algorithm>
+
 #include "logic/chain_json.h"
 #include "logic/chain_memory.h"
+#include "logic/content_key.h"
 #include "logic/provenance.h"
+#include "logic/result_files.h"
 #include "logic/steps/result_blocks.h"
 #include "logic/steps/steps.h"
 
@@ -11,11 +15,16 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> kResultFiles = {"volume.mha", "coverage.mha", "source.mha"};
-constexpr const char* kProvenance = "provenance.json";
+constexpr std::array kVolumes = {ResultFiles::kNames[0], ResultFiles::kNames[1], ResultFiles::kNames[2]};
+constexpr const char* kProvenance = ResultFiles::kProvenance;
 
 fs::path waiting(const ChainRun& run, const std::string& key, const char* name) {
   return run.store.fileOf(nameOf(Step::volume), key, name);
+}
+
+/// As waiting(), of one result.
+ResultFiles::Waiting allWaiting(const ChainRun& run, const std::string& key) {
+  return [&run, key](const char* name) { return waiting(run, key, name); };
 }
 
 /// Joining measures its seams block by block; where the whole is at hand, nothing has to be left out at the blocks' edges.
@@ -29,8 +38,8 @@ void measureWhole(const SeamOptions& seam, const std::array<Volume, 3>& made, Jo
 Result<JoinReport> makeInBlocks(ChainRun& run, std::span<const View> views, const Grid& grid, const std::string& key, Progress& progress) {
   PartOfProgress joining(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
   FileBlocks blocks(run.included);
-  for (std::size_t which = 0; which < kResultFiles.size(); ++which) {
-    auto writer = run.volumes.writeInBlocks(grid, waiting(run, key, kResultFiles[which]));
+  for (std::size_t which = 0; which < kVolumes.size(); ++which) {
+    auto writer = run.volumes.writeInBlocks(grid, waiting(run, key, kVolumes[which]));
     if (!writer) return passOn(writer.error());
     blocks.writers[which] = std::move(*writer);
   }
@@ -47,8 +56,8 @@ Result<JoinReport> makeInMemory(ChainRun& run, std::span<const View> views, cons
   auto report = join(views, run.seams, grid, run.joinOptions(), blocks, joining);
   if (!report) return report;
   measureWhole(run.settings.join.seam, blocks.made, *report);
-  for (std::size_t which = 0; which < kResultFiles.size(); ++which)
-    if (auto w = run.volumes.write(blocks.made[which], waiting(run, key, kResultFiles[which]), writing); !w) return passOn(w.error());
+  for (std::size_t which = 0; which < kVolumes.size(); ++which)
+    if (auto w = run.volumes.write(blocks.made[which], waiting(run, key, kVolumes[which]), writing); !w) return passOn(w.error());
   return report;
 }
 
@@ -68,26 +77,13 @@ Result<JoinReport> makeResult(ChainRun& run, const std::string& key, Progress& p
   return report;
 }
 
-/// Moves a finished result to its names. The provenance goes first and comes last: with it the four belong together, whenever the program
-/// is stopped, and a run that finds them half moved goes on.
+/// Moves a finished result to its names; a run that finds it half moved goes on.
 Result<void> publish(ChainRun& run, const std::string& key) {
-  std::error_code error;
-  const auto moveIn = [&](const char* name) -> Result<void> {
-    const fs::path from = waiting(run, key, name), to = run.folder / name;
-    if (!fs::exists(from, error)) return {};
-    fs::rename(from, to, error);
-    if (error)
-      return failure(ErrorCode::notWritable, "'" + to.string() + "' cannot be written (" + error.message() + "); choose another folder.",
-                     {{"file", to.string()}});
-    return {};
-  };
-  if (fs::exists(waiting(run, key, kProvenance), error)) fs::remove(run.folder / kProvenance, error);
-  for (const char* name : kResultFiles)
-    if (auto moved = moveIn(name); !moved) return moved;
-  if (auto moved = moveIn(kProvenance); !moved) return moved;
-  run.state.volume = run.folder / kResultFiles[0];
-  run.state.coverage = run.folder / kResultFiles[1];
-  run.state.source = run.folder / kResultFiles[2];
+  const auto aside = [&](const char* name) { return waiting(run, key, (std::string("earlier-") + name).c_str()); };
+  if (auto moved = run.resultFiles->publish(allWaiting(run, key), aside, run.options.isFolderOwn); !moved) return moved;
+  run.state.volume = run.folder / kVolumes[0];
+  run.state.coverage = run.folder / kVolumes[1];
+  run.state.source = run.folder / kVolumes[2];
   run.state.provenance = run.folder / kProvenance;
   return {};
 }
@@ -103,19 +99,20 @@ void clearBehind(const ChainRun& run) {
 }  // namespace
 
 bool resultIsThere(const ChainRun& run, const std::string& key) {
-  const auto sizes = readBack<std::vector<std::uintmax_t>>(
-      run.store.find(nameOf(Step::volume), key), [](const json& data) { return data.at("bytes").get<std::vector<std::uintmax_t>>(); });
-  if (!sizes || sizes->size() != kResultFiles.size()) return false;
-  std::error_code error;
-  for (std::size_t which = 0; which < kResultFiles.size(); ++which) {
-    if (fs::exists(waiting(run, key, kResultFiles[which]), error)) continue;  // made, and not yet moved
-    if (fs::file_size(run.folder / kResultFiles[which], error) != (*sizes)[which] || error) return false;
-  }
-  if (fs::exists(waiting(run, key, kProvenance), error)) return true;
-  const auto provenance = run.files.readText(run.folder / kProvenance);
-  if (!provenance) return false;
-  const json read = json::parse(*provenance, nullptr, false);
-  return read.is_object() && read.contains("key") && read["key"] == key;
+  const auto data = run.store.find(nameOf(Step::volume), key);
+  if (!data || !data->contains("results")) return false;
+  const auto written = resultFilesFrom((*data)["results"]);
+  if (written.size() != ResultFiles::kNames.size()) return false;
+  return std::all_of(written.begin(), written.end(), [&](const ResultFile& file) {
+    std::error_code error;
+    const fs::path made = waiting(run, key, file.name.c_str());  // and not yet moved
+    const bool isMoved = !fs::exists(made, error);
+    if (fs::file_size(isMoved ? run.folder / file.name : made, error) != file.bytes || error) return false;
+    if (!run.resultFiles) return true;
+    if (isMoved) return run.resultFiles->contentOf(file.name) == file.content;
+    const auto content = contentOf(made, noProgress());
+    return content && *content == file.content;
+  });
 }
 
 Result<void> volumeStep(ChainRun& run, Progress& progress) {
@@ -130,18 +127,16 @@ Result<void> volumeStep(ChainRun& run, Progress& progress) {
       return publish(run, key);
     }
   }
-  run.store.remove(step, key);
   auto report = makeResult(run, key, progress);
   if (!report) return passOn(report.error());
   run.state.report = std::move(*report);
-  const std::string provenance = provenanceText(run.project, run.state, key);
-  if (auto w = run.files.writeText(waiting(run, key, kProvenance), provenance); !w) return w;
-  // The sizes are kept beside the list of files, which are moved away.
-  ordered_json data = {{"report", jsonOf(*run.state.report)}, {"bytes", ordered_json::array()}};
-  for (const char* name : kResultFiles) {
-    std::error_code ignored;
-    data["bytes"].push_back(fs::file_size(waiting(run, key, name), ignored));
-  }
+  auto volumes = resultFilesAt({kVolumes.begin(), kVolumes.end()}, allWaiting(run, key));
+  if (!volumes) return passOn(volumes.error());
+  if (auto w = run.files.writeText(waiting(run, key, kProvenance), provenanceText(run.project, run.state, key, *volumes)); !w) return w;
+  // What belongs to the result is kept beside the list of files, which are moved away.
+  auto all = resultFilesAt({ResultFiles::kNames.begin(), ResultFiles::kNames.end()}, allWaiting(run, key));
+  if (!all) return passOn(all.error());
+  ordered_json data = {{"report", jsonOf(*run.state.report)}, {"results", jsonOf(*all)}};
   if (progress.cancelRequested()) return cancelledChain();
   if (auto kept = run.store.keep(step, key, std::move(data)); !kept) return kept;
   if (auto moved = publish(run, key); !moved) return moved;

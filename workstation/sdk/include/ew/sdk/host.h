@@ -178,6 +178,7 @@ class Commands {
     std::optional<std::string> verdict = {};
     std::string reason = {};
     std::vector<std::pair<std::string, double>> steps = {};  ///< seconds by name, in the order they ran: for the report
+    std::vector<std::string> notes = {};                     ///< what the user should know, a sentence each; told as remarks
   };
   /// @param usage one line, and after an empty line what else `--help` should say; `args` are the words after the name without --report and
   /// --quiet, which the host handles
