@@ -192,6 +192,28 @@ void others(const fs::path& folder) {
   static_cast<void>(ew::writeImage(viewOf(picture), 1.0, folder / "picture" / "a.png"));
 }
 
+void stitching(const fs::path& folder) {
+  put(folder / "stitch_project", "first.json",
+      R"({"volumes": [{"file": "a.mha"}, {"file": "b.mha", "to_world": "b.txt"}], "spacing_mm": 1})");
+  put(folder / "stitch_project", "all.json",
+      R"({"format": 2, "volumes": [{"name": "a", "file": "a.igs.mha", "calibration": "a.xml", "spacing_mm": 0.8, "placement": "hand",)"
+      R"( "to_world": [1,0,0,4, 0,1,0,0, 0,0,1,0, 0,0,0,1]}, {"name": "b", "file": "b.mha", "coverage": "c.mha", "confidence": "d.mha"}],)"
+      R"( "pairs": [{"fixed": "b", "moving": "a", "method": "landmarks", "decision": "accepted", "max_turn_deg": 40, "effort": "fast",)"
+      R"( "landmarks": [{"name": "fork", "fixed_mm": [1,2,3], "moving_mm": [4,5,6]}, {"fixed_mm": [2,2,3], "moving_mm": [5,5,6]},)"
+      R"( {"fixed_mm": [1,9,3], "moving_mm": [4,8,6]}]}], "settings": {"tracker_error_mm": 3, "elastic": false, "fall_off_mm": 20},)"
+      R"( "result": {"spacing_mm": 0, "axes": "world"}, "seam": {"method": "graph cut", "strokes": [{"view": "a", "at_mm": [1,2,3], "radius_mm": 4}]}})");
+  put(folder / "stitch_project", "recovery.json",
+      R"({"file": "/p.json", "project": {"format": 2, "volumes": [{"name": "a", "file": "/a.mha"}]}})");
+  put(folder / "step_inputs", "inputs.json",
+      R"({"#made_by": "EchoWeave", "content": "00", "files": {"/a.mha": {"content": "00", "stamp": [1, 2, 3, 4]}}})");
+  put(folder / "step_inputs", "uses.txt", "# EchoWeave: which finished run used what last\n3 volume/" + std::string(32, 'a') + "\n");
+  put(folder / "step_inputs", "entry.json",
+      R"({"key": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "files": [{"name": "x", "bytes": 3, "content": "00"}], "data": {"results": [)"
+      R"({"name": "volume.mha", "bytes": 1, "content": "00", "changed_ns": 1}]}, "content": "00"})");
+  put(folder / "step_inputs", "provenance.json",
+      R"({"made_by": "EchoWeave 0, stitch", "key": "00", "files": [{"name": "volume.mha", "bytes": 1, "content": "00"}]})");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -205,5 +227,6 @@ int main(int argc, char** argv) {
   volumes(folder);
   sequences(folder);
   others(folder);
+  stitching(folder);
   return 0;
 }

@@ -1,0 +1,26 @@
+// The bytes as a stitch project, and as a file that keeps unsaved work.
+#include "logic/project.h"
+#include "logic/stitch_document.h"
+#include "one_text.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace ew;
+  const std::string text(reinterpret_cast<const char*>(bytes), size);
+  fuzz::OneText files(text);  // transforms that a project names are read as well
+  const auto project = stitching::parseProject(text, "/folder", files);
+  if (!project) {
+    fuzz::checkError(project.error());
+  } else {
+    // What was read is written so that it is read again, to the same project.
+    const auto again = stitching::parseProject(stitching::projectText(*project, "/folder"), "/folder", files);
+    fuzz::mustHold(again.has_value() && *again == *project);
+  }
+  const auto file = fuzz::asFile(bytes, size, ".json");
+  stitching::StitchDocument document(files, file);
+  const auto left = document.leftIn(file);
+  if (!left)
+    fuzz::checkError(left.error());
+  else if (*left)
+    document.takeOver(**left);
+  return 0;
+}
