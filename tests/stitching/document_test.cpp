@@ -49,7 +49,8 @@ class StitchDocumentTest : public ::testing::Test {
  protected:
   test::TemporaryFolder folder_;
   test::PlainFiles files_;
-  StitchDocument document_{files_, folder_ / "kept" / "recovery.json"};
+  const std::filesystem::path recovery_ = folder_ / "kept/recovery.json";
+  StitchDocument document_{files_, recovery_};
 };
 
 TEST_F(StitchDocumentTest, EachEditIsUndoneAndRedoneByItsName) {
@@ -198,11 +199,11 @@ TEST_F(StitchDocumentTest, WhatACrashLeavesIsOfferedAndTakenOver) {
     StitchDocument crashed(files_, folder_ / "kept" / "recovery.json");
     crashed.edit(threeVolumes(), "add");
     ASSERT_TRUE(crashed.save(folder_ / "p.json"));
-    EXPECT_FALSE(*crashed.leftBehind());
+    EXPECT_FALSE(*crashed.leftIn(folder_ / "kept" / "recovery.json"));
     crashed.edit(withPair(crashed.project(), pairWithLandmark(0, 1)), "landmark");
     ASSERT_TRUE(crashed.keepRecovery());
   }
-  const auto left = document_.leftBehind();
+  const auto left = document_.leftIn(recovery_);
   ASSERT_TRUE(left) << left.error();
   ASSERT_TRUE(*left);
   EXPECT_EQ((*left)->file, folder_ / "p.json");
@@ -210,13 +211,13 @@ TEST_F(StitchDocumentTest, WhatACrashLeavesIsOfferedAndTakenOver) {
   EXPECT_EQ(document_.project(), withPair(threeVolumes(), pairWithLandmark(0, 1)));
   EXPECT_TRUE(document_.hasUnsavedChanges());
   ASSERT_TRUE(document_.save(document_.file()));
-  EXPECT_FALSE(*document_.leftBehind());
+  EXPECT_FALSE(*document_.leftIn(recovery_));
 }
 
 TEST_F(StitchDocumentTest, ADamagedRecoveryFileIsASentenceAndStaysWhereItIs) {
   std::filesystem::create_directories(folder_ / "kept");
   test::writeText(folder_ / "kept" / "recovery.json", "{\"file\": 3");
-  const auto left = document_.leftBehind();
+  const auto left = document_.leftIn(recovery_);
   ASSERT_FALSE(left);
   EXPECT_EQ(left.error().sentence.back(), '.');
   EXPECT_TRUE(std::filesystem::exists(folder_ / "kept" / "recovery.json"));
@@ -225,11 +226,61 @@ TEST_F(StitchDocumentTest, ADamagedRecoveryFileIsASentenceAndStaysWhereItIs) {
 TEST_F(StitchDocumentTest, AfterEverythingIsUndoneNoRecoveryIsLeft) {
   document_.edit(threeVolumes(), "add");
   ASSERT_TRUE(document_.keepRecovery());
-  EXPECT_TRUE(*document_.leftBehind());
+  EXPECT_TRUE(*document_.leftIn(recovery_));
   document_.undo();
   ASSERT_TRUE(document_.keepRecovery());
-  EXPECT_FALSE(*document_.leftBehind());
+  EXPECT_FALSE(*document_.leftIn(recovery_));
   EXPECT_FALSE(document_.save(folder_ / "empty.json")) << "an empty project could not be opened again";
+}
+
+TEST_F(StitchDocumentTest, NamesTheFilesThatDoNotGoAlongWhenAProjectIsTakenElsewhere) {
+  StitchProject project = withVolumes({}, {volumeCalled("a"), volumeCalled("b")});
+  project.volumes[0].file = "/work/recordings/a.mha";
+  project.volumes[0].calibration = "/work/probe.xml";
+  EXPECT_EQ(filesElsewhere(project, "/work"), std::vector<std::filesystem::path>{"/data/b.mha"});
+  EXPECT_EQ(filesElsewhere(project, "/").size(), 0u);
+  EXPECT_EQ(filesElsewhere(project, "/work/recordings").size(), 2u);
+  const std::string text = projectText(project, "/work");
+  EXPECT_NE(text.find("\"recordings/a.mha\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"/data/b.mha\""), std::string::npos) << text;
+}
+
+TEST_F(StitchDocumentTest, KnowsThatSomebodyElseWroteItsFile) {
+  StitchDocument other(files_, folder_ / "other.json");
+  document_.edit(threeVolumes(), "add");
+  EXPECT_FALSE(document_.isChangedOnDisk()) << "it has no file";
+  ASSERT_TRUE(document_.save(folder_ / "p.json"));
+  EXPECT_FALSE(document_.isChangedOnDisk());
+  ASSERT_TRUE(other.open(folder_ / "p.json"));
+  EXPECT_FALSE(other.isChangedOnDisk());
+  other.edit(withoutVolume(other.project(), 0), "remove");
+  ASSERT_TRUE(other.save(other.file()));
+  EXPECT_FALSE(other.isChangedOnDisk());
+  EXPECT_TRUE(document_.isChangedOnDisk());
+  ASSERT_TRUE(document_.open(document_.file()));
+  EXPECT_FALSE(document_.isChangedOnDisk());
+  std::filesystem::remove(folder_ / "p.json");
+  EXPECT_FALSE(document_.isChangedOnDisk()) << "nothing is lost by writing it again";
+}
+
+TEST_F(StitchDocumentTest, KnowsThatTheFileOfRecoveredWorkWasWrittenAfterwards) {
+  document_.edit(threeVolumes(), "add");
+  ASSERT_TRUE(document_.save(folder_ / "p.json"));
+  document_.edit(withoutVolume(document_.project(), 0), "remove");
+  ASSERT_TRUE(document_.keepRecovery());
+  StitchDocument later(files_, folder_ / "later.json");
+  const auto left = later.leftIn(recovery_);
+  ASSERT_TRUE(left && *left);
+  later.takeOver(**left);
+  EXPECT_FALSE(later.isChangedOnDisk());
+  ASSERT_TRUE(later.keepRecovery());
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "later.json")) << "what was taken over is kept in the window's own place";
+}
+
+TEST_F(StitchDocumentTest, ARecoveryThatNestsWithoutEndIsASentence) {
+  std::filesystem::create_directories(recovery_.parent_path());
+  test::writeText(recovery_, "{\"file\": \"\", \"project\": " + std::string(300000, '['));
+  EXPECT_FALSE(document_.leftIn(recovery_));
 }
 
 }  // namespace

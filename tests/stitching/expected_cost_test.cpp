@@ -73,6 +73,7 @@ TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
   EXPECT_EQ(pace.pairs, 3u);
   EXPECT_NEAR(pace.factor, 3.0, 1e-9) << "the middle of 2, 3 and 4; that the machine was busy says nothing about it";
   EXPECT_NEAR(expectedBends(*grids[0], *grids[1], pace)[1].seconds, 1.35, 1e-9);
+  EXPECT_NEAR(pace.clock, 70.0 / 1.8, 1e-9) << "but how long one waits for it is known as well";
 }
 
 }  // namespace

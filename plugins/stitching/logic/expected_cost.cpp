@@ -76,7 +76,7 @@ MachinePace paceOf(std::span<const Timed> timed) {
   if (ratios.empty()) return {};
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
-  return {*middle, ratios.size()};
+  return {.factor = *middle, .pairs = ratios.size()};
 }
 
 MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids) {
@@ -86,7 +86,11 @@ MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional
     for (const ExpectedCost& expected : expectedBends(*grids[pair.fixed], *grids[pair.moving]))
       if (expected.effort == pair.effort) timed.push_back({expected.seconds, pair.processor_s});
   }
-  return paceOf(timed);
+  MachinePace pace = paceOf(timed);
+  std::vector<Timed> waited;
+  for (const BentPair& pair : bent) waited.push_back({pair.processor_s, pair.seconds});
+  pace.clock = std::max(1.0, paceOf(waited).factor);
+  return pace;
 }
 
 }  // namespace ew::stitching

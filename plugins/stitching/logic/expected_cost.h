@@ -22,6 +22,7 @@ inline constexpr std::array kEfforts = {registration::ElasticEffort::fast, regis
 struct MachinePace {
   double factor = 1.0;    ///< seconds here for one there
   std::size_t pairs = 0;  ///< that were measured here; 0: the factor is nobody's
+  double clock = 1.0;     ///< seconds one waits for one of processor time, which is more where the machine does other things as well
 };
 
 /// Bending a pair of volumes on these grids at each effort. The figures are those of `echoweave bench register --side 96` on one thread
@@ -41,7 +42,7 @@ struct Timed {
 /// The median of measured over expected.
 [[nodiscard]] MachinePace paceOf(std::span<const Timed> timed);
 /// The median of what bent pairs took here over what they were expected to take, in processor time: a machine that had other things to do
-/// while they were bent is not slower for that. @param grids one per volume of the pairs
+/// while they were bent is not slower for that; how long one waits for it is told by itself. @param grids one per volume of the pairs
 [[nodiscard]] MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids);
 
 }  // namespace ew::stitching

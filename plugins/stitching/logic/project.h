@@ -114,6 +114,9 @@ bool operator==(const StitchProject& a, const StitchProject& b);
 /// The project as text that parseProject reads back to an equal one. Paths below `folder` are written relative to it.
 [[nodiscard]] std::string projectText(const StitchProject& project, const std::filesystem::path& folder);
 
+/// The files of a project that projectText writes by their whole path, because they do not lie in `folder` or below it.
+[[nodiscard]] std::vector<std::filesystem::path> filesElsewhere(const StitchProject& project, const std::filesystem::path& folder);
+
 /// A rigid matrix from text: 16 numbers, row by row, separated by blanks or line ends.
 /// @error badField, notRigid
 [[nodiscard]] Result<glm::dmat4> parseTransform(const std::string& text, const std::string& name);

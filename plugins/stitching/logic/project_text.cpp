@@ -8,10 +8,15 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string relativeText(const fs::path& file, const fs::path& folder) {
+/// Empty: it lies elsewhere.
+fs::path belowFolder(const fs::path& file, const fs::path& folder) {
   const fs::path relative = file.lexically_relative(folder);
-  const bool below = !relative.empty() && *relative.begin() != "..";
-  return (below && !folder.empty() ? relative : file).generic_string();
+  return !folder.empty() && !relative.empty() && *relative.begin() != ".." ? relative : fs::path();
+}
+
+std::string relativeText(const fs::path& file, const fs::path& folder) {
+  const fs::path below = belowFolder(file, folder);
+  return (below.empty() ? file : below).generic_string();
 }
 
 nlohmann::ordered_json pointOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
@@ -45,6 +50,14 @@ nlohmann::ordered_json entryOf(const ProjectPair& pair, const std::vector<Projec
 }
 
 }  // namespace
+
+std::vector<fs::path> filesElsewhere(const StitchProject& project, const fs::path& folder) {
+  std::vector<fs::path> elsewhere;
+  for (const ProjectVolume& volume : project.volumes)
+    for (const fs::path& file : {volume.file, volume.coverage, volume.confidence, volume.calibration})
+      if (!file.empty() && belowFolder(file, folder).empty()) elsewhere.push_back(file);
+  return elsewhere;
+}
 
 std::string projectText(const StitchProject& project, const fs::path& folder) {
   nlohmann::ordered_json document;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "logic/places.h"
+#include "logic/value_json.h"
 
 namespace ew::stitching {
 namespace {
@@ -194,16 +195,17 @@ void StitchDocument::redo() {
   mergeKey_.clear();
 }
 
-void StitchDocument::begin(StitchProject project, StitchProject saved, fs::path file) {
+void StitchDocument::begin(StitchProject project, StitchProject saved, fs::path file, std::string textOfFile) {
   now_ = std::move(project);
   saved_ = std::move(saved);
   file_ = std::move(file);
+  textOfFile_ = std::move(textOfFile);
   past_.clear();
   future_.clear();
   mergeKey_.clear();
 }
 
-void StitchDocument::clear() { begin({}, {}, {}); }
+void StitchDocument::clear() { begin({}, {}, {}, {}); }
 
 Result<void> StitchDocument::open(const fs::path& file) {
   auto text = files_.readText(file);
@@ -211,14 +213,22 @@ Result<void> StitchDocument::open(const fs::path& file) {
   auto project = parseProject(*text, file.parent_path(), files_);
   if (!project) return passOn(project.error());
   StitchProject same = *project;
-  begin(std::move(*project), std::move(same), file);
+  begin(std::move(*project), std::move(same), file, std::move(*text));
   return {};
+}
+
+bool StitchDocument::isChangedOnDisk() const {
+  if (file_.empty()) return false;
+  const auto text = files_.readText(file_);
+  return text && *text != textOfFile_;  // where it is gone, nothing is lost by writing it again
 }
 
 Result<void> StitchDocument::save(const fs::path& file) {
   if (now_.volumes.empty()) return failure(ErrorCode::emptyVolume, "The project has no volume yet; add one before it is saved.");
-  if (auto written = files_.writeText(file, projectText(now_, file.parent_path())); !written) return written;
+  std::string text = projectText(now_, file.parent_path());
+  if (auto written = files_.writeText(file, text); !written) return written;
   file_ = file;
+  textOfFile_ = std::move(text);
   saved_ = now_;
   forgetRecovery();
   return {};
@@ -241,32 +251,34 @@ Result<void> StitchDocument::keepRecovery() {
   return {};
 }
 
-Result<std::optional<StitchDocument::Left>> StitchDocument::leftBehind() const {
+Result<std::optional<StitchDocument::Left>> StitchDocument::leftIn(const fs::path& recovery) const {
   std::error_code ignored;
-  if (!fs::exists(recovery_, ignored)) return std::nullopt;
-  auto text = files_.readText(recovery_);
+  if (!fs::exists(recovery, ignored)) return std::nullopt;
+  auto text = files_.readText(recovery);
   if (!text) return passOn(text.error());
-  const auto around = nlohmann::json::parse(*text, nullptr, false);
+  const auto around = jsonOfText(*text);
   if (!around.is_object() || !around.contains(kRecoveryProject) || !around.contains(kRecoveryFile) ||
       !around.at(kRecoveryFile).is_string()) {
-    return failure(ErrorCode::badHeader, "The file that keeps unsaved work ('" + recovery_.string() +
+    return failure(ErrorCode::badHeader, "The file that keeps unsaved work ('" + recovery.string() +
                                              "') is damaged; it is left where it is and nothing was reopened.");
   }
-  auto project = parseProject(around.at(kRecoveryProject).dump(), recovery_.parent_path(), files_);
+  auto project = parseProject(around.at(kRecoveryProject).dump(), recovery.parent_path(), files_);
   if (!project) return passOn(project.error());
   return Left{around.at(kRecoveryFile).get<std::string>(), std::move(*project)};
 }
 
 void StitchDocument::takeOver(const Left& left) {
   StitchProject saved;
+  std::string textOfFile;
   // What the file holds now, so that "not saved" is true; a file that is gone counts as never saved.
   if (!left.file.empty()) {
     if (auto text = files_.readText(left.file)) {
       if (auto project = parseProject(*text, left.file.parent_path(), files_)) saved = std::move(*project);
+      textOfFile = std::move(*text);
     }
   }
-  begin(left.project, std::move(saved), left.file);
-  kept_ = now_;
+  begin(left.project, std::move(saved), left.file, std::move(textOfFile));
+  kept_.reset();
 }
 
 void StitchDocument::forgetRecovery() {

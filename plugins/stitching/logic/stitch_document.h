@@ -60,21 +60,24 @@ class StitchDocument {
   void clear();
   /// @error what reading and parseProject say; the present project stays then
   [[nodiscard]] Result<void> open(const std::filesystem::path& file);
-  /// Writes the project, complete or not at all, and forgets the recovery file.
+  /// Whether somebody else wrote the project's file since it was opened or saved here.
+  [[nodiscard]] bool isChangedOnDisk() const;
+  /// Writes the project, complete or not at all, and forgets the recovery file; whoever calls has looked at isChangedOnDisk().
   /// @error notWritable, emptyVolume (no volume in it)
   [[nodiscard]] Result<void> save(const std::filesystem::path& file);
 
   /// Writes the recovery file when there are unsaved changes, removes it when there are none. Nothing is written twice.
   /// @error notWritable
   [[nodiscard]] Result<void> keepRecovery();
-  /// A recovery file that an earlier run left.
+  /// What a recovery file holds that an earlier run left.
   struct Left {
     std::filesystem::path file;  ///< of the project; empty: never saved
     StitchProject project;
   };
+  /// @return empty when there is no such file
   /// @error of a file that is there and cannot be used
-  [[nodiscard]] Result<std::optional<Left>> leftBehind() const;
-  /// Takes it over as an unsaved project. Without steps.
+  [[nodiscard]] Result<std::optional<Left>> leftIn(const std::filesystem::path& recovery) const;
+  /// Takes it over as an unsaved project, which keepRecovery() then keeps. Without steps.
   void takeOver(const Left& left);
   void forgetRecovery();
 
@@ -83,11 +86,12 @@ class StitchDocument {
     StitchProject other;  ///< what undo (or redo) goes to
     std::string what;
   };
-  void begin(StitchProject project, StitchProject saved, std::filesystem::path file);
+  void begin(StitchProject project, StitchProject saved, std::filesystem::path file, std::string textOfFile);
 
   sdk::Files& files_;
   std::filesystem::path recovery_;
   std::filesystem::path file_;
+  std::string textOfFile_;  ///< as it was read or written here
   StitchProject now_;
   StitchProject saved_;
   std::deque<Step> past_;

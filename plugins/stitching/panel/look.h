@@ -21,6 +21,9 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
   switch (mark) {
     case StitchSession::Mark::aligned:
       return dark ? QColor(0x5f, 0xb8, 0x6e) : QColor(0x2a, 0x80, 0x3c);
+    case StitchSession::Mark::landmarks:
+    case StitchSession::Mark::byHand:
+      return palette.color(QPalette::WindowText);
     case StitchSession::Mark::cannotTell:
       return dark ? QColor(0xd9, 0xb1, 0x4a) : QColor(0x8f, 0x66, 0x00);
     case StitchSession::Mark::notAligned:
@@ -36,6 +39,10 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
   switch (mark) {
     case StitchSession::Mark::aligned:
       return StitchSession::tr("aligned");
+    case StitchSession::Mark::landmarks:
+      return StitchSession::tr("by landmarks");
+    case StitchSession::Mark::byHand:
+      return StitchSession::tr("by hand, not checked");
     case StitchSession::Mark::cannotTell:
       return StitchSession::tr("cannot tell");
     case StitchSession::Mark::notAligned:
@@ -53,7 +60,7 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
   return QStringLiteral("%1 × %2 × %3").arg(grid.dims.x).arg(grid.dims.y).arg(grid.dims.z);
 }
 
-/// A sign per verdict, so that it reads without colour: tick, question mark, cross, bar, ring.
+/// A sign per verdict, so that it reads without colour: tick, plus, dot, question mark, cross, bar, ring.
 void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, const QPalette& palette);
 
 }  // namespace ew::stitching

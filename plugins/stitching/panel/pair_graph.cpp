@@ -40,6 +40,15 @@ void drawMark(QPainter& painter, const QRectF& box, StitchSession::Mark mark, co
     case StitchSession::Mark::aligned:
       painter.drawPolyline(QPolygonF({c + QPointF(-r, 0.1 * r), c + QPointF(-0.2 * r, 0.8 * r), c + QPointF(1.1 * r, -0.8 * r)}));
       break;
+    case StitchSession::Mark::landmarks:
+      painter.drawLine(c + QPointF(-1.2 * r, 0), c + QPointF(1.2 * r, 0));
+      painter.drawLine(c + QPointF(0, -1.2 * r), c + QPointF(0, 1.2 * r));
+      break;
+    case StitchSession::Mark::byHand:
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colour);
+      painter.drawEllipse(c, r, r);
+      break;
     case StitchSession::Mark::cannotTell: {
       QFont font = painter.font();
       font.setPixelSize(static_cast<int>(side * 0.85));
@@ -107,6 +116,8 @@ void PairGraph::paintEvent(QPaintEvent*) {
     if (line.mark == Mark::unknown) {
       pen.setWidthF(isChosen ? 3.0 : isUnder ? 2.0 : 1.0);
       pen.setStyle(Qt::DotLine);
+    } else if (line.mark == Mark::byHand) {
+      pen.setDashPattern({8.0, 3.0});
     } else if (line.mark == Mark::cannotTell) {
       pen.setDashPattern({4.0, 3.0});
     } else if (line.mark == Mark::notAligned) {
@@ -122,7 +133,8 @@ void PairGraph::paintEvent(QPaintEvent*) {
     }
     painter.setPen(pen);
     painter.drawLine(edge);
-    if (line.mark == Mark::notAligned || line.mark == Mark::rejected || line.stale) {
+    const bool isGiven = line.mark == Mark::byHand || line.mark == Mark::landmarks;
+    if (isGiven || line.mark == Mark::notAligned || line.mark == Mark::rejected || line.stale) {
       const QPointF at = middleOfEdge(line.fixed, line.moving);
       painter.setPen(Qt::NoPen);
       painter.setBrush(palette().color(QPalette::Window));

@@ -149,8 +149,10 @@ QWidget* PairInspector::makeFigures() {
   auto* box = new QWidget;
   auto* column = columnIn(box);
   overlap_ = addLine(column, tr("Overlap"), tr("Of the smaller volume's covered part, how much both cover"));
-  correlation_ = addLine(column, tr("Correlation"),
-                         tr("Before and after; without gain and speckle. In brackets what unrelated tissue reaches by chance"));
+  correlation_ = addLine(
+      column, tr("Correlation"),
+      tr("As matched; without gain and speckle. In brackets what it was at the start, and what unrelated tissue reaches by chance. It may "
+         "fall: a search that has no start looks for the pose that stands out, and the start may lie on it already"));
   now_ = addLine(column, tr("Grey levels now"),
                  tr("Plain correlation of the grey levels as they lie now: for a hand that nudges, no verdict"));
   halves_ =
@@ -405,14 +407,13 @@ void PairInspector::showCost() {
   if (bent == nullptr) {
     measured_->setText(none);
   } else {
-    const QString took = inSeconds(bent->processor_s > 0.0 ? bent->processor_s : bent->seconds);
+    const QString took = inSeconds(bent->seconds > 0.0 ? bent->seconds : bent->processor_s);
     measured_->setText(bent->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(bent->effort)));
     measured_->setToolTip(
         tr("That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
             .arg(number(bent->after.correlation, 2), number(bent->before.correlation, 2), number(bent->largestMotion_mm, 1)) +
         (bent->processor_s > 0.0
-             ? QLatin1Char('\n') +
-                   tr("By processor time, which other programs do not change; by the clock it took %1.").arg(inSeconds(bent->seconds))
+             ? QLatin1Char('\n') + tr("By the clock; %1 of it were work of the processor.").arg(inSeconds(bent->processor_s))
              : QString()));
   }
   bentReason_->setVisible(bent != nullptr);
@@ -432,7 +433,8 @@ void PairInspector::showCost() {
   const MachinePace pace = session_.bendPace();
   const auto costs = expectedBends(a->grid, b->grid, pace);
   const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
-  expected_->setText(tr("%1 mm in %2").arg(number(mine.error_mm, 2), inSeconds(mine.seconds)));
+  // What one waits for; the chart below compares processor times, which do not depend on what else the machine does.
+  expected_->setText(tr("%1 mm in %2").arg(number(mine.error_mm, 2), inSeconds(pace.clock * mine.seconds)));
   const QString from =
       tr("From 'echoweave bench register': two views of one tissue, up to 5 mm apart, with two thirds of their speckle in common, on one "
          "thread; scaled to this pair's %1 million voxels of %2 mm.")
@@ -441,7 +443,8 @@ void PairInspector::showCost() {
       QLatin1Char(' ') +
       (pace.pairs > 0 ? tr("Times are as %n pairs took here.", nullptr, static_cast<int>(pace.pairs))
                       : tr("Times are those of the machine of the figures until a pair was bent here."));
-  expected_->setToolTip(from);
+  expected_->setToolTip(from + QLatin1Char('\n') +
+                        tr("By the clock, as bending went here; %1 of it are work of the processor.").arg(inSeconds(mine.seconds)));
   cost_->setToolTip(from);
   costHead_->say(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
   costHead_->setToolTip(from);
@@ -480,7 +483,8 @@ void PairInspector::refresh() {
                      words(session_.project().volumes[moving].name));
   static_cast<MarkBox*>(mark_)->mark = line.mark;
   mark_->update();
-  word_->setText(wordsOfMark(line.mark));
+  const bool isAcceptedHand = line.mark == StitchSession::Mark::byHand && said.decision == Decision::accepted;
+  word_->setText(isAcceptedHand ? tr("by hand, accepted") : wordsOfMark(line.mark));
   QPalette colours = palette();
   colours.setColor(QPalette::WindowText, colourOfMark(line.mark, palette()));
   word_->setPalette(colours);
@@ -491,6 +495,9 @@ void PairInspector::refresh() {
     reason = sentencesOf(line.outcome->rigid.remarks, line.outcome->rigid.reason);
   else
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
+  if (line.mark == StitchSession::Mark::landmarks && line.outcome->landmarks)
+    reason += QLatin1Char(' ') + tr("At the far side %1 mm are to be expected; the images were not asked.")
+                                     .arg(number(line.outcome->landmarks->expectedError_mm, 1));
   if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
   if (line.stale) reason += QLatin1Char(' ') + tr("Changed since: match again.");
   reason_->say(reason);
@@ -500,8 +507,8 @@ void PairInspector::refresh() {
   if (line.outcome != nullptr) {
     const auto& rigid = line.outcome->rigid;
     overlap_->setText(tr("%1 %").arg(number(100.0 * rigid.after.overlapShare, 0)));
-    correlation_->setText(tr("%1 to %2 (chance %3)")
-                              .arg(number(rigid.before.correlation, 2), number(rigid.after.correlation, 2), number(rigid.after.chance, 2)));
+    correlation_->setText(tr("%1 (was %2, chance %3)")
+                              .arg(number(rigid.after.correlation, 2), number(rigid.before.correlation, 2), number(rigid.after.chance, 2)));
     halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
     time_->setText(rigid.seconds > 0.0 ? inSeconds(rigid.seconds) : none);
     if (rigid.after.overlapShare == 0.0 && rigid.after.correlation == 0.0) {  // by landmarks or by hand the images were not asked

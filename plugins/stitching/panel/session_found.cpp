@@ -61,7 +61,10 @@ StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) co
     line.wrong = line.outcome->wrong;
     switch (line.outcome->rigid.verdict) {
       case registration::Verdict::aligned:
-        line.mark = line.wrong ? Mark::notAligned : Mark::aligned;
+        line.mark = line.wrong                                    ? Mark::notAligned
+                    : line.outcome->used == PairMethod::byHand    ? Mark::byHand
+                    : line.outcome->used == PairMethod::landmarks ? Mark::landmarks
+                                                                  : Mark::aligned;
         break;
       case registration::Verdict::cannotTell:
         line.mark = Mark::cannotTell;
@@ -71,8 +74,10 @@ StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) co
         break;
     }
   }
+  if (line.stale && said.method == PairMethod::byHand) line.mark = Mark::byHand;  // moved away from what was proved
   if (said.decision == Decision::rejected) line.mark = Mark::rejected;
-  line.needsLook = line.outcome != nullptr && said.decision == Decision::undecided && (line.stale || line.mark != Mark::aligned);
+  const bool isHeld = line.mark == Mark::aligned || line.mark == Mark::landmarks;
+  line.needsLook = line.outcome != nullptr && said.decision == Decision::undecided && (line.stale || !isHeld);
   return line;
 }
 
@@ -100,6 +105,10 @@ StitchSession::Mark StitchSession::markOf(std::size_t index) const {
   const auto rank = [](Mark mark) {
     switch (mark) {
       case Mark::aligned:
+        return 6;
+      case Mark::landmarks:
+        return 5;
+      case Mark::byHand:
         return 4;
       case Mark::cannotTell:
         return 3;

@@ -2,6 +2,10 @@
 
 #include <QPointer>
 #include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -25,28 +29,37 @@ std::string nameOfFile(const fs::path& file) {
   return (stem.extension() == ".igs" || stem.extension() == ".nii") && stem.stem() != stem ? stem.stem().string() : stem.string();
 }
 
-Result<Volume> readOne(const ProjectVolume& line, const fs::path& folder, sdk::Volumes& volumes, sdk::Files& files, Progress& progress) {
-  // A sweep is no volume yet: the chain's first step makes one of it, and says in a sentence what is wrong with what is neither.
-  if (line.confidence.empty() && line.calibration.empty() && line.spacing_mm == 0.0) {
+/// Files are read one after the other: sweeps are made volumes in one folder, in which one run can be at work.
+/// @return not held: it was cancelled meanwhile
+std::unique_lock<std::timed_mutex> waitForTurn(std::timed_mutex& turn, const Progress& progress) {
+  std::unique_lock lock(turn, std::defer_lock);
+  while (!progress.cancelRequested() && !lock.try_lock_for(std::chrono::milliseconds(50)))
+    ;
+  return lock;
+}
+
+bool isSweepFile(const fs::path& file, sdk::Volumes& volumes) {
+  const auto info = volumes.inspect(file);
+  return info && info->sweep;
+}
+
+/// A sweep of which something has to be said before it is a volume: it stays in the list, where that can be done.
+bool canBeMended(const Error& problem) { return problem.code == ErrorCode::missingCalibration || problem.code == ErrorCode::tooLarge; }
+
+/// A volume as it is, a sweep as the chain's first step makes one of it.
+Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& folder, sdk::Volumes& volumes, sdk::Files& files,
+                       Progress& progress) {
+  if (!isSweep && line.confidence.empty()) {
     auto volume = volumes.read(line.file, progress);
-    if (volume && line.coverage.empty()) return volume;
-    if (volume) {
+    if (volume && !line.coverage.empty())
       if (auto covered = volumes.readCoverageInto(*volume, line.coverage, progress); !covered) return passOn(covered.error());
-      return volume;
-    }
-    if (volume.error().code == ErrorCode::cancelled || volume.error().code == ErrorCode::notFound) return volume;
-    StitchProject one;
-    one.volumes.push_back(line);
-    ChainOptions options;
-    options.until = Step::reconstruct;
-    auto state = runChain(one, folder, options, volumes, files, progress);
-    if (!state || state->volumes.empty() || !state->volumes.front()) return volume;
-    return *state->volumes.front();
+    return volume;
   }
   StitchProject one;
   one.volumes.push_back(line);
   ChainOptions options;
   options.until = Step::reconstruct;
+  options.isFolderOwn = true;
   auto state = runChain(one, folder, options, volumes, files, progress);
   if (!state) return passOn(state.error());
   if (state->volumes.empty() || !state->volumes.front())
@@ -99,7 +112,9 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
   if (lines.empty()) return;
   // Read before they are added: a file that is no volume never becomes a line.
   struct Read {
-    std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;
+    std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
+    std::map<std::string, std::string> reasons;                                    ///< of these, by keyOf
+    std::set<fs::path> sweeps;
     int failed = 0;
   };
   auto read = std::make_shared<Read>();
@@ -110,21 +125,28 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
   auto& texts = host_.files();
   host_.jobs().start(
       what.toStdString(),
-      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& whole) -> Result<void> {
+      [read, lines, &volumes, &texts, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
+        const auto mine = waitForTurn(*turn, progress);
+        if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
         const double share = 1.0 / static_cast<double>(lines.size());
         std::optional<Error> first;
         for (std::size_t n = 0; n < lines.size(); ++n) {
           PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
           part.report(lines[n].name, 0.0);
-          auto volume = readOne(lines[n], folder, volumes, texts, part);
+          const bool isSweep = isSweepFile(lines[n].file, volumes);
+          if (isSweep) read->sweeps.insert(lines[n].file);
+          auto volume = readOne(lines[n], isSweep, folder, volumes, texts, part);
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
           if (volume) {
             read->volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
-          } else {
-            ++read->failed;
-            if (!first) first = volume.error();
+            continue;
           }
+          ++read->failed;
+          if (!first) first = volume.error();
+          if (!isSweep || !canBeMended(volume.error())) continue;
+          read->volumes.emplace_back(lines[n], nullptr);
+          read->reasons[keyOf(lines[n])] = volume.error().sentence;
         }
         if (first) return passOn(*first);
         return {};
@@ -134,13 +156,18 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
         if (session == nullptr) return;
         std::vector<ProjectVolume> added;
         for (auto& [line, volume] : read->volumes) {
-          session->volumes_[keyOf(line)] = volume;
+          if (volume)
+            session->volumes_[keyOf(line)] = volume;
+          else
+            session->unreadable_[keyOf(line)] = read->reasons[keyOf(line)];
           added.push_back(line);
         }
+        session->sweeps_.merge(read->sweeps);
         if (!added.empty()) {
           const QString step = added.size() == 1 ? tr("add %1").arg(words(added.front().name))
                                                  : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
           session->edit(withVolumes(session->project(), std::move(added)), step);
+          if (!read->reasons.empty()) session->chooseVolume(session->project().volumes.size() - 1);  // where it can be mended
         }
         if (outcome) return;
         session->say(outcome.error());
@@ -159,6 +186,8 @@ void StitchSession::readVolumes() {
   reading_ = true;
   struct Read {
     std::vector<std::pair<std::string, std::shared_ptr<const Volume>>> volumes;  ///< null: it cannot be read
+    std::map<std::string, std::string> reasons;                                  ///< of these
+    std::set<fs::path> sweeps;
     std::optional<Error> first;
   };
   auto read = std::make_shared<Read>();
@@ -167,15 +196,20 @@ void StitchSession::readVolumes() {
   auto& texts = host_.files();
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
-      [read, lines, &volumes, &texts, folder = folder_ / "work" / "reading"](Progress& whole) -> Result<void> {
+      [read, lines, &volumes, &texts, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
+        const auto mine = waitForTurn(*turn, progress);
+        if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
         const double share = 1.0 / static_cast<double>(lines.size());
         for (std::size_t n = 0; n < lines.size(); ++n) {
           PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
           part.report(lines[n].name, 0.0);
-          auto volume = readOne(lines[n], folder, volumes, texts, part);
+          const bool isSweep = isSweepFile(lines[n].file, volumes);
+          if (isSweep) read->sweeps.insert(lines[n].file);
+          auto volume = readOne(lines[n], isSweep, folder, volumes, texts, part);
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
           if (!volume && !read->first) read->first = volume.error();
+          if (!volume) read->reasons[keyOf(lines[n])] = volume.error().sentence;
           read->volumes.emplace_back(keyOf(lines[n]), volume ? std::make_shared<const Volume>(std::move(*volume)) : nullptr);
         }
         return {};
@@ -188,11 +222,12 @@ void StitchSession::readVolumes() {
           if (volume)
             session->volumes_[key] = volume;
           else
-            session->unreadable_.insert(key);
+            session->unreadable_[key] = read->reasons[key];
         }
+        session->sweeps_.merge(read->sweeps);
         if (!outcome)  // cancelled: not asked again until the file is added anew
           for (const auto& line : lines)
-            if (session->volumes_.count(keyOf(line)) == 0) session->unreadable_.insert(keyOf(line));
+            if (session->volumes_.count(keyOf(line)) == 0) session->unreadable_.try_emplace(keyOf(line));
         if (read->first) session->say(*read->first);
         session->fit();
         session->afterEdit();
@@ -207,6 +242,31 @@ std::shared_ptr<const Volume> StitchSession::volume(std::size_t index) const {
 
 bool StitchSession::isUnreadable(std::size_t index) const {
   return index < project().volumes.size() && unreadable_.count(keyOf(project().volumes[index])) != 0;
+}
+
+QString StitchSession::whyUnreadable(std::size_t index) const {
+  return isUnreadable(index) ? phraseOf(unreadable_.at(keyOf(project().volumes[index]))) : QString();
+}
+
+bool StitchSession::isSweep(std::size_t index) const {
+  return index < project().volumes.size() && sweeps_.contains(project().volumes[index].file);
+}
+
+void StitchSession::setCalibration(std::size_t index, const fs::path& deviceSet) {
+  if (index >= project().volumes.size()) return;
+  StitchProject next = project();
+  next.volumes[index].calibration = deviceSet;
+  Q_EMIT problem({});
+  edit(std::move(next),
+       deviceSet.empty() ? tr("no calibration of %1").arg(words(letterOf(index))) : tr("calibration of %1").arg(words(letterOf(index))));
+}
+
+void StitchSession::setSweepSpacing(std::size_t index, double spacing_mm) {
+  if (index >= project().volumes.size() || project().volumes[index].spacing_mm == spacing_mm) return;
+  StitchProject next = project();
+  next.volumes[index].spacing_mm = spacing_mm;
+  Q_EMIT problem({});
+  edit(std::move(next), tr("voxel spacing of %1").arg(words(letterOf(index))));
 }
 
 }  // namespace ew::stitching

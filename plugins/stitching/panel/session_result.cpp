@@ -1,12 +1,16 @@
 #include "panel/stitch_session.h"
 
+#include <QApplication>
+#include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "logic/case_volume.h"
+#include "logic/result_files.h"
 #include "panel/phrases.h"
 #include "panel/session_parts.h"
 
@@ -15,6 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using sdk::words;
+
+/// What was written for a case that does not use it after all.
+void takeOutOfCase(const fs::path& caseFolder, const std::string& name) {
+  std::error_code ignored;
+  for (const char* ending : {".mha", "-coverage.mha"}) fs::remove(caseFolder / "volumes" / (name + ending), ignored);
+  if (fs::is_empty(caseFolder / "volumes", ignored)) fs::remove(caseFolder / "volumes", ignored);
+}
 
 }  // namespace
 
@@ -27,26 +38,21 @@ void StitchSession::saveResult(const fs::path& folder) {
     Q_EMIT problem(tr("There is no stitched volume yet; run 'Seams and blend' first."));
     return;
   }
+  const auto seen = ResultFiles::look(folder, {}, host_.files(), noProgress());
+  if (!seen) return say(seen.error());
+  const QStringList foreign = [&] {
+    QStringList all;
+    for (const std::string& name : seen->foreign()) all << words(name);
+    return all;
+  }();
+  if (!foreign.isEmpty() && !mayReplace(folder, foreign)) return;
   const QPointer<StitchSession> here(this);
+  auto& texts = host_.files();
   host_.jobs().start(
       tr("Saving the stitched volume").toStdString(),
-      [folder, parts = resultFiles_](Progress& whole) -> Result<void> {
+      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty(), &texts](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
-        std::error_code failed;
-        fs::create_directories(folder, failed);
-        for (std::size_t n = 0; n < parts.size(); ++n) {
-          if (parts[n].empty()) continue;
-          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Saving was cancelled.");
-          const fs::path target = folder / parts[n].filename();
-          const fs::path aside = target.string() + ".part";
-          fs::copy_file(parts[n], aside, fs::copy_options::overwrite_existing, failed);
-          if (!failed) fs::rename(aside, target, failed);
-          if (failed)
-            return failure(ErrorCode::notWritable, "'" + target.string() + "' could not be written (" + failed.message() +
-                                                       "); choose another folder or make room.");
-          progress.report("Copying", static_cast<double>(n + 1) / static_cast<double>(parts.size()));
-        }
-        return {};
+        return copyResult(parts, asked, folder, mayReplaceAll, texts, progress);
       },
       [here, folder](const Result<void>& outcome) {
         StitchSession* session = here.data();
@@ -56,21 +62,38 @@ void StitchSession::saveResult(const fs::path& folder) {
       });
 }
 
+bool StitchSession::isCaseOpen() const { return host_.cases().current().has_value() && !host_.cases().currentFolder().empty(); }
+
 void StitchSession::handToCase() {
   if (!result_) {
     Q_EMIT problem(tr("There is no stitched volume yet; run 'Seams and blend' first."));
     return;
   }
   auto& cases = host_.cases();
-  if (!cases.current() || cases.currentFolder().empty()) {
+  if (!isCaseOpen()) {
     Q_EMIT problem(tr("No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file."));
     return;
   }
-  const fs::path caseFolder = cases.currentFolder();
-  // Volumes are never written over: an older attempt or another case may still speak of them.
-  std::error_code ignored;
-  std::string name = "stitched";
-  for (int n = 2; fs::exists(caseFolder / "volumes" / (name + ".mha"), ignored); ++n) name = "stitched-" + std::to_string(n);
+  const auto nextName = [&cases] {  // volumes are never written over: an older attempt or another case may still speak of them
+    std::error_code ignored;
+    std::string name = "stitched";
+    for (int n = 2; fs::exists(cases.currentFolder() / "volumes" / (name + ".mha"), ignored) ||
+                    fs::exists(cases.currentFolder() / "volumes" / (name + "-coverage.mha"), ignored);
+         ++n)
+      name = "stitched-" + std::to_string(n);
+    return name;
+  };
+  const auto wanted = [&cases](const std::string& name) {
+    return caseWithVolume(*cases.current(), "volumes/" + name + ".mha", [&cases](const nlohmann::json& each) { return cases.check(each); });
+  };
+  // Everything that somebody has to decide or mend is asked before anything is written.
+  const CaseWithVolume next = wanted(nextName());
+  if (!next.problems.empty()) return say(next.problems.front());
+  if (next.targets + next.measurements > 0 && !mayDropTargets(next)) return;
+  writeIntoCase(cases.currentFolder(), nextName());
+}
+
+void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
   const auto read = result_;
   const QPointer<StitchSession> here(this);
   auto& volumes = host_.volumes();
@@ -80,41 +103,71 @@ void StitchSession::handToCase() {
         ProgressInWords progress(whole);
         std::error_code unmade;
         fs::create_directories(caseFolder / "volumes", unmade);
-        PartOfProgress second(progress, 0.0, 0.6);
-        if (auto written = volumes.write(*read, caseFolder / "volumes" / (name + ".mha"), second); !written) return written;
-        if (read->coverage.empty()) return {};
-        PartOfProgress third(progress, 0.6, 1.0);
-        return volumes.writeCoverage(*read, caseFolder / "volumes" / (name + "-coverage.mha"), third);
+        PartOfProgress first(progress, 0.0, 0.6), second(progress, 0.6, 1.0);
+        auto written = volumes.write(*read, caseFolder / "volumes" / (name + ".mha"), first);
+        if (written && !read->coverage.empty())
+          written = volumes.writeCoverage(*read, caseFolder / "volumes" / (name + "-coverage.mha"), second);
+        if (!written) takeOutOfCase(caseFolder, name);
+        return written;
       },
-      [here, read, caseFolder, name](const Result<void>& outcome) {
-        StitchSession* session = here.data();
-        if (session == nullptr) return;
-        if (!outcome) return session->say(outcome.error());
-        auto& open = session->host_.cases();
-        if (!open.current() || open.currentFolder() != caseFolder) {
-          Q_EMIT session->problem(tr("Another case was opened meanwhile; the volume lies in %1 and no case was changed.")
-                                      .arg(words((caseFolder / "volumes").string())));
-          return;
+      [here, caseFolder, name](const Result<void>& outcome) {
+        if (StitchSession* session = here.data()) {
+          if (!outcome) return session->say(outcome.error());
+          session->useInCase(caseFolder, name);
         }
-        nlohmann::json manifest = *open.current();
-        nlohmann::json place = nlohmann::json::object();
-        if (manifest.contains("volume") && manifest["volume"].is_object() && manifest["volume"].contains("file") &&
-            manifest["volume"].contains("file_to_world"))
-          place["file_to_world"] = manifest["volume"]["file_to_world"];
-        place["file"] = "volumes/" + name + ".mha";
-        manifest["volume"] = std::move(place);
-        const bool wasSaved = !open.hasUnsavedChanges();
-        if (auto edited = open.edit(manifest, tr("take over the stitched volume").toStdString(), {}); !edited)
-          return session->say(edited.error());
-        QString sentence = tr("The case now uses volumes/%1.mha.").arg(words(name));
-        if (wasSaved) {
-          if (auto saved = open.save(); !saved) return session->say(saved.error());
-        } else {
-          sentence += QLatin1Char(' ') + tr("It had unsaved changes before; save the case to keep them all.");
-        }
-        session->host_.volumes().show(*read, tr("Stitched volume").toStdString());
-        Q_EMIT session->said(sentence);
       });
+}
+
+void StitchSession::useInCase(const fs::path& caseFolder, const std::string& name) {
+  auto& open = host_.cases();
+  if (!open.current() || open.currentFolder() != caseFolder) {
+    takeOutOfCase(caseFolder, name);
+    Q_EMIT problem(tr("Another case was opened meanwhile; no case was changed."));
+    return;
+  }
+  const CaseWithVolume next =
+      caseWithVolume(*open.current(), "volumes/" + name + ".mha", [&open](const nlohmann::json& each) { return open.check(each); });
+  const bool wasSaved = !open.hasUnsavedChanges();
+  if (auto edited = open.edit(next.manifest, tr("take over the stitched volume").toStdString(), {}); !edited) {
+    takeOutOfCase(caseFolder, name);
+    return say(edited.error());
+  }
+  QString sentence = tr("The case now uses volumes/%1.mha.").arg(words(name));
+  if (wasSaved) {
+    if (auto saved = open.save(); !saved) return say(saved.error());  // the case is as edited, and not saved
+  } else {
+    sentence += QLatin1Char(' ') + tr("It had unsaved changes before; save the case to keep them all.");
+  }
+  Q_EMIT said(sentence);
+}
+
+bool StitchSession::mayReplace(const fs::path& folder, const QStringList& names) {
+  QMessageBox question(QApplication::activeWindow());
+  question.setObjectName(QStringLiteral("replaceQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("%1 lies in %2 already and was not saved there by this program. Replace it?", nullptr)
+                       .arg(names.join(QStringLiteral(", ")), words(folder.string())));
+  auto* replace = question.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+  replace->setObjectName(QStringLiteral("replaceFiles"));
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == replace;
+}
+
+bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
+  QMessageBox question(QApplication::activeWindow());
+  question.setObjectName(QStringLiteral("dropTargetsQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The patient of this case is a recipe, and the stitched volume takes its place."));
+  question.setInformativeText(
+      tr("What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.")
+          .arg(tr("%n targets", nullptr, static_cast<int>(next.targets)),
+               tr("%n measurements", nullptr, static_cast<int>(next.measurements))));
+  auto* replace = question.addButton(tr("Replace the volume"), QMessageBox::AcceptRole);
+  replace->setObjectName(QStringLiteral("dropTargets"));
+  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  return question.clickedButton() == replace;
 }
 
 }  // namespace ew::stitching

@@ -38,15 +38,10 @@ void takeUpRead(const fs::path& reading, const fs::path& work) {
 }  // namespace
 
 fs::path StitchSession::workFolder() const {
-  const std::string name =
-      document_.file().empty()
-          ? std::string("untitled")
-          : QCryptographicHash::hash(QByteArray::fromStdString(fs::absolute(document_.file()).lexically_normal().string()),
-                                     QCryptographicHash::Sha1)
-                .toHex()
-                .left(16)
-                .toStdString();
-  return folder_ / "work" / name;
+  if (document_.file().empty()) return untitledFolder(recovery_.number());
+  const std::string whole = fs::absolute(document_.file()).lexically_normal().string();
+  const QByteArray name = QCryptographicHash::hash(QByteArray::fromStdString(whole), QCryptographicHash::Sha1).toHex().left(16);
+  return folder_ / "work" / name.toStdString();
 }
 
 bool StitchSession::isBusy() {
@@ -60,12 +55,30 @@ void StitchSession::matchAll(bool withoutPlaces) {
     return;
   }
   if (isBusy()) return;
-  if (withoutPlaces) {
-    StitchProject next = project();
-    for (std::size_t n = 0; n < next.volumes.size(); ++n) next.volumes[n].placement = Placement::unknown;
-    edit(std::move(next), tr("match without tracker"));
+  StitchProject next = project();
+  if (withoutPlaces)
+    for (ProjectVolume& volume : next.volumes) volume.placement = Placement::unknown;
+  QStringList leftOut;
+  for (ProjectPair pair : project().pairs) {
+    if (pair.decision == Decision::rejected) continue;
+    const bool isByHand = pair.method == PairMethod::byHand;
+    const bool hasStart = pair.start.has_value() || pair.method == PairMethod::refine;
+    if (!isByHand && pair.method != PairMethod::landmarks && !(withoutPlaces && hasStart)) continue;
+    if (pair.method == PairMethod::landmarks || pair.decision == Decision::accepted) {
+      leftOut << tr("%1 to %2").arg(words(letterOf(pair.fixed)), words(letterOf(pair.moving)));
+      continue;
+    }
+    pair.method = PairMethod::automatic;
+    if (withoutPlaces) pair.start.reset();  // else where a hand put it is where refining begins
+    next = withPair(std::move(next), pair);
   }
+  if (!(next == project())) edit(std::move(next), withoutPlaces ? tr("match without tracker") : tr("refine the places"));
   run(Step::graph, withoutPlaces ? tr("Matching without tracker") : tr("Refining the places"));
+  if (running_) {
+    Q_EMIT said(leftOut.isEmpty() ? QString()
+                                  : tr("Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.")
+                                        .arg(leftOut.join(QStringLiteral(", "))));
+  }
 }
 
 void StitchSession::run(Step until, const QString& title) {
@@ -101,6 +114,7 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
   const StitchProject asked = project();
   ChainOptions options;
   options.keepVolumes = until.has_value();
+  options.isFolderOwn = true;
   if (const auto free = availableMemory_bytes()) options.maxBytes = std::min(options.maxBytes, *free);
   options.onLevel = [inbox = inbox_](std::size_t fixed, std::size_t moving, const registration::Level& level) {
     const std::lock_guard lock(inbox->mutex);
@@ -112,7 +126,7 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
   host_.jobs().start(
       title.toStdString(),
       [made, asked, options, until, &volumes, &files, folder = workFolder(),
-       reading = folder_ / "work" / "reading"](Progress& whole) mutable -> Result<void> {
+       reading = readingFolder()](Progress& whole) mutable -> Result<void> {
         ProgressInWords progress(whole);
         std::error_code ignored;
         fs::create_directories(folder, ignored);

@@ -51,6 +51,7 @@ class LegendMark final : public QWidget {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QPen pen(colourOfMark(mark_, palette()), 2.0);
+    if (mark_ == StitchSession::Mark::byHand) pen.setDashPattern({8.0, 3.0});
     if (mark_ == StitchSession::Mark::cannotTell) pen.setDashPattern({4.0, 3.0});
     if (mark_ == StitchSession::Mark::notAligned) pen.setDashPattern({1.5, 2.0});
     painter.setPen(pen);
@@ -97,6 +98,7 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
     outcome_->say(sentence);
     outcome_->setVisible(!sentence.isEmpty());
   });
+  caseTicket_ = session_.host().cases().onChanged([this] { refresh(); });
   connect(&session_, &StitchSession::nextPairAsked, graph_, &PairGraph::chooseNext);
   refresh();
 }
@@ -197,8 +199,8 @@ QWidget* StitchPanel::makeLegend() {
   grid->setHorizontalSpacing(kGap_px);
   grid->setVerticalSpacing(2);
   int n = 0;
-  for (const auto mark :
-       {StitchSession::Mark::aligned, StitchSession::Mark::cannotTell, StitchSession::Mark::notAligned, StitchSession::Mark::rejected}) {
+  using Mark = StitchSession::Mark;
+  for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
     auto* word = sdk::quietLabel(wordsOfMark(mark));
     word->setProperty("small", true);
     word->setWordWrap(false);
@@ -268,11 +270,11 @@ QWidget* StitchPanel::makeResultBox() {
   };
   handOver_ = button(tr("Into the case"), tr("The open case takes over the stitched volume"), "handToCase");
   connect(handOver_, &QPushButton::clicked, &session_, &StitchSession::handToCase);
-  connect(button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult"), &QPushButton::clicked,
-          this, [this] {
-            const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"), lastFolder());
-            if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
-          });
+  saveVolume_ = button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult");
+  connect(saveVolume_, &QPushButton::clicked, this, [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the stitched volume"), lastFolder());
+    if (!folder.isEmpty()) session_.saveResult(folder.toStdString());
+  });
   column->addWidget(resultBox_);
   old_ = new Paragraph(tr("Older than the last edit."));
   old_->setToolTip(tr("'Seams and blend' renews the stitched volume"));
@@ -359,14 +361,16 @@ QWidget* StitchPanel::makeOptions() {
 
 void StitchPanel::refresh() {
   const bool was = std::exchange(showing_, true);
-  const auto& left = session_.left();
-  offer_->setVisible(left.has_value());
-  setPrimary(addFirst_, !left.has_value());
-  if (left)
-    offerWord_->setText(
-        left->file.empty()
-            ? tr("A project of %n volumes was not saved when the program ended.", nullptr, static_cast<int>(left->project.volumes.size()))
-            : tr("Changes to '%1' were not saved when the program ended.").arg(words(left->file.stem().string())));
+  const auto* left = session_.left();
+  offer_->setVisible(left != nullptr);
+  setPrimary(addFirst_, left == nullptr);
+  if (left != nullptr) {
+    QString word = left->file.empty() ? tr("A project of %n volumes was not saved when the program ended.", nullptr,
+                                           static_cast<int>(left->project.volumes.size()))
+                                      : tr("Changes to '%1' were not saved when the program ended.").arg(words(left->file.stem().string()));
+    if (session_.leftCount() > 1) word += QLatin1Char(' ') + tr("%n more is offered after it.", nullptr, session_.leftCount() - 1);
+    offerWord_->setText(word);
+  }
   const auto& project = session_.project();
   pages_->setCurrentIndex(project.volumes.empty() ? 0 : 1);
   list_->refresh();
@@ -398,7 +402,9 @@ void StitchPanel::refresh() {
   setPrimary(match_, !matched && !placed);
   setPrimary(refine_, !matched && placed);
   setPrimary(seams_, matched && !made && session_.pairsToLookAt() == 0);  // a pair that needs a look comes first
-  setPrimary(handOver_, matched && made);
+  const bool isCaseOpen = session_.isCaseOpen();
+  setPrimary(handOver_, matched && made && isCaseOpen);
+  setPrimary(saveVolume_, matched && made && !isCaseOpen);
   saveProject_->setEnabled(session_.document().hasUnsavedChanges());
   resultBox_->setVisible(session_.result() != nullptr);
   old_->setVisible(session_.result() != nullptr && !session_.isResultFresh());

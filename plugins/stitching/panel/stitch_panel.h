@@ -57,6 +57,8 @@ class StitchPanel final : public QWidget {
   QPushButton* elastic_ = nullptr;
   QPushButton* seams_ = nullptr;
   QPushButton* handOver_ = nullptr;
+  QPushButton* saveVolume_ = nullptr;
+  std::shared_ptr<void> caseTicket_;
   QPushButton* waiting_ = nullptr;  ///< had the focus when a run began
   QAction* saveProject_ = nullptr;
   QWidget* resultBox_ = nullptr;

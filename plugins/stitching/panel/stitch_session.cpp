@@ -2,6 +2,8 @@
 
 #include <QApplication>
 #include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStandardPaths>
 #include <algorithm>
 #include <system_error>
@@ -27,7 +29,10 @@ fs::path dataFolder() {
 }  // namespace
 
 StitchSession::StitchSession(sdk::Host& host, fs::path folder)
-    : host_(host), folder_(folder.empty() ? dataFolder() : std::move(folder)), document_(host.files(), folder_ / "unsaved.json") {
+    : host_(host),
+      folder_(folder.empty() ? dataFolder() : std::move(folder)),
+      recovery_(folder_),
+      document_(host.files(), recovery_.file()) {
   setObjectName(QStringLiteral("stitchSession"));
   keepSoon_.setSingleShot(true);
   keepSoon_.setInterval(kKeepAfter_ms);
@@ -44,19 +49,23 @@ StitchSession::StitchSession(sdk::Host& host, fs::path folder)
     runningLevels_.insert(runningLevels_.end(), arrived.begin(), arrived.end());
     Q_EMIT levelsChanged();
   });
-  if (auto left = document_.leftBehind()) {
-    left_ = std::move(*left);
-  } else {
-    host_.log().warn(left.error().sentence);
+  for (const int place : recovery_.left()) {
+    auto left = document_.leftIn(recovery_.fileOf(place));
+    if (!left)
+      host_.log().warn(left.error().sentence);
+    else if (*left)
+      left_.push_back({place, std::move(**left)});
   }
 }
 
 StitchSession::~StitchSession() { keep(); }
 
+fs::path StitchSession::untitledFolder(int place) const { return folder_ / "work" / ("untitled-" + std::to_string(place)); }
+
+fs::path StitchSession::readingFolder() const { return folder_ / "work" / ("reading-" + std::to_string(recovery_.number())); }
+
 void StitchSession::keep() {
   keepSoon_.stop();
-  // While an offer stands, the file is the offer's.
-  if (left_) return;
   if (auto kept = document_.keepRecovery(); !kept) host_.log().warn(kept.error().sentence);
 }
 
@@ -110,15 +119,53 @@ void StitchSession::save(bool elsewhere) {
     return;
   }
   fs::path file = document_.file();
+  if (!elsewhere && document_.isChangedOnDisk()) {
+    const OnDisk wanted = askAboutFileOnDisk();
+    if (wanted == OnDisk::cancel) return;
+    if (wanted == OnDisk::reload) {
+      openProject(file);
+      return;
+    }
+    elsewhere = wanted == OnDisk::saveElsewhere;
+  }
   if (file.empty() || elsewhere) {
-    QString chosen = QFileDialog::getSaveFileName(QApplication::activeWindow(), tr("Save the stitch project"),
-                                                  file.empty() ? lastFolder() : words(file.string()), tr("Stitch projects (*.json)"));
-    if (chosen.isEmpty()) return;
-    if (!chosen.endsWith(QLatin1String(".json"))) chosen += QLatin1String(".json");
-    keepFolderOf(chosen);
-    file = chosen.toStdString();
+    file = askForSaveName(file);
+    if (file.empty()) return;
   }
   saveAs(file);
+}
+
+fs::path StitchSession::askForSaveName(const fs::path& before) {
+  QFileDialog dialog(QApplication::activeWindow(), tr("Save the stitch project"), lastFolder(), tr("Stitch projects (*.json)"));
+  dialog.setObjectName(QStringLiteral("saveProjectDialog"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setFileMode(QFileDialog::AnyFile);
+  dialog.setDefaultSuffix(QStringLiteral("json"));  // so that it asks about the name that will be written
+  dialog.selectFile(before.empty() ? QStringLiteral("stitching.json") : words(before.string()));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+  const QString chosen = dialog.selectedFiles().constFirst();
+  keepFolderOf(chosen);
+  return chosen.toStdString();
+}
+
+StitchSession::OnDisk StitchSession::askAboutFileOnDisk() {
+  QMessageBox question(QApplication::activeWindow());
+  question.setObjectName(QStringLiteral("changedOnDiskQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("'%1' was changed by another program since it was opened here.").arg(words(document_.file().filename().string())));
+  question.setInformativeText(tr("Reloading drops your changes, overwriting drops the other ones."));
+  auto* reload = question.addButton(tr("Reload"), QMessageBox::DestructiveRole);
+  reload->setObjectName(QStringLiteral("reloadProject"));
+  auto* overwrite = question.addButton(tr("Overwrite"), QMessageBox::DestructiveRole);
+  overwrite->setObjectName(QStringLiteral("overwriteProject"));
+  auto* another = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+  another->setObjectName(QStringLiteral("saveProjectAs"));
+  question.setDefaultButton(another);
+  question.setEscapeButton(question.addButton(QMessageBox::Cancel));
+  question.exec();
+  if (question.clickedButton() == reload) return OnDisk::reload;
+  if (question.clickedButton() == overwrite) return OnDisk::overwrite;
+  return question.clickedButton() == another ? OnDisk::saveElsewhere : OnDisk::cancel;
 }
 
 bool StitchSession::saveAs(const fs::path& file) {
@@ -127,7 +174,7 @@ bool StitchSession::saveAs(const fs::path& file) {
     say(saved.error());
     return false;
   }
-  left_.reset();
+  left_.clear();
   // What was found goes along; where that does not work it is only found again.
   std::error_code ignored;
   const fs::path after = workFolder();
@@ -144,6 +191,11 @@ bool StitchSession::saveAs(const fs::path& file) {
     }
   }
   Q_EMIT problem({});
+  if (const auto elsewhere = filesElsewhere(project(), file.parent_path()); !elsewhere.empty())
+    Q_EMIT said(
+        tr("%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside "
+           "it first.",
+           nullptr, static_cast<int>(elsewhere.size())));
   Q_EMIT changed();
   tell();
   return true;
@@ -181,6 +233,8 @@ void StitchSession::forgetFound() {
 }
 
 void StitchSession::startAnew() {
+  Q_EMIT problem({});  // it was about the project before
+  Q_EMIT said({});
   document_.clear();
   forgetFound();
   pair_.reset();
@@ -189,9 +243,18 @@ void StitchSession::startAnew() {
 }
 
 void StitchSession::reopenLeft() {
-  if (!left_) return;
-  const auto left = std::exchange(left_, std::nullopt);
-  document_.takeOver(*left);
+  if (left_.empty()) return;
+  const LeftWork left = left_.front();
+  // What was found about it goes along; where that does not work it is only found again.
+  std::error_code ignored;
+  if (left.work.file.empty() && !fs::exists(untitledFolder(recovery_.number()), ignored))
+    fs::rename(untitledFolder(left.place), untitledFolder(recovery_.number()), ignored);
+  document_.takeOver(left.work);
+  if (auto kept = document_.keepRecovery(); !kept)
+    host_.log().warn(kept.error().sentence);  // it stays where it was
+  else
+    recovery_.forget(left.place);
+  left_.clear();
   forgetFound();
   pair_.reset();
   afterEdit();
@@ -200,18 +263,14 @@ void StitchSession::reopenLeft() {
 }
 
 void StitchSession::discardLeft() {
-  left_.reset();
-  document_.forgetRecovery();
+  if (left_.empty()) return;
+  recovery_.forget(left_.front().place);
+  left_.erase(left_.begin());
   Q_EMIT changed();
 }
 
 void StitchSession::edit(StitchProject next, const QString& what, const std::string& mergeKey) {
-  if (left_) {
-    // Whoever works on has decided; what was left is kept beside, so that this decision loses nothing either.
-    std::error_code ignored;
-    fs::rename(folder_ / "unsaved.json", folder_ / "unsaved-before.json", ignored);
-    left_.reset();
-  }
+  left_.clear();  // who works on does not want to be asked; it stays where it is
   document_.edit(std::move(next), what.toStdString(), mergeKey);
   afterEdit();
 }
@@ -239,11 +298,12 @@ void StitchSession::afterEdit() {
 
 bool StitchSession::openProject(const fs::path& file) {
   Q_EMIT problem({});
+  Q_EMIT said({});
   if (auto opened = document_.open(file); !opened) {
     say(opened.error());
     return false;
   }
-  left_.reset();
+  left_.clear();
   forgetFound();
   pair_.reset();
   chosenVolume_.reset();

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <vector>
@@ -12,10 +13,13 @@
 #include "ew/sdk/host.h"
 #include "logic/chain.h"
 #include "logic/expected_cost.h"
+#include "logic/recovery.h"
 #include "logic/slices.h"
 #include "logic/stitch_document.h"
 
 namespace ew::stitching {
+
+struct CaseWithVolume;
 
 /// What panel and stage share: the project with its history, what was found, what is looked at. All on the window's thread; long work runs
 /// in the host's jobs on copies.
@@ -51,6 +55,10 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   /// The same for scripts that know no types of the plugin; the stage's property "session" leads here.
   Q_INVOKABLE bool openProjectFile(const QString& file) { return openProject(file.toStdString()); }
   Q_INVOKABLE bool saveProjectAs(const QString& file) { return saveAs(file.toStdString()); }
+  Q_INVOKABLE void saveResultIn(const QString& folder) { saveResult(folder.toStdString()); }
+  Q_INVOKABLE void setCalibrationFile(int volume, const QString& file) {
+    setCalibration(static_cast<std::size_t>(volume), file.toStdString());
+  }
   Q_INVOKABLE void chooseThePair(int a, int b) { choosePair(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); }
   Q_INVOKABLE QString projectAsText() const;
   Q_INVOKABLE QString verdictOf(int a, int b) const;  ///< "aligned", …; empty: not matched
@@ -62,20 +70,27 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   Q_INVOKABLE double largestBend_mm() const { return found_ ? found_->bendSummary.largest_mm : 0.0; }
   Q_INVOKABLE int nodesOfResult() const { return result_ ? static_cast<int>(result_->grid.voxelCount()) : 0; }
   void startAnew();
-  /// What an earlier run left unsaved.
-  [[nodiscard]] const std::optional<StitchDocument::Left>& left() const { return left_; }
+  /// What an earlier run left unsaved: the latest that nobody decided about.
+  [[nodiscard]] const StitchDocument::Left* left() const { return left_.empty() ? nullptr : &left_.front().work; }
+  [[nodiscard]] int leftCount() const { return static_cast<int>(left_.size()); }
   void reopenLeft();
   void discardLeft();
 
   // What was found.
   [[nodiscard]] std::shared_ptr<const Volume> volume(std::size_t index) const;  ///< null: not read yet, or it cannot be read
   [[nodiscard]] bool isUnreadable(std::size_t index) const;
+  [[nodiscard]] QString whyUnreadable(std::size_t index) const;
+  [[nodiscard]] bool isSweep(std::size_t index) const;  ///< as far as it was looked at
+  /// How a sweep becomes a volume; it is read again.
+  void setCalibration(std::size_t volume, const std::filesystem::path& deviceSet);
+  void setSweepSpacing(std::size_t volume, double spacing_mm);
   [[nodiscard]] bool isRunning() const { return running_; }
   [[nodiscard]] const ChainState* found() const { return found_ ? found_.get() : nullptr; }
   [[nodiscard]] bool isFoundFresh() const;  ///< nothing was edited since
   [[nodiscard]] std::filesystem::path workFolder() const;
 
-  enum class Mark { unknown, aligned, cannotTell, notAligned, rejected };
+  /// What holds a pair together. A pose that a person gave proves nothing about the images, and never has the sign of one that they proved.
+  enum class Mark { unknown, aligned, landmarks, byHand, cannotTell, notAligned, rejected };
   struct PairLine {
     std::size_t fixed = 0;
     std::size_t moving = 0;
@@ -162,6 +177,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] QuickAgreement agreement() const;  ///< at the present transform
 
   // Work.
+  /// Matches every pair by its images; what a person said about how a pair lies stays for pairs that were accepted or have landmarks, and
+  /// is told. @param withoutPlaces whatever is recorded; else from the places as they are
   void matchAll(bool withoutPlaces);
   void run(Step until, const QString& title);
   void takeUp();    ///< reads back what earlier runs of this project finished
@@ -182,6 +199,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void handToCase();
   void saveResult(const std::filesystem::path& folder);  ///< volume, coverage, source and provenance
   void showResult();
+  [[nodiscard]] bool isCaseOpen() const;  ///< that could take the result over
 
  Q_SIGNALS:
   void changed();      ///< the project, what was found, or what is chosen
@@ -194,8 +212,15 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
 
  private:
   struct Inbox;
+  enum class OnDisk { reload, overwrite, saveElsewhere, cancel };
+  [[nodiscard]] OnDisk askAboutFileOnDisk();
+  [[nodiscard]] static std::filesystem::path askForSaveName(const std::filesystem::path& before);  ///< empty: nobody wants to
   void afterEdit();
   void afterChoice();
+  void writeIntoCase(const std::filesystem::path& caseFolder, const std::string& name);
+  void useInCase(const std::filesystem::path& caseFolder, const std::string& name);
+  [[nodiscard]] static bool mayReplace(const std::filesystem::path& folder, const QStringList& names);  ///< asks
+  [[nodiscard]] static bool mayDropTargets(const CaseWithVolume& next);                                 ///< asks
   void readVolumes();
   void keep();
   void tell();
@@ -215,16 +240,26 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] bool isBusy();                                                              ///< says so
 
   sdk::Host& host_;
+  struct LeftWork {
+    int place = 0;  ///< of recovery_
+    StitchDocument::Left work;
+  };
+  [[nodiscard]] std::filesystem::path untitledFolder(int place) const;
+  [[nodiscard]] std::filesystem::path readingFolder() const;
+
   std::filesystem::path folder_;
+  RecoveryPlace recovery_;
   StitchDocument document_;
-  std::optional<StitchDocument::Left> left_;
+  std::vector<LeftWork> left_;  ///< offered; whoever works on without deciding finds it offered at the next start
+  std::shared_ptr<std::timed_mutex> readingTurn_ = std::make_shared<std::timed_mutex>();
   std::vector<std::weak_ptr<std::function<void()>>> callbacks_;
   QTimer keepSoon_;
   QTimer poll_;
   std::shared_ptr<Inbox> inbox_;
 
   std::map<std::string, std::shared_ptr<const Volume>> volumes_;  ///< by keyOf
-  std::set<std::string> unreadable_;
+  std::map<std::string, std::string> unreadable_;                 ///< by keyOf: why
+  std::set<std::filesystem::path> sweeps_;                        ///< files that were seen to be some
   bool reading_ = false;
   bool running_ = false;
   std::shared_ptr<const ChainState> found_;

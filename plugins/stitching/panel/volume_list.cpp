@@ -130,9 +130,12 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
 
 QWidget* VolumeList::makeChosenBox() {
   chosenBox_ = new QWidget;
-  auto* row = new QHBoxLayout(chosenBox_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(chosenBox_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px / 2);
+  auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px / 2);
+  column->addLayout(row);
   placement_ = new QComboBox;
   placement_->setObjectName(QStringLiteral("placement"));
   placement_->addItem(tr("unknown"), static_cast<int>(Placement::unknown));
@@ -158,7 +161,63 @@ QWidget* VolumeList::makeChosenBox() {
           &VolumeList::chooseTransform);
   connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
           &VolumeList::removeChosen);
+  column->addWidget(makeSweepRow());
   return chosenBox_;
+}
+
+QWidget* VolumeList::makeSweepRow() {
+  sweepRow_ = new QWidget;
+  auto* row = new QHBoxLayout(sweepRow_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap_px / 2);
+  calibration_ = new QPushButton;
+  calibration_->setObjectName(QStringLiteral("calibration"));
+  calibration_->setProperty("compact", true);
+  calibration_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(calibration_, &QPushButton::clicked, this, &VolumeList::chooseCalibration);
+  row->addWidget(calibration_, 1);
+  auto* name = sdk::quietLabel(tr("Voxels"));
+  name->setWordWrap(false);
+  row->addWidget(name);
+  sweepSpacing_ = new sdk::NumberField(0.0, 20.0, 2, tr("mm"));
+  sweepSpacing_->setObjectName(QStringLiteral("sweepSpacing"));
+  sweepSpacing_->setSpecialValueText(tr("own"));
+  sweepSpacing_->setSingleStep(0.1);
+  sweepSpacing_->setKeyboardTracking(false);
+  sweepSpacing_->setToolTip(
+      tr("Spacing of the volume that is made of this sweep; at the least value as fine as its pixels and frames are"));
+  name->setBuddy(sweepSpacing_);
+  // Not while it is stepped: every value reads the sweep again.
+  connect(sweepSpacing_, &QDoubleSpinBox::editingFinished, this, [this] {
+    if (const auto chosen = session_.chosenVolume(); chosen && !showing_) session_.setSweepSpacing(*chosen, sweepSpacing_->value());
+  });
+  row->addWidget(sweepSpacing_);
+  return sweepRow_;
+}
+
+void VolumeList::showSweepRow() {
+  const auto chosen = session_.chosenVolume();
+  const bool isSweep = chosen && session_.isSweep(*chosen);
+  sweepRow_->setVisible(isSweep);
+  if (!isSweep) return;
+  const ProjectVolume& line = session_.project().volumes[*chosen];
+  const QString file = words(line.calibration.filename().string());
+  calibration_->setText(line.calibration.empty() ? tr("Calibration…") : calibration_->fontMetrics().elidedText(file, Qt::ElideMiddle, 110));
+  calibration_->setToolTip(
+      line.calibration.empty()
+          ? tr("A device set (.xml) that says where the pixels lie on the probe; needed by a sweep that does not say it itself")
+          : tr("Calibration from %1; click to choose another file").arg(words(line.calibration.string())));
+  sweepSpacing_->setValue(line.spacing_mm);
+}
+
+void VolumeList::chooseCalibration() {
+  const auto chosen = session_.chosenVolume();
+  if (!chosen) return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Calibration of %1").arg(words(session_.project().volumes[*chosen].name)),
+                                                    lastFolder(), tr("Device sets (*.xml);;All files (*)"));
+  if (file.isEmpty()) return;
+  keepFolderOf(file);
+  session_.setCalibration(*chosen, file.toStdString());
 }
 
 void VolumeList::refresh() {
@@ -181,7 +240,7 @@ void VolumeList::refresh() {
     const auto mark = session_.markOf(n);
     item->setText(words(volumes[n].name));
     item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
-                         : session_.isUnreadable(n) ? tr("cannot be read")
+                         : session_.isUnreadable(n) ? session_.isSweep(n) ? tr("sweep, not yet a volume") : tr("cannot be read")
                                                     : tr("reading…"));
     item->setData(kBroken, !volume && session_.isUnreadable(n));
     item->setData(kMark, static_cast<int>(mark));
@@ -193,6 +252,7 @@ void VolumeList::refresh() {
                                      .arg(sizeOf(grid), locale.toString(grid.spacing_mm.x, 'g', 4),
                                           locale.toString(grid.spacing_mm.y, 'g', 4), locale.toString(grid.spacing_mm.z, 'g', 4));
     }
+    if (const QString why = session_.whyUnreadable(n); !volume && !why.isEmpty()) tip += QLatin1Char('\n') + why;
     item->setToolTip(tip + QLatin1Char('\n') + wordsOfMark(mark) + QLatin1Char('\n') +
                      tr("F2 renames, Alt + up and down move it, Delete takes it off the list"));
   }
@@ -200,6 +260,7 @@ void VolumeList::refresh() {
   // Selected as well: a row that became the current one because another was taken away is not.
   list_->setCurrentRow(chosen ? static_cast<int>(*chosen) : -1, QItemSelectionModel::ClearAndSelect);
   chosenBox_->setVisible(chosen.has_value());
+  showSweepRow();
   if (chosen) placement_->setCurrentIndex(placement_->findData(static_cast<int>(volumes[*chosen].placement)));
   setMaximumHeight(list_->maximumHeight() + (chosen ? kGap_px + chosenBox_->sizeHint().height() : 0));
   showing_ = was;

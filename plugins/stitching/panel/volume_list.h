@@ -27,6 +27,9 @@ class VolumeList final : public QWidget {
 
  private:
   QWidget* makeChosenBox();
+  QWidget* makeSweepRow();
+  void showSweepRow();
+  void chooseCalibration();
   void chooseTransform();
   void removeChosen();
   void moveChosen(int step);
@@ -35,6 +38,9 @@ class VolumeList final : public QWidget {
   QListWidget* list_ = nullptr;
   QWidget* chosenBox_ = nullptr;
   QComboBox* placement_ = nullptr;
+  QWidget* sweepRow_ = nullptr;  ///< how the chosen sweep becomes a volume
+  QPushButton* calibration_ = nullptr;
+  sdk::NumberField* sweepSpacing_ = nullptr;
   bool showing_ = false;
 };
 

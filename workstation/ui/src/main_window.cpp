@@ -351,6 +351,7 @@ void MainWindow::showStage() {
   const bool was = std::exchange(p.staged, stage != nullptr);
   p.panels->setMinimumWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
   p.console->setVisible(!p.staged && (!author || width() >= 1440));
+  if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
   if (was != p.staged) {
     const int rest = p.columns->width() - (p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
     p.view3d->setVisible(!p.staged);

@@ -119,7 +119,7 @@ void MainWindow::makeActions() {
   QAction* full =
       add(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 
-  QMenu* scan = bar.addMenu(tr("&Scan"));
+  QMenu* scan = p.scanMenu = bar.addMenu(tr("&Scan"));
   p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)},
                        [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
   p.freezeAction->setCheckable(true);

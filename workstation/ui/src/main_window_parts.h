@@ -79,6 +79,7 @@ struct MainWindow::Parts {
   QAction* authorAction = nullptr;
   QAction* darkAction = nullptr;
   QAction* lightAction = nullptr;
+  QMenu* scanMenu = nullptr;
   QAction* freezeAction = nullptr;
   QAction* sourceAction = nullptr;
   QMenu* recentMenu = nullptr;

@@ -108,6 +108,7 @@ QPushButton[compact="true"] { padding: 6px 4px; }
 QPushButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; }
 QPushButton[flat="true"] { background: transparent; border-color: transparent; padding: 2px 8px; }
 QPushButton[flat="true"]:hover { background: @raised; }
+QPushButton[flat="true"]:checked { background: @accent; }
 QPushButton[flat="true"]:focus { border-color: @accent; }
 QPushButton[workspace="true"] { background: transparent; border-color: transparent; color: @quiet; padding: 6px 16px; }
 QPushButton[workspace="true"]:hover { color: @text; }

@@ -1,0 +1,65 @@
+#include "logic/case_volume.h"
+
+#include <gtest/gtest.h>
+
+namespace ew::stitching {
+namespace {
+
+using nlohmann::json;
+
+Error about(const std::string& field) { return {ErrorCode::badField, "'" + field + "' is wrong.", {{"field", field}}}; }
+
+/// As the host checks: targets without a place and measurements need a recipe.
+std::vector<Error> check(const json& manifest) {
+  std::vector<Error> problems;
+  if (manifest["title"] == "") problems.push_back(about("title"));
+  if (manifest["volume"].contains("recipe")) return problems;
+  problems.push_back(about("volume.file"));
+  const json none = json::array();
+  const json& targets = manifest.contains("targets") ? manifest["targets"] : none;
+  for (std::size_t n = 0; n < targets.size(); ++n)
+    if (!targets[n].contains("at_mm")) problems.push_back(about("targets[" + std::to_string(n) + "]"));
+  if (manifest.contains("measurements")) problems.push_back(about("measurements"));
+  return problems;
+}
+
+json recipeCase() {
+  return {{"title", "aorta"},
+          {"volume", {{"recipe", "patient.json"}, {"file_to_world", {1, 2, 3}}, {"sweeps", {"a.json"}}}},
+          {"targets", {{{"name", "plane"}}, {{"name", "point"}, {"at_mm", {1, 2, 3}}}, {{"name", "organ"}}}},
+          {"measurements", {{{"name", "width"}}, {{"name", "height"}}}}};
+}
+
+TEST(CaseVolume, LeavesOutWhatOnlyTheRecipesPatientKnewAndCountsIt) {
+  const auto made = caseWithVolume(recipeCase(), "volumes/stitched.mha", check);
+  EXPECT_TRUE(made.problems.empty()) << made.problems.front();
+  EXPECT_EQ(made.targets, 2u);
+  EXPECT_EQ(made.measurements, 2u);
+  EXPECT_EQ(made.manifest["targets"], json({{{"name", "point"}, {"at_mm", {1, 2, 3}}}}));
+  EXPECT_FALSE(made.manifest.contains("measurements"));
+  EXPECT_EQ(made.manifest["volume"], json({{"file", "volumes/stitched.mha"}, {"file_to_world", {1, 2, 3}}}));
+  EXPECT_EQ(made.manifest["title"], "aorta");
+}
+
+TEST(CaseVolume, LeavesACaseOfAFileAsItIsButForTheVolume) {
+  json manifest = recipeCase();
+  manifest.erase("measurements");
+  manifest["volume"] = {{"file", "old.mha"}};
+  manifest["targets"] = json::array({manifest["targets"][1]});
+  const auto made = caseWithVolume(manifest, "new.mha", check);
+  EXPECT_TRUE(made.problems.empty());
+  EXPECT_EQ(made.targets + made.measurements, 0u);
+  manifest["volume"] = {{"file", "new.mha"}};
+  EXPECT_EQ(made.manifest, manifest);
+}
+
+TEST(CaseVolume, TellsWhatStaysWrong) {
+  json manifest = recipeCase();
+  manifest["title"] = "";
+  const auto made = caseWithVolume(manifest, "new.mha", check);
+  ASSERT_EQ(made.problems.size(), 1u);
+  EXPECT_EQ(made.problems[0].context[0].second, "title");
+}
+
+}  // namespace
+}  // namespace ew::stitching
