@@ -2,6 +2,65 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ew::door::PluginFault</name>
+    <message>
+        <source>The plugin &apos;%1&apos; could not start (%3); the rest of the program is not affected.</source>
+        <translation>Die Erweiterung „%1“ ließ sich nicht starten (%3); das übrige Programm ist davon nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The panel &apos;%2&apos; of the plugin &apos;%1&apos; could not be opened (%3); the rest of the program is not affected.</source>
+        <translation>Der Bereich „%2“ der Erweiterung „%1“ ließ sich nicht öffnen (%3); das übrige Programm ist davon nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The command &apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with the command you gave.</source>
+        <translation>Der Befehl „%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es mit dem Befehl, den Sie gegeben haben.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; use a coarser spacing or a smaller input.</source>
+        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; nehmen Sie einen gröberen Abstand oder eine kleinere Eingabe.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; close other programs or choose a coarser spacing.</source>
+        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with what you did.</source>
+        <translation>„%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not take over the result of &apos;%2&apos; (%3); please report it with what you did.</source>
+        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not follow a change of the case (%3); what its panel shows may be out of date.</source>
+        <translation>Die Erweiterung „%1“ konnte einer Änderung des Falls nicht folgen (%3); was ihr Bereich zeigt, kann veraltet sein.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not undo the last step (%3); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not redo the step (%3); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not save (%3); try another name or folder.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht speichern (%3); versuchen Sie es mit einem anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not say what its panel holds (%3); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; met a problem that it did not foresee (%3); save your work, and please report it with what you did.</source>
+        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%3); speichern Sie Ihre Arbeit, und bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; did not end in order (%3); nothing of your work is affected.</source>
+        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%3); Ihre Arbeit ist davon nicht betroffen.</translation>
+    </message>
+</context>
+<context>
     <name>ew::case_authoring</name>
     <message>
         <source>Case</source>
@@ -1226,6 +1285,14 @@
     <message>
         <source>The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.</source>
         <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; close other programs or choose a coarser spacing.</source>
+        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with what you did.</source>
+        <translation>„%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in the stitch project cannot be used. %2</source>
@@ -3605,6 +3672,14 @@
 <context>
     <name>ew::ui::MainWindow</name>
     <message>
+        <source>There is not enough memory for this; close other programs and try again.</source>
+        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report this with what you did.</source>
+        <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Ihre Arbeit ist noch da: speichern Sie sie, und bitte melden Sie dies und was Sie getan haben.</translation>
+    </message>
+    <message>
         <source>Undo: %1 (Ctrl+Z)</source>
         <translation>Rückgängig: %1 (Strg+Z)</translation>
     </message>
@@ -4826,8 +4901,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::WorkstationHost</name>
     <message>
-        <source>A panel could not be opened (%1); see Help, Plugins.</source>
-        <translation>Ein Bereich ließ sich nicht öffnen (%1); siehe Hilfe, Erweiterungen.</translation>
+        <source>This panel could not be opened; Help, Plugins says more.</source>
+        <translation>Dieser Bereich ließ sich nicht öffnen; mehr unter Hilfe, Erweiterungen.</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "cli/cli_world.h"
 #include "ew/cli/run_command.h"
@@ -55,6 +56,25 @@ TEST(PluginsCommand, ACommandOfAPluginThatCannotBeLoadedSaysWhy) {
   EXPECT_NE(outcome.err.find("measure"), std::string::npos) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "r.json"));
+}
+
+TEST(PluginsCommand, ACommandThatThrowsIsOneSentenceThatNamesThePlugin) {
+  for (const auto& [kind, command, why] :
+       {std::tuple{"callbacks", "throw-number", "stopped unexpectedly"}, std::tuple{"callbacks", "throw-memory", "not enough memory"},
+        std::tuple{"late", "throw-number", "changed its mind"}, std::tuple{"late_number", "throw-number", "could not start"}}) {
+    const TemporaryFolder folder;
+    const EnvironmentValue searched("ECHOWEAVE_PLUGINS", folder.path().string());
+    writeManifest(folder, "odd", {{"capabilities", {"command:throw-number", "command:throw-memory"}}});
+    std::filesystem::copy_file(std::string(EW_ODD_PLUGIN_DIR "/odd_") + kind + ".so", folder.path() / "odd/odd.so",
+                               std::filesystem::copy_options::overwrite_existing);
+    const auto outcome = run({command, "--report", folder / "r.json"});
+    EXPECT_EQ(outcome.status, 1) << kind;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("'odd'"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "r.json"));
+    EXPECT_EQ(run({"plugins", "list"}).status, 0);
+  }
 }
 
 TEST(PluginsCommand, TheHelpNamesTheCommandsOfPluginsWithoutLoadingThem) {

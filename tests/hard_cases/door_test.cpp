@@ -6,6 +6,7 @@
 
 #include "ew/door/headless_host.h"
 #include "library/temporary_folder.h"
+#include "sdk/panel_host.h"
 
 namespace ew::door {
 namespace {
@@ -33,6 +34,210 @@ PluginStatus opened(const std::string& manifestText, const std::string& library)
   const PluginStatus status = plugins.states().empty() ? PluginStatus{} : plugins.states().front();
   EXPECT_TRUE(status.sentence.ends_with('.')) << status.sentence;
   return status;
+}
+
+/// A host that keeps what it is given, as a window does, and whose jobs run when they are asked to.
+class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs, public sdk::Log {
+ public:
+  struct Job {
+    std::string title;
+    std::function<Result<void>(Progress&)> work;
+    std::function<void(const Result<void>&)> done;
+  };
+
+  sdk::Volumes& volumes() override { return inner_.volumes(); }
+  sdk::Files& files() override { return inner_.files(); }
+  sdk::Cases& cases() override { return theCase; }
+  sdk::Jobs& jobs() override { return *this; }
+  sdk::Panels& panels() override { return *this; }
+  sdk::Commands& commands() override { return inner_.commands(); }
+  sdk::Log& log() override { return *this; }
+
+  void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
+    addStaged({id, title, std::move(make), {}, nullptr, {}});
+  }
+  void addStaged(sdk::StagedPanel panel) override {
+    if (panel.document != nullptr) tickets_.push_back(panel.document->onChanged([] {}));
+    panelsKept.push_back(std::move(panel));
+  }
+  void start(const std::string& title, std::function<Result<void>(Progress&)> work,
+             std::function<void(const Result<void>&)> done) override {
+    jobsKept.push_back({title, std::move(work), std::move(done)});
+  }
+  void info(const std::string&) override {}
+  void warn(const std::string&) override {}
+  void error(const std::string& text) override { errors.push_back(text); }
+
+  [[nodiscard]] const std::vector<Command>& commandsKept() const { return inner_.registered(); }
+  /// The sentences told since the last call.
+  [[nodiscard]] std::vector<std::string> told() { return std::exchange(errors, {}); }
+
+  test::OneCase theCase;
+  std::vector<sdk::StagedPanel> panelsKept;
+  std::vector<Job> jobsKept;
+  std::vector<std::string> errors;
+
+ private:
+  HeadlessHost inner_;
+  std::vector<std::shared_ptr<void>> tickets_;
+};
+
+/// Puts one plugin made of the odd library `kind` into `folder`.
+void putInto(const TemporaryFolder& folder, const std::string& kind) {
+  json said = manifest();
+  said["title"] = "Odd one";
+  writeText(folder / "odd/plugin.json", said.dump());
+  fs::copy_file(std::string(EW_ODD_PLUGIN_DIR "/odd_") + kind + ".so", folder / "odd/odd.so");
+}
+
+/// One sentence that names the plugin and says why.
+void expectOneSentence(const std::vector<std::string>& told, const std::string& why) {
+  ASSERT_EQ(told.size(), 1u) << (told.empty() ? "nothing was told" : told.back());
+  EXPECT_NE(told[0].find("'Odd one'"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find(why), std::string::npos) << told[0];
+  EXPECT_TRUE(told[0].ends_with('.')) << told[0];
+}
+
+TEST(HardCasesDoor, WhatAPluginRegisteredBeforeItFailedIsTakenBack) {
+  for (const auto& [kind, why] :
+       {std::pair{"late", "changed its mind"}, std::pair{"late_number", "no reason was given"}, std::pair{"late_null", "gave no reason"}}) {
+    const TemporaryFolder folder;
+    putInto(folder, kind);
+    KeepingHost host;
+    PluginList plugins({folder.path()});
+    plugins.openAll(host);
+    ASSERT_EQ(plugins.states().size(), 1u);
+    EXPECT_EQ(plugins.states()[0].state, PluginState::failed) << kind;
+    expectOneSentence({plugins.states()[0].sentence}, why);
+    EXPECT_EQ(host.panelsKept.size(), 0u) << kind << ": a panel of a plugin that is gone";
+    EXPECT_EQ(host.jobsKept.size(), 0u) << kind << ": work of a plugin that is gone";
+    EXPECT_EQ(host.commandsKept().size(), 0u) << kind << ": a command of a plugin that is gone";
+    host.theCase.tell();  // its ticket is void
+    EXPECT_TRUE(host.told().empty()) << kind;
+  }
+}
+
+TEST(HardCasesDoor, ExceptionsOfCommandsAreErrorsThatNameThePlugin) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  static_cast<void>(host.told());
+  ASSERT_EQ(host.commandsKept().size(), 2u);
+  const auto number = host.commandsKept()[0].run({}, noProgress());
+  ASSERT_FALSE(number);
+  EXPECT_EQ(number.error().code, ErrorCode::internal);
+  expectOneSentence({number.error().sentence}, "throw-number");
+  const auto memory = host.commandsKept()[1].run({}, noProgress());
+  ASSERT_FALSE(memory);
+  EXPECT_EQ(memory.error().code, ErrorCode::tooLarge);
+  expectOneSentence({memory.error().sentence}, "not enough memory");
+  EXPECT_TRUE(host.told().empty()) << "the error says it, nobody else";
+}
+
+TEST(HardCasesDoor, ExceptionsOfPanelsAndOfChangesAreToldOncePerKindAndThePluginStays) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  expectOneSentence(host.told(), "no reason was given");  // its document was asked to tell of changes
+  ASSERT_EQ(host.panelsKept.size(), 2u);
+
+  EXPECT_EQ(host.panelsKept[0].make(nullptr), nullptr);
+  expectOneSentence(host.told(), "'Odd column'");
+  EXPECT_EQ(host.panelsKept[1].make(nullptr), nullptr);
+  EXPECT_EQ(host.panelsKept[1].makeStage(nullptr), nullptr);
+  EXPECT_TRUE(host.told().empty()) << "a kind is told once";
+
+  host.theCase.tell();
+  expectOneSentence(host.told(), "a change of the case");
+  for (int n = 0; n < 100; ++n) host.theCase.tell();
+  EXPECT_TRUE(host.told().empty());
+  EXPECT_EQ(plugins.states()[0].state, PluginState::loaded);
+  EXPECT_NE(plugins.states()[0].sentence.find("a change of the case"), std::string::npos) << "the Plugins page says it as well";
+}
+
+TEST(HardCasesDoor, ExceptionsOfAPanelsDocumentAreTold) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  static_cast<void>(host.told());
+  ASSERT_EQ(host.panelsKept.size(), 2u);
+  sdk::PanelDocument* document = host.panelsKept[1].document;
+  ASSERT_NE(document, nullptr);
+  EXPECT_EQ(document->title(), "Odd stage") << "something has to stand in the top bar";
+  EXPECT_EQ(document->remark(), "");
+  EXPECT_EQ(document->note(), "");
+  EXPECT_EQ(document->undoText(), "");
+  EXPECT_EQ(document->redoText(), "");
+  EXPECT_TRUE(host.told().empty()) << "told when it was asked to tell of changes";
+  document->undo();
+  expectOneSentence(host.told(), "undo");
+  document->redo();
+  expectOneSentence(host.told(), "nothing to redo it with");
+  document->save(false);
+  expectOneSentence(host.told(), "the dog ate the disk");
+  document->save(true);
+  EXPECT_TRUE(host.told().empty());
+}
+
+TEST(HardCasesDoor, ExceptionsOfAJobAndOfItsDoneAreTold) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  static_cast<void>(host.told());
+  ASSERT_EQ(host.jobsKept.size(), 1u);
+  const auto outcome = host.jobsKept[0].work(noProgress());
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, ErrorCode::internal);
+  EXPECT_TRUE(host.told().empty()) << "a worker tells nobody";
+  host.jobsKept[0].done(outcome);
+  const auto told = host.told();
+  ASSERT_EQ(told.size(), 2u);
+  expectOneSentence({told[0]}, "'Odd work'");
+  expectOneSentence({told[1]}, "no idea what to do with it");
+}
+
+TEST(HardCasesDoor, NothingReachesAPluginThatIsGone) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  {
+    PluginList plugins({folder.path()});
+    plugins.openAll(host);
+    static_cast<void>(host.told());
+  }
+  ASSERT_EQ(host.panelsKept.size(), 2u);
+  EXPECT_EQ(host.panelsKept[0].make(nullptr), nullptr);
+  host.theCase.tell();
+  const auto outcome = host.jobsKept[0].work(noProgress());
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, ErrorCode::cancelled);
+  host.jobsKept[0].done(outcome);
+  const auto command = host.commandsKept()[0].run({}, noProgress());
+  ASSERT_FALSE(command);
+  EXPECT_EQ(command.error().code, ErrorCode::notFound);
+  EXPECT_TRUE(host.told().empty());
+}
+
+TEST(HardCasesDoor, APluginThatThrowsWhenItIsDestroyedIsASentence) {
+  const TemporaryFolder folder;
+  putInto(folder, "end");
+  KeepingHost host;
+  {
+    PluginList plugins({folder.path()});
+    plugins.openAll(host);
+    ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  }
+  expectOneSentence(host.told(), "did not end in order");
 }
 
 TEST(HardCasesDoor, AFolderWithoutAManifestIsASentence) {

@@ -5,10 +5,13 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "time_limit.h"
 
@@ -23,7 +26,7 @@ class JobsOnTheirOwn : public testing::Test {
     QElapsedTimer clock;
     clock.start();
     while (!condition()) {
-      if (static_cast<double>(clock.elapsed()) > 5000.0 * test::kSlowdown) return false;
+      if (static_cast<double>(clock.elapsed()) > test::kPatience_ms) return false;
       QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -133,9 +136,29 @@ TEST_F(JobsOnTheirOwn, AnExceptionOfTheWorkBecomesAnError) {
   jobs.start(
       "No memory", [](Progress&) -> Result<void> { throw std::bad_alloc(); }, note);
   ASSERT_TRUE(waitUntil([&] { return errors.size() == 2; }));
+  jobs.start(
+      "A number", [](Progress&) -> Result<void> { throw 42; }, note);
+  ASSERT_TRUE(waitUntil([&] { return errors.size() == 3; }));
+  EXPECT_EQ(errors[2].code, ErrorCode::internal);
   EXPECT_EQ(errors[0].code, ErrorCode::internal);
   EXPECT_NE(errors[0].sentence.find("the dog ate it"), std::string::npos);
   EXPECT_EQ(errors[1].code, ErrorCode::tooLarge);
+}
+
+TEST_F(JobsOnTheirOwn, AnExceptionOfTheDoneIsTold) {
+  Jobs jobs;
+  std::vector<std::string> told;
+  QObject::connect(&jobs, &Jobs::problem, &jobs, [&](const Error& error) { told.push_back(error.sentence); });
+  const auto work = [](Progress&) { return Result<void>(); };
+  jobs.start("Thrown", work, [](const Result<void>&) { throw std::runtime_error("the dog ate it"); });
+  jobs.start("A number", work, [](const Result<void>&) { throw 42; });
+  EXPECT_TRUE(waitUntil([&] { return told.size() == 2; }));
+  jobs.start("While everything ends", work, [](const Result<void>&) { throw 42; });
+  jobs.cancelAllAndWait();
+  ASSERT_EQ(told.size(), 3u);
+  for (const char* title : {"'Thrown'", "'A number'", "'While everything ends'"})
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&](const std::string& said) { return said.find(title) != std::string::npos; }))
+        << title;
 }
 
 TEST_F(JobsOnTheirOwn, AThreadThatCannotBeHadIsAnErrorOfTheJob) {

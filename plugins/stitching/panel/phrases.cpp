@@ -177,6 +177,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "There is not enough memory for this; close other programs or choose a coarser spacing."),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "There is not enough memory for a volume of %1; use a coarser spacing."),
     QT_TRANSLATE_NOOP("ew::stitching::Phrases", "The work stopped unexpectedly (%1); nothing was changed, please report it with what you did."),
+    QT_TRANSLATE_NOOP("ew::stitching::Phrases", "There is not enough memory for '%2' of the plugin '%1'; close other programs or choose a coarser spacing."),
+    QT_TRANSLATE_NOOP("ew::stitching::Phrases", "'%2' of the plugin '%1' stopped unexpectedly (%3); please report it with what you did."),
 };
 // clang-format on
 

@@ -3,12 +3,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <ostream>
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/core/guarded.h"
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
 #include "plugin_commands.h"
@@ -62,14 +61,15 @@ void tell(std::ostream& err, const Error& error, bool verbose) {
 
 /// Turns whatever a library throws into an Error: nothing leaves the program as an exception.
 Result<int> runGuarded(const Work& work, Run& run) {
-  try {
-    return work(run);
-  } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for this; use a coarser spacing or a smaller size.");
-  } catch (const std::exception& problem) {
-    return failure(ErrorCode::internal, std::string("The program met a problem it did not foresee (") + problem.what() +
-                                            "); please report it with the command you gave.");
-  }
+  return guarded([&] { return work(run); },
+                 [](const Thrown& thrown) -> Error {
+                   if (thrown.noMemory)
+                     return {ErrorCode::tooLarge, "There is not enough memory for this; use a coarser spacing or a smaller size.", {}};
+                   return {
+                       ErrorCode::internal,
+                       "The program met a problem it did not foresee (" + thrown.reason + "); please report it with the command you gave.",
+                       {}};
+                 });
 }
 
 /// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.

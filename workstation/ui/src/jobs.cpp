@@ -4,11 +4,11 @@
 #include <QMetaObject>
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <mutex>
-#include <new>
 #include <system_error>
 #include <thread>
+
+#include "ew/core/guarded.h"
 
 namespace ew::ui {
 
@@ -35,15 +35,19 @@ struct Jobs::Job final : Progress {
 
 namespace {
 
-Result<void> guarded(const Jobs::Work& work, Progress& progress) {
-  try {
-    return work(progress);
-  } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for this; close other programs or choose a coarser spacing.");
-  } catch (const std::exception& thrown) {
-    return failure(ErrorCode::internal, std::string("The work stopped unexpectedly (") + thrown.what() +
-                                            "); nothing was changed, please report it with what you did.");
-  }
+Error unforeseen(const Thrown& thrown) {
+  if (thrown.noMemory)
+    return {ErrorCode::tooLarge, "There is not enough memory for this; close other programs or choose a coarser spacing.", {}};
+  return {ErrorCode::internal,
+          "The work stopped unexpectedly (" + thrown.reason + "); nothing was changed, please report it with what you did.",
+          {}};
+}
+
+Error notTakenOver(const QString& title, const Thrown& thrown) {
+  return {
+      ErrorCode::internal,
+      "The result of '" + title.toStdString() + "' could not be taken over (" + thrown.reason + "); please report it with what you did.",
+      {}};
 }
 
 }  // namespace
@@ -77,7 +81,7 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
   };
   try {
     raw->thread = std::thread([raw, deliverSoon, work = std::move(work)] {
-      raw->outcome = guarded(work, *raw);
+      raw->outcome = guarded([&] { return work(*raw); }, unforeseen);
       deliverSoon();
     });
   } catch (const std::system_error&) {
@@ -117,7 +121,9 @@ void Jobs::deliver(int id) {
   running_.erase(at);
   if (job->thread.joinable()) job->thread.join();
   Q_EMIT finished(id);
-  if (job->done) job->done(job->outcome);
+  if (!job->done) return;
+  const auto taken = guarded([&] { job->done(job->outcome); }, [&](const Thrown& thrown) { return notTakenOver(job->title, thrown); });
+  if (!taken) Q_EMIT problem(taken.error());
 }
 
 void Jobs::cancelAllAndWait() {

@@ -49,6 +49,7 @@ class Jobs final : public QObject {
  Q_SIGNALS:
   void started(int id);
   void finished(int id);
+  void problem(const ew::Error& error);  ///< a `done` threw
 
  private:
   struct Job;

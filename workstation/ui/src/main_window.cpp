@@ -15,6 +15,7 @@
 
 #include "ew/library/preparation.h"
 #include "file_import_dialog.h"
+#include "guarded_application.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
 #include "theme.h"
@@ -72,6 +73,7 @@ MainWindow::~MainWindow() {
   // An undo history that is destroyed says that it is empty; nobody is left to show it.
   parts_->document.history().disconnect();
   parts_->host->disconnect();
+  QCoreApplication::instance()->disconnect(this);
   parts_->panels->disconnect(this);
   parts_->document.disconnect();
   parts_->session.disconnect();
@@ -251,7 +253,9 @@ void MainWindow::connectParts() {
     parts_->opener->showVolume(volume, title, true);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
   });
-  connect(p.host, &WorkstationHost::problem, this, [this](const QString& sentence) { parts_->messages->showError(sentence); });
+  connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
+  if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
+    connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
 }
 
 void MainWindow::showPicture() {

@@ -490,11 +490,24 @@ void MainWindow::openPlugins() {
   Parts& p = *parts_;
   if (p.plugins) return;
   p.plugins.emplace();
-  p.plugins->openAll(*p.host);
+  p.plugins->openAll(*p.host, [this](const door::PluginFault& fault) {
+    const QString pattern = QCoreApplication::translate("ew::door::PluginFault", door::patternOf(fault));
+    parts_->messages->showError(words(door::filled(pattern.toStdString(), fault)));
+  });
   for (const door::PluginStatus& plugin : p.plugins->states()) {
     if (plugin.state != door::PluginState::loaded && plugin.state != door::PluginState::replaced)
       p.messages->showError(words(plugin.sentence));
   }
+}
+
+void MainWindow::showThrown(const QObject* receiver, const Thrown& thrown) {
+  Parts& p = *parts_;
+  if (p.plugins && p.plugins->tellOfPanel(WorkstationHost::panelOf(receiver), thrown)) return;
+  p.messages->showError(
+      thrown.noMemory ? tr("There is not enough memory for this; close other programs and try again.")
+                      : tr("The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report "
+                           "this with what you did.")
+                            .arg(words(thrown.reason)));
 }
 
 void MainWindow::prepareThumbnails() {

@@ -18,6 +18,7 @@
 
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
+#include "guarded_application.h"
 #include "jobs.h"
 #include "message_bar.h"
 #include "session.h"
@@ -101,7 +102,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  QApplication app(argc, argv);
+  GuardedApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
@@ -128,16 +129,20 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
     window.resize(1600, 900);
   }
   window.show();
-  window.openPlugins();
-  if (options.startPage) {
-    window.showStartPage();
-  } else if (!options.open.empty()) {
-    window.open(QString::fromStdString(options.open));
-  } else {
-    window.openDefaultCase();
-  }
-  if (!isScreenshot) window.prepareCases();
-  if (options.workspace == "author") window.setWorkspace(Workspace::author);
+  app.attempt([&] { window.openPlugins(); });
+  app.attempt([&] {
+    if (options.startPage) {
+      window.showStartPage();
+    } else if (!options.open.empty()) {
+      window.open(QString::fromStdString(options.open));
+    } else {
+      window.openDefaultCase();
+    }
+  });
+  app.attempt([&] {
+    if (!isScreenshot) window.prepareCases();
+    if (options.workspace == "author") window.setWorkspace(Workspace::author);
+  });
   if (!isScreenshot) return QApplication::exec();
   const Screenshot screenshot(window, QString::fromStdString(options.screenshot));
   return QApplication::exec();

@@ -1,10 +1,11 @@
 #include "workstation_host.h"
 
+#include <QLabel>
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QTabWidget>
 #include <QVBoxLayout>
-#include <exception>
+#include <utility>
 #include <vector>
 
 #include "ew/door/host_parts.h"
@@ -14,14 +15,16 @@
 namespace ew::ui {
 namespace {
 
-/// A tab that makes its content when it is first seen.
+constexpr const char* kPanelId = "panelId";  ///< property of a panel's column and stage
+
+/// A tab that makes its content when it is first seen. What the plugin throws is stopped and told by the door; here it is an empty result.
 class LazyPanel final : public QScrollArea {
  public:
-  LazyPanel(sdk::StagedPanel panel, std::function<void(const QString&)> complain)
-      : panel_(std::move(panel)), complain_(std::move(complain)) {
+  explicit LazyPanel(sdk::StagedPanel panel) : panel_(std::move(panel)) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setProperty(kPanelId, words(panel_.id));
   }
 
   [[nodiscard]] const sdk::StagedPanel& panel() const { return panel_; }
@@ -29,7 +32,10 @@ class LazyPanel final : public QScrollArea {
   /// Made when first asked for, after the column.
   [[nodiscard]] QWidget* stage(QWidget* parent) {
     makeColumn();
-    if (!stage_ && panel_.makeStage) stage_ = make(std::exchange(panel_.makeStage, nullptr), parent);
+    if (!stage_ && panel_.makeStage) {
+      stage_ = make(std::exchange(panel_.makeStage, nullptr), parent);
+      if (stage_) stage_->setProperty(kPanelId, words(panel_.id));
+    }
     return stage_;
   }
 
@@ -42,26 +48,33 @@ class LazyPanel final : public QScrollArea {
  private:
   void makeColumn() {
     if (!panel_.make) return;
-    if (QWidget* content = make(std::exchange(panel_.make, nullptr), this)) {
-      setWidget(content);
-      viewport()->setAutoFillBackground(false);
-      content->setAutoFillBackground(false);
-      // A panel never scrolls sideways: the column is at least as wide as its content asks for.
-      setMinimumWidth(content->minimumSizeHint().width() + 8);
+    QWidget* content = make(std::exchange(panel_.make, nullptr), this);
+    if (content == nullptr) {
+      auto* sentence = new QLabel(WorkstationHost::tr("This panel could not be opened; Help, Plugins says more."));
+      sentence->setObjectName(QStringLiteral("panelProblem"));
+      sentence->setWordWrap(true);
+      sentence->setMargin(16);
+      sentence->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+      content = sentence;
     }
+    setWidget(content);
+    viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    // A panel never scrolls sideways: the column is at least as wide as its content asks for.
+    setMinimumWidth(content->minimumSizeHint().width() + 8);
   }
-  [[nodiscard]] QWidget* make(const sdk::StagedPanel::Make& how, QWidget* parent) const {
-    try {
-      return how(parent);
-    } catch (const std::exception& thrown) {
-      complain_(WorkstationHost::tr("A panel could not be opened (%1); see Help, Plugins.").arg(QString::fromUtf8(thrown.what())));
-      return nullptr;
-    }
+  /// @return null when the plugin made none; then nothing is left of what it had begun
+  [[nodiscard]] static QWidget* make(const sdk::StagedPanel::Make& how, QWidget* parent) {
+    const QObjectList before = parent->children();
+    QWidget* made = how(parent);
+    if (made != nullptr) return made;
+    for (QObject* child : QObjectList(parent->children()))
+      if (!before.contains(child)) delete child;
+    return nullptr;
   }
 
   sdk::StagedPanel panel_;
   QPointer<QWidget> stage_;
-  std::function<void(const QString&)> complain_;
 };
 
 class HostVolumes final : public door::FileVolumes {
@@ -125,8 +138,7 @@ class HostJobs final : public sdk::Jobs {
 
 class HostPanels final : public sdk::Panels {
  public:
-  HostPanels(WorkstationHost& host, QTabWidget& tabs, std::function<void(const QString&)> complain)
-      : host_(host), tabs_(tabs), complain_(std::move(complain)) {}
+  HostPanels(WorkstationHost& host, QTabWidget& tabs) : host_(host), tabs_(tabs) {}
   void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
     addStaged({id, title, std::move(make), {}, nullptr, {}});
   }
@@ -134,7 +146,7 @@ class HostPanels final : public sdk::Panels {
     const QString id = words(asked.id);
     const QString title = words(asked.title);
     if (asked.document != nullptr) tickets_.push_back(asked.document->onChanged([&host = host_] { Q_EMIT host.panelDocumentChanged(); }));
-    auto* panel = new LazyPanel(std::move(asked), complain_);
+    auto* panel = new LazyPanel(std::move(asked));
     panel->setObjectName(QStringLiteral("panel_") + id);
     tabs_.addTab(panel, title);
   }
@@ -149,7 +161,6 @@ class HostPanels final : public sdk::Panels {
  private:
   WorkstationHost& host_;
   QTabWidget& tabs_;
-  std::function<void(const QString&)> complain_;
   std::vector<std::shared_ptr<void>> tickets_;
 };
 
@@ -172,14 +183,7 @@ struct WorkstationHost::Parts {
 };
 
 WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent)
-    : QObject(parent),
-      parts_(new Parts{HostVolumes(*this),
-                       {},
-                       HostCases(document),
-                       HostJobs(jobs),
-                       HostPanels(*this, panels, [this](const QString& sentence) { Q_EMIT problem(sentence); }),
-                       {},
-                       {}}) {
+    : QObject(parent), parts_(new Parts{HostVolumes(*this), {}, HostCases(document), HostJobs(jobs), HostPanels(*this, panels), {}, {}}) {
   connect(&document, &CaseDocument::changed, this, [this] { parts_->cases.tellChanged(); });
 }
 
@@ -201,6 +205,12 @@ sdk::PanelDocument* WorkstationHost::documentInFront() const {
 }
 
 std::vector<const sdk::StagedPanel*> WorkstationHost::panelsAdded() const { return parts_->panels.all(); }
+
+std::string WorkstationHost::panelOf(const QObject* part) {
+  for (; part != nullptr; part = part->parent())
+    if (const QVariant id = part->property(kPanelId); id.isValid()) return id.toString().toStdString();
+  return {};
+}
 
 sdk::Volumes& WorkstationHost::volumes() { return parts_->volumes; }
 sdk::Files& WorkstationHost::files() { return parts_->files; }

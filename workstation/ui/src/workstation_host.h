@@ -15,7 +15,8 @@ class QTabWidget;
 
 namespace ew::ui {
 
-/// The host of plugins in the window: cases through the undo history, jobs as cards, panels as tabs of the Author workspace.
+/// The host of plugins in the window: cases through the undo history, jobs as cards, panels as tabs of the Author workspace. What a plugin
+/// throws does not get here: door::PluginList stops it before.
 class WorkstationHost final : public QObject, public sdk::Host {
   Q_OBJECT
 
@@ -37,11 +38,12 @@ class WorkstationHost final : public QObject, public sdk::Host {
   [[nodiscard]] QWidget* stageInFront(QWidget* parent);  ///< made when first asked for; null: it has none
   [[nodiscard]] sdk::PanelDocument* documentInFront() const;
   [[nodiscard]] std::vector<const sdk::StagedPanel*> panelsAdded() const;
+  /// Id of the panel in whose column or stage `part` lies; empty: in none.
+  [[nodiscard]] static std::string panelOf(const QObject* part);
 
  Q_SIGNALS:
   void panelDocumentChanged();
   void volumeShown(std::shared_ptr<const ew::Volume> volume, const QString& title);
-  void problem(const QString& sentence);
 
  private:
   struct Parts;

@@ -28,15 +28,8 @@ class NoOpenCase final : public sdk::Cases {
 class JobsAtOnce final : public sdk::Jobs {
  public:
   explicit JobsAtOnce(Progress& progress) : progress_(progress) {}
-  void start(const std::string& title, std::function<Result<void>(Progress&)> work,
-             std::function<void(const Result<void>&)> done) override {
-    const Result<void> outcome = [&]() -> Result<void> {
-      try {
-        return work(progress_);
-      } catch (const std::exception& problem) {
-        return failure(ErrorCode::internal, "'" + title + "' stopped unexpectedly (" + problem.what() + ").");
-      }
-    }();
+  void start(const std::string&, std::function<Result<void>(Progress&)> work, std::function<void(const Result<void>&)> done) override {
+    const Result<void> outcome = work(progress_);
     if (done) done(outcome);
   }
 
@@ -56,17 +49,7 @@ class CommandList final : public sdk::Commands {
       spdlog::warn("A plugin offers the command '{}', which another plugin already gave; the first one is kept.", name);
       return;
     }
-    // An exception must not cross from a plugin into the program.
-    auto guarded = [name, run = std::move(run)](const std::vector<std::string>& args, Progress& progress) -> Result<Outcome> {
-      try {
-        return run(args, progress);
-      } catch (const std::bad_alloc&) {
-        return failure(ErrorCode::tooLarge, "There is not enough memory for '" + name + "'; use a coarser spacing or a smaller input.");
-      } catch (const std::exception& problem) {
-        return failure(ErrorCode::internal, "'" + name + "' stopped unexpectedly (" + problem.what() + "); please report this.");
-      }
-    };
-    commands.push_back({name, usage, std::move(guarded)});
+    commands.push_back({name, usage, std::move(run)});
   }
   std::vector<Command> commands;
 };

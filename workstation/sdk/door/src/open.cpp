@@ -1,11 +1,12 @@
 #include <dlfcn.h>
 
-#include <exception>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "elf_check.h"
 #include "ew/door/door.h"
+#include "plugin_host.h"
 
 namespace ew::door {
 namespace {
@@ -15,10 +16,9 @@ std::string readable(std::uint32_t abi) {
   return std::to_string(abi) + " (interface " + std::to_string(abi >> 16) + ", compiler " + std::to_string((abi >> 8) & 0xffu) + ")";
 }
 
-std::optional<OpenPlugin> refuse(PluginStatus& status, PluginState state, std::string sentence) {
+void refuse(PluginStatus& status, PluginState state, std::string sentence) {
   status.state = state;
   status.sentence = std::move(sentence);
-  return std::nullopt;
 }
 
 std::string otherAbiSentence(const PluginManifest& manifest, std::uint32_t found) {
@@ -37,85 +37,117 @@ Function symbol(void* library, const char* name) {
   return reinterpret_cast<Function>(::dlsym(library, name));
 }
 
-}  // namespace
+/// What a plugin's library exports; only what was found is set.
+struct Library {
+  std::uint32_t (*abi)() = nullptr;
+  sdk::Plugin* (*create)(sdk::Host&) = nullptr;
+  void (*destroy)(sdk::Plugin*) = nullptr;
+};
 
-OpenPlugin::~OpenPlugin() {
-  if (plugin_ == nullptr) return;
-  try {
-    destroy_(plugin_);
-  } catch (...) {
-    // A plugin that throws while it is destroyed has nobody left to tell; the program must still end in order.
-  }
-}
-
-std::optional<OpenPlugin> openPlugin(PluginStatus& status, sdk::Host& host) {
-  if (status.state != PluginState::found || !status.manifest) {
-    if (status.sentence.empty()) {
-      status.state = PluginState::badManifest;
-      status.sentence = "The plugin in '" + status.folder.string() + "' has no manifest that could be read; install it again.";
-    }
-    return std::nullopt;
-  }
-  const PluginManifest& manifest = *status.manifest;
-  if (manifest.abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(manifest, manifest.abi));
-
+/// Loads the library of a manifest whose ABI fits. @error a sentence for the Plugins page
+Result<Library> loaded(const PluginManifest& manifest) {
+  const auto notLoadable = [&](const std::string& rest) {
+    return failure(ErrorCode::notReadable, "The library of the plugin '" + manifest.title + "' " + rest);
+  };
   if (const std::string why = whyNotALibrary(manifest.library); !why.empty())
-    return refuse(status, PluginState::notLoadable,
-                  "The library of the plugin '" + manifest.title + "' cannot be loaded: " + why + "; install the plugin again.");
-
+    return notLoadable("cannot be loaded: " + why + "; install the plugin again.");
   // RTLD_NODELETE: what a plugin registers with VTK or Qt outlives any handle, and unloading its code crashes the program at its end.
   void* library = ::dlopen(manifest.library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (library == nullptr)
-    return refuse(
-        status, PluginState::notLoadable,
-        "The library of the plugin '" + manifest.title + "' cannot be loaded (" + linkerMessage() + "); install the plugin again.");
-
-  const auto abi = symbol<std::uint32_t (*)()>(library, "ewPluginAbi");
-  const auto create = symbol<sdk::Plugin* (*)(sdk::Host&)>(library, "ewPluginCreate");
-  const auto destroy = symbol<void (*)(sdk::Plugin*)>(library, "ewPluginDestroy");
-  for (const auto& [present, name] : {std::pair{abi != nullptr, "ewPluginAbi"}, std::pair{create != nullptr, "ewPluginCreate"},
-                                      std::pair{destroy != nullptr, "ewPluginDestroy"}})
+  if (library == nullptr) return notLoadable("cannot be loaded (" + linkerMessage() + "); install the plugin again.");
+  Library found;
+  found.abi = symbol<std::uint32_t (*)()>(library, "ewPluginAbi");
+  found.create = symbol<sdk::Plugin* (*)(sdk::Host&)>(library, "ewPluginCreate");
+  found.destroy = symbol<void (*)(sdk::Plugin*)>(library, "ewPluginDestroy");
+  for (const auto& [present, name] : {std::pair{found.abi != nullptr, "ewPluginAbi"}, std::pair{found.create != nullptr, "ewPluginCreate"},
+                                      std::pair{found.destroy != nullptr, "ewPluginDestroy"}})
     if (!present)
-      return refuse(status, PluginState::notLoadable,
-                    "The library of the plugin '" + manifest.title + "' has no function " + name +
-                        ", so it is not an EchoWeave plugin; install the plugin again or remove its folder.");
-  try {
-    const std::uint32_t found = abi();
-    if (found != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(manifest, found));
-    sdk::Plugin* plugin = create(host);
-    if (plugin == nullptr)
-      return refuse(status, PluginState::failed,
-                    "The plugin '" + manifest.title + "' could not start and gave no reason; the log may say more.");
-    status.state = PluginState::loaded;
-    status.sentence.clear();
-    return OpenPlugin(plugin, destroy);
-  } catch (const std::exception& problem) {
-    return refuse(status, PluginState::failed,
-                  "The plugin '" + manifest.title + "' could not start (" + problem.what() + "); the rest of the program is not affected.");
-  } catch (...) {
-    return refuse(status, PluginState::failed,
-                  "The plugin '" + manifest.title + "' could not start; the rest of the program is not affected.");
-  }
+      return notLoadable(std::string("has no function ") + name +
+                         ", so it is not an EchoWeave plugin; install the plugin again or remove its folder.");
+  return found;
 }
 
+}  // namespace
+
+/// A plugin that was asked to start, with its view of the host. Its library is never unloaded.
+struct PluginList::Open {
+  Open(sdk::Host& inner, const std::string& title, PluginCalls::Tell tell) : host(inner, title, std::move(tell)) {}
+  ~Open() {
+    host.calls().withdraw();
+    if (plugin == nullptr) return;
+    const auto faultOf = [&](const Thrown& thrown) { return host.calls().faultOf(PluginMoment::end, {}, thrown); };
+    static_cast<void>(guarded([&] { destroy(plugin); },
+                              [&](const Thrown& thrown) {
+                                host.calls().tell(faultOf(thrown));
+                                return errorOf(faultOf(thrown));
+                              }));
+  }
+  Open(const Open&) = delete;
+  Open& operator=(const Open&) = delete;
+
+  /// Creates the plugin and puts what it registered into place, or takes all of it back. Says in `status` which.
+  void start(const Library& library, PluginStatus& status) {
+    const auto failed = [&](const Thrown& thrown) { return errorOf(host.calls().faultOf(PluginMoment::start, {}, thrown)); };
+    const auto abi = guarded([&] { return library.abi(); }, failed);
+    if (!abi) return refuse(status, PluginState::failed, abi.error().sentence);
+    if (*abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(*status.manifest, *abi));
+    const auto made = guarded([&] { return library.create(host); }, failed);
+    if (!made || *made == nullptr) {
+      host.calls().withdraw();
+      return refuse(
+          status, PluginState::failed,
+          made ? "The plugin '" + status.title() + "' could not start and gave no reason; the log may say more." : made.error().sentence);
+    }
+    plugin = *made;
+    destroy = library.destroy;
+    status.state = PluginState::loaded;
+    status.sentence.clear();
+    host.calls().made();
+  }
+
+  PluginHost host;
+  sdk::Plugin* plugin = nullptr;
+  void (*destroy)(sdk::Plugin*) = nullptr;
+};
+
 PluginList::PluginList(const std::vector<std::filesystem::path>& folders) : states_(discoverPlugins(folders)) {}
+PluginList::PluginList(PluginList&&) noexcept = default;
 
 PluginList::~PluginList() {
   while (!open_.empty()) open_.pop_back();  // last opened, first destroyed
 }
 
-void PluginList::openAll(sdk::Host& host) {
+void PluginList::openAll(sdk::Host& host, const Tell& tell) {
   std::set<std::string> running;
   for (auto& status : states_) {
     if (status.state == PluginState::found && running.contains(status.manifest->name)) {
-      status.state = PluginState::replaced;
-      status.sentence =
-          "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.";
+      refuse(status, PluginState::replaced,
+             "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.");
+    } else if (status.state == PluginState::found && status.manifest->abi != sdk::kAbi) {
+      refuse(status, PluginState::otherAbi, otherAbiSentence(*status.manifest, status.manifest->abi));
     } else if (status.state == PluginState::found) {
-      if (auto opened = openPlugin(status, host)) open_.push_back(std::move(*opened));
+      if (const auto library = loaded(*status.manifest)) {
+        // The address stays: the list of states neither grows nor shrinks, and moving it moves none of them.
+        open_.push_back(std::make_unique<Open>(host, status.title(), [&host, &status, tell](const PluginFault& fault) {
+          status.sentence = sentenceOf(fault);
+          host.log().error(status.sentence);
+          if (tell) tell(fault);
+        }));
+        open_.back()->start(*library, status);
+      } else {
+        refuse(status, PluginState::notLoadable, library.error().sentence);
+      }
     }
     if (status.state == PluginState::loaded) running.insert(status.manifest->name);
   }
+}
+
+bool PluginList::tellOfPanel(const std::string& panelId, const Thrown& thrown) {
+  for (const auto& open : open_) {
+    if (panelId.empty() || !open->host.hasPanel(panelId)) continue;
+    open->host.calls().tell(open->host.calls().faultOf(PluginMoment::event, {}, thrown));
+    return true;
+  }
+  return false;
 }
 
 }  // namespace ew::door

@@ -6,6 +6,10 @@
 
 #include "ew/ui/run.h"
 
+namespace ew {
+struct Thrown;
+}
+
 namespace ew::sdk {
 class PanelDocument;
 }
@@ -85,6 +89,8 @@ class MainWindow final : public QMainWindow {
   void showPicture();
   void refreshTheme();
   void prepareThumbnails();
+  /// Says what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.
+  void showThrown(const QObject* receiver, const Thrown& thrown);
   void showPreparation();
   /// Asks when the case has unsaved changes. @return whether to go on
   [[nodiscard]] bool mayLeaveCase();

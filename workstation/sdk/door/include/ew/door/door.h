@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ew/core/result.h"
+#include "ew/door/fault.h"
 #include "ew/sdk/plugin.h"
 
 namespace ew::door {
@@ -40,7 +42,7 @@ struct PluginStatus {
   std::filesystem::path folder;
   std::optional<PluginManifest> manifest;  ///< empty when it could not be read
   PluginState state = PluginState::found;
-  std::string sentence;  ///< what is wrong and what to do; empty while nothing is
+  std::string sentence;  ///< what is wrong and what to do; empty while nothing is. Of a plugin that runs: what it threw last
 
   /// The manifest's title, or the folder's name when there is no manifest.
   [[nodiscard]] std::string title() const;
@@ -56,43 +58,36 @@ struct PluginStatus {
 /// @error notFound, badHeader (not JSON), badField (name, value found, value expected), tooLarge
 [[nodiscard]] Result<PluginManifest> readPluginManifest(const std::filesystem::path& folder);
 
-/// A plugin that runs. Its library is never unloaded; destroying this destroys the plugin object.
-class OpenPlugin {
- public:
-  using Destroy = void (*)(sdk::Plugin*);
-  OpenPlugin(sdk::Plugin* plugin, Destroy destroy) : plugin_(plugin), destroy_(destroy) {}
-  ~OpenPlugin();
-  OpenPlugin(OpenPlugin&& other) noexcept : plugin_(other.plugin_), destroy_(other.destroy_) { other.plugin_ = nullptr; }
-  OpenPlugin& operator=(OpenPlugin&&) = delete;
-  OpenPlugin(const OpenPlugin&) = delete;
-  OpenPlugin& operator=(const OpenPlugin&) = delete;
-  [[nodiscard]] sdk::Plugin& plugin() const { return *plugin_; }
-
- private:
-  sdk::Plugin* plugin_;
-  Destroy destroy_;
-};
-
-/// Loads what discoverPlugins found, checking in this order: manifest, ABI in the manifest, library, symbols, ABI of the code, creation.
-/// Whatever goes wrong is written into `status` and gives an empty result; nothing is thrown.
-[[nodiscard]] std::optional<OpenPlugin> openPlugin(PluginStatus& status, sdk::Host& host);
-
 /// All plugins of a program: what the Plugins page shows and what keeps them alive. `host` must outlive the list.
+///
+/// A plugin may throw anything at any moment: while it is created, then nothing of what it asked the host for is put into place; in a
+/// panel, a command, a job, a callback, then the call ends, the plugin stays, and the first time of each kind is told. Its jobs begin, and
+/// its panels and commands are there, once it has been created.
 class PluginList {
  public:
+  /// Told of the first fault of each plugin and moment, on the window's thread; not of commands, whose error says it, nor of plugins that
+  /// could not start, which states() names. May be empty. Faults also go to the host's log and into states().
+  using Tell = std::function<void(const PluginFault&)>;
+
   /// Reads the manifests of `folders`; opens nothing.
   explicit PluginList(const std::vector<std::filesystem::path>& folders = pluginFolders());
-  PluginList(PluginList&&) noexcept = default;
-  ~PluginList();
+  PluginList(PluginList&&) noexcept;
+  ~PluginList();  ///< takes back what the plugins registered and destroys them, the last one first
 
   /// Opens every plugin that was found and not opened yet, in order. One whose name belongs to a plugin that runs already is not opened
-  /// (replaced): the earlier folder wins, but a plugin that cannot be used hides nobody.
-  void openAll(sdk::Host& host);
+  /// (replaced): the earlier folder wins, but a plugin that cannot be used hides nobody. What goes wrong stands in states(); nothing is
+  /// thrown. Checked in this order: manifest, ABI in the manifest, library, symbols, ABI of the code, creation.
+  void openAll(sdk::Host& host, const Tell& tell = {});
   [[nodiscard]] const std::vector<PluginStatus>& states() const { return states_; }
 
+  /// For the program's last catch: something that belongs to the panel `panelId` threw while it handled an event.
+  /// @return whether such a panel is known; then it was told as any fault
+  bool tellOfPanel(const std::string& panelId, const Thrown& thrown);
+
  private:
+  struct Open;
   std::vector<PluginStatus> states_;
-  std::vector<OpenPlugin> open_;
+  std::vector<std::unique_ptr<Open>> open_;  ///< also those that could not start: what they left behind may still know their host
 };
 
 }  // namespace ew::door

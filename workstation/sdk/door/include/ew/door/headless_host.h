@@ -16,7 +16,7 @@ struct Command {
 };
 
 /// The host without a window, for the command line and tests: jobs run at once on the calling thread, panels are ignored, no case is open,
-/// volumes and files go through io, the log through spdlog.
+/// volumes and files go through io, the log through spdlog. What a plugin throws does not get here: PluginList stops it before.
 class HeadlessHost final : public sdk::Host {
  public:
   /// @param progress what jobs report to; must outlive the host

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "ew/core/guarded.h"
+
+namespace ew::door {
+
+/// When a plugin threw something, seen from the door.
+enum class PluginMoment {
+  start,        ///< it was created, and what it registered was put into place
+  panel,        ///< a panel or its stage was made
+  command,      ///< a command ran
+  job,          ///< the work of a job, on its thread
+  jobDone,      ///< a job's result was handed over
+  caseChanged,  ///< it was told that the open case changed
+  undo,         ///< of its PanelDocument
+  redo,
+  save,
+  document,  ///< its PanelDocument was asked for title, remark, note, texts, or to tell of changes
+  event,     ///< a widget of its panel handled a click, a key, a timer
+  end        ///< it was destroyed
+};
+
+/// One exception of a plugin, caught at the door.
+struct PluginFault {
+  std::string plugin;  ///< its title
+  PluginMoment moment = PluginMoment::start;
+  std::string what;  ///< the command, the panel or the job by the name a user sees; empty where there is only one
+  Thrown thrown;
+};
+
+/// The sentence for a fault with places to fill: %1 the plugin, %2 `what`, %3 the reason. It is also the key of its translation, in the
+/// context "ew::door::PluginFault".
+[[nodiscard]] const char* patternOf(const PluginFault& fault);
+/// A pattern, translated or not, with its places filled.
+[[nodiscard]] std::string filled(const std::string& pattern, const PluginFault& fault);
+/// What happened and what to do, in English.
+[[nodiscard]] std::string sentenceOf(const PluginFault& fault);
+/// For callers that want an Error: tooLarge or internal, with the sentence.
+[[nodiscard]] Error errorOf(const PluginFault& fault);
+
+}  // namespace ew::door
