@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
@@ -46,8 +47,8 @@ Result<ParameterValues> parameterValues(const std::vector<std::string>& words) {
 nlohmann::json jsonOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 /// What the anatomy has exactly, for lessons and for the judging of algorithms.
-Result<nlohmann::json> truthOf(const Patient& patient, const BodyState& state) {
-  const auto measurements = measurementsOf(patient, state);
+Result<nlohmann::json> truthOf(const Patient& patient, const BodyState& state, Progress& progress) {
+  const auto measurements = measurementsOf(patient, state, progress);
   if (!measurements) return passOn(measurements.error());
   nlohmann::json truth = {{"format", 1}, {"state", {{"breath", state.breath}, {"pulse", state.pulse}}}};
   truth["parameters"] = nlohmann::json::object();
@@ -74,7 +75,7 @@ Result<nlohmann::json> truthOf(const Patient& patient, const BodyState& state) {
 
 Result<void> writeTruth(const PhantomArguments& arguments, const Patient& patient, Run& run) {
   const StepClock clock(run.report, "truth");
-  auto truth = truthOf(patient, arguments.state);
+  auto truth = truthOf(patient, arguments.state, run.progress);
   if (!truth) return passOn(truth.error());
   for (const auto& each : (*truth)["measurements"])
     run.say(each["name"].get<std::string>() + ": " + rounded(each["value"].get<double>(), 2) + " " + each["unit"].get<std::string>());
@@ -119,7 +120,8 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   const auto resources = resourceFolder();
   const auto values = parameterValues(arguments.set);
   if (!values) return passOn(values.error());
-  const auto patient = readPatient(arguments.patient, resources ? *resources / "mannequin" : std::filesystem::path(), *values);
+  QuietProgress reading(run.progress);
+  const auto patient = readPatient(arguments.patient, resources ? *resources / "mannequin" : std::filesystem::path(), *values, reading);
   if (!patient) return passOn(patient.error());
   for (const PatientParameter& each : parametersOf(**patient))
     run.report.details["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}};

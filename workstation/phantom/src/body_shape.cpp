@@ -66,26 +66,27 @@ Result<void> sampleDistance(const BodyShape& body, const Grid& grid, std::vector
   const auto voxelToWorld = grid.voxelToWorld();
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
   const glm::ivec3 blocks = (grid.dims + glm::ivec3(kBlock - 1)) / kBlock;
-  const bool finished = forEachTask(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row) {
-    for (int bi = 0; bi < blocks.x; ++bi) {
-      const glm::ivec3 first(bi * kBlock, (row % blocks.y) * kBlock, (row / blocks.y) * kBlock);
-      const glm::ivec3 last = glm::min(first + kBlock, grid.dims) - 1;
-      const glm::dvec3 centre = worldOf(0.5 * glm::dvec3(first + last));
-      const double reach = glm::distance(centre, worldOf(glm::dvec3(first)));
-      const double across = glm::distance(centre, worldOf(glm::dvec3(first.x, last.y, last.z)));
-      const double radius = std::max({reach, across, glm::distance(centre, worldOf(glm::dvec3(last.x, first.y, last.z))),
-                                      glm::distance(centre, worldOf(glm::dvec3(last.x, last.y, first.z)))});
-      const double atCentre = body.signedDistance_mm(centre);
-      const bool far = std::abs(atCentre) > kReserve * radius;
-      for (int k = first.z; k <= last.z; ++k) {
-        for (int j = first.y; j <= last.y; ++j) {
-          float* out = distances_mm.data() + grid.indexOf(first.x, j, k);
-          for (int i = first.x; i <= last.x; ++i)
-            *out++ = static_cast<float>(far ? atCentre : body.signedDistance_mm(worldOf(glm::dvec3(i, j, k))));
+  const bool finished =
+      forEachTask(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row, int /*worker*/, const auto& stopped) {
+        for (int bi = 0; bi < blocks.x && !stopped(); ++bi) {
+          const glm::ivec3 first(bi * kBlock, (row % blocks.y) * kBlock, (row / blocks.y) * kBlock);
+          const glm::ivec3 last = glm::min(first + kBlock, grid.dims) - 1;
+          const glm::dvec3 centre = worldOf(0.5 * glm::dvec3(first + last));
+          const double reach = glm::distance(centre, worldOf(glm::dvec3(first)));
+          const double across = glm::distance(centre, worldOf(glm::dvec3(first.x, last.y, last.z)));
+          const double radius = std::max({reach, across, glm::distance(centre, worldOf(glm::dvec3(last.x, first.y, last.z))),
+                                          glm::distance(centre, worldOf(glm::dvec3(last.x, last.y, first.z)))});
+          const double atCentre = body.signedDistance_mm(centre);
+          const bool far = std::abs(atCentre) > kReserve * radius;
+          for (int k = first.z; k <= last.z; ++k) {
+            for (int j = first.y; j <= last.y; ++j) {
+              float* out = distances_mm.data() + grid.indexOf(first.x, j, k);
+              for (int i = first.x; i <= last.x; ++i)
+                *out++ = static_cast<float>(far ? atCentre : body.signedDistance_mm(worldOf(glm::dvec3(i, j, k))));
+            }
+          }
         }
-      }
-    }
-  });
+      });
   if (!finished) return failure(ErrorCode::cancelled, "Shaping the body was stopped.");
   return {};
 }

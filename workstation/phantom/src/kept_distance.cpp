@@ -19,9 +19,13 @@ class KeptDistance final : public Shape {
     row_ = static_cast<std::size_t>(nodes.x);
     slice_ = row_ * static_cast<std::size_t>(nodes.y);
     values_.resize(slice_ * static_cast<std::size_t>(nodes.z));
-    forEachTask(nodes.z, 0, noProgress(), "", [&](int k) {
+  }
+  /// @return false when cancelled
+  [[nodiscard]] bool sample(Progress& progress) {
+    const glm::ivec3 nodes = cells_ + 1;
+    return forEachTask(nodes.z, 0, progress, "Reading the patient", [&](int k, int /*worker*/, const auto& stopped) {
       auto out = static_cast<std::size_t>(k) * slice_;
-      for (int j = 0; j < nodes.y; ++j)
+      for (int j = 0; j < nodes.y && !stopped(); ++j)
         for (int i = 0; i < nodes.x; ++i) values_[out++] = body_->signedDistance_mm(origin_ + spacing_ * glm::dvec3(i, j, k));
     });
   }
@@ -51,9 +55,10 @@ class KeptDistance final : public Shape {
 
 }  // namespace
 
-ShapePtr keepDistance(std::shared_ptr<const BodyShape> body, const Bounds& box, double spacing_mm) {
+ShapePtr keepDistance(std::shared_ptr<const BodyShape> body, const Bounds& box, double spacing_mm, Progress& progress) {
   EW_EXPECTS(body && spacing_mm > 0.0);
-  return std::make_shared<KeptDistance>(std::move(body), box, spacing_mm);
+  auto kept = std::make_shared<KeptDistance>(std::move(body), box, spacing_mm);
+  return kept->sample(progress) ? kept : nullptr;
 }
 
 }  // namespace ew::phantom

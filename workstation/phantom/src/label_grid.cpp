@@ -1,7 +1,6 @@
 #include "ew/phantom/label_grid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <new>
 
 #include "anatomy.h"
@@ -54,12 +53,11 @@ Result<std::vector<std::uint8_t>> labelsOn(const Patient& patient, const Grid& g
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
   const double radius_mm = 0.5 * (kBlock - 1) * glm::length(grid.spacing_mm);
   const glm::ivec3 blocks = (grid.dims + kBlock - 1) / kBlock;
-  std::atomic<bool> stopped{false};
-  const auto labelRow = [&](int task) {
+  const auto labelRow = [&](int task, int /*worker*/, const auto& isStopped) {
     std::vector<std::size_t> near;
     near.reserve(patient.organs.size());
     const glm::ivec2 at(task % blocks.y, task / blocks.y);
-    for (int i = 0; i < blocks.x && !stopped; ++i) {
+    for (int i = 0; i < blocks.x && !isStopped(); ++i) {
       const glm::ivec3 first(i * kBlock, at.x * kBlock, at.y * kBlock);
       const glm::ivec3 last = glm::min(first + kBlock, grid.dims);
       const glm::dvec3 centre_mm = worldOf(glm::dvec3(first) + 0.5 * (kBlock - 1));
@@ -69,17 +67,16 @@ Result<std::vector<std::uint8_t>> labelsOn(const Patient& patient, const Grid& g
       select(patient, centre_mm, radius_mm, near);
       if (near.empty()) continue;
       for (int k = first.z; k < last.z; ++k)
-        for (int j = first.y; j < last.y; ++j)
+        for (int j = first.y; j < last.y && !isStopped(); ++j)
           for (int x = first.x; x < last.x; ++x) {
             const glm::dvec3 p_mm = worldOf(glm::dvec3(x, j, k));
             if (!allInside && patient.skin->distance_mm(p_mm) >= 0.0) continue;
             labels[grid.indexOf(x, j, k)] = labelAmong(patient, near, p_mm);
           }
-      if (progress.cancelRequested()) stopped = true;
     }
   };
   const bool finished = forEachTask(blocks.y * blocks.z, threads, progress, "Labelling the tissues", labelRow);
-  if (!finished || stopped) return failure(ErrorCode::cancelled, "Labelling the tissues was stopped.");
+  if (!finished) return failure(ErrorCode::cancelled, "Labelling the tissues was stopped.");
   return labels;
 }
 

@@ -27,7 +27,8 @@ Rhythm readRhythm(FieldReader& reader, const json& object, const std::string& pl
   return rhythm;
 }
 
-Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes) {
+Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
+                        Progress& progress) {
   const std::string place = "motion.breathing";
   Breathing breathing;
   reader.allow(object, place,
@@ -65,8 +66,8 @@ Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& b
 
   auto share = std::make_shared<ShareField>(Bounds{box.lowest_mm - kShareMargin_mm, box.highest_mm + kShareMargin_mm}, kShareSpacing_mm);
   const glm::ivec3 nodes = share->nodes();
-  forEachTask(nodes.z, 0, noProgress(), "", [&](int k) {
-    for (int j = 0; j < nodes.y; ++j)
+  const bool finished = forEachTask(nodes.z, 0, progress, "Reading the patient", [&](int k, int /*worker*/, const auto& stopped) {
+    for (int j = 0; j < nodes.y && !stopped(); ++j)
       for (int i = 0; i < nodes.x; ++i) {
         const glm::dvec3 p = share->placeOf({i, j, k});
         double value = smoothStep((p.z - still_z) / (full_z - still_z));
@@ -76,6 +77,7 @@ Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& b
         share->at({i, j, k}) = static_cast<float>(value);
       }
   });
+  if (!finished) return breathing;
   // Along the displacement d the tissue stretches by 1 + d . grad share; where that reaches 0 two places would meet.
   const double stretch = 1.0 + share->steepestFall(breathing.displacement_mm);
   if (!(stretch >= kLeastStretch))
@@ -161,11 +163,13 @@ double ShareField::steepestFall(const glm::dvec3& direction) const {
   return least;
 }
 
-Motion readMotion(FieldReader& reader, const json& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes) {
+Motion readMotion(FieldReader& reader, const json& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
+                  Progress& progress) {
   Motion read;
   reader.allow(motion, "motion", {"breathing", "pulse"});
   if (reader.problem()) return read;
-  if (const auto found = motion.find("breathing"); found != motion.end()) read.breathing = readBreathing(reader, *found, box, skin, shapes);
+  if (const auto found = motion.find("breathing"); found != motion.end())
+    read.breathing = readBreathing(reader, *found, box, skin, shapes, progress);
   if (const auto found = motion.find("pulse"); found != motion.end()) {
     reader.allow(*found, "motion.pulse", {"beats_per_minute", "variation", "vessels"});
     if (reader.problem()) return read;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ew/core/progress.h"
 #include "recipe.h"
 
 namespace ew::phantom {
@@ -63,8 +64,8 @@ struct Motion {
   std::optional<Pulse> pulse;
 };
 
-/// Reads "motion" of a recipe: null after a problem. Motion that would fold tissue is refused.
+/// Reads "motion" of a recipe: null after a problem, unfinished after the wish to cancel. Motion that would fold tissue is refused.
 [[nodiscard]] Motion readMotion(FieldReader& reader, const nlohmann::json& motion, const Bounds& box, const ShapePtr& skin,
-                                const NamedShapes& shapes);
+                                const NamedShapes& shapes, Progress& progress);
 
 }  // namespace ew::phantom

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "anatomy.h"
+#include "ew/core/numbers.h"
 #include "kept_distance.h"
 #include "recipe.h"
 #include "whole_recipe.h"
@@ -14,7 +15,9 @@ using nlohmann::json;
 using phantom::FieldReader;
 
 constexpr double kSkinSpacing_mm = 4.0;
-constexpr std::uint64_t kVoxelVersion = 1;  // raise when the same recipe starts to give other voxels
+constexpr double kLargestBox_mm3 = 1e9;          // a cubic metre holds a person lying down; the skin is sampled all over the box
+constexpr double kMostSolidsOfOrgans = 50000.0;  // asked for one point inside all organs
+constexpr std::uint64_t kVoxelVersion = 1;       // raise when the same recipe starts to give other voxels
 
 std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
   for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ull;
@@ -32,6 +35,23 @@ Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& rec
   return failure(ErrorCode::notFound,
                  file.string() + " needs the mannequin " + name + ", which is neither beside it nor in resources/mannequin; put it there.",
                  {{"file", file.string()}, {"mannequin", name}});
+}
+
+Bounds readBox(FieldReader& reader, const json& recipe) {
+  Bounds read;
+  const auto box = recipe.find("box");
+  if (box == recipe.end()) reader.refuse("box", "missing", "an object with lowest_mm and highest_mm");
+  if (!reader.problem()) reader.allow(*box, "box", {"lowest_mm", "highest_mm"});
+  if (reader.problem()) return read;
+  read = {reader.vector(*box, "box", "lowest_mm"), reader.vector(*box, "box", "highest_mm")};
+  const glm::dvec3 size = read.highest_mm - read.lowest_mm;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(size[axis] >= 1.0 && size[axis] <= 3000.0))
+      reader.refuse("box.highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
+  }
+  if (!(size.x * size.y * size.z <= kLargestBox_mm3))
+    reader.refuse("box", "larger than a cubic metre", "the part of the body that is drawn");
+  return read;
 }
 
 Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
@@ -79,11 +99,10 @@ std::size_t tissueNamed(FieldReader& reader, const json& object, const std::stri
                         const std::vector<Tissue>& tissues) {
   const std::string name = reader.text(object, place, field);
   if (reader.problem()) return 0;
-  std::string names;
   for (std::size_t n = 0; n < tissues.size(); ++n) {
     if (tissues[n].name == name) return n;
-    names += (names.empty() ? "" : ", ") + tissues[n].name;
   }
+  const std::string names = phantom::listed(tissues, [](const Tissue& tissue) { return tissue.name; });
   reader.refuse(place + "." + field, '"' + name + '"', "one of the tissues (" + names + ")");
   return 0;
 }
@@ -118,6 +137,7 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
       if (!reader.problem()) known.emplace(name, std::move(shape));
     }
   }
+  double solids = 0.0;
   const json& organs = reader.list(recipe, "patient", "organs", 1, 254);
   for (std::size_t n = 0; n < organs.size() && !reader.problem(); ++n) {
     std::string at = "organs[" + std::to_string(n) + "]";
@@ -133,6 +153,10 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
     organ.shape = phantom::readShape(reader, organs[n]["shape"], at + ".shape", known, frames);
     organ.border = readBorder(reader, organs[n], at);
     if (reader.problem()) return;
+    solids += organ.shape->solids();
+    if (solids > kMostSolidsOfOrgans)
+      return reader.refuse(at + ".shape", "one solid too many with those of the organs before it",
+                           "at most " + textOf(kMostSolidsOfOrgans) + " in all organs, a shared one counted at every use");
     known.emplace(organ.name, organ.shape);
     patient.organs.push_back(std::move(organ));
   }
@@ -142,11 +166,12 @@ void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes kn
 }  // namespace
 
 Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins,
-                                                   const ParameterValues& parameters) {
+                                                   const ParameterValues& parameters, Progress& progress) {
   const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
   if (!whole) return passOn(whole.error());
   const json* recipe = &whole->json;
   FieldReader reader(file.string());
+  const auto stopped = [] { return failure(ErrorCode::cancelled, "Reading the patient was stopped."); };
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
   reader.allow(*recipe, "patient",
@@ -154,17 +179,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
                 "measurements", "planes"});
   patient->name = reader.text(*recipe, "patient", "name");
 
-  const auto box = recipe->find("box");
-  if (box == recipe->end()) reader.refuse("box", "missing", "an object with lowest_mm and highest_mm");
-  if (!reader.problem()) reader.allow(*box, "box", {"lowest_mm", "highest_mm"});
-  if (!reader.problem()) {
-    patient->box = {reader.vector(*box, "box", "lowest_mm"), reader.vector(*box, "box", "highest_mm")};
-    for (int axis = 0; axis < 3; ++axis) {
-      const double size = patient->box.highest_mm[axis] - patient->box.lowest_mm[axis];
-      if (!(size >= 1.0 && size <= 3000.0))
-        reader.refuse("box.highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
-    }
-  }
+  patient->box = readBox(reader, *recipe);
 
   if (recipe->contains("beam_axis_mm")) {
     const json& axis = reader.list(*recipe, "patient", "beam_axis_mm", 2, 2);
@@ -184,14 +199,29 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (!bodyFile) return passOn(bodyFile.error());
   auto body = readBodyShape(*bodyFile);
   if (!body) return passOn(body.error());
-  patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm);
+  if (reader.problem()) return passOn(*reader.problem());
+  PartOfProgress skin(progress, 0.0, 0.6), moving(progress, 0.6, 1.0);
+  patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm, skin);
+  if (!patient->skin) return stopped();
   readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
   if (const auto motion = recipe->find("motion"); motion != recipe->end() && !reader.problem())
-    patient->motion = phantom::readMotion(reader, *motion, patient->box, patient->skin, patient->shapes);
-  patient->planes = phantom::readPlanes(reader, *recipe, patient->skin, patient->shapes);
+    patient->motion = phantom::readMotion(reader, *motion, patient->box, patient->skin, patient->shapes, moving);
+  if (progress.cancelRequested()) return stopped();
+  patient->planes = phantom::readPlanes(reader, *recipe, patient->skin, patient->shapes, progress);
+  if (progress.cancelRequested()) return stopped();
   patient->measurements = phantom::readMeasurements(reader, *recipe, patient->shapes, patient->planes);
   if (reader.problem()) return passOn(*reader.problem());
   return patient;
+}
+
+Result<Bounds> readPatientBox(const std::filesystem::path& file, const std::filesystem::path& mannequins,
+                              const ParameterValues& parameters) {
+  const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
+  if (!whole) return passOn(whole.error());
+  FieldReader reader(file.string());
+  const Bounds box = readBox(reader, whole->json);
+  if (reader.problem()) return passOn(*reader.problem());
+  return box;
 }
 
 Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins,
@@ -243,8 +273,7 @@ Result<double> signedDistance_mm(const Patient& patient, const std::string& orga
     if (each.name == organ) return each.shape->distance_mm(p_world_mm);
   }
   if (organ == "skin surface") return patient.skin->distance_mm(p_world_mm);
-  std::string names;
-  for (const phantom::Organ& each : patient.organs) names += (names.empty() ? "" : ", ") + each.name;
+  const std::string names = phantom::listed(patient.organs, [](const phantom::Organ& each) { return each.name; });
   return failure(ErrorCode::badField, "The patient has no organ " + organ + "; its organs are " + names + ".", {{"organ", organ}});
 }
 

@@ -11,14 +11,34 @@ namespace ew::phantom {
 namespace {
 
 constexpr std::uintmax_t kLargestRecipe_bytes = 8u << 20;
+constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestText = 10000;
+
+/// Sentences and places are put together from names and texts: one of megabytes would be copied for every field below it.
+void refuseLongTexts(FieldReader& reader, const nlohmann::json& value, const std::string& field) {
+  if (reader.problem()) return;
+  if (value.is_string() && value.get_ref<const std::string&>().size() > kLongestText)
+    return reader.refuse(field, "a text of " + std::to_string(value.get_ref<const std::string&>().size()) + " characters",
+                         "at most " + std::to_string(kLongestText));
+  if (value.is_object()) {
+    for (const auto& [name, inner] : value.items()) {
+      if (name.size() > kLongestName)
+        return reader.refuse(name.substr(0, 57) + "...", "a name of " + std::to_string(name.size()) + " characters",
+                             "at most " + std::to_string(kLongestName));
+      refuseLongTexts(reader, inner, name);
+    }
+  } else if (value.is_array()) {
+    for (const auto& inner : value) refuseLongTexts(reader, inner, field);
+  }
+}
+
+}  // namespace
 
 std::string shown(const nlohmann::json& value) {
   std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   return text;
 }
-
-}  // namespace
 
 void FieldReader::refuse(const std::string& place, const std::string& found, const std::string& expected) {
   if (problem_) return;
@@ -94,8 +114,9 @@ std::string FieldReader::text(const nlohmann::json& object, const std::string& p
     if (!fallback) refuse(place + "." + name, "missing", "a text");
     return fallback.value_or("");
   }
-  if (found->is_string() && !found->get_ref<const std::string&>().empty()) return found->get<std::string>();
-  refuse(place + "." + name, shown(*found), "a text that is not empty");
+  if (found->is_string() && !found->get_ref<const std::string&>().empty() && found->get_ref<const std::string&>().size() <= kLongestName)
+    return found->get<std::string>();
+  refuse(place + "." + name, shown(*found), "a text of 1 to " + std::to_string(kLongestName) + " characters");
   return fallback.value_or("");
 }
 
@@ -144,6 +165,9 @@ Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const std::
     return failure(ErrorCode::badHeader,
                    name + " is not a " + kind + ": it does not hold one JSON object, or nests too deeply; check that it is the right file.",
                    {{"file", name}});
+  FieldReader reader(name);
+  refuseLongTexts(reader, recipe, "");
+  if (reader.problem()) return passOn(*reader.problem());
   const auto format = recipe.find("format");
   if (format == recipe.end() || !format->is_number_integer() || format->get<long long>() < 1)
     return failure(ErrorCode::badField,

@@ -42,19 +42,21 @@ double amplitudeAt(double level) { return std::pow(10.0, 0.05 * (level - 255.0) 
 /// Makes one block by halving it until a part lies in one tissue or is a single cell.
 class ScattererField::Filler {
  public:
-  Filler(const ScattererField& field, const glm::ivec3& index)
-      : patient_(*field.patient_), pitch_(field.pitch_), seed_(field.seed_), first_(index * ScattererBlock::kCells) {
+  Filler(const ScattererField& field, const glm::ivec3& index, const std::function<bool()>& askToStop)
+      : patient_(*field.patient_), askToStop_(askToStop), pitch_(field.pitch_), seed_(field.seed_), first_(index * ScattererBlock::kCells) {
     corner_ = pitch_ * glm::dvec3(first_);
     volume_ = pitch_ * pitch_ * pitch_;
     tissues_.assign(static_cast<std::size_t>(ScattererBlock::kCells) * ScattererBlock::kCells * ScattererBlock::kCells,
                     ScattererBlock::kOutside);
   }
 
+  /// Null when stopped.
   std::shared_ptr<const ScattererBlock> make() {
     std::vector<const Organ*> all;
     all.reserve(patient_.organs.size());
     for (const Organ& organ : patient_.organs) all.push_back(&organ);
     fill(glm::ivec3(0), ScattererBlock::kCells, all, false);
+    if (stopped_) return nullptr;
     block_.evenTissue = tissues_.front();
     if (std::any_of(tissues_.begin(), tissues_.end(), [&](std::uint8_t tissue) { return tissue != tissues_.front(); }))
       block_.tissues = std::move(tissues_);
@@ -104,6 +106,7 @@ class ScattererField::Filler {
         fill(cell + half * glm::ivec3(child & 1, (child >> 1) & 1, child >> 2), half, near, insideSkin);
       return;
     }
+    if (stopped()) return;
     takeCell(cell, near, atCentre_mm);
     const glm::dvec3 place = placeIn(cell);
     if (insideSkin || patient_.skin->distance_mm(place) < 0.0) {
@@ -116,7 +119,12 @@ class ScattererField::Filler {
       setTissue(cell, tissue);
       addScatterer(cell, place, tissue, near_);
     }
-    for (std::size_t n = 0; n < near_.size(); ++n) addFacets(cell, n);
+    for (std::size_t n = 0; n < near_.size() && !stopped(); ++n) addFacets(cell, n);
+  }
+
+  [[nodiscard]] bool stopped() {
+    stopped_ = stopped_ || (askToStop_ && askToStop_());
+    return stopped_;
   }
 
   /// Distances of one organ at the corners of the block's cells; not a number where nobody asked yet.
@@ -312,6 +320,8 @@ class ScattererField::Filler {
   }
 
   const Patient& patient_;
+  const std::function<bool()>& askToStop_;
+  bool stopped_ = false;
   double pitch_;
   std::uint64_t seed_;
   glm::ivec3 first_;
@@ -330,7 +340,7 @@ std::size_t ScattererField::Hash::operator()(const glm::ivec3& index) const {
   return static_cast<std::size_t>(hashOfPlace(0, index.x, index.y, index.z));
 }
 
-std::shared_ptr<const ScattererBlock> ScattererField::block(const glm::ivec3& index) const {
+std::shared_ptr<const ScattererBlock> ScattererField::block(const glm::ivec3& index, const std::function<bool()>& stopped) const {
   Shard& shard = shards_[Hash{}(index) % kShards];
   {
     const std::lock_guard lock(shard.guard);
@@ -340,7 +350,8 @@ std::shared_ptr<const ScattererBlock> ScattererField::block(const glm::ivec3& in
     }
   }
   // Made without the lock: two threads may make the same block at once, and both make the same one.
-  std::shared_ptr<const ScattererBlock> made = Filler(*this, index).make();
+  std::shared_ptr<const ScattererBlock> made = Filler(*this, index, stopped).make();
+  if (!made) return made;
   const std::lock_guard lock(shard.guard);
   if (const auto found = shard.found.find(index); found != shard.found.end()) return found->second->block;
   shard.used.push_front({index, made});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <list>
 #include <memory>
@@ -50,7 +51,9 @@ class ScattererField {
  public:
   ScattererField(std::shared_ptr<const Patient> patient, double pitch_mm, std::uint64_t seed, std::size_t maxBytes);
 
-  [[nodiscard]] std::shared_ptr<const ScattererBlock> block(const glm::ivec3& index) const;
+  /// @param stopped may be empty; asked all along while a block is made
+  /// @return null only when stopped
+  [[nodiscard]] std::shared_ptr<const ScattererBlock> block(const glm::ivec3& index, const std::function<bool()>& stopped = {}) const;
   [[nodiscard]] double pitch_mm() const { return pitch_; }
   [[nodiscard]] double blockSize_mm() const { return pitch_ * ScattererBlock::kCells; }
   /// How far a block's facets may lie outside its cube.

@@ -57,6 +57,7 @@ class HalfSpace final : public Shape {
 class Shell final : public Shape {
  public:
   Shell(ShapePtr of, double from, double to) : of_(std::move(of)), from_(from), to_(to) {
+    countPart(*of_);
     bounds_ = {of_->bounds().lowest_mm + glm::dvec3(std::min(from, 0.0)), of_->bounds().highest_mm - glm::dvec3(std::min(from, 0.0))};
   }
   double distance_mm(const glm::dvec3& p_mm) const override {
@@ -73,6 +74,7 @@ class Shell final : public Shape {
 class Offset final : public Shape {
  public:
   Offset(ShapePtr of, double grow) : of_(std::move(of)), grow_(grow) {
+    countPart(*of_);
     bounds_ = {of_->bounds().lowest_mm - glm::dvec3(std::max(grow, 0.0)), of_->bounds().highest_mm + glm::dvec3(std::max(grow, 0.0))};
     if (of_->centreLine()) {
       line_ = *of_->centreLine();
@@ -91,6 +93,7 @@ class Offset final : public Shape {
 class Placed final : public Shape {
  public:
   Placed(ShapePtr of, const DrawingFrame& frame) : of_(std::move(of)), frame_(frame) {
+    countPart(*of_);
     const Bounds& drawn = of_->bounds();
     for (int corner = 0; corner < 8; ++corner) {
       const auto pick = [&](int axis) { return ((corner >> axis) & 1) != 0 ? drawn.highest_mm[axis] : drawn.lowest_mm[axis]; };
@@ -114,6 +117,7 @@ class Placed final : public Shape {
 class Mirrored final : public Shape {
  public:
   Mirrored(ShapePtr of, double smoothing) : of_(std::move(of)), squared_(smoothing * smoothing) {
+    countPart(*of_);
     bounds_ = of_->bounds();
     const double reach = std::max(std::abs(bounds_.lowest_mm.x), std::abs(bounds_.highest_mm.x));
     bounds_.lowest_mm.x = -reach;
@@ -135,6 +139,7 @@ class Union final : public Shape {
     bounds_ = parts_.front().shape->bounds();
     double blend = 0.0;
     for (const BlendedPart& part : parts_) {
+      countPart(*part.shape);
       bounds_.lowest_mm = glm::min(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
       bounds_.highest_mm = glm::max(bounds_.highest_mm, part.shape->bounds().highest_mm);
       blend = std::max(blend, part.blend_mm);
@@ -164,6 +169,7 @@ class Intersection final : public Shape {
   explicit Intersection(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
     bounds_ = parts_.front().shape->bounds();
     for (const BlendedPart& part : parts_) {
+      countPart(*part.shape);
       bounds_.lowest_mm = glm::max(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
       bounds_.highest_mm = glm::min(bounds_.highest_mm, part.shape->bounds().highest_mm);
     }
@@ -182,7 +188,10 @@ class Intersection final : public Shape {
 
 class Difference final : public Shape {
  public:
-  explicit Difference(std::vector<BlendedPart> parts) : parts_(std::move(parts)) { bounds_ = parts_.front().shape->bounds(); }
+  explicit Difference(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
+    for (const BlendedPart& part : parts_) countPart(*part.shape);
+    bounds_ = parts_.front().shape->bounds();
+  }
   double distance_mm(const glm::dvec3& p_mm) const override {
     double joined = parts_.front().shape->distance_mm(p_mm);
     for (std::size_t n = 1; n < parts_.size(); ++n) {

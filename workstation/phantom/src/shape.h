@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>
@@ -28,9 +29,20 @@ class Shape {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Of a tube, of a tube that is grown, and of blends whose first part is one; null for everything else.
   [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }
+  /// Solids that one call of distance_mm may ask, a shared one counted at every use: what a point costs.
+  [[nodiscard]] double solids() const { return solids_; }
+  /// Shapes inside one another on the longest way down, this one included: how deep distance_mm recurses.
+  [[nodiscard]] int depth() const { return depth_; }
 
  protected:
+  void countPart(const Shape& part) {
+    solids_ += part.solids_;
+    depth_ = std::max(depth_, part.depth_ + 1);
+  }
+
   Bounds bounds_;
+  double solids_ = 1.0;
+  int depth_ = 1;
 };
 using ShapePtr = std::shared_ptr<const Shape>;
 

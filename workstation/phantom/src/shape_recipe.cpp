@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "ew/core/numbers.h"
 #include "recipe.h"
 
 namespace ew::phantom {
@@ -15,6 +16,8 @@ constexpr double kSmallest_mm = 0.01;
 constexpr double kLargest_mm = 5000.0;
 constexpr int kDeepest = 16;  // nesting of shapes: a recipe deeper than this is a mistake or an attack on the stack
 constexpr std::size_t kMostParts = 500;
+constexpr double kMostSolids = 20000.0;  // asked for one point, a shared one at every use; the shipped bodies have some hundreds
+constexpr int kDeepestUse = 100;         // shapes that use one another: asking a point recurses once for each
 
 double radian(double degree) { return degree * std::numbers::pi / 180.0; }
 
@@ -102,8 +105,7 @@ const typename Table::mapped_type* entryNamed(FieldReader& reader, const json& o
   if (reader.problem()) return nullptr;
   const auto found = known.find(name);
   if (found != known.end()) return &found->second;
-  std::string names;
-  for (const auto& [each, entry] : known) names += (names.empty() ? "" : ", ") + each;
+  const std::string names = listed(known, [](const auto& each) { return each.first; });
   reader.refuse(place + "." + field, '"' + name + '"', what + " described before this one" + (names.empty() ? "" : " (" + names + ")"));
   return nullptr;
 }
@@ -130,10 +132,12 @@ ShapePtr readGrown(FieldReader& reader, const json& object, const std::string& p
   return reader.problem() ? nullptr : makeOffset(std::move(of), by);
 }
 
-/// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, and how deep it is nested.
+/// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, how deep it is nested, and how many solids the
+/// whole shape has so far.
 struct Surroundings {
   const NamedShapes& known;
   const NamedFrames& frames;
+  double& solids;
   const DrawingFrame* frame = nullptr;
   int depth = 0;
 };
@@ -161,6 +165,12 @@ ShapePtr mirroredIn(ShapePtr shape, double smoothing_mm, const DrawingFrame* fra
   if (!frame) return makeMirrored(std::move(shape), smoothing_mm);
   const DrawingFrame worldInFrame{frame->fromWorld(glm::dvec3(0.0)), glm::transpose(frame->axes)};
   return makePlaced(makeMirrored(makePlaced(std::move(shape), worldInFrame), smoothing_mm), *frame);
+}
+
+/// Shapes are shared, so a few lines can describe one that no machine could evaluate: 36 unions of the one before with itself are 2^36.
+void refuseCostly(FieldReader& reader, const std::string& place) {
+  reader.refuse(place, "made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply",
+                "at most " + textOf(kMostSolids) + " solids and " + std::to_string(kDeepestUse) + " shapes inside one another");
 }
 
 ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& place, Surroundings around) {
@@ -205,6 +215,13 @@ ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& pla
     shape = kind == "union"          ? makeUnion(std::move(parts))
             : kind == "intersection" ? makeIntersection(std::move(parts))
                                      : makeDifference(std::move(parts));
+  } else if (shape) {
+    around.solids += shape->solids();
+  }
+  if (reader.problem()) return nullptr;
+  if (around.solids > kMostSolids || shape->depth() > kDeepestUse) {
+    refuseCostly(reader, place);
+    return nullptr;
   }
   const bool mirrored = reader.flag(object, place, "mirrored", false);
   const double smoothing = reader.number(object, place, "mirror_smoothing_mm", 0.0, 100.0, 0.0);
@@ -236,7 +253,8 @@ NamedFrames readFrames(FieldReader& reader, const json& recipe) {
 }
 
 ShapePtr readShape(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known, const NamedFrames& frames) {
-  return shapeIn(reader, object, place, {known, frames, nullptr, 0});
+  double solids = 0.0;
+  return shapeIn(reader, object, place, {known, frames, solids});
 }
 
 }  // namespace ew::phantom

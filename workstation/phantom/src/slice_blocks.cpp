@@ -73,8 +73,10 @@ bool findBlocks(const ScannerSetup& setup, const ScattererField& field, const Vi
         const glm::dvec3 centre = size * (glm::dvec3(index) + 0.5);
         if (!seen(setup, view.toProbe(centre), radius + slack)) continue;
         if (view.deforms && !seen(setup, view.toProbe(view.deformation.moved(centre)), radius)) continue;
+        auto block = field.block(index, work.stopped);
+        if (!block) return false;
         work.blockAt[at] = static_cast<std::int32_t>(work.blocks.size());
-        work.blocks.push_back({field.block(index), index});
+        work.blocks.push_back({std::move(block), index});
         if (work.blocks.size() % kBlocksPerQuestion == 0 && work.stopped && work.stopped()) return false;
       }
   return true;

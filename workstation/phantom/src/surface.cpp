@@ -11,6 +11,7 @@
 #include "anatomy.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 #include "ew/phantom/truth.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double kMostNodes = 4e8;
 constexpr std::size_t kMostTriangles = 20'000'000;
+constexpr int kNodesPerQuestion = 16;
 
 /// A cube's six tetrahedra around its diagonal from corner 0 to corner 7; corner n lies at (n & 1, n >> 1 & 1, n >> 2 & 1). Neighbouring
 /// cubes cut their common face along the same diagonal, so the surface has no gaps.
@@ -36,15 +38,19 @@ class Tetrahedra {
   }
   [[nodiscard]] int layers() const { return cubes_.z + 1; }
 
-  void sampleLayer(int k) {
+  /// @return false when cancelled
+  [[nodiscard]] bool sampleLayer(int k, Progress& progress) {
+    QuietProgress silent(progress);
     auto& layer = inside_[static_cast<std::size_t>(k & 1)];
-    forEachTask(cubes_.y + 1, 0, noProgress(), "", [&](int j) {
-      for (int i = 0; i <= cubes_.x; ++i) layer[inLayer(i, j)] = holds(nodeAt({i, j, k})) ? 1 : 0;
+    return forEachTask(cubes_.y + 1, 0, silent, "", [&](int j, int /*worker*/, const auto& stopped) {
+      for (int i = 0; i <= cubes_.x && !(i % kNodesPerQuestion == 0 && stopped()); ++i)
+        layer[inLayer(i, j)] = holds(nodeAt({i, j, k})) ? 1 : 0;
     });
   }
 
   /// The cubes between layers k and k + 1, both sampled.
-  void addCubes(int k, SurfaceMesh& mesh) {
+  /// @return false when cancelled
+  [[nodiscard]] bool addCubes(int k, SurfaceMesh& mesh, const Progress& progress) {
     std::swap(lower_, upper_);
     upper_.clear();
     for (int j = 0; j < cubes_.y; ++j)
@@ -52,8 +58,10 @@ class Tetrahedra {
         int mask = 0;
         for (int corner = 0; corner < 8; ++corner) mask |= insideAt(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2)) << corner;
         if (mask == 0 || mask == 255) continue;
+        if (progress.cancelRequested()) return false;
         for (const auto& tetrahedron : kTetrahedra) addTetrahedron({i, j, k}, tetrahedron, mask, mesh);
       }
+    return true;
   }
 
  private:
@@ -207,14 +215,13 @@ Result<SurfaceMesh> surfaceOf(const Patient& patient, const std::string& organ, 
   if (nodes.x * nodes.y * nodes.z > kMostNodes) return tooLarge();
   try {
     Tetrahedra tetrahedra(shape, box, edge_mm);
-    tetrahedra.sampleLayer(0);
-    for (int k = 0; k + 1 < tetrahedra.layers(); ++k) {
-      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Making the surface was stopped.");
+    bool finished = tetrahedra.sampleLayer(0, progress);
+    for (int k = 0; k + 1 < tetrahedra.layers() && finished; ++k) {
       progress.report("Making the surface", static_cast<double>(k) / tetrahedra.layers());
-      tetrahedra.sampleLayer(k + 1);
-      tetrahedra.addCubes(k, mesh);
+      finished = tetrahedra.sampleLayer(k + 1, progress) && tetrahedra.addCubes(k, mesh, progress);
       if (mesh.triangles.size() > kMostTriangles) return tooLarge();
     }
+    if (!finished) return failure(ErrorCode::cancelled, "Making the surface was stopped.");
   } catch (const std::bad_alloc&) {
     return tooLarge();
   }

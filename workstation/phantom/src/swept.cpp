@@ -99,6 +99,7 @@ class Tube final : public Shape {
         last = next;
       }
       if (n == 0) bounds_ = span.box;
+      solids_ += static_cast<double>(span.cones.size());
       bounds_.lowest_mm = glm::min(bounds_.lowest_mm, span.box.lowest_mm);
       bounds_.highest_mm = glm::max(bounds_.highest_mm, span.box.highest_mm);
       spans_.push_back(std::move(span));

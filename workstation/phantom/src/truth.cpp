@@ -21,14 +21,26 @@ constexpr double kScan_mm = 0.2;        // nothing thinner is looked for along a
 constexpr double kFarthest_mm = 500.0;  // a surface further from the middle is none
 constexpr double kReserve = 1.5;        // how far a first-order distance may exceed the true one (see sampleDistance)
 
+/// A moment of the body, and whoever waits for what is measured in it.
+struct Moment {
+  const Deformation& motion;
+  Progress& progress;
+};
+
+/// Thrown where a distance is asked for after the wish to cancel: lines, rays and cubes are nested several deep above it. Leaves this file
+/// as an Error.
+struct Stopped {};
+
 /// Some shapes as they are at a moment: their union, displaced.
 class Solid {
  public:
-  Solid(const Patient& patient, const std::vector<std::string>& names, const Deformation& motion) : motion_(motion) {
+  Solid(const Patient& patient, const std::vector<std::string>& names, const Moment& moment)
+      : motion_(moment.motion), progress_(moment.progress) {
     for (const std::string& name : names) shapes_.push_back(patient.shapes.at(name).get());
   }
   /// Of where the tissue rests that is at p now; negative inside.
   [[nodiscard]] double distance_mm(const glm::dvec3& p_mm) const {
+    if (++asked_ % kAsksPerQuestion == 0 && progress_.cancelRequested()) throw Stopped();
     const glm::dvec3 rest = motion_.rest(p_mm);
     double nearest = std::numeric_limits<double>::infinity();
     for (const phantom::Shape* shape : shapes_) nearest = std::min(nearest, shape->distance_mm(rest));
@@ -46,8 +58,12 @@ class Solid {
   [[nodiscard]] double reach_mm() const { return motion_.reach_mm(); }
 
  private:
+  static constexpr int kAsksPerQuestion = 16;
+
   std::vector<const phantom::Shape*> shapes_;
   const Deformation& motion_;
+  Progress& progress_;
+  mutable unsigned asked_ = 0;
 };
 
 /// The place between two where `holds` changes.
@@ -111,12 +127,13 @@ TrueMeasurement lengthBetween(const glm::dvec3& from, const glm::dvec3& to) {
   return taken;
 }
 
-Taken distanceOf(const Patient& patient, const MeasurementRequest& request, const Deformation& motion) {
+Taken distanceOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
+  const Deformation& motion = moment.motion;
   const glm::dvec3 from = motion.moved(*request.from_mm), to = motion.moved(*request.to_mm);
   const glm::dvec3 way = glm::normalize(to - from);
   const auto placeAt = [&](const Crossing& crossing) { return from + way * crossing.along_mm; };
   if (!request.gap.empty()) {
-    const Solid left(patient, {request.gap[0]}, motion), entered(patient, {request.gap[1]}, motion);
+    const Solid left(patient, {request.gap[0]}, moment), entered(patient, {request.gap[1]}, moment);
     const auto first = crossingsOf(left, from, to), second = crossingsOf(entered, from, to);
     const auto entry = std::find_if(second.begin(), second.end(), [](const Crossing& each) { return each.entering; });
     if (entry == second.end()) return notMeasurable(request, "its line does not enter " + request.gap[1]);
@@ -127,8 +144,8 @@ Taken distanceOf(const Patient& patient, const MeasurementRequest& request, cons
   }
   if (request.of.empty() && request.fromSurface.empty()) return lengthBetween(from, to);
   const bool same = !request.of.empty();
-  const Solid begins(patient, same ? request.of : std::vector{request.fromSurface}, motion);
-  const Solid ends(patient, same ? request.of : std::vector{request.toSurface}, motion);
+  const Solid begins(patient, same ? request.of : std::vector{request.fromSurface}, moment);
+  const Solid ends(patient, same ? request.of : std::vector{request.toSurface}, moment);
   const auto first = crossingsOf(begins, from, to), last = crossingsOf(ends, from, to);
   if (first.empty() || last.empty() || !(last.back().along_mm > first.front().along_mm))
     return notMeasurable(request, "its line does not cross the two surfaces one after the other");
@@ -194,8 +211,9 @@ std::optional<TrueMeasurement> widthAcross(const Solid& solid, const glm::dvec3&
   return lengthBetween(*one, *other);
 }
 
-Taken diameterOf(const Patient& patient, const MeasurementRequest& request, const Deformation& motion) {
-  const Solid solid(patient, request.of, motion);
+Taken diameterOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
+  const Deformation& motion = moment.motion;
+  const Solid solid(patient, request.of, moment);
   const CentreLine* line = patient.shapes.at(request.of.front())->centreLine();
   if (!line) {
     auto width = widthAcross(solid, motion.moved(*request.at_mm), request.direction);
@@ -292,8 +310,8 @@ std::optional<glm::dvec3> furthest(const Solid& solid, const glm::dvec3& directi
   return centre + u * bestA + v * bestB + direction * best;
 }
 
-Taken extentOf(const Patient& patient, const MeasurementRequest& request, const Deformation& motion) {
-  const Solid solid(patient, request.of, motion);
+Taken extentOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
+  const Solid solid(patient, request.of, moment);
   const auto low = furthest(solid, -request.direction), high = furthest(solid, request.direction);
   if (!low || !high) return notMeasurable(request, "nothing of " + request.of.front() + " is found");
   TrueMeasurement taken = lengthBetween(*low, *high);
@@ -301,9 +319,10 @@ Taken extentOf(const Patient& patient, const MeasurementRequest& request, const 
   return taken;
 }
 
-Taken circumferenceOf(const Patient& patient, const MeasurementRequest& request, const Deformation& motion) {
+Taken circumferenceOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
+  const Deformation& motion = moment.motion;
   constexpr int kRays = 1440;
-  const Solid solid(patient, request.of, motion);
+  const Solid solid(patient, request.of, moment);
   const glm::dvec3 middle = motion.moved(*request.at_mm);
   const auto [u, v] = squareTo(request.direction);
   std::vector<glm::dvec3> outline;
@@ -362,10 +381,11 @@ class OwnedShare {
   bool drawn_ = false;  ///< only helper shapes: nobody owns anything of them
 };
 
-Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const Deformation& motion) {
+Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
+  const Deformation& motion = moment.motion;
   constexpr double kCubes = 4e5;
   constexpr int kBlock = 4;
-  const Solid solid(patient, request.of, motion);
+  const Solid solid(patient, request.of, moment);
   Bounds box = solid.bounds();
   box.lowest_mm = glm::max(box.lowest_mm, patient.skin->bounds().lowest_mm);
   box.highest_mm = glm::min(box.highest_mm, patient.skin->bounds().highest_mm);
@@ -382,6 +402,7 @@ Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const 
         const glm::dvec3 centre = corner + 0.5 * kBlock * h;
         if (solid.distance_mm(centre) > kReserve * (radius + h) + solid.reach_mm()) continue;
         for (int n = 0; n < kBlock * kBlock * kBlock; ++n) {
+          if (moment.progress.cancelRequested()) throw Stopped();
           const glm::dvec3 p = corner + h * (glm::dvec3(n % kBlock, n / kBlock % kBlock, n / kBlock / kBlock) + 0.5);
           sum += share.at(motion.rest(p), h);
         }
@@ -410,24 +431,25 @@ const char* nameOf(MeasurementKind kind) {
 
 }  // namespace
 
-Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, const BodyState& state) {
+Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, const BodyState& state, Progress& progress) try {
   const auto motion = bodyMotion(patient, state);
+  const Moment moment{*motion, progress};
   std::vector<TrueMeasurement> all;
   for (const MeasurementRequest& request : patient.measurements) {
     auto taken = [&]() -> Taken {
       switch (request.kind) {
         case MeasurementKind::distance:
-          return distanceOf(patient, request, *motion);
+          return distanceOf(patient, request, moment);
         case MeasurementKind::diameter:
-          return diameterOf(patient, request, *motion);
+          return diameterOf(patient, request, moment);
         case MeasurementKind::extent:
-          return extentOf(patient, request, *motion);
+          return extentOf(patient, request, moment);
         case MeasurementKind::circumference:
-          return circumferenceOf(patient, request, *motion);
+          return circumferenceOf(patient, request, moment);
         case MeasurementKind::volume:
           break;
       }
-      return volumeOf(patient, request, *motion);
+      return volumeOf(patient, request, moment);
     }();
     if (!taken) return passOn(taken.error());
     taken->name = request.name;
@@ -436,6 +458,8 @@ Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, cons
     all.push_back(std::move(*taken));
   }
   return all;
+} catch (const Stopped&) {
+  return failure(ErrorCode::cancelled, "Measuring the patient was stopped.");
 }
 
 std::vector<StandardPlane> planesOf(const Patient& patient) { return patient.planes; }

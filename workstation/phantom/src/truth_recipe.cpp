@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "ew/core/numbers.h"
+
 namespace ew::phantom {
 namespace {
 
@@ -12,6 +14,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostEntries = 200;
 constexpr double kFarthestSkin_mm = 1000.0;
+constexpr double kLongestLine_mm = 5000.0;  // it is walked in small steps
 
 bool shapeKnown(FieldReader& reader, const json& name, const std::string& place, const NamedShapes& shapes) {
   if (name.is_string() && shapes.count(name.get<std::string>()) > 0) return true;
@@ -88,6 +91,9 @@ MeasurementRequest readMeasurement(FieldReader& reader, const json& object, cons
   if (read.kind == MeasurementKind::distance) {
     if (!line || glm::distance(*read.from_mm, *read.to_mm) < 0.01)
       reader.refuse(place, "a distance without a line", "from_mm and to_mm, two places");
+    if (line && !(glm::distance(*read.from_mm, *read.to_mm) <= kLongestLine_mm))
+      reader.refuse(place, "a distance along a line of " + textOf(glm::distance(*read.from_mm, *read.to_mm)) + " mm",
+                    "two places at most " + textOf(kLongestLine_mm) + " mm apart");
     if ((!read.gap.empty() && read.gap.size() != 2) || read.fromSurface.empty() != read.toSurface.empty())
       reader.refuse(place, "one surface without the other", "two surfaces");
     return read;
@@ -154,12 +160,13 @@ std::vector<MeasurementRequest> readMeasurements(FieldReader& reader, const json
   return read;
 }
 
-std::vector<StandardPlane> readPlanes(FieldReader& reader, const json& recipe, const ShapePtr& skin, const NamedShapes& shapes) {
+std::vector<StandardPlane> readPlanes(FieldReader& reader, const json& recipe, const ShapePtr& skin, const NamedShapes& shapes,
+                                      Progress& progress) {
   std::vector<StandardPlane> read;
   if (!recipe.contains("planes")) return read;
   std::set<std::string> names;
   const json& list = reader.list(recipe, "patient", "planes", 0, kMostEntries);
-  for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
+  for (std::size_t n = 0; n < list.size() && !reader.problem() && !progress.cancelRequested(); ++n) {
     const json& object = list[n];
     const std::string place = "planes[" + std::to_string(n) + "]";
     reader.allow(object, place, {"near_mm", "towards_mm", "lateral", "position_tolerance_mm", "angle_tolerance_deg", "shows"});

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/progress.h"
 #include "ew/phantom/truth.h"
 #include "recipe.h"
 
@@ -32,8 +33,8 @@ struct MeasurementRequest {
 [[nodiscard]] std::vector<MeasurementRequest> readMeasurements(FieldReader& reader, const nlohmann::json& recipe, const NamedShapes& shapes,
                                                                const std::vector<StandardPlane>& planes);
 
-/// The planes with their faces put on the skin.
+/// The planes with their faces put on the skin; some are missing after the wish to cancel.
 [[nodiscard]] std::vector<StandardPlane> readPlanes(FieldReader& reader, const nlohmann::json& recipe, const ShapePtr& skin,
-                                                    const NamedShapes& shapes);
+                                                    const NamedShapes& shapes, Progress& progress);
 
 }  // namespace ew::phantom

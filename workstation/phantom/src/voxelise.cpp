@@ -197,6 +197,8 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
     painter.select(centre, radius, near);
     for (int k = first.z; k < last.z; ++k) {
       for (int j = first.y; j < last.y; ++j) {
+        if (stopped) return;
+        if (progress.cancelRequested()) stopped = true;  // at every row: an anatomy may take a millisecond for a voxel
         const glm::ivec3 inBox = glm::ivec3(first.x, j, k) - boxFirst;
         const float* speckle =
             power.data() +
@@ -230,7 +232,7 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
       stopped = true;
     }
     for (int j = first.y; j < first.y + size.y && !stopped; j += kBlock) {
-      for (int i = 0; i < grid.dims.x; i += kBlock) paintBlock({i, j, first.z}, first, size, power, near);
+      for (int i = 0; i < grid.dims.x && !stopped; i += kBlock) paintBlock({i, j, first.z}, first, size, power, near);
       if (progress.cancelRequested()) stopped = true;
     }
   };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "ew/core/numbers.h"
 #include "expression.h"
@@ -16,11 +17,11 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestFamily = 8;
+constexpr std::size_t kMostEntries = 1000;  // of a list or of the parameters: an anatomy has dozens
+constexpr int kLongestChain = 20;           // of parameters that rest on one another: each is worked out inside the one before
 constexpr double kLargestParameter = 1e5;
 const std::set<std::string> kNamedLists{"frames", "measurements", "organs", "planes", "shapes", "tissues"};
 const std::set<std::string> kWords{"name", "note", "source", "unit"};  // never expressions
-
-std::string shown(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 /// Where in a list an entry of this name stands; its size when there is none.
 std::size_t placeOf(const json& list, const std::string& name) {
@@ -28,6 +29,31 @@ std::size_t placeOf(const json& list, const std::string& name) {
     if (list[n].is_object() && list[n].value("name", json()) == name) return n;
   }
   return list.size();
+}
+
+/// Refuses lists and parameters that a recipe's child could not be merged into.
+void checkMergeable(FieldReader& reader, const json& recipe) {
+  const std::string most = " of at most " + std::to_string(kMostEntries) + " entries";
+  for (const std::string& list : kNamedLists) {
+    const auto found = recipe.find(list);
+    if (found == recipe.end()) continue;
+    if (!found->is_array() || found->size() > kMostEntries)
+      return reader.refuse(list, found->is_array() ? "a list of " + std::to_string(found->size()) + " entries" : shown(*found),
+                           "a list" + most);
+    for (std::size_t n = 0; n < found->size(); ++n) {
+      if (!(*found)[n].is_object()) return reader.refuse(list + "[" + std::to_string(n) + "]", shown((*found)[n]), "an object with a name");
+    }
+  }
+  const auto parameters = recipe.find("parameters");
+  if (parameters == recipe.end()) return;
+  if (!parameters->is_object() || parameters->size() > kMostEntries)
+    return reader.refuse("parameters", parameters->is_object() ? std::to_string(parameters->size()) + " entries" : shown(*parameters),
+                         "an object with one entry for each name," + most);
+  if (recipe.contains("extends")) return;  // there a plain number is the default of a parameter described further up
+  for (const auto& [name, description] : parameters->items()) {
+    if (!description.is_object())
+      return reader.refuse("parameters." + name, shown(description), "an object with default, lowest, highest and unit");
+  }
 }
 
 void removeNamed(FieldReader& reader, const json& remove, json& into) {
@@ -46,12 +72,12 @@ void removeNamed(FieldReader& reader, const json& remove, json& into) {
 }
 
 void mergeList(FieldReader& reader, const std::string& field, const json& entries, json& into) {
-  if (!entries.is_array()) return reader.refuse(field, shown(entries), "a list");
-  if (!into.is_array()) into = json::array();
+  if (into.is_null()) into = json::array();
+  if (into.size() + entries.size() > 2 * kMostEntries)
+    return reader.refuse(field, "with all it extends more than " + std::to_string(2 * kMostEntries) + " entries", "fewer of them");
   for (std::size_t n = 0; n < entries.size(); ++n) {
     const std::string place = field + "[" + std::to_string(n) + "]";
     json entry = entries[n];
-    if (!entry.is_object()) return reader.refuse(place, shown(entry), "an object with a name");
     const std::string name = reader.text(entry, place, "name");
     const std::string before = reader.text(entry, place, "before", ""), after = reader.text(entry, place, "after", "");
     if (!before.empty() && !after.empty()) reader.refuse(place, "both before and after another", "one of them");
@@ -88,8 +114,7 @@ void mergeList(FieldReader& reader, const std::string& field, const json& entrie
 }
 
 void mergeParameters(FieldReader& reader, const json& given, json& into) {
-  if (!given.is_object()) return reader.refuse("parameters", shown(given), "an object with one entry for each name");
-  if (!into.is_object()) into = json::object();
+  if (into.is_null()) into = json::object();
   for (const auto& [name, value] : given.items()) {
     if (value.is_object()) {
       if (!into.contains(name)) into[name] = json::object();
@@ -129,8 +154,10 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
     auto recipe = readRecipe(files.back(), "virtual patient");
     if (!recipe) return passOn(recipe.error());
     recipes.push_back(std::move(*recipe));
-    if (!recipes.back().contains("extends")) break;
     FieldReader reader(files.back().string());
+    checkMergeable(reader, recipes.back());
+    if (reader.problem()) return passOn(*reader.problem());
+    if (!recipes.back().contains("extends")) break;
     const std::string name = reader.text(recipes.back(), "patient", "extends");
     if (!reader.problem() && std::filesystem::path(name).has_parent_path())
       reader.refuse("extends", '"' + name + '"', "the name of a file beside this one or in resources/anatomy, without a folder");
@@ -182,11 +209,20 @@ class Parameters {
   }
 
   OrExpected<std::optional<double>> valueOf(const std::string& name) {
-    if (const auto known = values_.find(name); known != values_.end()) return std::optional<double>(known->second);
+    if (const auto known = values_.find(name); known != values_.end()) {
+      restsOn_ = std::max(restsOn_, known->second.chain);
+      return std::optional<double>(known->second.value);
+    }
     const auto description = described_.find(name);
     if (description == described_.end()) return std::optional<double>();
-    if (!beingWorkedOut_.insert(name).second)
+    const auto tooLong = [] {
+      return tl::unexpected("parameters of which at most " + std::to_string(kLongestChain) + " rest on one another in a row");
+    };
+    if (beingWorkedOut_.count(name) > 0)
       return tl::unexpected("parameters that do not depend on one another in a circle, as " + name + " does");
+    if (beingWorkedOut_.size() == kLongestChain) return tooLong();
+    beingWorkedOut_.insert(name);
+    const int beside = std::exchange(restsOn_, 0);
     const std::string place = "parameters." + name;
     json number = (*description)["default"];
     if (const auto given = given_.find(name); given != given_.end()) {
@@ -200,7 +236,11 @@ class Parameters {
     const double highest = reader_.number(*description, place, "highest", -kLargestParameter, kLargestParameter);
     const double value = reader_.number(json{{"value", number}}, place, "value", lowest, highest);
     beingWorkedOut_.erase(name);
-    values_[name] = value;
+    // By the whole chain, not by what is left of it to be worked out: which parameter is asked for first must not decide.
+    const int chain = restsOn_ + 1;
+    if (chain > kLongestChain) return tooLong();
+    restsOn_ = std::max(beside, chain);
+    values_[name] = {value, chain};
     return std::optional<double>(value);
   }
 
@@ -223,8 +263,7 @@ class Parameters {
     }
     for (const auto& [name, value] : given_) {
       if (described_.contains(name)) continue;
-      std::string names;
-      for (const auto& each : list) names += (names.empty() ? "" : ", ") + each.name;
+      const std::string names = listed(list, [](const PatientParameter& each) { return each.name; });
       reader_.refuse("parameters." + name, "set but not there",
                      names.empty() ? "no parameter at all: this recipe has none" : "one of " + names);
     }
@@ -235,23 +274,34 @@ class Parameters {
   FieldReader& reader_;
   const ParameterValues& given_;
   json described_ = json::object();
-  std::map<std::string, double> values_;
+  struct Known {
+    double value = 0.0;
+    int chain = 1;  ///< parameters that rest on one another, this one included
+  };
+  std::map<std::string, Known> values_;
+  int restsOn_ = 0;  ///< the longest chain of those asked for while one is worked out
   std::set<std::string> beingWorkedOut_;
 };
 
 /// Replaces the expressions below `value` by their numbers.
-void workOut(FieldReader& reader, Parameters& parameters, const std::string& place, json& value) {
+/// @param place of the value; as long as before when this returns
+void workOut(FieldReader& reader, Parameters& parameters, std::string& place, json& value) {
   if (reader.problem()) return;
+  const std::size_t here = place.size();
   if (value.is_object()) {
     for (auto& [field, inner] : value.items()) {
-      if (kWords.count(field) == 0) workOut(reader, parameters, place.empty() ? field : place + "." + field, inner);
+      if (kWords.count(field) > 0) continue;
+      place += (place.empty() ? "" : ".") + field;
+      workOut(reader, parameters, place, inner);
+      place.resize(here);
     }
   } else if (value.is_array()) {
     for (std::size_t n = 0; n < value.size(); ++n) {
-      std::string at = place + "[" + std::to_string(n) + "]";
+      place += "[" + std::to_string(n) + "]";
       if (value[n].is_object() && value[n].contains("name") && value[n]["name"].is_string())
-        at += " (" + value[n]["name"].get<std::string>() + ")";
-      workOut(reader, parameters, at, value[n]);
+        place += " (" + value[n]["name"].get_ref<const std::string&>().substr(0, 60) + ")";
+      workOut(reader, parameters, place, value[n]);
+      place.resize(here);
     }
   } else if (value.is_string() && value.get_ref<const std::string&>().rfind('=', 0) == 0) {
     const auto number = parameters.ofText(value.get<std::string>());
@@ -291,7 +341,8 @@ Result<WholeRecipe> readWholeRecipe(const std::filesystem::path& file, const std
   whole.parameters = parameters.all();
   if (reader.problem()) return passOn(*reader.problem());
   recipe->erase("parameters");
-  workOut(reader, parameters, "", *recipe);
+  std::string place;
+  workOut(reader, parameters, place, *recipe);
   if (reader.problem()) return passOn(*reader.problem());
   whole.json = std::move(*recipe);
   return whole;

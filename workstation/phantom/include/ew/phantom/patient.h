@@ -73,10 +73,10 @@ struct PatientParameter {
 /// looked for beside the recipe, in `mannequins`, in resources/mannequin of the folders above the recipe, then of $ECHOWEAVE_RESOURCES.
 /// The recipe it extends is looked for in the same way, in folders named "anatomy" beside those of mannequins.
 /// @error notFound, notReadable, tooLarge, badHeader, badField (organ, field, value found, expected; a parameter that is not there or out
-///        of its range; recipes that extend one another in a circle), newerFormat
+///        of its range; recipes that extend one another in a circle; shapes that no machine could evaluate), newerFormat, cancelled
 [[nodiscard]] Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& file,
                                                                  const std::filesystem::path& mannequins = {},
-                                                                 const ParameterValues& parameters = {});
+                                                                 const ParameterValues& parameters = {}, Progress& progress = noProgress());
 
 /// The recipe's parameters by name, with the values this patient has.
 [[nodiscard]] const std::vector<PatientParameter>& parametersOf(const Patient& patient);
@@ -91,6 +91,11 @@ struct PatientParameter {
 
 /// The box that voxelise fills.
 [[nodiscard]] Bounds boxOf(const Patient& patient);
+
+/// The same from the recipe alone; nothing is built.
+/// @error as readPatient, as far as it goes: neither anatomy nor mannequin are looked at
+[[nodiscard]] Result<Bounds> readPatientBox(const std::filesystem::path& file, const std::filesystem::path& mannequins = {},
+                                            const ParameterValues& parameters = {});
 
 /// A number that changes with the recipe, what it extends, its parameters, its mannequin and the way voxels are made: the key for whoever
 /// keeps voxelised patients. Reads the files without building anything.

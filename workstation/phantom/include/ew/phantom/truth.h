@@ -32,8 +32,9 @@ struct StandardPlane {
 
 /// The measurements that the recipe asks for, computed from its shapes as they are at a moment; places and centre lines move along.
 /// Lengths are right within 0.05 mm for what the shapes draw; volumes are what an organ owns, within 1 % down to 1 ml.
-/// @error badField (a line that does not cross what it measures, a place outside of it)
-[[nodiscard]] Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, const BodyState& state = {});
+/// @error badField (a line that does not cross what it measures, a place outside of it), cancelled
+[[nodiscard]] Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, const BodyState& state = {},
+                                                                  Progress& progress = noProgress());
 
 [[nodiscard]] std::vector<StandardPlane> planesOf(const Patient& patient);
 
