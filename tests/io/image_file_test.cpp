@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <zlib.h>
 
+#include "ew/io/image_stack.h"
 #include "ew/io/volume_file.h"
 #include "files.h"
 
@@ -44,6 +46,50 @@ TEST(ImageFile, AMetaImageIsFlatAndCarriesItsPixelSize) {
   const auto volume = readVolume(folder / "p.mha");
   ASSERT_TRUE(succeeded(volume));
   EXPECT_EQ(volume->volume.grid.dims, glm::ivec3(3, 2, 1));
+}
+
+/// A grey PNG of one row, as libpng's low-level writer makes it; `chunks` stand before the samples.
+std::string pngOf(const std::vector<std::uint16_t>& levels, int bits, const std::string& chunks = "") {
+  const auto chunk = [](const std::string& type, const std::string& data) {
+    const std::string body = type + data;
+    const auto big = [](unsigned long value) { return bytesOf(std::vector<std::uint32_t>{static_cast<std::uint32_t>(value)}, true); };
+    return big(data.size()) + body + big(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())));
+  };
+  std::string head = bytesOf(std::vector<std::uint32_t>{static_cast<std::uint32_t>(levels.size()), 1}, true);
+  head += std::string{static_cast<char>(bits), 0, 0, 0, 0};
+  std::string row(1, '\0');
+  for (const std::uint16_t level : levels) {
+    if (bits == 16) row.push_back(static_cast<char>(level >> 8));
+    row.push_back(static_cast<char>(level & 0xFF));
+  }
+  std::string extra;
+  if (chunks == "gAMA") extra = chunk("gAMA", bytesOf(std::vector<std::uint32_t>{100000}, true));
+  if (chunks == "sRGB") extra = chunk("sRGB", std::string(1, '\0'));
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", head) + extra + chunk("IDAT", deflated(row)) + chunk("IEND", "");
+}
+
+TEST(ImageFile, StoredNumbersAreEchoLevelsWhateverAScreenWouldMakeOfThem) {
+  const TempFolder folder;
+  std::vector<std::uint16_t> eight, sixteen;
+  std::vector<std::uint8_t> expected;
+  for (int level = 0; level < 256; ++level) {
+    eight.push_back(static_cast<std::uint16_t>(level));
+    sixteen.push_back(static_cast<std::uint16_t>(level * 257));
+    expected.push_back(static_cast<std::uint8_t>(level));
+  }
+  StackOptions options;
+  options.spacing_mm = glm::dvec3(1.0);
+  for (const char* chunk : {"", "gAMA", "sRGB"}) {
+    for (const auto& [levels, bits] : {std::pair{eight, 8}, std::pair{sixteen, 16}}) {
+      const auto file = folder.put("p.png", pngOf(levels, bits, chunk));
+      const auto picture = readImage(file);
+      ASSERT_TRUE(succeeded(picture)) << chunk << bits;
+      EXPECT_EQ(picture->pixels, expected) << chunk << " " << bits;
+      const auto stack = readImageStack(file, options);
+      ASSERT_TRUE(succeeded(stack)) << chunk << bits;
+      EXPECT_EQ(stack->volume.echo, expected) << chunk << " " << bits;
+    }
+  }
 }
 
 TEST(ImageFile, WrongFilesAreRefusedInOneSentence) {

@@ -305,7 +305,8 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
   return reader;
 }
 
-Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma) const {
+Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma,
+                                    const Progress& progress) const {
   const std::size_t pixels = layout_.pixelsPerFrame();
   const std::size_t count = pixels * static_cast<std::size_t>(layout_.samples);
   const std::size_t bytesEach = static_cast<std::size_t>(layout_.bitsAllocated) / 8;
@@ -375,7 +376,8 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
   if (!head || head->width != layout_.columns || head->height != layout_.rows || head->components != layout_.samples ||
       (head->bits > 8 ? 16 : 8) != layout_.bitsAllocated)
     return badFrame(dicom_->file, frame, layout_.codec);
-  const auto unpacked = unpack(codec, stream, *head, layout_.bitsAllocated, layout_.bitsStored, layout_.isSigned);
+  const auto unpacked = unpack(codec, stream, *head, layout_.bitsAllocated, layout_.bitsStored, layout_.isSigned, progress);
+  if (!unpacked && progress.cancelRequested()) return stopped(dicom_->file);
   if (!unpacked) return badFrame(dicom_->file, frame, layout_.codec);
   for (std::size_t n = 0; n < count; ++n) {
     if (bytesEach == 1) {
@@ -396,13 +398,14 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
   return {};
 }
 
-Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured) const {
+Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured,
+                               const Progress& progress) const {
   const std::size_t pixels = layout_.pixelsPerFrame();
   coloured.assign(layout_.inColour() ? pixels : 0, 0);
   bool planar = false, lumaChroma = false;
-  if (!layout_.inColour()) return samplesOf(frame, level, planar, lumaChroma);
+  if (!layout_.inColour()) return samplesOf(frame, level, planar, lumaChroma, progress);
   std::vector<std::int32_t> samples;
-  if (auto got = samplesOf(frame, samples, planar, lumaChroma); !got) return got;
+  if (auto got = samplesOf(frame, samples, planar, lumaChroma, progress); !got) return got;
   level.resize(pixels);
   if (!palette_.empty()) {
     const auto last = static_cast<std::int64_t>(palette_.size()) - 1;
@@ -442,7 +445,7 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
   for (std::size_t n = 0; !direct && n < which.size(); ++n) {
     if (progress.cancelRequested()) return stopped(dicom.file);
-    if (auto got = reader->read(which[n], level, coloured); !got) return passOn(got.error());
+    if (auto got = reader->read(which[n], level, coloured, progress); !got) return passOn(got.error());
     const auto [low, high] = std::minmax_element(level.begin(), level.end());
     lowest = std::min(lowest, *low);
     highest = std::max(highest, *high);
@@ -464,7 +467,7 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
   bool any = false;
   for (std::size_t n = 0; n < which.size(); ++n) {
     if (progress.cancelRequested()) return stopped(dicom.file);
-    if (auto got = reader->read(which[n], level, coloured); !got) return passOn(got.error());
+    if (auto got = reader->read(which[n], level, coloured, progress); !got) return passOn(got.error());
     std::uint8_t* const out = grey.level.data() + n * pixels;
     for (std::size_t p = 0; p < pixels; ++p) {
       const int value = direct ? std::clamp(level[p], 0, 255) : static_cast<int>(std::lround(255.0 * (level[p] - lowest) / span));
@@ -484,7 +487,7 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
                  {{"file", dicom.file.string()}});
 }
 
-Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostPixels) {
+Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostPixels, const Progress& progress) {
   const auto head = packedHead(Codec::jpeg, bytes);
   if (!head || head->bits != 8)
     return failure(ErrorCode::badHeader, quoted(file) + " is not a JPEG of 8 bits that can be read; save the picture again.",
@@ -494,7 +497,8 @@ Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostP
                    quoted(file) + " promises " + std::to_string(head->width * head->height) + " pixels, but the limit is " +
                        std::to_string(mostPixels) + "; save a smaller picture.",
                    {{"file", file.string()}});
-  const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false);
+  const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false, progress);
+  if (!unpacked && progress.cancelRequested()) return stopped(file);
   if (!unpacked)
     return failure(ErrorCode::badHeader, quoted(file) + " is a damaged JPEG; save the picture again.", {{"file", file.string()}});
   JpegGrey grey;

@@ -40,14 +40,16 @@ class FrameReader {
 
   /// Luminance of one frame (ITU-R BT.601) as stored values; `coloured` gets 1 where red, green and blue differ by more than
   /// kColourStep. Values of colours are 0..255, of grey frames whatever is stored.
-  /// @error badHeader (a frame that cannot be unpacked), truncated
-  [[nodiscard]] Result<void> read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured) const;
+  /// @error badHeader (a frame that cannot be unpacked), truncated, cancelled
+  [[nodiscard]] Result<void> read(std::uint64_t frame, std::vector<std::int32_t>& level, std::vector<std::uint8_t>& coloured,
+                                  const Progress& progress) const;
 
   static constexpr int kColourStep = 24;  ///< JPEG leaves up to 16 between the colours of what was grey
 
  private:
   FrameReader(const DicomFile& dicom, PixelLayout layout) : dicom_(&dicom), layout_(std::move(layout)) {}
-  Result<void> samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma) const;
+  Result<void> samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma,
+                         const Progress& progress) const;
 
   const DicomFile* dicom_;
   PixelLayout layout_;
@@ -66,13 +68,13 @@ struct GreyFrames {
 [[nodiscard]] Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
                                                 const ReadLimits& limits, Progress& progress, std::vector<std::string>& notes);
 
-/// A JPEG file in memory as 8 bit grey. @error badHeader, unsupported, tooLarge (more than mostPixels)
+/// A JPEG file in memory as 8 bit grey. @error badHeader, unsupported, tooLarge (more than mostPixels), cancelled
 struct JpegGrey {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> level;
   std::vector<std::uint8_t> coloured;  ///< empty when it has one component
 };
-[[nodiscard]] Result<JpegGrey> readJpeg(Bytes bytes, const std::filesystem::path& file, std::uint64_t mostPixels);
+[[nodiscard]] Result<JpegGrey> readJpeg(Bytes bytes, const std::filesystem::path& file, std::uint64_t mostPixels, const Progress& progress);
 
 }  // namespace ew::detail

@@ -10,6 +10,7 @@
 #include "ew/io/volume_file.h"
 #include "image_header.h"
 #include "meta_writer.h"
+#include "png_pixels.h"
 
 namespace ew {
 namespace {
@@ -37,26 +38,18 @@ Result<void> writePng(const GreyImage& picture, const fs::path& file) {
 Result<GreyImage> readPng(const fs::path& file) {
   const auto bytes = readTextFile(file, kLargestPng);
   if (!bytes) return passOn(bytes.error());
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  const auto damaged = [&] {
-    const std::string reason = png.message;
-    png_image_free(&png);
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a PNG that can be read (" + reason + "); save the picture again.",
-                   {{"file", file.string()}, {"reason", reason}});
-  };
-  if (png_image_begin_read_from_memory(&png, bytes->data(), bytes->size()) == 0) return damaged();
-  if (const std::uint64_t pixels = std::uint64_t{png.width} * png.height; pixels > kMostPixels) {
-    png_image_free(&png);
-    return failure(ErrorCode::tooLarge,
-                   quoted(file) + " promises " + std::to_string(pixels) + " pixels, but the limit is " + std::to_string(kMostPixels) +
-                       "; save a smaller picture.",
-                   {{"file", file.string()}, {"pixels", std::to_string(pixels)}, {"limit", std::to_string(kMostPixels)}});
+  auto png = readPngPixels({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, file, kMostPixels);
+  if (!png) return passOn(png.error());
+  GreyImage picture;
+  picture.width = png->width;
+  picture.height = png->height;
+  if (!png->inColour) {
+    picture.pixels = std::move(png->samples);
+    return picture;
   }
-  png.format = PNG_FORMAT_GRAY;
-  GreyImage picture(static_cast<int>(png.width), static_cast<int>(png.height));
-  const png_color black{0, 0, 0};
-  if (png_image_finish_read(&png, &black, picture.pixels.data(), picture.width, nullptr) == 0) return damaged();
+  picture.pixels.resize(png->samples.size() / 3);
+  for (std::size_t n = 0; n < picture.pixels.size(); ++n)
+    picture.pixels[n] = luminanceOf(png->samples[3 * n], png->samples[3 * n + 1], png->samples[3 * n + 2]);
   return picture;
 }
 

@@ -1,7 +1,5 @@
 #include "ew/io/image_stack.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,6 +9,7 @@
 #include "ew/core/numbers.h"
 #include "grey_samples.h"
 #include "image_header.h"
+#include "png_pixels.h"
 
 namespace ew {
 namespace {
@@ -59,38 +58,21 @@ tl::unexpected<Error> damaged(const fs::path& file, const std::string& why) {
 }
 
 Result<JpegGrey> readPngPicture(Bytes bytes, const fs::path& file) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  const auto refuse = [&] {
-    const std::string why = png.message;
-    png_image_free(&png);
-    return damaged(file, why);
-  };
-  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return refuse();
-  if (std::uint64_t{png.width} * png.height > kMostPixels) {
-    png_image_free(&png);
-    return failure(ErrorCode::tooLarge,
-                   quoted(file) + " is larger than " + std::to_string(kMostPixels) + " pixels; save a smaller picture.",
-                   {{"file", file.string()}});
-  }
+  auto png = readPngPixels(bytes, file, kMostPixels);
+  if (!png) return passOn(png.error());
   JpegGrey picture;
-  picture.width = static_cast<int>(png.width);
-  picture.height = static_cast<int>(png.height);
-  const bool colours = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
-  const std::size_t pixels = std::size_t{png.width} * png.height;
-  png.format = colours ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-  std::vector<std::uint8_t> samples(pixels * (colours ? 3 : 1));
-  const png_color black{0, 0, 0};
-  if (png_image_finish_read(&png, &black, samples.data(), 0, nullptr) == 0) return refuse();
-  if (!colours) {
-    picture.level = std::move(samples);
+  picture.width = png->width;
+  picture.height = png->height;
+  if (!png->inColour) {
+    picture.level = std::move(png->samples);
     return picture;
   }
+  const std::size_t pixels = png->samples.size() / 3;
   picture.level.resize(pixels);
   picture.coloured.resize(pixels);
   for (std::size_t n = 0; n < pixels; ++n) {
-    const int r = samples[3 * n], g = samples[3 * n + 1], b = samples[3 * n + 2];
-    picture.level[n] = static_cast<std::uint8_t>(std::lround(0.299 * r + 0.587 * g + 0.114 * b));
+    const std::uint8_t r = png->samples[3 * n], g = png->samples[3 * n + 1], b = png->samples[3 * n + 2];
+    picture.level[n] = luminanceOf(r, g, b);
     picture.coloured[n] = std::max({r, g, b}) - std::min({r, g, b}) > FrameReader::kColourStep ? 1 : 0;
   }
   return picture;
@@ -126,13 +108,13 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   return picture;
 }
 
-Result<JpegGrey> readPicture(const fs::path& file) {
+Result<JpegGrey> readPicture(const fs::path& file, const Progress& progress = noProgress()) {
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return passOn(bytes.error());
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".png") return readPngPicture(*bytes, file);
   if (ending == ".pgm") return readPgm(*bytes, file);
-  return readJpeg(*bytes, file, kMostPixels);
+  return readJpeg(*bytes, file, kMostPixels, progress);
 }
 
 }  // namespace
@@ -174,7 +156,7 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
   std::uint64_t colouredPixels = 0;
   for (std::size_t n = 0; n < files->size(); ++n) {
     if (progress.cancelRequested()) return stopped(folderOrPicture);
-    auto picture = readPicture((*files)[n]);
+    auto picture = readPicture((*files)[n], progress);
     if (!picture) return passOn(picture.error());
     if (n == 0) {
       volume.grid.dims = {picture->width, picture->height, static_cast<int>(files->size())};

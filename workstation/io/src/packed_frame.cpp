@@ -13,9 +13,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 namespace ew::detail {
 namespace {
@@ -131,48 +134,95 @@ std::optional<std::vector<std::uint8_t>> decoded(Decoder& decoder, Bytes stream,
   return std::vector<std::uint8_t>(bytes, bytes + wanted);
 }
 
-/// Runs `work` in a copy of this process and fetches the bytes it makes. GDCM's decoders stop the program on streams they did not foresee
-/// (its assertions are compiled in, and fuzzing found one within seconds): here that costs one frame. The copy has ten seconds of
-/// processor time; it leaves no core file and says nothing. Only memory is touched in it, which a copy of a process with threads may do.
-/// @return empty when the work gave nothing, did not give `wanted` bytes, or ended the copy
+constexpr int kMostProcessor_s = 10;
+constexpr auto kMostWaiting = std::chrono::minutes(2);  // a busy machine takes its time; a decoder that sleeps does not end at all
+constexpr auto kQuestion = std::chrono::milliseconds(2);
+
+/// Pages that this process and its copy both see: a word that says that the bytes behind it are complete.
+class SharedResult {
+ public:
+  explicit SharedResult(std::size_t bytes)
+      : bytes_(bytes), pages_(mmap(nullptr, kHead + bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+  ~SharedResult() {
+    if (ok()) munmap(pages_, kHead + bytes_);
+  }
+  SharedResult(const SharedResult&) = delete;
+  SharedResult& operator=(const SharedResult&) = delete;
+  [[nodiscard]] bool ok() const { return pages_ != MAP_FAILED; }
+  void set(Bytes bytes) {
+    std::memcpy(static_cast<std::uint8_t*>(pages_) + kHead, bytes.data(), bytes_);
+    std::atomic_ref(*static_cast<std::uint32_t*>(pages_)).store(kComplete);
+  }
+  [[nodiscard]] std::optional<std::vector<std::uint8_t>> get() const {
+    if (std::atomic_ref(*static_cast<std::uint32_t*>(pages_)).load() != kComplete) return std::nullopt;
+    const auto* const first = static_cast<const std::uint8_t*>(pages_) + kHead;
+    return std::vector<std::uint8_t>(first, first + bytes_);
+  }
+
+ private:
+  static constexpr std::size_t kHead = 64;
+  static constexpr std::uint32_t kComplete = 0x646f6e65;
+  std::size_t bytes_;
+  void* pages_;
+};
+
+/// The copy's own part: works, says nothing, leaves no core file and never returns.
 template <class Work>
-std::optional<std::vector<std::uint8_t>> inOwnProcess(std::size_t wanted, const Work& work) {
-  void* const shared = mmap(nullptr, wanted, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) return std::nullopt;
-  std::optional<std::vector<std::uint8_t>> made;
-  const pid_t copy = fork();
-  if (copy == 0) {
-    for (const int one : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGTERM, SIGINT}) signal(one, SIG_DFL);
-    const rlimit noCore{0, 0}, tenSeconds{10, 10};
-    setrlimit(RLIMIT_CORE, &noCore);
-    setrlimit(RLIMIT_CPU, &tenSeconds);
-    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
-      dup2(nowhere, STDOUT_FILENO);
-      dup2(nowhere, STDERR_FILENO);
-    }
-    int status = 1;
-    try {
-      const auto bytes = work();
-      if (bytes && bytes->size() == wanted) {
-        std::memcpy(shared, bytes->data(), wanted);
-        status = 0;
-      }
-    } catch (...) {
-      status = 1;  // GDCM and CharLS throw on damaged streams
-    }
-    _exit(status);
+[[noreturn]] void workAndEnd(std::size_t wanted, const Work& work, SharedResult& result) {
+  for (const int one : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGTERM}) signal(one, SIG_DFL);
+  // A terminal sends Ctrl-C to both: this one goes on, and the program that waits for it decides.
+  for (const int one : {SIGINT, SIGQUIT}) signal(one, SIG_IGN);
+  const rlimit noCore{0, 0}, processor{kMostProcessor_s, kMostProcessor_s};
+  setrlimit(RLIMIT_CORE, &noCore);
+  setrlimit(RLIMIT_CPU, &processor);
+  if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
   }
-  if (copy > 0) {
+  int status = 1;
+  try {
+    const auto bytes = work();
+    if (bytes && bytes->size() == wanted) {
+      result.set(*bytes);
+      status = 0;
+    }
+  } catch (...) {
+    status = 1;  // GDCM and CharLS throw on damaged streams
+  }
+  _exit(status);
+}
+
+/// Waits until the copy has ended, as long as it may take; ends it when `progress` asks to stop.
+/// @return whether it came to its own end
+bool ended(pid_t copy, const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  for (auto pause = std::chrono::microseconds(100);; pause = std::min<std::chrono::microseconds>(2 * pause, kQuestion)) {
     int status = 0;
-    while (waitpid(copy, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-      const auto* const bytes = static_cast<const std::uint8_t*>(shared);
-      made.emplace(bytes, bytes + wanted);
-    }
+    const pid_t found = waitpid(copy, &status, WNOHANG);
+    if (found == copy) return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    // A parent that ignores SIGCHLD gives its children no one to report to: there only the shared word says how it ended.
+    if (found < 0 && errno != EINTR) return errno == ECHILD;
+    if (progress.cancelRequested() || std::chrono::steady_clock::now() - begin > kMostWaiting) break;
+    std::this_thread::sleep_for(pause);
   }
-  munmap(shared, wanted);
-  return made;
+  kill(copy, SIGKILL);
+  while (waitpid(copy, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  return false;
+}
+
+/// Runs `work` in a copy of this process and fetches the bytes it makes. GDCM's decoders stop the program on streams they did not foresee
+/// (its assertions are compiled in, and fuzzing found one within seconds): here that costs one frame. Only memory is touched in the copy,
+/// which a copy of a process with threads may do.
+/// @return empty when the work gave nothing, did not give `wanted` bytes, ended the copy, took too long or was stopped
+template <class Work>
+std::optional<std::vector<std::uint8_t>> inOwnProcess(std::size_t wanted, const Progress& progress, const Work& work) {
+  SharedResult result(wanted);
+  if (!result.ok()) return std::nullopt;
+  const pid_t copy = fork();
+  if (copy == 0) workAndEnd(wanted, work, result);
+  if (copy < 0 || !ended(copy, progress)) return std::nullopt;
+  return result.get();
 }
 
 }  // namespace
@@ -190,9 +240,9 @@ std::optional<PackedHead> packedHead(Codec codec, Bytes stream) {
 }
 
 std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const PackedHead& head, int bitsAllocated, int bitsStored,
-                                                bool isSigned) {
+                                                bool isSigned, const Progress& progress) {
   const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
-  return inOwnProcess(wanted, [&]() -> std::optional<std::vector<std::uint8_t>> {
+  return inOwnProcess(wanted, progress, [&]() -> std::optional<std::vector<std::uint8_t>> {
     switch (codec) {
       case Codec::jpeg: {
         gdcm::JPEGCodec decoder;
