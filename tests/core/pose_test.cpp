@@ -1,6 +1,8 @@
 #include "ew/core/pose.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -38,13 +40,22 @@ TEST(Poses, ComeFromTheArgumentOrFromAFile) {
   EXPECT_EQ(missing.error().code, ErrorCode::notFound);
 }
 
-TEST(Poses, AreNotLookedForInAFolderOrInAFileWithoutAnEnd) {
+TEST(Poses, AreNotLookedForInAFolderOrADevice) {
   const auto folder = posesFromArgument(std::filesystem::temp_directory_path().string());
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().code, ErrorCode::notReadable);
   const auto endless = posesFromArgument("/dev/zero");
   ASSERT_FALSE(endless);
-  EXPECT_EQ(endless.error().code, ErrorCode::tooLarge);
+  EXPECT_EQ(endless.error().code, ErrorCode::notReadable);
+}
+
+TEST(Poses, AreNotWaitedForAtAPipeThatNobodyWritesInto) {
+  const auto pipe = std::filesystem::temp_directory_path() / ("ew_pose_pipe_" + std::to_string(::getpid()));
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto poses = posesFromArgument(pipe.string());
+  std::filesystem::remove(pipe);
+  ASSERT_FALSE(poses);
+  EXPECT_EQ(poses.error().code, ErrorCode::notReadable);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "ew/core/pose.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -42,12 +43,18 @@ Result<std::vector<Pose>> parsePoses(std::string_view text) {
 
 Result<std::vector<Pose>> posesFromArgument(const std::string& argument) {
   if (parseNumbers(argument)) return parsePoses(argument);
+  // Asked before it is opened: opening a pipe waits for whoever writes into it.
+  std::error_code problem;
+  if (const auto status = std::filesystem::status(argument, problem);
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return failure(ErrorCode::notReadable, "'" + argument + "' is a folder, a pipe or a device; give a file with one pose a line.",
+                   {{"file", argument}});
   std::ifstream file(argument);
   if (!file)
     return failure(ErrorCode::notFound,
                    "'" + argument + "' is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.",
                    {{"file", argument}});
-  // Read in pieces: the name may be that of a device without an end, or of a folder, which opens but cannot be read.
+  // Read in pieces: what stands in the name's place may change, and a growing file has an old size.
   std::string text;
   std::string piece(64u << 10, '\0');
   while (file) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ew/core/numbers.h"
+#include "grey_samples.h"
 
 namespace ew::detail {
 namespace fs = std::filesystem;
@@ -238,7 +239,22 @@ class CheckedEnd final : public ByteSource {
 
 }  // namespace
 
-Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes) {
+Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedBytes, std::uint64_t promisedSamples,
+                              std::uint64_t packedBytes) {
+  // Deflate cannot pack more tightly than 1032 to 1, and a number in text takes at least one character.
+  constexpr std::uint64_t tightest = 1032;
+  const bool deflated = header.packing == Packing::deflated;
+  const std::uint64_t largest = deflated ? packedBytes * tightest + tightest : packedBytes;
+  const std::uint64_t wanted = header.packing == Packing::text ? promisedSamples : promisedBytes;
+  if (wanted <= largest) return {};
+  return failure(ErrorCode::truncated,
+                 quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
+                     " bytes of samples, the file has " + std::to_string(packedBytes) +
+                     (deflated ? " compressed bytes, which cannot hold them" : "") + "; get the file again.",
+                 {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
+}
+
+Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress) {
   std::error_code problem;
   const std::uint64_t fileBytes = fs::file_size(header.dataFile, problem);
   if (problem)
@@ -288,8 +304,12 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
       break;
     }
   }
+  if (header.skipUnpacked > 0)
+    if (const auto held = checkAgainstFile(header, header.skipUnpacked, header.skipUnpacked, opened.packedBytes); !held)
+      return passOn(held.error());
   std::vector<std::uint8_t> skipped(static_cast<std::size_t>(std::min<std::uint64_t>(header.skipUnpacked, 64u << 10)));
   for (std::uint64_t left = header.skipUnpacked; left > 0;) {
+    if (progress.cancelRequested()) return stopped(header.file);
     const auto part = std::span(skipped).first(static_cast<std::size_t>(std::min<std::uint64_t>(left, skipped.size())));
     const auto got = opened.source->read(part);
     if (!got) return passOn(got.error());

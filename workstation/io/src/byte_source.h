@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "image_header.h"
 
@@ -23,7 +24,15 @@ struct OpenedBytes {
   std::uint64_t packedBytes = 0;  ///< bytes of the file the samples are unpacked from
 };
 
+/// Goes to the first sample; what lies before it in a packed stream is unpacked for that, as long as `progress` does not ask to stop.
 /// @param promisedBytes sample bytes the header promises; needed for samples that stand at the end of their file
-[[nodiscard]] Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes);
+/// @error notReadable, truncated (too few bytes for what the header promises, as far as their number tells), unsupported, cancelled
+[[nodiscard]] Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress);
+
+/// Refuses before memory is taken what so few bytes cannot hold.
+/// @param promisedSamples numbers, for samples written as text
+/// @error truncated
+[[nodiscard]] Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedBytes, std::uint64_t promisedSamples,
+                                            std::uint64_t packedBytes);
 
 }  // namespace ew::detail

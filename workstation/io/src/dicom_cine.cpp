@@ -162,6 +162,7 @@ Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const f
 }  // namespace
 
 bool isDicom(const fs::path& file) {
+  if (!checkIsFile(file)) return false;
   std::ifstream in(file, std::ios::binary);
   std::vector<std::uint8_t> beginning(256);
   in.read(reinterpret_cast<char*>(beginning.data()), static_cast<std::streamsize>(beginning.size()));
@@ -198,7 +199,7 @@ Result<DicomSummary> inspectDicom(const fs::path& file, const ReadLimits& limits
 }
 
 Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Progress& progress, const ReadLimits& limits) try {
-  const auto dicom = readDicomFile(file, limits.maxBytes);
+  const auto dicom = readDicomFile(file, limits.maxBytes, progress);
   if (!dicom) return passOn(dicom.error());
   const auto layout = pixelLayoutOf(*dicom, limits);
   if (!layout) return passOn(layout.error());

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "ew/core/numbers.h"
+#include "grey_samples.h"
 #include "image_header.h"
 
 namespace ew::detail {
@@ -204,7 +205,7 @@ class Parser {
 };
 
 /// Unpacks a raw deflate stream.
-Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file, std::uint64_t maxBytes) {
+Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file, std::uint64_t maxBytes, const Progress& progress) {
   std::vector<std::uint8_t> out;
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
@@ -213,7 +214,9 @@ Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file
   stream.next_in = const_cast<Bytef*>(packed.data());
   stream.avail_in = static_cast<uInt>(std::min<std::size_t>(packed.size(), 0xFFFFFFFFu));
   int state = Z_OK;
-  while (state == Z_OK && out.size() < limit) {
+  bool stoppedByUser = false;
+  while (state == Z_OK && out.size() < limit && !stoppedByUser) {
+    stoppedByUser = progress.cancelRequested();
     const std::size_t before = out.size();
     out.resize(std::min<std::uint64_t>(limit, before + (1u << 20)));
     stream.next_out = out.data() + before;
@@ -223,6 +226,7 @@ Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file
     if (state == Z_OK && stream.avail_in == 0 && stream.avail_out > 0) state = Z_BUF_ERROR;
   }
   inflateEnd(&stream);
+  if (stoppedByUser) return stopped(file);
   if (state != Z_STREAM_END)
     return failure(state == Z_OK ? ErrorCode::tooLarge : ErrorCode::truncated,
                    "The deflated data set of " + quoted(file) + " cannot be unpacked whole; get the file again.",
@@ -236,7 +240,7 @@ tl::unexpected<Error> refused(const fs::path& file, const Parser& parser) {
                  {{"file", file.string()}, {"reason", parser.why()}});
 }
 
-Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes) {
+Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, const Progress& progress) {
   auto bytes = readWholeFile(file, maxBytes);
   if (!bytes) return passOn(bytes.error());
   DicomFile dicom;
@@ -258,7 +262,7 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes) {
   const bool bigEndian = syntax == "1.2.840.10008.1.2.2";
   Bytes set = all;
   if (syntax == "1.2.840.10008.1.2.1.99") {
-    auto unpacked = inflatedSet(all.subspan(at), file, maxBytes);
+    auto unpacked = inflatedSet(all.subspan(at), file, maxBytes, progress);
     if (!unpacked) return passOn(unpacked.error());
     dicom.inflated = *std::move(unpacked);
     set = dicom.inflated;
@@ -378,8 +382,8 @@ bool looksLikeDicom(Bytes beginning) {
   return isKind(beginning[4], beginning[5]) || numberAt<std::uint32_t>(beginning, 4, false) < 256;
 }
 
-Result<DicomFile> readDicomFile(const fs::path& file, std::uint64_t maxBytes) try {
-  return readOrThrow(file, maxBytes);
+Result<DicomFile> readDicomFile(const fs::path& file, std::uint64_t maxBytes, const Progress& progress) try {
+  return readOrThrow(file, maxBytes, progress);
 } catch (const std::bad_alloc&) {
   return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
                  {{"file", file.string()}});

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/progress.h"
 #include "ew/core/result.h"
 
 namespace ew::detail {
@@ -64,6 +65,7 @@ struct DicomFile {
 /// Reads and takes apart a file without trusting one of its lengths: every element lies inside its parent, nesting and counts are bounded.
 /// @param maxBytes of the file, and of what a deflated one becomes
 /// @error notFound, notReadable, tooLarge, badHeader (no DICOM, or lengths that contradict each other), truncated, unsupported
-[[nodiscard]] Result<DicomFile> readDicomFile(const std::filesystem::path& file, std::uint64_t maxBytes);
+[[nodiscard]] Result<DicomFile> readDicomFile(const std::filesystem::path& file, std::uint64_t maxBytes,
+                                              const Progress& progress = noProgress());
 
 }  // namespace ew::detail

@@ -34,21 +34,6 @@ Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request,
   return {};
 }
 
-Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedBytes, std::uint64_t promisedSamples,
-                              std::uint64_t packedBytes) {
-  // Deflate cannot pack more tightly than 1032 to 1, and a number in text takes at least one character.
-  constexpr std::uint64_t tightest = 1032;
-  const bool deflated = header.packing == Packing::deflated;
-  const std::uint64_t largest = deflated ? packedBytes * tightest + tightest : packedBytes;
-  const std::uint64_t wanted = header.packing == Packing::text ? promisedSamples : promisedBytes;
-  if (wanted <= largest) return {};
-  return failure(ErrorCode::truncated,
-                 quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
-                     " bytes of samples, the file has " + std::to_string(packedBytes) +
-                     (deflated ? " compressed bytes, which cannot hold them" : "") + "; get the file again.",
-                 {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
-}
-
 Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::uint8_t> target, std::string_view what,
                   Progress& progress) {
   std::size_t filled = 0;
@@ -121,6 +106,11 @@ double valueOf(const std::uint8_t* pixel, std::uint64_t channels, bool swap, dou
   return slope * value + intercept;
 }
 
+/// Brightness starts at 0; echoes that still carry their wave swing as far below it as above. Nearly as far: no recording is exactly even.
+bool looksLikeRf(double lowest, double highest) {
+  return lowest < 0.0 && highest > 0.0 && std::max(-lowest, highest) < 1.25 * std::min(-lowest, highest);
+}
+
 template <class T>
 Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
                     Progress& progress, std::vector<std::string>& notes) {
@@ -156,6 +146,10 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
   }
   if (notFinite > 0)
     notes.push_back(counted(notFinite, "sample is not a finite number", "samples are not finite numbers") + " and became 0.");
+  if (rescale && looksLikeRf(lowest, highest))
+    notes.push_back(
+        "The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels made of them are "
+        "no brightness: export the B-mode volume instead.");
   if (rescale && width > 0.0)
     notes.push_back("The samples are " + std::string(nameOf(header.type)) + ": values from " + textOf(lowest) + " to " + textOf(highest) +
                     " were mapped to 0 to 255.");
@@ -204,7 +198,7 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
   if (const auto sizes = checkSizes(header, request, limits); !sizes) return passOn(sizes.error());
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
   const std::uint64_t promisedBytes = request.promised * perPixel;
-  auto opened = openSamples(header, promisedBytes);
+  auto opened = openSamples(header, promisedBytes, progress);
   if (!opened) return passOn(opened.error());
   const auto fits = checkAgainstFile(header, promisedBytes, request.promised * header.channels, opened->packedBytes);
   if (!fits) return passOn(fits.error());

@@ -71,8 +71,9 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
   const std::uint64_t bytes = count * bytesOf(header->type);
   if (bytes > limits.maxBytes)
     return failure(ErrorCode::tooLarge, quoted(file) + " holds more than may be read at once.", {{"file", file.string()}});
-  auto opened = openSamples(*header, bytes);
+  auto opened = openSamples(*header, bytes, noProgress());
   if (!opened) return passOn(opened.error());
+  if (const auto held = checkAgainstFile(*header, bytes, count, opened->packedBytes); !held) return passOn(held.error());
   std::vector<std::uint8_t> raw(static_cast<std::size_t>(bytes));
   std::size_t got = 0;
   while (got < raw.size()) {

@@ -127,6 +127,11 @@ Result<FileKind> kindOfFile(const fs::path& file) {
   if (!fs::exists(file, ec))
     return failure(ErrorCode::notFound, "There is no file or folder '" + file.string() + "'; check the name.", {{"file", file.string()}});
   if (fs::is_directory(file, ec)) return FileKind::pictures;
+  // Opening a pipe to see what it begins with would wait for whoever writes into it.
+  if (!fs::is_regular_file(file, ec))
+    return failure(ErrorCode::notReadable,
+                   "'" + file.string() + "' is a pipe or a device and not a file; save what comes out of it as a file first.",
+                   {{"file", file.string()}});
   const std::string ending = endingOf(file);
   if (among(ending, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii"})) {
     if (ending == ".nii") return FileKind::volume;
