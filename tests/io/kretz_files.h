@@ -20,9 +20,10 @@ struct KretzOf {
   std::string extra;    ///< items after the others
   int angles = -1;      ///< written for the beams when not -1
   bool cartesian = false;
+  double aside_rad = 0.0;  ///< of a single beam or plane
 
-  [[nodiscard]] double theta(int j) const { return beams < 2 ? 0.0 : beamsHalf_rad * (2.0 * j / (beams - 1) - 1.0); }
-  [[nodiscard]] double phi(int k) const { return planes < 2 ? 0.0 : planesHalf_rad * (2.0 * k / (planes - 1) - 1.0); }
+  [[nodiscard]] double theta(int j) const { return beams < 2 ? aside_rad : beamsHalf_rad * (2.0 * j / (beams - 1) - 1.0); }
+  [[nodiscard]] double phi(int k) const { return planes < 2 ? aside_rad : planesHalf_rad * (2.0 * k / (planes - 1) - 1.0); }
   [[nodiscard]] std::array<double, 3> place(int i, int j, int k) const {
     const double r = start_mm + step_mm * i, d = r * std::cos(theta(j)), R = axisDepth_mm;
     return {r * std::sin(theta(j)), R * (1 - std::cos(phi(k))) + d * std::cos(phi(k)), (d - R) * std::sin(phi(k))};

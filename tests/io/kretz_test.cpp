@@ -34,6 +34,24 @@ TEST(Kretz, PointsOfKnownPlaceLandWithinHalfAVoxel) {
   }
 }
 
+TEST(Kretz, ASinglePlaneOrBeamThatLooksAsideIsLaidStraightAheadAndIsNotBlack) {
+  const TempFolder folder;
+  for (const double aside_rad : {0.0, 1e-9, 0.2}) {
+    for (const bool plane : {true, false}) {
+      KretzOf of;
+      (plane ? of.planes : of.beams) = 1;
+      of.fill([](double, double, double) { return 90.0; });
+      of.aside_rad = aside_rad;
+      const auto read = readKretz(folder.put("a.vol", kretzFile(of)), {.spacing_mm = 0.5, .mirrored = false, .timeStep = {}, .threads = 1});
+      ASSERT_TRUE(succeeded(read)) << aside_rad << plane;
+      EXPECT_GT(std::count(read->volume.echo.begin(), read->volume.echo.end(), 90), 20) << aside_rad << plane;
+      if (aside_rad > 0.1) {
+        EXPECT_TRUE(contains(read->notes, "laid straight ahead"));
+      }
+    }
+  }
+}
+
 TEST(Kretz, ARampInSpaceStaysOneAndOutsideTheRegionNothingIsInvented) {
   const TempFolder folder;
   KretzOf of;

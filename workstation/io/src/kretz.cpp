@@ -136,6 +136,14 @@ Result<std::vector<double>> anglesOf(const Reader& in, const fs::path& file, std
     }
   }
   if (!rises && !falls) return badField(file, name, "angles that go to and fro", "angles that rise or fall throughout");
+  if (angles.size() == 1) {
+    // One beam or plane has no width: no voxel but those straight ahead would ever lie in it.
+    if (std::abs(angles.front()) > 1e-6)
+      notes.push_back(std::string("Of the ") + name + " there is one alone, " + textOf(angles.front() * 180.0 / std::numbers::pi) +
+                      " degrees off; it was laid straight ahead.");
+    angles.front() = 0.0;
+    return angles;
+  }
   const double off_deg = (angles.front() + angles.back()) * 90.0 / std::numbers::pi;
   if (std::abs(off_deg) > 0.1)
     notes.push_back(std::string("The ") + name + " are not the same on both sides (" + textOf(std::round(off_deg * 100.0) / 100.0) +
@@ -345,6 +353,7 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
 }  // namespace
 
 bool isKretz(const fs::path& file) {
+  if (!checkIsFile(file)) return false;
   std::ifstream in(file, std::ios::binary);
   std::array<char, kMagic.size()> beginning{};
   in.read(beginning.data(), beginning.size());
@@ -354,7 +363,7 @@ bool isKretz(const fs::path& file) {
 Result<KretzVolume> readKretz(const fs::path& file, const KretzOptions& options, Progress& progress, const ReadLimits& limits) try {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   if (!isKretz(file) && isDicom(file)) {
-    const auto dicom = readDicomFile(file, limits.maxBytes);
+    const auto dicom = readDicomFile(file, limits.maxBytes, progress);
     if (!dicom) return passOn(dicom.error());
     const Bytes inside = kretzInside(dicom->data);
     if (inside.empty())
