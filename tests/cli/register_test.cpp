@@ -296,6 +296,24 @@ TEST_F(RegisterImages, PicturesGiveATwoDimensionalFieldInTheCoordinatesOfBothHea
   EXPECT_NE(refused.err.find("takes two pictures"), std::string::npos) << refused.err;
 }
 
+TEST_F(RegisterImages, PicturesOfWhichOneHeaderIsLeftHandedAreBroughtTogetherByARotation) {
+  const SpeckledTissue tissue(12);
+  TissueView view = viewOfSide(128, 0.4);
+  view.grid.dims.z = 1;
+  write(tissue, view, "a.mha");
+  view.grid.directions[2] = -view.grid.directions[2];  // of a picture nothing lies along it
+  view.view = 2;
+  view.toTissue = [](const glm::dvec3& q) { return glm::dvec3(q.x - 1.2, q.y + 0.8, q.z); };
+  write(tissue, view, "b.mha");
+  const auto outcome = run({"register", folder / "a.mha", folder / "b.mha", "--method", "elastic2d", "-o", folder / "t.txt"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const auto rigid = cli::readTransform(folder / "t.txt");
+  ASSERT_TRUE(rigid) << rigid.error();
+  EXPECT_GT(glm::determinant(*rigid), 0.0);
+  for (const glm::dvec4& corner : {glm::dvec4(0, 0, 0, 1), glm::dvec4(50, 0, 0, 1), glm::dvec4(0, 50, 0, 1)})
+    EXPECT_LT(glm::distance(*rigid * corner, corner), 1e-9) << "the pixels stay where they are";
+}
+
 TEST(RegistrationFiles, ATransformComesBackTheSameToTheLastBit) {
   const TemporaryFolder folder;
   const glm::dmat4 matrix = glm::rotate(glm::translate(glm::dmat4(1.0), {1.0 / 3.0, -1e6, 2e-9}), 0.7, glm::dvec3(1.0, 0.0, 0.0));

@@ -158,7 +158,11 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   found.stop = result->stop;
   found.flat = true;
   // Pixel (0, 0) lay on pixel (0, 0): the rigid part takes one header's place to the other's, the bend happens before it.
-  const glm::dmat3 turn = m.directions * glm::transpose(f.directions);
+  // Across a flat picture nothing is seen, so where one header is left-handed and the other is not, that direction is turned over: the same
+  // pixels on the same places, by a rotation and never by a mirror.
+  glm::dmat3 across(1.0);
+  across[2][2] = glm::determinant(m.directions) * glm::determinant(f.directions) < 0.0 ? -1.0 : 1.0;
+  const glm::dmat3 turn = m.directions * across * glm::transpose(f.directions);
   found.fixedToMoving.rigid = glm::dmat4(turn);
   found.fixedToMoving.rigid[3] = glm::dvec4(m.origin_mm - turn * f.origin_mm, 1.0);
   found.fixedToMoving.control.nodes = f;
