@@ -51,6 +51,15 @@ TEST(HardGating, AnEcgThatIsConstantShortSparseOrOfOneBeatIsRefusedWithItsReason
   expectRefused(findHeartBeats({}), ErrorCode::unsupported, "fewer than four");
 }
 
+TEST(HardGating, OneWrongTimeIsNamedBeforeMemoryIsTakenForTheTimeItSpans) {
+  for (const double wrong_s : {1e12, 1e18, 1e300, 2e5}) {
+    BodySignal signal = ecg(beats(20.0, 0.8, 0.0, 1), 20.0, 250.0);
+    signal.time_s.back() = wrong_s;
+    expectRefused(findHeartBeats(signal), ErrorCode::badField, "longer than a day");
+    expectRefused(findBreaths(signal), ErrorCode::badField, "longer than a day");
+  }
+}
+
 TEST(HardGating, ASaturatedEcgGatesAndSaysSo) {
   const auto truth_s = beats(20.0, 0.8, 0.05, 5);
   BodySignal signal = ecg(truth_s, 20.0, 250.0);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "ew/core/numbers.h"
+
 namespace ew {
 namespace {
 
@@ -74,6 +76,13 @@ Result<BodySignal> usable(const BodySignal& signal, const std::string& name) {
     kept.time_s.push_back(signal.time_s[n]);
     kept.value.push_back(signal.value[n]);
   }
+  // Memory goes by this span, and one wrong time stretches it without end.
+  constexpr double kLongest_s = 24.0 * 3600.0;
+  if (kept.time_s.size() > 1 && !(kept.time_s.back() - kept.time_s.front() <= kLongest_s))
+    return failure(ErrorCode::badField,
+                   "The times of the " + name + " go from " + textOf(kept.time_s.front()) + " s to " + textOf(kept.time_s.back()) +
+                       " s, which is longer than a day; correct the recording's times.",
+                   {{"field", name}, {"found", textOf(kept.time_s.back() - kept.time_s.front())}});
   if (kept.time_s.size() < 4)
     return failure(ErrorCode::unsupported,
                    "The " + name + " has fewer than four samples at different times; gate by another signal or by the images.",
