@@ -107,6 +107,7 @@ TEST(Mannequin, EachKindOfBadFileIsNamed) {
   EXPECT_EQ(codeOf(folder.write("empty.ply", "")), nameOf(ErrorCode::emptyVolume));
   EXPECT_EQ(codeOf(folder.write("points.obj", "v 0 0 0\nv 1 0 0\n")), nameOf(ErrorCode::emptyVolume));
   EXPECT_EQ(codeOf(folder.write("corner.obj", "v 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 999\n")), nameOf(ErrorCode::badField));
+  EXPECT_EQ(codeOf(folder.write("least.obj", "v 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 -9223372036854775808\n")), nameOf(ErrorCode::badField));
   EXPECT_EQ(codeOf(folder.write("zero.obj", "v 0 0 0\nv 900 0 0\nv 0 900 0\nf 1 2 0\n")), nameOf(ErrorCode::badField));
   EXPECT_EQ(codeOf(folder.write("nan.obj", "v 0 0 nan\nv 900 0 0\nv 0 900 0\nf 1 2 3\n")), nameOf(ErrorCode::badField));
   EXPECT_EQ(codeOf(folder.write("small.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n")), nameOf(ErrorCode::badField));

@@ -102,7 +102,7 @@ Result<void> checkObj(const MeshFile& file) {
           if (part.empty() && kind == 1) continue;
           const auto parsed = parseIntegers(part);
           const long long index = parsed && parsed->size() == 1 ? parsed->front() : 0;
-          if (index == 0 || -index > counts[kind]) return noSuchCorner(corner, number);
+          if (index == 0 || index < -counts[kind]) return noSuchCorner(corner, number);
           if (index > highest[kind].index) highest[kind] = {index, corner, number};
         }
       }
