@@ -153,6 +153,25 @@ TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
   EXPECT_EQ(whole->reconstruct.compounding, Compounding::maximum);
 }
 
+TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
+  SweepImportOptions options;
+  for (const auto& [word, expected] : {std::pair{"On", Compounding::mean}, {"OFF", Compounding::latest}}) {
+    options = nearestAt(0.5, deviceSet(std::string("Compounding=\"") + word + "\""));
+    options.compoundingFromCalibration = true;
+    const auto plan = planImport(written(sweep()), options, noProgress());
+    ASSERT_TRUE(plan.has_value()) << plan.error();
+    EXPECT_EQ(plan->reconstruct.compounding, expected) << word;
+    EXPECT_TRUE(std::any_of(plan->notes.begin(), plan->notes.end(), [word](const std::string& note) {
+      return note.find("Compounding \"" + std::string(word)) != std::string::npos;
+    }));
+  }
+  options = nearestAt(0.5, deviceSet("Compounding=\"Sometimes\""));
+  options.compoundingFromCalibration = true;
+  const auto refused = planImport(written(sweep()), options, noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().sentence.find("--compounding"), std::string::npos) << refused.error();
+}
+
 /// Two frames in one place: one sees tissue everywhere, the other is black from a third of its depth on in a few columns.
 Sequence shadowedPair() {
   Sequence sequence;

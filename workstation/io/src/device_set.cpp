@@ -75,9 +75,7 @@ Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node
   if (const auto text = node.attribute("CompoundingMode")) {
     set.compounding = text.value();
   } else if (const auto older = node.attribute("Compounding")) {
-    // Before there were modes, compounding could only be switched: on averaged, off kept the newest pixel.
-    const std::string value = older.value();
-    set.compounding = value == "ON" ? "MEAN" : value == "OFF" ? "LATEST" : value;
+    set.compounding = older.value();  // a switch, before there were modes: On or Off
   }
   return {};
 }

@@ -1,6 +1,7 @@
 #include "ew/library/import.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -28,7 +29,9 @@ Result<void> checkImages(const Sequence& sequence) {
                    "The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.");
   if (sequence.imageType.starts_with("RF"))
     return failure(ErrorCode::unsupported,
-                   "The recording holds " + sequence.imageType + " data, no brightness; convert it to B-mode images first.",
+                   "The recording holds " + sequence.imageType +
+                       " data, no brightness. EchoWeave does not read radio frequency lines: record again with B-mode images, or have the "
+                       "program that recorded it make them (in PLUS the RfProcessing of the device set).",
                    {{"orientation", sequence.orientation}, {"imageType", sequence.imageType}});
   return {};
 }
@@ -135,8 +138,12 @@ Result<void> takeInterpolation(const DeviceSet& device, ReconstructOptions& opti
   return {};
 }
 
-Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& options) {
-  const std::string compounding = device.compounding.value_or("");
+Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& options, std::vector<std::string>& notes) {
+  const std::string written = device.compounding.value_or("");
+  std::string compounding = written;
+  std::transform(compounding.begin(), compounding.end(), compounding.begin(), [](unsigned char c) { return std::toupper(c); });
+  // Before there were modes, compounding could only be switched: on averaged, off kept the newest pixel.
+  const bool isSwitch = compounding == "ON" || compounding == "OFF";
   if (compounding == "MEAN" || compounding == "ON") {
     options.compounding = Compounding::mean;
   } else if (compounding == "MAXIMUM") {
@@ -144,9 +151,14 @@ Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& option
   } else if (compounding == "LATEST" || compounding == "OFF") {
     options.compounding = Compounding::latest;
   } else if (!compounding.empty()) {
-    return failure(ErrorCode::badField, "The device set asks for the compounding " + compounding + "; expected MEAN, MAXIMUM or LATEST.",
-                   {{"field", "CompoundingMode"}, {"found", compounding}});
+    return failure(ErrorCode::badField,
+                   "The device set asks for the compounding " + written +
+                       "; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself (--compounding).",
+                   {{"field", "CompoundingMode"}, {"found", written}});
   }
+  if (isSwitch)
+    notes.push_back("The device set says Compounding \"" + written + "\", as old ones do; that was taken as the " +
+                    (compounding == "ON" ? "mean of all views." : "latest view."));
   return {};
 }
 
@@ -165,7 +177,7 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
     if (const auto taken = takeInterpolation(*device, effective); !taken) return passOn(taken.error());
   }
   if (options.compoundingFromCalibration) {
-    if (const auto taken = takeCompounding(*device, effective); !taken) return passOn(taken.error());
+    if (const auto taken = takeCompounding(*device, effective, notes); !taken) return passOn(taken.error());
   }
   return effective;
 }
