@@ -200,6 +200,43 @@ TEST_F(CasePipeline, MakesAgainOnlyWhatDependsOnAChangedSweep) {
   EXPECT_FALSE(caseNeedsPreparation(opened(folder / "case"))) << "words shape no voxel";
 }
 
+TEST_F(CasePipeline, RecordsASweepOnceForTwoCasesThatShareItAndArePreparedTogether) {
+  makeSmallCase(folder / "other");
+  json manifest = json::parse(textOf(folder / "other/case.json"));
+  manifest["volume"]["reconstruct"]["feather_mm"] = 3;
+  writeText(folder / "other/case.json", manifest.dump());
+  CancelAt first, second;
+  {
+    std::jthread beside([&] { EXPECT_TRUE(prepareCase(opened(folder / "other"), {}, second)); });
+    EXPECT_TRUE(prepareCase(opened(folder / "case"), {}, first));
+  }
+  for (const char* sweep : {"upper", "lower"}) {
+    const std::string recording = std::string("Recording the sweep '") + sweep + "'";
+    EXPECT_EQ(first.steps.count(recording) + second.steps.count(recording), 1u) << sweep;
+  }
+}
+
+TEST_F(CasePipeline, MakesAgainAVolumeWhoseHeaderWasChangedToAnotherPlace) {
+  const Case small = opened(folder / "case");
+  const auto whole = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(whole) << whole.error();
+  int changed = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "cache/recipes")) {
+    if (entry.path().extension() != ".mha") continue;
+    std::string text = textOf(entry.path());
+    const auto spacing = text.find("ElementSpacing = ");
+    ASSERT_NE(spacing, std::string::npos);
+    text[spacing + 17] = '7';
+    writeText(entry.path(), text);
+    ++changed;
+  }
+  EXPECT_GE(changed, 2);
+  const auto again = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(again->volume, whole->volume);
+  EXPECT_EQ(again->labels->grid, whole->labels->grid);
+}
+
 TEST_F(CasePipeline, MakesAgainWhatWasDamagedInTheCache) {
   const Case small = opened(folder / "case");
   const auto first = loadCaseVolume(small, noProgress());
@@ -348,6 +385,18 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
     ASSERT_EQ(truth->structures.size(), 1u);
     EXPECT_EQ(truth->structures[0].label, 1);
   }
+  // A copy in the cache that says something else, as long as before.
+  for (const auto& entry : fs::directory_iterator(folder / "cache/recipes")) {
+    if (!entry.path().string().ends_with(".truth.json")) continue;
+    std::string text = textOf(entry.path());
+    const auto value = text.find("\"value\": 2");
+    ASSERT_NE(value, std::string::npos) << text;
+    text[value + 9] = '7';
+    writeText(entry.path(), text);
+  }
+  const auto again = loadCaseTruth(small, noProgress());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_NEAR(again->measurements[0].value, 24.0, 0.1);
   manifest["measurements"][0]["name"] = "spleen";
   writeText(folder / "case/case.json", manifest.dump());
   const auto unknown = loadCaseTruth(opened(folder / "case"), noProgress());

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
 #include "ew/library/schema.h"
+#include "guarded_case.h"
 #include "manifest.h"
 
 namespace ew {
@@ -126,16 +128,44 @@ Result<fs::path> fileOfCase(const fs::path& folder, const std::string& relative,
   return file;
 }
 
+Result<fs::path> volumeOfCase(const fs::path& folder, const std::string& relative, const std::string& field) {
+  auto file = fileOfCase(folder, relative, field);
+  if (!file || folder.empty()) return file;
+  const auto header = readVolumeHeader(*file);
+  if (!header) return file;  // whoever opens it says what is wrong with it
+  std::error_code error;
+  const fs::path root = fs::canonical(folder, error);
+  for (const fs::path& part : header->files) {
+    const fs::path samples = fs::canonical(part, error);
+    if (error || inside(samples, root)) continue;
+    return failure(ErrorCode::badField,
+                   "'" + field + "' in " + kManifestName + " is \"" + relative + "\", which keeps its samples in '" + part.string() +
+                       "', outside of the case folder; copy both files into the case folder and correct the name in the header.",
+                   {{"field", field}, {"found", part.string()}, {"expected", "samples inside the case folder"}});
+  }
+  return file;
+}
+
 Result<Case> loadCase(const fs::path& folderOrManifest) {
-  auto manifest = readManifest(folderOrManifest);
-  if (!manifest) return passOn(manifest.error());
-  return caseFromManifest(*manifest, folderOf(folderOrManifest));
+  return guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<Case> {
+    auto manifest = readManifest(folderOrManifest);
+    if (!manifest) return passOn(manifest.error());
+    return caseFromManifest(*manifest, folderOf(folderOrManifest));
+  });
 }
 
 std::vector<Error> validateCase(const fs::path& folderOrManifest) {
-  auto manifest = readManifest(folderOrManifest);
-  if (!manifest) return {manifest.error()};
-  return checkManifest(*manifest, folderOf(folderOrManifest));
+  auto checked = guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<std::vector<Error>> {
+    auto manifest = readManifest(folderOrManifest);
+    if (!manifest) return passOn(manifest.error());
+    auto problems = checkManifest(*manifest, folderOf(folderOrManifest));
+    if (!problems.empty()) return problems;
+    const auto opened = caseFromManifest(*manifest, folderOf(folderOrManifest));
+    if (!opened) return passOn(opened.error());
+    return problemsInUse(*opened);
+  });
+  if (!checked) return {checked.error()};
+  return *std::move(checked);
 }
 
 Result<void> saveCase(const Case& edited, const fs::path& folder) {

@@ -1,12 +1,11 @@
 #include "case_pipeline.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "case_truth_file.h"
@@ -18,8 +17,11 @@
 #include "ew/phantom/label_grid.h"
 #include "ew/phantom/patient.h"
 #include "ew/stitching/stitch.h"
+#include "guarded_case.h"
 #include "machine_speed.h"
+#include "old_results.h"
 #include "preparation_clock.h"
+#include "private_folder.h"
 
 namespace ew {
 namespace {
@@ -82,6 +84,7 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
   planned.key = ContentHash().add(kPreparationFormat).add(patient).add(*text).add(*probeText).text();
   planned.recording = steps / (planned.key + ".igs.mha");
   planned.calibration = steps / (planned.key + ".xml");
+  planned.lock = steps / (planned.key + ".lock");
   ContentHash volume;
   volume.add(planned.key);
   addOptions(volume, opened.volume.reconstruct);
@@ -197,7 +200,7 @@ class Preparation {
   Result<PatientPtr> patientOf() {
     if (patient_) return patient_;
     begin(PreparationStep::patient, "Reading the patient");
-    auto read = readPatient(plan_.patientFile, plan_.mannequins);
+    auto read = readPatient(plan_.patientFile, plan_.mannequins, {}, clock_);
     if (!read) return passOn(read.error());
     patient_ = std::move(*read);
     keepMachineSpeed(cacheFolder(), PreparationStep::patient, 1.0, clock_.sinceBegin_s());
@@ -222,7 +225,7 @@ class Preparation {
 
   void keepTruth() {
     if (!patient_) return;
-    if (const auto truth = truthOfPatient(*patient_)) static_cast<void>(writeFileSafely(plan_.truth, *truth));
+    if (const auto truth = truthOfPatient(*patient_, silent_)) static_cast<void>(writeFileSafely(plan_.truth, *truth));
   }
 
   /// A recording on disk, as a laboratory has it: the tracked images and the device set with calibration and sector.
@@ -252,11 +255,13 @@ class Preparation {
     Recording made = kept;
     auto written = writeRecording(*swept, made, rest);
     if (!written && written.error().code != ErrorCode::cancelled) {
-      // The cache cannot be written; the road leads through a file all the same.
+      // The cache cannot be written; the road leads through a file all the same, in a folder that nobody else can write to.
       sayUnkept(written.error());
-      const fs::path aside = fs::temp_directory_path(ignored) / ("echoweave-" + std::to_string(::getpid()) + "-" + sweep.key);
-      made = {aside.string() + ".igs.mha", aside.string() + ".xml"};
-      written = writeRecording(*swept, made, rest);
+      if (!aside_) aside_ = PrivateFolder::make();
+      if (aside_) {
+        made = {aside_->path() / (sweep.key + ".igs.mha"), aside_->path() / (sweep.key + ".xml")};
+        written = writeRecording(*swept, made, rest);
+      }
     }
     if (!written) return passOn(written.error());
     keepMachineSpeed(cacheFolder(), PreparationStep::record, sweep.work, clock_.sinceBegin_s());
@@ -284,6 +289,10 @@ class Preparation {
   }
 
   Result<Prepared> sweptVolume(const PlannedSweep& sweep) {
+    // Cases may share a patient and a sweep: whoever comes second finds what the first one kept, and never a recording that goes while he
+    // reads it.
+    const auto lock = PreparationLock::take(sweep.lock, silent_);
+    if (!lock) return passOn(lock.error());
     if (sweep.store.isThere()) {
       auto kept = sweep.store.read(silent_);
       if (kept || kept.error().code == ErrorCode::cancelled) return kept;
@@ -350,7 +359,7 @@ class Preparation {
       if (kept.error().code == ErrorCode::cancelled) return passOn(kept.error());
     }
     if (!patient_) {
-      auto read = readPatient(plan_.patientFile, plan_.mannequins);
+      auto read = readPatient(plan_.patientFile, plan_.mannequins, {}, silent_);
       if (!read) return passOn(read.error());
       patient_ = std::move(*read);
     }
@@ -375,6 +384,7 @@ class Preparation {
   PreparationClock clock_;
   QuietProgress silent_;
   PatientPtr patient_;
+  std::optional<PrivateFolder> aside_;  ///< for recordings, when the cache cannot be written
   bool saidUnkept_ = false;
 };
 
@@ -390,9 +400,7 @@ Result<Prepared> readDone(const CasePlan& plan, Progress& progress) {
   return found;
 }
 
-}  // namespace
-
-Result<CasePlan> planOf(const Case& opened) {
+Result<CasePlan> unguardedPlanOf(const Case& opened) {
   const auto resources = resourceFolder();
   if (!resources) return passOn(resources.error());
   CasePlan plan;
@@ -429,6 +437,12 @@ Result<CasePlan> planOf(const Case& opened) {
   return plan;
 }
 
+}  // namespace
+
+Result<CasePlan> planOf(const Case& opened) {
+  return guardedCase("The case '" + opened.folder.string() + "'", [&] { return unguardedPlanOf(opened); });
+}
+
 PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
   if (plan.isDone()) return {0.0, true};
   PreparationEstimate estimate;
@@ -458,6 +472,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
     if (cached || cached.error().code == ErrorCode::cancelled) return cached;
   }
   if (progress.cancelRequested()) return stopped();
+  for (const char* each : {"recipes", "steps"}) removeOldResults(cacheFolder() / each);
   Preparation preparation(opened, plan, options, progress, notes);
   return plan.sweeps.empty() ? preparation.voxelised() : preparation.run();
 }

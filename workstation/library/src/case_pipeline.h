@@ -19,6 +19,7 @@ struct PlannedSweep {
   std::string key;                    ///< of the recording
   std::filesystem::path recording;    ///< while it is not reconstructed yet
   std::filesystem::path calibration;  ///< the device set beside it, written first
+  std::filesystem::path lock;         ///< of the recording, for as long as it is there
   PreparedStore store;                ///< the reconstructed volume
   double work = 0.0;                  ///< of recording: resolution cells, in millions
 };
@@ -35,7 +36,8 @@ struct CasePlan {
   [[nodiscard]] bool isDone() const { return volume.isThere() && (sweeps.empty() || labels.isThere()); }
 };
 
-/// @error as fileOfCase, fingerprintOfPatient, readSweepRecipe, readProbe
+/// Never throws: the window's own thread asks.
+/// @error as fileOfCase, fingerprintOfPatient, readSweepRecipe, readProbe; internal for what nobody foresaw
 [[nodiscard]] Result<CasePlan> planOf(const Case& opened);
 
 /// What is still to be done, by the kept speed of this machine.

@@ -7,6 +7,7 @@
 #include "ew/io/safe_file.h"
 #include "ew/library/schema.h"
 #include "ew/phantom/truth.h"
+#include "prepared_store.h"
 
 namespace ew {
 namespace {
@@ -32,20 +33,30 @@ Result<json> named(const json& list, const std::string& name, const std::string&
                  {{"field", field}, {"found", name}, {"expected", names}});
 }
 
+std::string hashOf(const json& truth) { return ContentHash().add(std::string_view(truth.dump())).text(); }
+
+/// Whether a truth from the cache is what was put there; takes its hash out.
+bool isAsWritten(json& truth) {
+  if (!truth.is_object() || !truth.contains("hash")) return false;
+  const json hash = truth["hash"];
+  truth.erase("hash");
+  return hash == hashOf(truth);
+}
+
 /// The patient's truth, from the cache or from the patient.
 Result<json> patientTruth(const Case& opened, Progress& progress) {
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
   if (const auto kept = readTextFile(plan->truth, kLargestTruthFile_bytes)) {
     auto truth = parseJson(*kept, "the patient's truth");
-    if (truth && truth->is_object() && truth->contains("measurements") && truth->contains("planes") && truth->contains("organs"))
-      return truth;
+    if (truth && isAsWritten(*truth)) return truth;
   }
   progress.report("Reading the patient", 0.1);
-  const auto patient = readPatient(plan->patientFile, plan->mannequins);
+  PartOfProgress reading(progress, 0.1, 0.8);
+  const auto patient = readPatient(plan->patientFile, plan->mannequins, {}, reading);
   if (!patient) return passOn(patient.error());
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Opening the case was stopped.");
-  const auto text = truthOfPatient(**patient);
+  const auto text = truthOfPatient(**patient, progress);
   if (!text) return passOn(text.error());
   static_cast<void>(writeFileSafely(plan->truth, *text));  // the next start works it out again otherwise
   return parseJson(*text, "the patient's truth");
@@ -106,8 +117,8 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
 
 }  // namespace
 
-Result<std::string> truthOfPatient(const Patient& patient) {
-  const auto measured = measurementsOf(patient);
+Result<std::string> truthOfPatient(const Patient& patient, Progress& progress) {
+  const auto measured = measurementsOf(patient, {}, progress);
   if (!measured) return passOn(measured.error());
   json truth = {{"measurements", json::array()}, {"planes", json::array()}, {"organs", json::array()}};
   for (const TrueMeasurement& each : *measured) {
@@ -127,6 +138,7 @@ Result<std::string> truthOfPatient(const Patient& patient) {
                                {"angle_tolerance_deg", each.angleTolerance_deg},
                                {"shows", each.shows}});
   for (const OrganName& each : organsOf(patient)) truth["organs"].push_back({{"name", each.name}, {"label", each.label}});
+  truth["hash"] = hashOf(truth);
   return truth.dump(1) + "\n";
 }
 

@@ -5,6 +5,8 @@
 #include "ew/library/case.h"
 #include "ew/library/preparation.h"
 #include "ew/phantom/patient.h"
+#include "guarded_case.h"
+#include "manifest.h"
 
 namespace ew {
 namespace {
@@ -40,14 +42,14 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
 Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {
   Result<CaseEcho> found = [&]() -> Result<CaseEcho> {
     if (!opened.volume.recipe.empty()) return fromRecipe(opened, options, progress);
-    auto file = fileOfCase(opened.folder, opened.volume.file, "volume.file");
+    auto file = volumeOfCase(opened.folder, opened.volume.file, "volume.file");
     if (!file) return passOn(file.error());
     PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
     auto loaded = readVolume(*file, first);
     if (!loaded) return passOn(loaded.error());
     CaseEcho read{std::move(loaded->volume), std::nullopt, {}, std::move(loaded->notes)};
     if (opened.volume.labels.empty()) return read;
-    auto labelFile = fileOfCase(opened.folder, opened.volume.labels, "volume.labels");
+    auto labelFile = volumeOfCase(opened.folder, opened.volume.labels, "volume.labels");
     if (!labelFile) return passOn(labelFile.error());
     PartOfProgress second(progress, 0.5, 1.0);
     auto labels = readLabelVolume(*labelFile, second);
@@ -83,7 +85,8 @@ Result<PreparationEstimate> estimatePreparation(const Case& opened) {
   if (opened.volume.recipe.empty()) return PreparationEstimate{0.0, true};
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
-  return estimateOf(opened, *plan);
+  return guardedCase("The case '" + opened.folder.string() + "'",
+                     [&]() -> Result<PreparationEstimate> { return estimateOf(opened, *plan); });
 }
 
 Result<std::vector<std::string>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress) {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "ew/library/case.h"
+#include "private_folder.h"
 
 namespace ew {
 namespace {
@@ -64,9 +65,7 @@ fs::path cacheFolder() {
   if (const std::string chosen = environment("ECHOWEAVE_CACHE"); !chosen.empty()) return chosen;
   if (const std::string chosen = environment("XDG_CACHE_HOME"); !chosen.empty()) return fs::path(chosen) / "echoweave";
   if (const std::string home = environment("HOME"); !home.empty()) return fs::path(home) / ".cache/echoweave";
-  std::error_code error;
-  const fs::path temporary = fs::temp_directory_path(error);
-  return (error ? fs::path("/tmp") : temporary) / "echoweave-cache";
+  return ownTemporaryFolder("echoweave-cache");
 }
 
 }  // namespace ew

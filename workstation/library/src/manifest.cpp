@@ -106,6 +106,12 @@ void checkFile(const std::filesystem::path& folder, const json& owner, const cha
   if (auto file = fileOfCase(folder, owner[key].get<std::string>(), field); !file) problems.push_back(file.error());
 }
 
+void checkVolumeFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
+                     std::vector<Error>& problems) {
+  if (!owner.contains(key)) return;
+  if (auto file = volumeOfCase(folder, owner[key].get<std::string>(), field); !file) problems.push_back(file.error());
+}
+
 /// The default mannequin and those of the program need no file in the case folder.
 void checkMannequin(const std::filesystem::path& folder, const json& manifest, std::vector<Error>& problems) {
   const std::string name = manifest.value("mannequin", std::string());
@@ -156,8 +162,8 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
       problems.push_back(std::move(problem));
     }
   }
-  checkFile(folder, volume, "file", "volume.file", problems);
-  checkFile(folder, volume, "labels", "volume.labels", problems);
+  checkVolumeFile(folder, volume, "file", "volume.file", problems);
+  checkVolumeFile(folder, volume, "labels", "volume.labels", problems);
   if (volume.contains("labels") && volume.contains("recipe"))
     problems.push_back({ErrorCode::badField,
                         "'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.",

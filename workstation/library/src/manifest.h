@@ -11,4 +11,12 @@ inline constexpr const char* kManifestName = "case.json";
 /// The manifest in the order people read it.
 nlohmann::ordered_json orderedManifestOf(const Case& edited);
 
+/// fileOfCase for a volume. A header may keep its samples in another file (.mhd, .nhdr): that one lies in the case folder, too.
+/// @error as fileOfCase
+[[nodiscard]] Result<std::filesystem::path> volumeOfCase(const std::filesystem::path& folder, const std::string& relative,
+                                                         const std::string& field);
+
+/// What is wrong with a case although it can be opened: probes that the program does not have, a start pose from which nothing is seen.
+[[nodiscard]] std::vector<Error> problemsInUse(const Case& opened);
+
 }  // namespace ew

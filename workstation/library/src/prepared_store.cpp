@@ -28,6 +28,16 @@ std::string hashOf(const std::vector<std::uint8_t>& values) {
   return text.data();
 }
 
+/// Of where a volume lies: its header can be damaged as well as its samples.
+std::string hashOf(const Grid& grid) {
+  ContentHash hash;
+  for (int axis = 0; axis < 3; ++axis) {
+    hash.add(static_cast<double>(grid.dims[axis])).add(grid.spacing_mm[axis]).add(grid.origin_mm[axis]);
+    for (int along = 0; along < 3; ++along) hash.add(grid.directions[axis][along]);
+  }
+  return hash.text();
+}
+
 bool hasVoxels(const Volume& volume) { return !volume.echo.empty(); }
 
 }  // namespace
@@ -64,6 +74,8 @@ Result<Prepared> PreparedStore::read(Progress& progress) const {
   const auto promised = [&](const char* field) {
     return ready->is_object() && ready->contains(field) && (*ready)[field].is_string() ? (*ready)[field].get<std::string>() : std::string();
   };
+  // Results of programs that did not keep it yet say nothing about their place.
+  const auto elsewhere = [&](const char* field, const Grid& grid) { return !promised(field).empty() && promised(field) != hashOf(grid); };
   const auto damaged = [&] {
     return failure(ErrorCode::badHeader, "A prepared volume in the cache was damaged; it is made again.",
                    {{"file", fileWithEnding(".json").string()}});
@@ -74,15 +86,19 @@ Result<Prepared> PreparedStore::read(Progress& progress) const {
     if (!loaded) return passOn(loaded.error());
     found.volume = std::move(loaded->volume);
     if (auto read = readCoverageInto(found.volume, fileWithEnding(".coverage.mha"), progress); !read) return passOn(read.error());
-    if (promised("echo") != hashOf(found.volume.echo) || promised("coverage") != hashOf(found.volume.coverage)) return damaged();
+    if (promised("echo") != hashOf(found.volume.echo) || promised("coverage") != hashOf(found.volume.coverage) ||
+        elsewhere("grid", found.volume.grid))
+      return damaged();
   }
   if (!promised("labels").empty()) {
     auto labels = readLabelVolume(fileWithEnding(".labels.mha"), progress);
     if (!labels) return passOn(labels.error());
     found.labels = std::move(labels->volume);
-    if (promised("labels") != hashOf(found.labels.echo)) return damaged();
+    if (promised("labels") != hashOf(found.labels.echo) || elsewhere("labels_grid", found.labels.grid)) return damaged();
   }
   if (!hasVoxels(found.volume) && !hasVoxels(found.labels)) return damaged();
+  std::error_code ignored;
+  fs::last_write_time(fileWithEnding(".json"), fs::file_time_type::clock::now(), ignored);  // used today: see removeOldResults
   return found;
 }
 
@@ -104,10 +120,12 @@ Result<void> PreparedStore::write(const Prepared& made, Progress& progress) cons
     if (auto written = writeCoverage(made.volume, fileWithEnding(".coverage.mha"), second, plain); !written) return written;
     ready["echo"] = hashOf(made.volume.echo);
     ready["coverage"] = hashOf(made.volume.coverage);
+    ready["grid"] = hashOf(made.volume.grid);
   }
   if (hasVoxels(made.labels)) {
     if (auto written = writeVolume(made.labels, fileWithEnding(".labels.mha"), third, plain); !written) return written;
     ready["labels"] = hashOf(made.labels.echo);
+    ready["labels_grid"] = hashOf(made.labels.grid);
   }
   return writeFileSafely(fileWithEnding(".json"), ready.dump(2) + "\n");
 }
