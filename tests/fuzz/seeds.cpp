@@ -214,6 +214,66 @@ void stitching(const fs::path& folder) {
       R"({"made_by": "EchoWeave 0, stitch", "key": "00", "files": [{"name": "volume.mha", "bytes": 1, "content": "00"}]})");
 }
 
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+const std::string kBall = R"({"format": 1, "name": "ball", "body": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [60, 60, 60]}}})";
+const std::string kPatient =
+    R"({"format": 1, "name": "base", "mannequin": "ball.json", "box": {"lowest_mm": [-20, -20, -20], "highest_mm": [20, 20, 20]},)"
+    R"("parameters": {"size_mm": {"default": 5, "lowest": 1, "highest": 9, "unit": "mm"},)"
+    R"("half_mm": {"default": "=size_mm / 2", "lowest": 0, "highest": 9, "unit": "mm"}},)"
+    R"("tissues": [{"name": "even", "echo_level": 100, "speckle": 1},)"
+    R"({"name": "dark", "echo_level": 0, "speckle": 0, "texture": {"level": 3, "scale_mm": [1, 2, 3]}}],)"
+    R"("background": "even", "frames": [{"name": "tilted", "origin_mm": [1, 2, 3], "turned_deg": [10, 20, 30]}],)"
+    R"("shapes": [{"name": "pipe", "tube": {"points": [[0, 0, -9, 2], [1, 1, 9, "=half_mm"]]}}, {"name": "round", "mirrored": true,)"
+    R"("capsule": {"from_mm": [3, 0, 0], "to_mm": [9, 0, 0], "from_radius_mm": 2, "to_radius_mm": 3}}, {"name": "all", "union":)"
+    R"([{"of": "pipe"}, {"of": "round", "blend_mm": 2}, {"shell": {"of": "round", "from_depth_mm": 0, "to_depth_mm": 1}}]}],)"
+    R"("organs": [{"name": "egg", "tissue": "dark", "border": {"echo_level": 200, "width_mm": 1, "shine": "front"}, "shape":)"
+    R"({"frame": "tilted", "ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": ["=size_mm", "=min(size_mm, 4) * 1", 5]}}},)"
+    R"({"name": "lump", "tissue": "dark", "shape": {"difference": [{"of": "all"},)"
+    R"({"half_space": {"point_mm": [0, 0, 0], "outward": [0, 0, 1]}}]}}],)"
+    R"("motion": {"breathing": {"displacement_mm": [0, 0, -3], "held_depth_mm": 5, "free_depth_mm": 30, "held_by": ["egg"]},)"
+    R"("pulse": {"vessels": [{"of": "pipe", "diameter_growth_mm": 0.3}]}},)"
+    R"("measurements": [{"name": "size", "kind": "extent", "of": "egg", "direction": [1, 0, 0]},)"
+    R"({"name": "wide", "kind": "diameter", "of": "pipe", "place": "largest"}],)"
+    R"("planes": [{"name": "across", "near_mm": [0, -60, 0], "towards_mm": [0, 0, 0], "shows": ["egg"]}]})";
+const std::string kChild =
+    R"({"format": 1, "name": "child", "extends": "base.json", "parameters": {"size_mm": 6}, "remove": {"organs": ["lump"]}, "organs":)"
+    R"([{"name": "egg", "border": null}, {"name": "new", "before": "egg", "tissue": "even", "shape": {"grown": {"of": "round", "by_mm": -1}}}]})";
+const std::string kSweep =
+    R"({"format": 1, "name": "s", "probe": "linear-7.5", "kind": "freehand", "frames": 10,)"
+    R"("machine": {"depth_mm": 45, "tgc": [{"depth_mm": 1, "gain_db": 2}]},)"
+    R"("stations": [{"near_mm": [0, -60, 1], "lateral": [-1, 0, 0], "towards_mm": [0, 0, 1]}],)"
+    R"("tracker": {"noise_mm": 0.1, "calibration_error": {"shift_mm": [1, 0, 0], "turn_deg": [0, 1, 0]}}, "pixel_mm": 0.5})";
+const std::string kCase = R"({"format": 1, "id": "x", "title": "X", "patient": {"age_years": 40}, "probes": ["convex-3.5"],)"
+                          R"("volume": {"recipe": "patient.json", "sweeps": ["sweep.json"], "reconstruct": {"spacing_mm": 1}},)"
+                          R"("start_pose": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],)"
+                          R"("targets": [{"kind": "structure", "name": "e", "organ": "egg"}], "scene": {}})";
+const std::string kNext = "\n%%\n";  // see folder.h
+
+/// Small recipes, cases and manifests that use every kind of field, and those that are shipped.
+void texts(const fs::path& folder) {
+  put(folder / "recipe", "whole", kPatient);
+  put(folder / "recipe", "child", kChild + kNext + kPatient + kNext + kBall);
+  put(folder / "sweep_recipe", "small", kSweep);
+  put(folder / "case_manifest", "recipe", kCase + kNext + kPatient + kNext + kSweep);
+  put(folder / "case_manifest", "file", R"({"format": 1, "id": "x", "title": "X", "volume": {"file": "v.mha", "labels": "v.mha"}})");
+  put(folder / "plugin_manifest", "small",
+      R"({"format": 1, "name": "one", "title": "One", "version": "0.1.0", "abi": 1, "capabilities": ["panel"], "library": "libone.so"})");
+  put(folder / "settings", "empty", "{}");
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(fs::path(EW_SOURCE_DIR) / "cases", error)) {
+    const std::string id = entry.path().filename().string(), text = textOf(entry.path() / "case.json");
+    put(folder / "case_manifest", id, text + kNext + textOf(entry.path() / "patient.json"));
+    const auto scene = text.find("\"scene\""), open = text.find('{', scene), close = text.find("\n  }", scene);
+    if (scene != std::string::npos && open < close) put(folder / "settings", id, text.substr(open, close - open) + "}");
+    for (const auto& sweep : fs::directory_iterator(entry.path() / "sweeps", error))
+      put(folder / "sweep_recipe", id + "-" + sweep.path().stem().string(), textOf(sweep.path()));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -228,5 +288,6 @@ int main(int argc, char** argv) {
   sequences(folder);
   others(folder);
   stitching(folder);
+  texts(folder);
   return 0;
 }
