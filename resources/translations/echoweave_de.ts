@@ -1993,6 +1993,10 @@
             <numerusform>Danach werden noch %n angeboten.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching::StitchSession</name>

@@ -149,7 +149,9 @@ bool StitchSession::mayReplace(const fs::path& folder, const QStringList& names)
                        .arg(names.join(QStringLiteral(", ")), words(folder.string())));
   auto* replace = question.addButton(tr("Replace"), QMessageBox::DestructiveRole);
   replace->setObjectName(QStringLiteral("replaceFiles"));
-  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  auto* cancel = question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(cancel);
+  question.setEscapeButton(cancel);
   question.exec();
   return question.clickedButton() == replace;
 }
@@ -165,7 +167,9 @@ bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
                tr("%n measurements", nullptr, static_cast<int>(next.measurements))));
   auto* replace = question.addButton(tr("Replace the volume"), QMessageBox::AcceptRole);
   replace->setObjectName(QStringLiteral("dropTargets"));
-  question.setDefaultButton(question.addButton(QMessageBox::Cancel));
+  auto* cancel = question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(cancel);
+  question.setEscapeButton(cancel);
   question.exec();
   return question.clickedButton() == replace;
 }

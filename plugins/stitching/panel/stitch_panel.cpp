@@ -201,7 +201,7 @@ QWidget* StitchPanel::makeLegend() {
   int n = 0;
   using Mark = StitchSession::Mark;
   for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
-    auto* word = sdk::quietLabel(wordsOfMark(mark));
+    auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("by hand") : wordsOfMark(mark));  // that it was not checked is said at the pair
     word->setProperty("small", true);
     word->setWordWrap(false);
     grid->addWidget(new LegendMark(mark), n / 2, 2 * (n % 2));
