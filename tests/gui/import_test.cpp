@@ -13,6 +13,7 @@
 #include "file_import_dialog.h"
 #include "jobs.h"
 #include "message_bar.h"
+#include "time_limit.h"
 
 namespace ew::ui {
 namespace {
@@ -46,12 +47,12 @@ class ImportTest : public QObject {
     auto* import = dialog->findChild<QPushButton*>(QStringLiteral("importFile"));
     auto* question = dialog->findChild<QLabel*>(QStringLiteral("importQuestion"));
     import->click();
-    QTRY_VERIFY_WITH_TIMEOUT(question->text().contains(QStringLiteral("spacing")), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(question->text().contains(QStringLiteral("spacing")), static_cast<int>(ew::test::kPatience_ms));
     QVERIFY(!made);
     for (const char axis : {'X', 'Y', 'Z'})
       dialog->findChild<QDoubleSpinBox*>(QStringLiteral("spacing") + QLatin1Char(axis))->setValue(0.5);
     import->click();
-    QTRY_VERIFY_WITH_TIMEOUT(made != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(made != nullptr, static_cast<int>(ew::test::kPatience_ms));
     QCOMPARE(made->grid.dims.x, 64);
     QCOMPARE(made->grid.spacing_mm.z, 0.5);
     QCOMPARE(static_cast<int>(made->echo[5]), 15);

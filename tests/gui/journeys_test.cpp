@@ -74,7 +74,7 @@ class JourneysTest : public WindowFixture {
     QTest::keyClick(&window_->scanView(), Qt::Key_F1);
     QVERIFY(!window_->scanView().hasFocus());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
-    QVERIFY(waitUntil([this] { return window_->scanView().hasFocus(); }, 2000));
+    QVERIFY(waitUntil([this] { return window_->scanView().hasFocus(); }));
     for (const char* button : {"workspaceExplore", "freeze", "freeze", "qualityWeave", "dgcReset"}) {
       QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton);
       QVERIFY2(window_->scanView().hasFocus(), button);
@@ -123,26 +123,35 @@ class JourneysTest : public WindowFixture {
   void aSlowBodyDoesNotHoldUpTheScan() {
     auto* canvas = qobject_cast<QVTKOpenGLNativeWidget*>(window_->view3d().canvas());
     QTest::qWait(400);
-    int bodies = 0;
+    PaintCount scans(window_->scanView());
+    /// How many scans were drawn before each drawing of the body.
+    struct Drawings {
+      const PaintCount& scans;
+      std::vector<int> scansBefore;
+    } drawings{scans, {}};
     vtkNew<vtkCallbackCommand> slow;
-    slow->SetClientData(&bodies);
+    slow->SetClientData(&drawings);
     slow->SetCallback([](vtkObject*, unsigned long, void* drawn, void*) {
-      ++*static_cast<int*>(drawn);
+      auto& all = *static_cast<Drawings*>(drawn);
+      all.scansBefore.push_back(all.scans.count);
       std::this_thread::sleep_for(std::chrono::milliseconds(80));
     });
     const unsigned long tag = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, slow);
-    PaintCount scans(window_->scanView());
-    QElapsedTimer clock;
-    clock.start();
-    // A hand that moves the mouse 60 times a second for a second and a half.
-    for (int moves = 0; clock.elapsed() < 1500; ++moves) {
-      session().setHold(turned(session().hold(), moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
-      QTest::qWait(16);
-    }
+    // A hand that moves the mouse 60 times a second. A body drawn with every scan would never leave room for two of them; on a busy machine
+    // some of its rests are over before a second scan is made, but not all.
+    const auto roomy = [&] {
+      int gaps = 0;
+      for (std::size_t n = 1; n < drawings.scansBefore.size(); ++n)
+        gaps += drawings.scansBefore[n] - drawings.scansBefore[n - 1] >= 2 ? 1 : 0;
+      return gaps;
+    };
+    int moves = 0;
+    const bool hasRoom = waitUntil([&] {
+      session().setHold(turned(session().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
+      return roomy() >= 3;
+    });
     canvas->renderWindow()->RemoveObserver(tag);
-    qInfo("%d scans, %d bodies in 1.5 s", scans.count, bodies);
-    QVERIFY2(bodies >= 3, qPrintable(QString::number(bodies)));
-    QVERIFY2(scans.count >= 2 * bodies, qPrintable(QStringLiteral("%1 scans, %2 bodies").arg(scans.count).arg(bodies)));
+    QVERIFY2(hasRoom, qPrintable(QStringLiteral("%1 scans, %2 bodies").arg(scans.count).arg(drawings.scansBefore.size())));
   }
 };
 

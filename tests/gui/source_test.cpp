@@ -154,7 +154,7 @@ class SourceTest : public WindowFixture {
     for (const QPushButton* button : dialog()->findChildren<QPushButton*>()) QVERIFY(!button->accessibleName().isEmpty());
     QVERIFY(picker().mark().has_value());
     QTest::keyClick(dialog(), Qt::Key_Escape);
-    QVERIFY(waitUntil([this] { return dialog() == nullptr; }, 3000));
+    QVERIFY(waitUntil([this] { return dialog() == nullptr; }));
     QVERIFY(!picker().mark().has_value());
   }
 
@@ -162,9 +162,9 @@ class SourceTest : public WindowFixture {
     QVERIFY(importSweep(files_.writeSweep(QStringLiteral("keys.igs.mha")), true));
     const Hold before = session().hold();
     QTest::keyClick(&window_->scanView(), Qt::Key_I);
-    QVERIFY(waitUntil([this] { return picker().isAsking(); }, 3000));
+    QVERIFY(waitUntil([this] { return picker().isAsking(); }));
     QTest::mouseClick(&picker(), Qt::LeftButton, Qt::NoModifier, picker().rect().center());
-    QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }, 3000));
+    QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }));
     const QPoint first = *picker().mark();
     QTest::keyClick(&picker(), Qt::Key_Right);
     QTest::keyClick(&picker(), Qt::Key_Down);
@@ -182,7 +182,7 @@ class SourceTest : public WindowFixture {
 
   void whatIsNotKnownIsSaidInASentence() {
     altClick({session().geometry().width / 2, session().geometry().height / 2});
-    QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }, 3000));
+    QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }));
     QVERIFY(!dialog()->shownFrame().has_value());
     QVERIFY(textOf("sourceSentence").contains(QLatin1String("Ctrl+O")));
     QTest::keyClick(dialog(), Qt::Key_Right);

@@ -159,13 +159,13 @@ class StitchingFixture : public WindowFixture {
   [[nodiscard]] int strokes() const {
     return static_cast<int>(ask<QString>(stitching(), "projectAsText").count(QStringLiteral("radius_mm")));
   }
-  [[nodiscard]] bool jobsEnd(int patience_ms = 240000) const {
+  [[nodiscard]] bool jobsEnd() const {
     return waitUntil(
         [this] {
           QApplication::processEvents();
           return !window_->jobs().isRunning();
         },
-        patience_ms);
+        4.0 * test::kPatience_ms);
   }
   void click(const char* button) const { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
   /// Shows what a click needs to reach: the inspector scrolls.

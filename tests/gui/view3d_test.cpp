@@ -102,7 +102,7 @@ class View3DTest : public QObject {
     hand_->setHold(hold);
     view_->setPose(poseOf(hold));
     view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get(), 240000));
     settle();
   }
   void cleanup() {

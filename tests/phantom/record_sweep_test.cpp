@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <map>
 #include <numbers>
 #include <thread>
 
+#include "counted_stop.h"
 #include "ew/acquisition/reconstruct.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
@@ -312,23 +312,17 @@ TEST(RecordSweep, SurvivesItsFile) {
   EXPECT_EQ(set->clipSize_px, sweep.deviceSet.clipSize_px);
 }
 
-TEST(RecordSweep, StopsWithinHalfASecond) {
-  class Impatient final : public Progress {
-   public:
-    void report(std::string_view, double) override {}
-    [[nodiscard]] bool cancelRequested() const override {
-      return std::chrono::steady_clock::now() - begun_ > std::chrono::milliseconds(100);
-    }
-    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  };
+TEST(RecordSweep, StopsAtItsNextQuestion) {
   auto recipe = sweepOf(SweepKind::freehand);
   recipe.frames = 2000;
-  Impatient progress;
-  const auto begun = std::chrono::steady_clock::now();
-  const auto sweep = record(coarse("convex-3.5", 32), recipe, 2, progress);
-  ASSERT_FALSE(sweep);
-  EXPECT_EQ(sweep.error().code, ErrorCode::cancelled);
-  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(100 + 500));
+  for (const int question : {1, 5, 40, 200}) {
+    auto progress = test::CountedStop::atQuestion(question);
+    const auto sweep = record(coarse("convex-3.5", 32), recipe, 2, progress);
+    ASSERT_FALSE(sweep) << question;
+    EXPECT_EQ(sweep.error().code, ErrorCode::cancelled);
+    EXPECT_LE(progress.questionsAfter(), test::kMostQuestionsAfter) << question;
+    EXPECT_LE(progress.reportsAfter(), test::kMostReportsAfter) << question;
+  }
 }
 
 TEST(RecordSweep, RefusesWhatDoesNotFitBeforeItBegins) {

@@ -1,12 +1,9 @@
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <ctime>
-#include <thread>
 
+#include "counted_stop.h"
 #include "ew/phantom/speckle.h"
 #include "recipes.h"
-#include "time_limit.h"
 
 namespace ew {
 namespace {
@@ -193,26 +190,20 @@ TEST(Voxelise, RefusesASpacingThatNeedsMoreMemoryThanAllowedAndSaysHowMuch) {
   EXPECT_GT(voxeliseForecast_bytes(shipped(), 0.02), 1e12);
 }
 
-TEST(Voxelise, StopsWithinATenthOfASecondOfBeingAskedTo) {
-  class Watch final : public Progress {
-   public:
-    void report(std::string_view, double) override {}
-    bool cancelRequested() const override { return cancelled; }
-    std::atomic<bool> cancelled{false};
-  } watch;
-  // Time of this process on one thread, so that a busy machine does not fail the test.
-  std::atomic<std::clock_t> asked{0};
-  std::jthread user([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    asked = std::clock();
-    watch.cancelled = true;
-  });
-  const auto made = voxelise(shipped(), {.spacing_mm = 0.4, .threads = 1}, watch);
-  const std::clock_t stopped = std::clock();
-  user.join();
-  ASSERT_FALSE(made) << "the work ended before it could be stopped";
-  EXPECT_EQ(made.error().code, ErrorCode::cancelled);
-  EXPECT_LT(static_cast<double>(stopped - asked) / CLOCKS_PER_SEC, 0.1 * test::kSlowdown);
+TEST(Voxelise, AsksAtLeastOncePerHundredThousandVoxelsAndStopsAtItsNextQuestion) {
+  const VoxeliseOptions options{.spacing_mm = 2.5, .threads = 1};
+  auto whole = test::CountedStop::never();
+  const auto made = voxelise(shipped(), options, whole);
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_GT(whole.questions(), static_cast<long>(made->volume.grid.voxelCount() / 100000));
+  for (const double part : {0.0, 0.1, 0.35, 0.6, 0.95}) {
+    auto stop = test::CountedStop::atQuestion(1 + static_cast<long>(part * static_cast<double>(whole.questions() - 1)));
+    const auto stopped = voxelise(shipped(), options, stop);
+    ASSERT_FALSE(stopped) << part;
+    EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+    EXPECT_LE(stop.questionsAfter(), test::kMostQuestionsAfter) << part;
+    EXPECT_LE(stop.reportsAfter(), test::kMostReportsAfter) << part;
+  }
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 
 #include <Eigen/Dense>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <new>
 #include <thread>
 
 #include "comparable.h"
+#include "counted_stop.h"
 #include "registration/ellipsoids.h"
 #include "registration/shadows.h"
 #include "rigid/normal_equations.h"
@@ -18,7 +18,6 @@
 #include "rigid/refine.h"
 #include "rigid/translations.h"
 #include "streaks.h"
-#include "time_limit.h"
 
 namespace {
 
@@ -508,31 +507,18 @@ TEST(MatchPartial, AndRefinementAreBitEqualForOneTwoAndEightThreads) {
   }
 }
 
-class Cancelling final : public Progress {
- public:
-  explicit Cancelling(double after) : after_(after) {}
-  void report(std::string_view, double fraction) override {
-    if (fraction >= after_ && !asked_.exchange(true)) since_ = std::chrono::steady_clock::now();
-  }
-  [[nodiscard]] bool cancelRequested() const override { return asked_; }
-  [[nodiscard]] double waited_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - since_).count(); }
-
- private:
-  double after_;
-  std::atomic<bool> asked_{false};
-  std::chrono::steady_clock::time_point since_;
-};
-
-TEST(MatchPartial, StopsWithinHalfASecondWhereverItIs) {
+TEST(MatchPartial, StopsAtItsNextQuestionWhereverItIs) {
   const Pair pair = pairOf(pose({10.0, -8.0, 4.0}, {6.0, -8.0, 5.0}), 5, 64);
   PartialOptions options;
   options.maxTurn_deg = 10.0;
   for (const double after : {0.01, 0.1, 0.3, 0.6, 0.72, 0.9}) {
-    Cancelling progress(after);
+    auto progress = ew::test::CountedStop::atFraction(after);
     const auto found = matchPartial({&pair.fixed}, {&pair.moving}, options, progress);
     ASSERT_FALSE(found) << after;
     EXPECT_EQ(found.error().code, ErrorCode::cancelled);
-    EXPECT_LT(progress.waited_s(), 0.5 * ew::test::kSlowdown) << after;
+    EXPECT_LE(progress.questionsAfter(), ew::test::kMostQuestionsAfter) << after;
+    EXPECT_LE(progress.reportsAfter(), ew::test::kMostReportsAfter) << after;
+    RecordProperty("questions", static_cast<int>(progress.questions()));
   }
 }
 

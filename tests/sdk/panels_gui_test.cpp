@@ -28,7 +28,7 @@ class PanelsTest final : public QObject {
     std::unique_ptr<QWidget> panel(host.made.at(id)(nullptr));
     panel->resize(400, 760);
     panel->show();
-    [[maybe_unused]] const bool exposed = QTest::qWaitForWindowExposed(panel.get());
+    [[maybe_unused]] const bool exposed = QTest::qWaitForWindowExposed(panel.get(), 240000);
     return panel;
   }
   template <class Widget>
@@ -177,7 +177,7 @@ class PanelsTest final : public QObject {
     auto* list = child<QListWidget>(panel, "volumes");
     list->item(1)->setText(QStringLiteral("right lobe"));
     QVERIFY(child<QLabel>(panel, "problem")->isVisible());
-    QTRY_COMPARE(list->item(1)->text(), QStringLiteral("left lobe"));
+    QTRY_COMPARE_WITH_TIMEOUT(list->item(1)->text(), QStringLiteral("left lobe"), 240000);
     list->setCurrentRow(1);
     QTest::keyClick(list, Qt::Key_Delete);
     QTest::keyClick(list, Qt::Key_Delete);

@@ -7,14 +7,15 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <numbers>
 #include <thread>
 
+#include "counted_stop.h"
 #include "logic/pair_match.h"
 #include "logic/step_store.h"
 #include "stitching/chain_world.h"
 #include "stitching/memory_watch.h"
-#include "time_limit.h"
 
 namespace ew::stitching {
 namespace {
@@ -22,24 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::ChainWorld;
 using test::textOf;
-
-/// Asks to stop a while after work in a certain part of the whole began, and knows when.
-class StopAt final : public Progress {
- public:
-  explicit StopAt(int reports) : left_(reports) {}
-  void report(std::string_view, double) override {
-    if (--left_ == 0) asked_ = std::chrono::steady_clock::now();
-  }
-  [[nodiscard]] bool cancelRequested() const override { return left_ <= 0; }
-  [[nodiscard]] bool asked() const { return left_ <= 0; }
-  [[nodiscard]] double sinceAsked_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - asked_.load()).count();
-  }
-
- private:
-  std::atomic<int> left_;
-  std::atomic<std::chrono::steady_clock::time_point> asked_{};
-};
 
 std::vector<std::string> redone(const ChainState& state) {
   std::vector<std::string> names;
@@ -211,11 +194,18 @@ TEST(Chain, CountsTheSearchThatMayFollowARefinement) {
 TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
   ChainWorld world;
   world.project.settings.trackerError_mm = 8.5;  // so that pairs are matched as well
-  /// Takes the processor away from whoever works, as a busy machine does.
+  /// Takes the processor away from whoever works, as a busy machine does: for as long as it was worked since the last report.
   class Busy final : public Progress {
    public:
-    void report(std::string_view, double) override { std::this_thread::sleep_for(std::chrono::microseconds(200)); }
+    void report(std::string_view, double) override {
+      const std::clock_t now = std::clock();  // one thread works
+      std::this_thread::sleep_for(std::chrono::duration<double>(static_cast<double>(now - worked_) / CLOCKS_PER_SEC));
+      worked_ = std::clock();
+    }
     [[nodiscard]] bool cancelRequested() const override { return false; }
+
+   private:
+    std::clock_t worked_ = std::clock();
   } busy;
   ChainOptions until;
   until.until = Step::elastic;
@@ -313,11 +303,12 @@ TEST(Chain, GivesTheSameBytesWhateverTheThreadsAndHoweverOftenItIsStopped) {
     const fs::path into = world.folder / ("threads-" + std::to_string(threads));
     int stops = 0;
     for (int reports = 1;; reports += 7) {
-      StopAt progress(reports);
+      auto progress = ew::test::CountedStop::atReport(reports);
       const auto state = world.run(into, progress, options);
       if (state) break;
       ASSERT_EQ(state.error().code, ErrorCode::cancelled) << state.error();
-      EXPECT_LT(progress.sinceAsked_s(), 0.5 * test::kSlowdown) << "after " << reports << " reports";
+      EXPECT_LE(progress.questionsAfter(), ew::test::kMostQuestionsAfter) << "after " << reports << " reports";
+      EXPECT_LE(progress.reportsAfter(), ew::test::kMostReportsAfter) << "after " << reports << " reports";
       EXPECT_FALSE(fs::exists(into / "provenance.json"));
       ++stops;
     }

@@ -3,8 +3,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -13,46 +17,80 @@
 namespace ew::stitching {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using test::ChainWorld;
 
-/// Runs the chain in a process of its own. @return whether it came to its end before it was killed
-bool runAndKillAfter(ChainWorld& world, const std::filesystem::path& into, std::optional<std::chrono::microseconds> life) {
+/// Counts what work says and asks, and writes a byte into a pipe when it has done so for the n-th time: the moment to kill it, by how far
+/// it has come and not by a clock.
+class Beats final : public Progress {
+ public:
+  Beats(int pipe, long at) : pipe_(pipe), at_(at) {}
+  void report(std::string_view, double) override { beat(); }
+  [[nodiscard]] bool cancelRequested() const override {
+    beat();
+    return false;
+  }
+  [[nodiscard]] long count() const { return count_; }
+
+ private:
+  void beat() const {
+    if (++count_ != at_) return;
+    [[maybe_unused]] const auto told = ::write(pipe_, "!", 1);
+  }
+  int pipe_;
+  long at_;
+  mutable std::atomic<long> count_{0};
+};
+
+struct Outcome {
+  bool ended = false;  ///< it came to its end before it was killed
+  long beats = 0;      ///< of a run that was left alone
+};
+
+/// Runs the chain in a process of its own. @param beat at which it is killed, and so much later; empty: it is left alone
+Outcome runAndKillAt(ChainWorld& world, const std::filesystem::path& into, std::optional<long> beat, std::chrono::microseconds later = {}) {
+  int ends[2];
+  EXPECT_EQ(::pipe(ends), 0);
   const pid_t child = ::fork();
   if (child == 0) {
+    ::close(ends[0]);
     ChainOptions options;
     options.threads = 2;
     options.keepVolumes = false;
     options.keepBytes = 0;  // everything there is this project's, and none of it may go
-    ::_exit(world.run(into, noProgress(), options) ? 0 : 1);
+    Beats beats(ends[1], beat.value_or(-1));
+    if (!world.run(into, beats, options)) ::_exit(1);
+    const std::string count = std::to_string(beats.count());
+    ::_exit(beat || ::write(ends[1], count.data(), count.size()) > 0 ? 0 : 1);
   }
   EXPECT_GT(child, 0);
-  const auto end = life ? Clock::now() + *life : Clock::time_point::max();
-  for (;;) {
-    int status = 0;
-    if (::waitpid(child, &status, WNOHANG) == child) {
-      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "status " << status;
-      return true;
-    }
-    if (Clock::now() >= end) {
-      ::kill(child, SIGKILL);
-      ::waitpid(child, &status, 0);
-      return WIFEXITED(status);
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  ::close(ends[1]);
+  std::array<char, 32> told{};
+  const auto length = ::read(ends[0], told.data(), told.size() - 1);  // waits for the beat or the end
+  if (beat && length > 0) {
+    std::this_thread::sleep_for(later);
+    ::kill(child, SIGKILL);
   }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(ends[0]);
+  const bool ended = WIFEXITED(status);
+  if (ended) {
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
+  return {ended, beat ? 0 : std::atol(told.data())};
 }
 
 TEST(KilledChain, GoesOnWithoutRedoingWhatWasFinishedAndEndsWithTheSameBytes) {
   ChainWorld world;
-  const auto started = Clock::now();
-  ASSERT_TRUE(runAndKillAfter(world, world.folder / "whole", std::nullopt));
-  const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started);
+  const Outcome whole = runAndKillAt(world, world.folder / "whole", std::nullopt);
+  ASSERT_TRUE(whole.ended);
+  ASSERT_GT(whole.beats, 100);
   const auto expected = ChainWorld::resultIn(world.folder / "whole");
   ASSERT_FALSE(expected.at("volume.mha").empty());
 
   std::mt19937 random(19);
-  std::uniform_int_distribution<long> moment(0, static_cast<long>(whole.count()));
+  std::uniform_int_distribution<long> moment(1, whole.beats);
+  std::uniform_int_distribution<int> later_us(0, 3000);  // so that it also dies where it neither says nor asks anything
   int kills = 0, resumed = 0, ends = 0, folders = 0;
   while (kills < 50) {
     const auto into = world.folder / ("killed-" + std::to_string(folders++));
@@ -60,7 +98,8 @@ TEST(KilledChain, GoesOnWithoutRedoingWhatWasFinishedAndEndsWithTheSameBytes) {
       const auto before = ChainWorld::entriesIn(into);
       // The last kill of all is followed by a run that is left alone.
       const bool alone = kills >= 50;
-      ended = runAndKillAfter(world, into, alone ? std::nullopt : std::optional(std::chrono::microseconds(moment(random))));
+      ended = runAndKillAt(world, into, alone ? std::nullopt : std::optional(moment(random)), std::chrono::microseconds(later_us(random)))
+                  .ended;
       kills += ended ? 0 : 1;
       const auto after = ChainWorld::entriesIn(into);
       for (const auto& [name, time] : before) {

@@ -334,8 +334,6 @@ void runAndJudge(const Asked& asked) {
   processor_s -= begun_s;
   std::cout << "whole: " << wall_s << " s, processor " << processor_s << " s, forecast " << forecast_mib << " MiB, peak " << peak_mib
             << " MiB" << std::endl;
-  // Three minutes on two cores. Where others have the cores too, the processor time tells, with a quarter for what runs on one thread.
-  EXPECT_LT(std::min(wall_s, 1.25 * processor_s / 2.0), 180.0);
   if (memory.isKnown() && !anyReused) {
     EXPECT_LE(forecast_mib, 1.5 * peak_mib);
   }

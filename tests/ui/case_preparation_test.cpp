@@ -37,7 +37,7 @@ class PreparationInTheBackground : public testing::Test {
     QElapsedTimer clock;
     clock.start();
     while (!condition()) {
-      if (static_cast<double>(clock.elapsed()) > 60000.0 * test::kSlowdown) return false;
+      if (static_cast<double>(clock.elapsed()) > test::kPatience_ms) return false;
       QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
