@@ -392,6 +392,19 @@ TEST(SaveCase, CopiesTheWholeCaseWhenItIsSavedElsewhere) {
   EXPECT_EQ(entries, 2u);
 }
 
+TEST(SaveCase, CopiesACaseThatWasOpenedThroughALinkedFolder) {
+  const TemporaryFolder folder;
+  makeCase(folder / "old", smallest());
+  writeText(folder / "old/media/picture.txt", "a picture");
+  std::filesystem::create_directory_symlink("old", folder / "link");
+  const auto opened = loadCase(folder / "link");
+  ASSERT_TRUE(opened);
+  const auto saved = saveCase(*opened, folder / "new");
+  ASSERT_TRUE(saved) << saved.error();
+  EXPECT_EQ(loadCase(folder / "new")->title, "One");
+  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "a picture");
+}
+
 TEST(ListCases, SortsByTitleAndReportsTheOnesItCannotRead) {
   const TemporaryFolder folder;
   for (const auto& [name, title] : {std::pair{"x", "Beta"}, std::pair{"y", "Alpha"}}) {

@@ -1,9 +1,8 @@
 #include "ew/library/case.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 
+#include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/schema.h"
@@ -81,26 +80,31 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   if (inside(fs::weakly_canonical(target, error), fs::weakly_canonical(edited.folder, error)))
     return failure(ErrorCode::notWritable, "A case cannot be saved inside its own folder; choose a folder beside it.",
                    {{"file", folder.string()}});
-  const fs::path aside = target.parent_path() / ("." + target.filename().string() + ".new-" + std::to_string(::getpid()));
   const auto giveUp = [&](const std::string& reason) {
-    std::error_code ignored;
-    fs::remove_all(aside, ignored);
     return failure(
         ErrorCode::notWritable,
         "The case cannot be saved to '" + folder.string() + "' (" + reason + "); choose a folder you may write to, with enough space.",
         {{"file", folder.string()}});
   };
-  fs::remove_all(aside, error);
-  fs::create_directories(target.parent_path(), error);
+  const auto reasonOf = [](const Error& refused) {
+    for (const auto& [name, value] : refused.context)
+      if (name == "reason") return value;
+    return refused.sentence;
+  };
+  const fs::path source = fs::canonical(edited.folder, error);  // copying a link would copy nothing and say that all is well
   if (error) return giveUp(error.message());
-  fs::copy(edited.folder, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
+  OutputSet outputs;
+  if (auto made = outputs.announceFolder(target.parent_path()); !made) return giveUp(reasonOf(made.error()));
+  if (auto announced = outputs.announceNewFolder(target); !announced) return giveUp(reasonOf(announced.error()));
+  const fs::path aside = outputs.staged(target);
+  fs::copy(source, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
   if (error) return giveUp(error.message());
   if (auto written = writeManifest(edited, aside); !written) {
-    fs::remove_all(aside, error);
-    return written;
+    Error problem = written.error();
+    problem.sentence = outputs.inGivenNames(std::move(problem.sentence));
+    return passOn(std::move(problem));
   }
-  fs::rename(aside, target, error);  // replaces an empty folder, fails on anything else
-  if (error) return giveUp(error.message());
+  if (auto committed = outputs.commit(); !committed) return giveUp(reasonOf(committed.error()));
   return {};
 }
 
