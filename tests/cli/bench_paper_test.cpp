@@ -13,9 +13,11 @@ namespace fs = std::filesystem;
 TEST(BenchPaper, ShowsThatOneResolutionFailsWhereThePyramidSucceeds) {
   const fs::path folder = fs::temp_directory_path() / "ew-bench-paper-test";
   fs::remove_all(folder);
+  fs::create_directories(folder);
   PaperBenchOptions options;
   options.sweep_mm = 10.0;
-  const auto report = benchPaper(options, folder, noProgress());
+  const auto report = benchPaper(
+      options, [&](const std::string& name) { return Result<std::filesystem::path>(folder / name); }, noProgress());
   ASSERT_TRUE(report) << report.error().sentence;
   const auto& rows = (*report)["figure8"]["rows"];
   ASSERT_EQ(rows.size(), 6U);

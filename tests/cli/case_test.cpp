@@ -64,6 +64,22 @@ TEST(CaseCommand, ShowsEveryFieldAndItsManifestAsJson) {
   EXPECT_EQ(manifest["id"], "a");
 }
 
+TEST(CaseCommand, ShowsWhatIsExpectedAndEveryEffectThatIsOn) {
+  const TemporaryFolder folder;
+  makeCase(folder, "a", "Knee");
+  auto manifest = readJson(folder / "a/case.json");
+  manifest["scene"] = {{"attenuation", nlohmann::json::object()}, {"noise", nlohmann::json::object()}};
+  manifest["findings"] = {"Fluid beside the patella."};
+  manifest["previous_examinations"] = {{{"when", "a year ago"}, {"kind", "ultrasound"}, {"findings", "dry"}}};
+  manifest["targets"] = {{{"kind", "point"}, {"name", "the recess"}, {"at_mm", {1, 2, 3}}, {"tolerance_mm", 5}}};
+  writeText(folder / "a/case.json", manifest.dump());
+  const auto shown = run({"case", "show", folder / "a"});
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  for (const char* part : {"shadow and enhancement", "noise", "Fluid beside", "a year ago, ultrasound: dry", "the recess (point)"})
+    EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
+  EXPECT_EQ(shown.out.find("focus"), std::string::npos) << shown.out;
+}
+
 TEST(CaseCommand, ValidatePrintsEveryProblemAndFails) {
   const TemporaryFolder folder;
   makeCase(folder, "a", "Knee");

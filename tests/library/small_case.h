@@ -1,17 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
-
-#include "library/temporary_folder.h"
 
 namespace ew::test {
 
 /// A ball of skin of 60 mm with a ball of 20 mm in it, swept twice with few frames and a coarse volume: a whole preparation in a second.
 inline void makeSmallCase(const std::filesystem::path& folder) {
   using nlohmann::json;
+  const auto writeText = [](const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+  };
   writeText(folder / "ball.json",
             R"({"format": 1, "name": "ball", "body": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [60, 60, 60]}}})");
   writeText(folder / "patient.json", R"({"format": 1, "name": "ball", "mannequin": "ball.json",

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "library/small_case.h"
+#include "library/temporary_folder.h"
 #include "time_limit.h"
 
 namespace ew::ui {

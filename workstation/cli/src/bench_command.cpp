@@ -202,8 +202,6 @@ constexpr const char* kPage = "accuracy-and-time.html";
 
 Result<void> writePage(const BenchArguments& arguments, Run& run, const std::string& machine, std::vector<BenchSection> sections) {
   const std::filesystem::path folder(arguments.html);
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
   const std::vector<std::string> introduction = {
       "Medians of interleaved repetitions; what stands in one section comes from one run. Times of one thread are its processor time, so "
       "that "
@@ -218,10 +216,11 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   // What this run did not measure stays on the page.
   std::ostringstream before;
   if (std::ifstream old(folder / kPage, std::ios::binary); old) before << old.rdbuf();
-  if (auto written = writeFileSafely(folder / kPage, benchPage("EchoWeave: accuracy and time", introduction, sections, before.str()));
+  if (auto announced = run.output(folder / kPage); !announced) return announced;
+  if (auto written = writeFileSafely(run.outputs.staged(folder / kPage),
+                                     benchPage("EchoWeave: accuracy and time", introduction, sections, before.str()));
       !written)
     return written;
-  run.report.outputs.push_back((folder / kPage).string());
   run.say("Wrote " + (folder / kPage).string() + ".");
   return {};
 }
@@ -273,7 +272,12 @@ Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
     PartOfProgress part = share(0.9, 0.9);
     PaperBenchOptions options;
     options.seed = arguments.seed;
-    auto figures = benchPaper(options, arguments.paper, part);
+    const std::filesystem::path folder(arguments.paper);
+    const auto place = [&](const std::string& name) -> Result<std::filesystem::path> {
+      if (auto announced = run.output(folder / name); !announced) return passOn(announced.error());
+      return run.outputs.staged(folder / name);
+    };
+    auto figures = benchPaper(options, place, part);
     if (!figures) return passOn(figures.error());
     for (auto& section : paperSections(*figures)) sections.push_back(std::move(section));
     run.report.quality["paper"] = *std::move(figures);

@@ -328,7 +328,7 @@ Result<json> paperRows(const GreyImage& fixed, const GreyImage& moving, double p
   return rows;
 }
 
-Result<json> benchPaper(const PaperBenchOptions& options, const fs::path& folder, Progress& progress) {
+Result<json> benchPaper(const PaperBenchOptions& options, const PaperPlace& placeOf, Progress& progress) {
   for (const auto& [value, low, high, name] :
        {std::tuple{options.peak_mm, 0.5, 12.0, "peak"}, std::tuple{options.seamPeak_mm, 0.5, 12.0, "seam peak"},
         std::tuple{options.sweep_mm, 8.0, 60.0, "sweep"}}) {
@@ -337,14 +337,10 @@ Result<json> benchPaper(const PaperBenchOptions& options, const fs::path& folder
                      std::string("The ") + name + " must lie between " + fixedText(low, 1) + " and " + fixedText(high, 1) + " mm.");
   }
   const auto write = [&](const GreyImage& picture, const std::string& name) -> Result<void> {
-    if (folder.empty()) return {};
-    return writeImage(viewOf(picture), kPixel_mm, folder / name);
+    if (!placeOf) return {};
+    const auto place = placeOf(name);
+    return place ? writeImage(viewOf(picture), kPixel_mm, *place) : Result<void>(passOn(place.error()));
   };
-  if (!folder.empty()) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed) return failure(ErrorCode::notWritable, "The folder " + folder.string() + " cannot be made: choose another one.");
-  }
   auto first = Recorder::make(options.seed, 0.0), second = Recorder::make(options.seed, 4.0);
   if (!first) return passOn(first.error());
   if (!second) return passOn(second.error());
@@ -443,10 +439,12 @@ Result<json> benchPaper(const PaperBenchOptions& options, const fs::path& folder
                         {{"pasted", seamVisibility(pasted, middle - 1)},
                          {"blended", seamVisibility(blended, middle - 1)},
                          {"warped", seamVisibility(smooth, middle - 1)}}}};
-  if (!folder.empty()) {
-    if (auto written = writeFileSafely(folder / "paper.json", report.dump(2) + "\n"); !written) return passOn(written.error());
-    if (auto written = writeFileSafely(folder / "paper.html", page(report)); !written) return passOn(written.error());
-  }
+  if (placeOf)
+    for (const auto& [name, text] : {std::pair{"paper.json", report.dump(2) + "\n"}, std::pair{"paper.html", page(report)}}) {
+      const auto place = placeOf(name);
+      if (!place) return passOn(place.error());
+      if (auto written = writeFileSafely(*place, text); !written) return passOn(written.error());
+    }
   progress.report("Figures of the paper", 1.0);
   return report;
 }

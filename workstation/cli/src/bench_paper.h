@@ -31,14 +31,17 @@ using PlanarTruth = std::function<glm::dvec2(const glm::dvec2&)>;
 [[nodiscard]] Result<nlohmann::json> paperRows(const GreyImage& fixed, const GreyImage& moving, double pixel_mm, const PlanarTruth& truth,
                                                std::vector<GreyImage>* warped, Progress& progress);
 
-/// Makes the pairs, registers them and, when `folder` is not empty, writes figure-6-*.png, figure-7-*.png, figure-8-*.png, paper.html and
-/// paper.json there (the folder is made).
+/// Where a file of that name is to be written. @error as OutputSet::announce
+using PaperPlace = std::function<Result<std::filesystem::path>(const std::string& name)>;
+
+/// Makes the pairs, registers them and, unless `placeOf` is empty, writes figure-6-*.png, figure-7-*.png, figure-8-*.png, paper.html and
+/// paper.json where it says.
 /// {"machine", "seed", "figure8": {"pixel_mm", "peak_mm", "mean_motion_mm", "rows"}, "figure7": {"motion_mm", "found_mm", "error_mm",
 /// "correlation_before", "correlation_after", "fall_off_mm", "smallest_jacobian", "seam": {"pasted", "blended", "warped"}}}
 /// seam: mean absolute difference of grey levels of columns on both sides of the tangent plane, 1 mm apart, over that of columns as far
 /// apart nearby: 1 is no seam.
 /// @error badUsage (an option outside its range), notWritable, cancelled
-[[nodiscard]] Result<nlohmann::json> benchPaper(const PaperBenchOptions& options, const std::filesystem::path& folder, Progress& progress);
+[[nodiscard]] Result<nlohmann::json> benchPaper(const PaperBenchOptions& options, const PaperPlace& placeOf, Progress& progress);
 
 /// The report of benchPaper as sections of a page (without its pictures, which paper.html shows).
 [[nodiscard]] std::vector<BenchSection> paperSections(const nlohmann::json& report);

@@ -40,6 +40,43 @@ std::string volumeText(const CaseVolume& volume) {
   return "none";
 }
 
+/// "gain and DGC, shadow and enhancement", in the console's words.
+std::string sceneText(const Scene& scene) {
+  std::string text;
+  for (const auto& [on, name] :
+       {std::pair{scene.gainAndDgc, "gain and DGC"}, std::pair{scene.focus.has_value(), "focus"},
+        std::pair{scene.sliceThickness.has_value(), "slice thickness"}, std::pair{scene.attenuation.has_value(), "shadow and enhancement"},
+        std::pair{scene.reverberation.has_value(), "reverberation"}, std::pair{scene.noise.has_value(), "noise"},
+        std::pair{scene.contact.has_value(), "contact"}})
+    if (on) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text.empty() ? "bare" : text;
+}
+
+const char* nameOf(CaseTarget::Kind kind) {
+  return kind == CaseTarget::Kind::point ? "point" : kind == CaseTarget::Kind::plane ? "plane" : "structure";
+}
+
+/// What is looked for and measured, a line each.
+std::vector<std::pair<std::string, std::string>> expectedLines(const Case& opened) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const auto& each : opened.previousExaminations)
+    lines.emplace_back("Before",
+                       each.when + (each.kind.empty() ? "" : ", " + each.kind) + (each.findings.empty() ? "" : ": " + each.findings));
+  for (const auto& finding : opened.findings) lines.emplace_back("Finding", finding);
+  for (const auto& target : opened.targets) lines.emplace_back("Target", target.name + " (" + nameOf(target.kind) + ")");
+  for (const auto& each : opened.measurements)
+    lines.emplace_back("Measurement", each.name + (each.tolerance ? ", tolerance " + textOf(*each.tolerance) : ""));
+  return lines;
+}
+
+/// No report is written over a manifest of the folder, also one that cannot be read.
+Result<void> protectCasesOf(const std::filesystem::path& folder, Run& run) {
+  std::error_code problem;
+  for (std::filesystem::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    if (auto kept = run.protect(at->path() / "case.json"); !kept) return kept;
+  return {};
+}
+
 Result<int> listAll(const CaseArguments& arguments, Run& run) {
   std::filesystem::path folder = arguments.folder;
   if (folder.empty()) {
@@ -51,7 +88,8 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
   if (!std::filesystem::is_directory(folder, ignored))
     return failure(ErrorCode::notFound, "There is no folder '" + folder.string() + "'; give a folder that holds case folders.",
                    {{"file", folder.string()}});
-  run.input(folder);
+  if (auto kept = run.input(folder); !kept) return passOn(kept.error());
+  if (auto kept = protectCasesOf(folder, run); !kept) return passOn(kept.error());
   const auto list = listCases(folder);
   run.report.quality = {{"cases", list.cases.size()}, {"problems", list.problems.size()}};
   if (arguments.asJson) {
@@ -84,14 +122,14 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
 Result<int> show(const CaseArguments& arguments, Run& run) {
   const auto found = findCase(arguments.chosen);
   if (!found) return passOn(found.error());
-  run.input(found->folder / "case.json");
+  if (auto kept = run.input(found->folder / "case.json"); !kept) return passOn(kept.error());
   if (arguments.asJson) {
     run.out() << dumped(manifestOf(*found)) << "\n";
     return kDone;
   }
   const auto line = [&](std::string name, const std::string& value) {
     if (value.empty()) return;
-    name.resize(12, ' ');
+    name.resize(13, ' ');
     run.out() << name << value << "\n";
   };
   std::string patient = found->patient.name;
@@ -106,10 +144,11 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   line("History", found->history);
   line("Indication", found->indication);
   line("Diagnosis", found->diagnosis);
+  for (const auto& [name, value] : expectedLines(*found)) line(name, value);
   line("Volume", volumeText(found->volume) + (caseNeedsPreparation(*found) ? " (not prepared yet)" : ""));
   line("Probes", probes.empty() ? "all" : probes);
   line("Mannequin", found->mannequin.empty() ? "default" : found->mannequin);
-  line("Scene", found->scene.gainAndDgc ? "gain and DGC" : "bare");
+  line("Scene", sceneText(found->scene));
   line("Start pose", found->startPose ? "given" : "none");
   line("Folder", found->folder.string());
   return kDone;
@@ -123,7 +162,7 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
     if (!found) return passOn(found.error());
     place = found->folder;
   }
-  run.input(place);
+  if (auto kept = run.input(place); !kept) return passOn(kept.error());
   const auto problems = validateCase(place);
   run.report.quality = {{"problems", problems.size()}};
   run.report.details["problems"] = json::array();
@@ -137,9 +176,9 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
     return kDone;
   }
   run.out() << std::flush;
-  return failure(ErrorCode::badField,
-                 "The case '" + arguments.chosen + "' has " + counted(problems.size(), "problem") + "; correct what is listed.",
-                 {{"case", place.string()}});
+  return run.answer({ErrorCode::badField,
+                     "The case '" + arguments.chosen + "' has " + counted(problems.size(), "problem") + "; correct what is listed.",
+                     {{"case", place.string()}}});
 }
 
 Result<std::vector<Case>> casesToPrepare(const CaseArguments& arguments, Run& run) {
@@ -163,10 +202,29 @@ Result<std::vector<Case>> casesToPrepare(const CaseArguments& arguments, Run& ru
   return cases;
 }
 
+/// A folder of each case's own: sweeps of different cases have the same names.
+std::filesystem::path recordingsOf(const CaseArguments& arguments, const Case& each) {
+  return std::filesystem::path(arguments.keepSweeps) / std::filesystem::absolute(each.folder / "case.json").parent_path().filename();
+}
+
+Result<void> announceRecordings(const CaseArguments& arguments, const std::vector<Case>& cases, Run& run) {
+  if (auto made = run.outputs.announceFolder(arguments.keepSweeps); !made) return made;
+  for (const Case& each : cases)
+    if (auto announced = run.outputs.announceNewFolder(recordingsOf(arguments, each)); !announced) return announced;
+  return {};
+}
+
+/// A case whose sweeps were recorded before has no recordings now.
+void leaveOutEmpty(const CaseArguments& arguments, const std::vector<Case>& cases, Run& run) {
+  std::error_code ignored;
+  for (const Case& each : cases) std::filesystem::remove(run.outputs.staged(recordingsOf(arguments, each)), ignored);  // only an empty one
+}
+
 Result<int> prepare(const CaseArguments& arguments, Run& run) {
   auto cases = casesToPrepare(arguments, run);
   if (!cases) return passOn(cases.error());
-  for (const auto& each : *cases) run.input(each.folder / "case.json");
+  for (const auto& each : *cases)
+    if (auto kept = run.input(each.folder / "case.json"); !kept) return passOn(kept.error());
   std::vector<Case> waiting = preparationOrder(*cases);
   // With one case ready there is something to scan.
   if (arguments.first && !waiting.empty()) waiting.resize(waiting.size() == cases->size() ? 1 : 0);
@@ -183,18 +241,26 @@ Result<int> prepare(const CaseArguments& arguments, Run& run) {
   if (!waiting.empty())
     run.say("Preparing " + counted(waiting.size(), "case") + ", about " + rounded(total_s, 0) + " s" +
             (measured ? "." : " on the machine this was written on; the time left is corrected as it runs."));
-  const PreparationOptions options{.threads = arguments.threads, .keepSweeps = arguments.keepSweeps};
   run.report.options = {{"threads", arguments.threads}, {"keep_sweeps", arguments.keepSweeps}};
+  if (!arguments.keepSweeps.empty())
+    if (auto announced = announceRecordings(arguments, waiting, run); !announced) return passOn(announced.error());
   double done_s = 0.0;
   for (std::size_t n = 0; n < waiting.size(); ++n) {
     PartOfProgress part(run.progress, done_s / total_s, (done_s + seconds[n]) / total_s);
     done_s += seconds[n];
     const StepClock clock(run.report, "prepare");
+    const PreparationOptions options{
+        .threads = arguments.threads,
+        .keepSweeps = arguments.keepSweeps.empty() ? std::filesystem::path() : run.outputs.staged(recordingsOf(arguments, waiting[n]))};
     const auto made = prepareCase(waiting[n], options, part);
     if (!made) return passOn(made.error());
     for (const auto& note : *made) run.remark(note);
     run.say("Prepared " + waiting[n].title + ".");
+    run.stoppedSentence = "Stopped as asked; of " + counted(waiting.size(), "case") + " " + std::to_string(n + 1) +
+                          (n == 0 ? " is" : " are") + " prepared and kept" +
+                          (arguments.keepSweeps.empty() ? "." : ", and no recording was written.");
   }
+  if (!arguments.keepSweeps.empty()) leaveOutEmpty(arguments, waiting, run);
   run.report.quality = {{"cases", cases->size()}, {"prepared_now", waiting.size()}, {"estimated_s", total_s}};
   return kDone;
 }
@@ -230,7 +296,7 @@ void addCase(CLI::App& root, Selection& selection) {
   prepared.add_flag("--first", arguments->first, "The shipped case that is ready soonest, unless one is ready already");
   prepared
       .add_option("--keep-sweeps", arguments->keepSweeps,
-                  "Also write the recordings of the sweeps that are made now, NAME.igs.mha with NAME.xml")
+                  "Also write the recordings of the sweeps that are made now, DIR/CASE/NAME.igs.mha with NAME.xml; DIR/CASE must be new")
       ->type_name("DIR");
   addCount(prepared, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the voxels do not depend on it (0)");
 }

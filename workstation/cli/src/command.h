@@ -4,14 +4,15 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "console_progress.h"
 #include "ew/cli/run_command.h"
+#include "ew/core/output_set.h"
 #include "ew/core/result.h"
-#include "outputs.h"
 #include "report.h"
 
 namespace ew::cli {
@@ -23,7 +24,7 @@ class Run {
 
   ConsoleProgress progress;
   Report report;
-  Outputs outputs;
+  OutputSet outputs;
 
   /// What the user asked to see, on the output stream, quiet or not.
   std::ostream& out() { return surroundings_.out; }
@@ -33,10 +34,24 @@ class Run {
   void remark(const std::string& line);
   [[nodiscard]] bool quiet() const { return quiet_; }
 
-  /// Names a file the command reads, for the report and so that no output is written over it.
-  void input(const std::filesystem::path& file);
-  /// Announces a file the command writes (see Outputs::announce) and names it in the report.
+  /// Names a file the command reads, for the report and so that no output is written over it nor over what it names in turn. An empty name
+  /// is none.
+  /// @error badUsage (an output was announced there)
+  [[nodiscard]] Result<void> input(const std::filesystem::path& file);
+  /// The same without naming it in the report: for a file that is read, and named, later.
+  [[nodiscard]] Result<void> protect(const std::filesystem::path& file);
+  /// Announces a file the command writes (see OutputSet::announce) and names it in the report.
+  /// @error also badUsage (X.mhd where X.raw is there and is not its own)
   [[nodiscard]] Result<void> output(const std::filesystem::path& file, std::string_view endings = {});
+
+  /// Ends the command with an error that is its answer: everything was done, so outputs and report are put in place before it is told.
+  [[nodiscard]] int answer(Error error);
+  [[nodiscard]] const std::optional<Error>& answered() const { return answer_; }
+
+  /// What the user reads when the command is stopped. Empty: whoever was stopped says himself what he kept.
+  std::string stoppedSentence = "Stopped as asked; nothing was written.";
+  /// The command has put its outputs in place itself: there is nothing left that could be stopped.
+  bool isPublished = false;
 
   /// Prints the collected lines.
   void tellWhatWasDone();
@@ -45,6 +60,7 @@ class Run {
   Surroundings surroundings_;
   bool quiet_;
   std::vector<std::string> said_;
+  std::optional<Error> answer_;
 };
 
 /// The body of a command; returns kDone or kVerdict.

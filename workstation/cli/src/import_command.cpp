@@ -116,7 +116,7 @@ json toJson(const Removed& removed) {
 Result<int> import(const ImportArguments& arguments, Run& run) {
   const auto answers = answersOf(arguments);
   if (!answers) return passOn(answers.error());
-  run.input(arguments.file);
+  if (auto kept = run.input(arguments.file); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output, ".mha .mhd"); !announced) return passOn(announced.error());
   if (!arguments.mask.empty())
     if (auto announced = run.output(arguments.mask, ".mha"); !announced) return passOn(announced.error());

@@ -101,7 +101,7 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   const bool sweepWanted = !arguments.sweep.sweep.empty();
   const auto surfaces = wantedSurfaces(arguments.surfaces);
   if (!surfaces) return passOn(surfaces.error());
-  run.input(arguments.patient);
+  if (auto kept = run.input(arguments.patient); !kept) return passOn(kept.error());
   for (const auto& file : {arguments.volume, arguments.labels})
     if (!file.empty())
       if (auto announced = run.output(file, ".mha .mhd"); !announced) return passOn(announced.error());

@@ -55,7 +55,7 @@ Result<void> announceSweep(const SweepArguments& arguments, Run& run) {
     return {};
   }
   if (arguments.output.empty()) return failure(ErrorCode::badUsage, "Say where to write the sweep: -o SWEEP.igs.mha.");
-  run.input(arguments.sweep);
+  if (auto kept = run.input(arguments.sweep); !kept) return kept;
   if (auto announced = run.output(arguments.output, ".mha"); !announced) return announced;
   if (!arguments.truePoses.empty())
     if (auto announced = run.output(arguments.truePoses); !announced) return announced;

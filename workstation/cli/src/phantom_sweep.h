@@ -17,7 +17,7 @@ struct SweepArguments {
 };
 
 /// Announces the sweep's inputs and outputs.
-/// @error badUsage (an output without a sweep, a sweep without an output), as Outputs::announce
+/// @error badUsage (an output without a sweep, a sweep without an output), as OutputSet::announce
 [[nodiscard]] Result<void> announceSweep(const SweepArguments& arguments, Run& run);
 
 /// Records the sweep and writes it, its true poses and its device set.

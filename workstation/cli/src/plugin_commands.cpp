@@ -55,12 +55,16 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
     return kDone;
   }
   const auto readable = existingFiles(words);
+  for (const auto& file : readable)
+    if (auto kept = run.protect(file); !kept) return passOn(kept.error());
+  run.stoppedSentence.clear();  // a plugin puts its files in place itself, and may keep what was finished
   run.report.options["arguments"] = words;
   const auto outcome = [&] {
     const StepClock clock(run.report, name);
     return command->run(words, run.progress);
   }();
   if (!outcome) return passOn(outcome.error());
+  run.isPublished = true;
   for (const auto& file : readable)
     if (std::find(outcome->outputs.begin(), outcome->outputs.end(), file) == outcome->outputs.end()) run.report.inputs.push_back(file);
   run.report.outputs = outcome->outputs;

@@ -30,6 +30,8 @@ Result<int> listPlugins(bool asJson, Run& run) {
     const StepClock clock(run.report, "load plugins");
     plugins.openAll(host);
   }
+  for (const auto& plugin : plugins.states())
+    if (auto kept = run.protect(plugin.folder / "plugin.json"); !kept) return passOn(kept.error());
   json shown = {{"folders", json::array()}, {"plugins", json::array()}};
   std::size_t broken = 0;
   for (const auto& folder : folders) shown["folders"].push_back(folder.string());

@@ -155,8 +155,9 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
     return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
   if (!arguments.confidence.empty() && arguments.compounding != "weighted")
     return failure(ErrorCode::badUsage, "--confidence says how pixels are weighted; give --compounding weighted with it.");
-  run.input(arguments.sweep);
-  for (const auto& file : arguments.calibrations) run.input(file);
+  if (auto kept = run.input(arguments.sweep); !kept) return passOn(kept.error());
+  for (const auto& file : arguments.calibrations)
+    if (auto kept = run.input(file); !kept) return passOn(kept.error());
   if (auto announced = announcePhases(run, arguments.output, arguments.coverage, arguments.acquisition.phases.value_or(1)); !announced)
     return passOn(announced.error());
   auto importOptions = importOptionsOf(arguments);

@@ -56,7 +56,8 @@ Result<void> applyTo(SweepImportOptions& options, const AcquisitionArguments& ar
   if (!arguments.phases && (arguments.gate != "automatic" || arguments.rhythm != "heart"))
     return failure(ErrorCode::badUsage, "--gate and --rhythm say how to find phases; give --phases N with them.");
   options.motor = arguments.motor;
-  if (!arguments.motor.empty() && arguments.motor != kRecordedMotor) run.input(arguments.motor);
+  if (arguments.motor != kRecordedMotor)
+    if (auto kept = run.input(arguments.motor); !kept) return kept;
   if (arguments.timeOffset == "estimate") {
     options.estimatePoseDelay = true;
   } else if (!arguments.timeOffset.empty()) {

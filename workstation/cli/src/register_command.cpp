@@ -367,11 +367,9 @@ void transformInto(nlohmann::json& quality, const glm::dmat4& rigid, const Grid&
 
 Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
   if (auto fits = checkUsage(arguments); !fits) return passOn(fits.error());
-  run.input(arguments.fixed);
-  run.input(arguments.moving);
-  for (const std::string* file : {&arguments.start, &arguments.landmarks, &arguments.coverageFixed, &arguments.coverageMoving,
-                                  &arguments.confidenceFixed, &arguments.confidenceMoving})
-    if (!file->empty()) run.input(*file);
+  for (const std::string* file : {&arguments.fixed, &arguments.moving, &arguments.start, &arguments.landmarks, &arguments.coverageFixed,
+                                  &arguments.coverageMoving, &arguments.confidenceFixed, &arguments.confidenceMoving})
+    if (auto kept = run.input(*file); !kept) return passOn(kept.error());
   if (auto announced = run.output(arguments.output); !announced) return passOn(announced.error());
   if (!arguments.field.empty())
     if (auto announced = run.output(arguments.field, ".mha"); !announced) return passOn(announced.error());
@@ -501,13 +499,13 @@ void addRegister(CLI::App& root, Selection& selection) {
       ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
       ->type_name("EFFORT");
   addNumber(app, "--max-turn", arguments->maxTurn_deg, {0.0, 180.0}, "partial: turns searched, in every direction, degrees (30)");
-  addNumber(app, "--step-turn", arguments->stepTurn_deg, {1.0, 45.0}, "partial: between turns of the first search, degrees (10)");
-  addNumber(app, "--least-overlap", arguments->leastOverlap, {0.001, 1.0}, "partial: smallest share of the smaller volume (0.08)");
+  addNumber(app, "--step-turn", arguments->stepTurn_deg, {2.0, 90.0}, "partial: between turns of the first search, degrees (10)");
+  addNumber(app, "--least-overlap", arguments->leastOverlap, {0.001, 0.999}, "partial: smallest share of the smaller volume (0.08)");
   addNumber(app, "--finest", arguments->finest_mm, {0.01, 100.0},
             "Voxels of the last level, mm (rigid and partial 0.75, elastic3d by effort)");
-  addNumber(app, "--node", arguments->node_mm, {0.1, 1000.0}, "elastic3d: distance of control nodes at the last level, mm (by effort)");
+  addNumber(app, "--node", arguments->node_mm, {1.0, 1000.0}, "elastic3d: distance of control nodes at the last level, mm (by effort)");
   addNumber(app, "--stiffness", arguments->stiffness, {1e-6, 1e6}, "Weight of the regulariser (follows the measured speckle)");
-  addNumber(app, "--max-motion", arguments->maxMotion_mm, {0.0, 100.0}, "elastic3d: how far the first search looks, mm; 0: none (12)");
+  addNumber(app, "--max-motion", arguments->maxMotion_mm, {0.0, 50.0}, "elastic3d: how far the first search looks, mm; 0: none (12)");
   addNumber(app, "--max-time", arguments->maxTime_s, {0.01, 1e6}, "elastic3d: stop with the best so far after so many seconds (no limit)");
   app.add_flag("--single-resolution", arguments->singleResolution, "elastic2d: the finest level alone, which fails where several converge");
   app.add_flag("--assess", arguments->assess,

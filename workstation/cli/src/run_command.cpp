@@ -10,6 +10,7 @@
 #include "ew/core/guarded.h"
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
+#include "input_files.h"
 #include "plugin_commands.h"
 
 namespace ew::cli {
@@ -73,10 +74,10 @@ Result<int> runGuarded(const Work& work, Run& run) {
 }
 
 /// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.
-Error forTheUser(Error error, const Outputs& outputs) {
-  if (error.code == ErrorCode::cancelled) error.sentence = "Stopped as asked; nothing was written.";
-  error.sentence = outputs.inGivenNames(std::move(error.sentence));
-  for (auto& [name, value] : error.context) value = outputs.inGivenNames(std::move(value));
+Error forTheUser(Error error, const Run& run) {
+  if (error.code == ErrorCode::cancelled && !run.stoppedSentence.empty()) error.sentence = run.stoppedSentence;
+  error.sentence = run.outputs.inGivenNames(std::move(error.sentence));
+  for (auto& [name, value] : error.context) value = run.outputs.inGivenNames(std::move(value));
   return error;
 }
 
@@ -88,7 +89,7 @@ Result<int> execute(const Selection& selection, Run& run) {
     if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
   auto status = runGuarded(selection.work, run);
   if (!status) return status;
-  if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+  if (run.progress.cancelRequested() && !run.isPublished) return failure(ErrorCode::cancelled, run.stoppedSentence);
   if (wantsReport) {
     const std::string text = run.report.toJson().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (auto written = writeFileSafely(run.outputs.staged(selection.reportFile), text); !written) return passOn(written.error());
@@ -102,9 +103,13 @@ Result<int> execute(const Selection& selection, Run& run) {
 int finish(const Selection& selection, const Surroundings& surroundings) {
   Run run(surroundings, selection.quiet);
   const auto status = execute(selection, run);
-  if (status) return *status;
+  if (status && !run.answered()) return *status;
   run.progress.clear();
-  tell(surroundings.err, forTheUser(status.error(), run.outputs), selection.verbose);
+  if (status) {
+    tell(surroundings.err, *run.answered(), selection.verbose);
+    return *status;
+  }
+  tell(surroundings.err, forTheUser(status.error(), run), selection.verbose);
   return status.error().code == ErrorCode::badUsage ? kWrongUsage : kFailed;
 }
 
@@ -125,12 +130,24 @@ void Run::remark(const std::string& line) {
   surroundings_.err << "note: " << line << "\n" << std::flush;
 }
 
-void Run::input(const std::filesystem::path& file) {
-  report.inputs.push_back(file.string());
-  outputs.protect(file);
+int Run::answer(Error error) {
+  answer_ = std::move(error);
+  return kFailed;
+}
+
+Result<void> Run::input(const std::filesystem::path& file) {
+  if (!file.empty()) report.inputs.push_back(file.string());
+  return protect(file);
+}
+
+Result<void> Run::protect(const std::filesystem::path& file) {
+  for (const auto& read : filesBehind(file))
+    if (auto kept = outputs.protect(read); !kept) return kept;
+  return {};
 }
 
 Result<void> Run::output(const std::filesystem::path& file, std::string_view endings) {
+  if (auto own = checkSamplesAreItsOwn(file); !own) return own;
   auto announced = outputs.announce(file, endings);
   if (announced) report.outputs.push_back(file.string());
   return announced;

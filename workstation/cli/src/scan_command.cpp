@@ -75,14 +75,15 @@ Result<Subject> nameSubject(const ScanArguments& arguments, Run& run) {
     auto found = findCase(arguments.source);
     if (!found) return passOn(found.error());
     subject.opened = std::move(*found);
+    if (auto kept = run.protect(subject.opened->folder / "case.json"); !kept) return passOn(kept.error());
     subject.probes = subject.opened->probes;
     subject.startPose = subject.opened->startPose;
     subject.scene = subject.opened->scene;
-  } else {
-    run.outputs.protect(arguments.source);
+  } else if (auto kept = run.protect(arguments.source); !kept) {
+    return passOn(kept.error());
   }
   if (!arguments.scene.empty()) {
-    run.input(arguments.scene);
+    if (auto kept = run.input(arguments.scene); !kept) return passOn(kept.error());
     auto read = readScene(arguments.scene);
     if (!read) return passOn(read.error());
     subject.scene = std::move(*read);
@@ -105,8 +106,8 @@ Result<void> readSubject(const ScanArguments& arguments, Run& run, Subject& subj
   return {};
 }
 
-Result<std::vector<Pose>> posesFor(const ScanArguments& arguments, const Subject& subject) {
-  if (!arguments.pose.empty()) return posesOf(arguments.pose);
+Result<std::vector<Pose>> posesFor(const ScanArguments& arguments, const Subject& subject, Run& run) {
+  if (!arguments.pose.empty()) return readPoses(run, arguments.pose);
   if (subject.startPose) return std::vector<Pose>{*subject.startPose};
   return failure(ErrorCode::badUsage, subject.opened ? "The case has no start pose; say where the probe is with --pose."
                                                      : "Say where the probe is with --pose: 16 numbers, or a file with one pose a line.");
@@ -255,17 +256,19 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
                        std::to_string(kCaptionMinHeight_px) + ", or write .mha.");
   Knobs knobs;
   if (!arguments.knobs.empty()) {
-    run.input(arguments.knobs);
+    if (auto kept = run.input(arguments.knobs); !kept) return passOn(kept.error());
     auto read = readKnobs(arguments.knobs);
     if (!read) return passOn(read.error());
     knobs = *read;
   }
   auto subject = nameSubject(arguments, run);
   if (!subject) return passOn(subject.error());
+  if (std::filesystem::path(arguments.probe).extension() == ".json")
+    if (auto kept = run.protect(arguments.probe); !kept) return passOn(kept.error());
   const auto probe = findProbe(arguments.probe, subject->probes);
   if (!probe) return passOn(probe.error());
   if (auto fits = checkDepth(knobs, *probe); !fits) return passOn(fits.error());
-  const auto poses = posesFor(arguments, *subject);
+  const auto poses = posesFor(arguments, *subject, run);
   if (!poses) return passOn(poses.error());
   auto gaps_mm = gapsOf(arguments.offSkin);
   if (!gaps_mm) return passOn(gaps_mm.error());

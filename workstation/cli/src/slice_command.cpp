@@ -51,9 +51,9 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   const bool writes = arguments.repeat == 0;
   if (writes && arguments.output.empty())
     return failure(ErrorCode::badUsage, "Say where the picture goes with -o OUT.png, or measure with --repeat N.");
-  const auto poses = posesOf(arguments.pose);
+  const auto poses = readPoses(run, arguments.pose);
   if (!poses) return passOn(poses.error());
-  run.outputs.protect(arguments.volume);
+  if (auto kept = run.protect(arguments.volume); !kept) return passOn(kept.error());
   if (writes)
     for (std::size_t n = 0; n < poses->size(); ++n)
       if (auto announced = run.output(numbered(arguments.output, n, poses->size()), ".png .mha"); !announced)

@@ -1,12 +1,13 @@
 #include "volume_input.h"
 
+#include "arguments.h"
 #include "ew/io/volume_file.h"
 
 namespace ew::cli {
 namespace fs = std::filesystem;
 
 Result<Volume> readInputVolume(Run& run, const fs::path& file) {
-  run.input(file);
+  if (auto kept = run.input(file); !kept) return passOn(kept.error());
   auto loaded = [&] {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);
@@ -23,7 +24,7 @@ Result<InputVolume> openInputVolume(Run& run, const fs::path& file, bool map) {
     if (!read) return passOn(read.error());
     return InputVolume{std::move(*read), std::nullopt};
   }
-  run.input(file);
+  if (auto kept = run.input(file); !kept) return passOn(kept.error());
   auto mapped = [&] {
     const StepClock clock(run.report, "map");
     return mapVolume(file);
@@ -31,6 +32,13 @@ Result<InputVolume> openInputVolume(Run& run, const fs::path& file, bool map) {
   if (!mapped) return passOn(mapped.error());
   for (const auto& note : mapped->notes()) run.remark(note);
   return InputVolume{{}, std::move(*mapped)};
+}
+
+Result<std::vector<Pose>> readPoses(Run& run, const std::string& argument) {
+  std::error_code ignored;
+  if (fs::is_regular_file(argument, ignored))
+    if (auto kept = run.protect(argument); !kept) return passOn(kept.error());
+  return posesOf(argument);
 }
 
 bool meansCase(const std::string& argument) {
@@ -58,7 +66,7 @@ Result<Case> findCase(const std::string& caseOrId) {
 }
 
 Result<CaseEcho> readCaseEcho(Run& run, const Case& opened) {
-  run.input(opened.folder / "case.json");
+  if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
   auto echo = [&] {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);

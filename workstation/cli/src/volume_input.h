@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "command.h"
+#include "ew/core/pose.h"
 #include "ew/core/volume.h"
 #include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
@@ -35,6 +36,9 @@ struct InputVolume {
 /// A case by folder, by case.json, or by the id of a shipped case.
 /// @error as loadCase; notFound names the shipped ids
 [[nodiscard]] Result<Case> findCase(const std::string& caseOrId);
+
+/// The poses of `--pose`; a file of poses is a command's input. @error as posesOf
+[[nodiscard]] Result<std::vector<Pose>> readPoses(Run& run, const std::string& argument);
 
 /// True when `argument` can only mean a case: a folder, a .json file, or a word that is no file.
 [[nodiscard]] bool meansCase(const std::string& argument);

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "arguments.h"
-#include "outputs.h"
 #include "volume_input.h"
 
 namespace ew::cli {
@@ -41,7 +40,7 @@ Result<WindowWish> windowArguments(std::span<const std::string> args) {
     }
   }
   if (!wish.screenshot.empty()) {
-    Outputs outputs;
+    OutputSet outputs;
     if (auto writable = outputs.announce(wish.screenshot, ".png"); !writable) return passOn(writable.error());
   }
   return wish;

@@ -163,7 +163,7 @@ Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& targe
     return notWritable(given, "it is not a regular file");
   if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) return notWritable(given, reasonOf(errno));
   const fs::path folder = folderOf(target);
-  if (!fs::is_directory(folder, problem)) return notWritable(given, "there is no folder '" + folder.string() + "'");
+  if (!fs::is_directory(folder, problem)) return notWritable(given, "its folder '" + folder.string() + "' does not exist");
   const auto aside = asideOf(folder, given);
   if (!aside) return passOn(aside.error());
   outputs_.push_back({.given = given,

@@ -323,7 +323,7 @@ class Preparation {
       for (const auto& [from, ending] : {std::pair{recording.images, ".igs.mha"}, std::pair{recording.calibration, ".xml"}}) {
         const fs::path target = options_.keepSweeps / (sweep.name + ending);
         error.clear();
-        fs::copy_file(from, target, fs::copy_options::overwrite_existing, error);
+        fs::copy_file(from, target, error);  // never over a file that is there
         if (error)
           return failure(ErrorCode::notWritable,
                          "The recording cannot be written to '" + target.string() + "' (" + error.message() + "); choose another folder.",
