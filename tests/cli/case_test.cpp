@@ -29,15 +29,18 @@ TEST(CaseCommand, ListsTheCasesOfAFolderByTitleAndNamesWhatCannotBeRead) {
   makeCase(folder, "a", "Knee");
   std::filesystem::create_directory(folder / "c");
   writeText(folder / "c/case.json", "{");
+  std::filesystem::create_directory(folder / "d");
   const auto listed = run({"case", "list", folder.path().string()});
   ASSERT_EQ(listed.status, 0) << listed.err;
   EXPECT_LT(listed.out.find("Ankle"), listed.out.find("Knee")) << listed.out;
-  EXPECT_NE(listed.err.find("note: "), std::string::npos) << listed.err;
+  EXPECT_NE(listed.err.find("note: The case in the folder 'c' is left out: "), std::string::npos) << listed.err;
+  EXPECT_NE(listed.err.find("note: The folder 'd' is left out: it holds no case.json."), std::string::npos) << listed.err;
   const auto asJson = run({"case", "list", folder.path().string(), "--json"});
   const auto json = nlohmann::json::parse(asJson.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << asJson.out;
   EXPECT_EQ(json["cases"].size(), 2u);
   EXPECT_EQ(json["problems"].size(), 1u);
+  EXPECT_EQ(json["no_cases"].size(), 1u);
 }
 
 TEST(CaseCommand, ShowsTheShippedCaseByItsId) {

@@ -420,7 +420,69 @@ TEST(ListCases, SortsByTitleAndReportsTheOnesItCannotRead) {
   EXPECT_EQ(list.cases[0].title, "Alpha");
   ASSERT_EQ(list.problems.size(), 1u);
   EXPECT_NE(context(list.problems[0], "case").find("broken"), std::string::npos);
+  EXPECT_NE(list.problems[0].sentence.find("'broken'"), std::string::npos) << "which one is left out";
+  EXPECT_EQ(list.noCases, (std::vector<std::filesystem::path>{folder / "notes"}));
   EXPECT_EQ(listCases(folder / "nowhere").problems.size(), 1u);
+}
+
+TEST(CaseAsRead, TellsWhetherSomebodyElseHasSavedTheCaseSince) {
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  auto read = readCase(folder.path());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->manifest, *manifestFingerprint(folder.path()));
+  EXPECT_EQ(readCase(folder / "case.json")->manifest, read->manifest);
+  read->opened.title = "Another";
+  ASSERT_TRUE(saveCase(read->opened, folder.path()));
+  const auto saved = manifestFingerprint(folder.path());
+  ASSERT_TRUE(saved);
+  EXPECT_NE(*saved, read->manifest);
+  writeText(folder / "case.json", textOf(folder / "case.json"));
+  EXPECT_EQ(*manifestFingerprint(folder.path()), *saved) << "the same content written again is no change";
+  std::filesystem::remove(folder / "case.json");
+  EXPECT_EQ(manifestFingerprint(folder.path()).error().code, ErrorCode::notFound);
+}
+
+TEST(IdForFolder, IsMadeOfTheNameAndOfNoCaseBesideIt) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(idForFolder(folder / "Upper Abdomen, my copy"), "upper-abdomen-my-copy");
+  EXPECT_EQ(idForFolder(folder / "Leber – Übung"), "leber-bung");
+  EXPECT_EQ(idForFolder(folder / "7"), "7");
+  EXPECT_EQ(idForFolder(folder / "…"), "case");
+  EXPECT_EQ(idForFolder(folder / "knee/"), "knee");
+  EXPECT_LE(idForFolder(folder / std::string(240, 'x')).size(), 100u);
+  json other = smallest();
+  other["id"] = "knee";
+  makeCase(folder / "another", other);
+  EXPECT_EQ(idForFolder(folder / "knee"), "knee-2");
+  makeCase(folder / "knee", other);
+  EXPECT_EQ(idForFolder(folder / "another"), "another");
+  for (const char* name : {"Upper Abdomen, my copy", "Leber – Übung", "…"}) {
+    json manifest = smallest();
+    manifest["id"] = idForFolder(folder / name);
+    EXPECT_TRUE(caseFromManifest(manifest, {})) << name;
+  }
+}
+
+TEST(ShippedCases, AreKnownByTheirPlaceAlsoThroughALink) {
+  const auto shipped = shippedCasesFolder();
+  ASSERT_TRUE(shipped);
+  const TemporaryFolder folder;
+  EXPECT_TRUE(isShipped(*shipped / "any case"));
+  EXPECT_TRUE(isShipped(*shipped));
+  EXPECT_FALSE(isShipped(*shipped / ".." / "elsewhere"));
+  EXPECT_FALSE(isShipped(folder.path()));
+  std::filesystem::create_directory_symlink(*shipped, folder / "link");
+  EXPECT_TRUE(isShipped(folder / "link/any case"));
+}
+
+TEST(OwnCases, LieWhereTheEnvironmentOrTheHomeSays) {
+  {
+    const EnvironmentValue chosen("ECHOWEAVE_CASES", "/somewhere/mine");
+    EXPECT_EQ(ownCasesFolder(), "/somewhere/mine");
+  }
+  const EnvironmentValue none("ECHOWEAVE_CASES", ""), home("HOME", "/home/somebody");
+  EXPECT_EQ(ownCasesFolder(), "/home/somebody/EchoWeave/cases");
 }
 
 TEST(Folders, FollowTheEnvironmentAndSayWhenItIsWrong) {

@@ -93,7 +93,7 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
   const auto list = listCases(folder);
   run.report.quality = {{"cases", list.cases.size()}, {"problems", list.problems.size()}};
   if (arguments.asJson) {
-    json shown = {{"folder", folder.string()}, {"cases", json::array()}, {"problems", json::array()}};
+    json shown = {{"folder", folder.string()}, {"cases", json::array()}, {"problems", json::array()}, {"no_cases", json::array()}};
     for (const auto& each : list.cases)
       shown["cases"].push_back({{"id", each.id},
                                 {"title", each.title},
@@ -102,6 +102,7 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
                                 {"folder", each.folder.string()},
                                 {"prepared", !caseNeedsPreparation(each)}});
     for (const auto& problem : list.problems) shown["problems"].push_back(problemJson(problem));
+    for (const auto& other : list.noCases) shown["no_cases"].push_back(other.string());
     run.out() << dumped(shown) << "\n";
     return kDone;
   }
@@ -116,6 +117,8 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
               << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
   if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
   for (const auto& problem : list.problems) run.remark(problem.sentence);
+  for (const auto& other : list.noCases)
+    run.remark("The folder '" + other.filename().string() + "' is left out: it holds no case.json.");
   return kDone;
 }
 

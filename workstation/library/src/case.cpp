@@ -1,6 +1,7 @@
 #include "ew/library/case.h"
 
 #include <algorithm>
+#include <set>
 
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
@@ -22,24 +23,37 @@ fs::path folderOf(const fs::path& folderOrManifest) {
   return folderOrManifest.has_parent_path() ? folderOrManifest.parent_path() : fs::path(".");
 }
 
-Result<nlohmann::json> readManifest(const fs::path& folderOrManifest) {
+fs::path manifestFileOf(const fs::path& folderOrManifest) {
   std::error_code ignored;
-  const bool isFolder = fs::is_directory(folderOrManifest, ignored);
-  const fs::path file = isFolder ? folderOrManifest / kManifestName : folderOrManifest;
-  if (isFolder && !fs::exists(file, ignored))
+  return fs::is_directory(folderOrManifest, ignored) ? folderOrManifest / kManifestName : folderOrManifest;
+}
+
+Result<std::string> readManifestText(const fs::path& folderOrManifest) {
+  const fs::path file = manifestFileOf(folderOrManifest);
+  std::error_code ignored;
+  if (file != folderOrManifest && !fs::exists(file, ignored))
     return failure(
         ErrorCode::notFound,
         "The folder '" + folderOrManifest.string() + "' holds no " + kManifestName + ", so it is not a case; choose a case folder.",
         {{"file", file.string()}});
-  auto text = readTextFile(file, kLargestManifest_bytes);
-  if (!text) return passOn(text.error());
-  auto manifest = parseJson(*text, file.filename().string());
+  return readTextFile(file, kLargestManifest_bytes);
+}
+
+Result<nlohmann::json> parseManifest(const std::string& text, const fs::path& folderOrManifest) {
+  const fs::path file = manifestFileOf(folderOrManifest);
+  auto manifest = parseJson(text, file.filename().string());
   if (!manifest) {
     Error problem = manifest.error();
     problem.context.emplace_back("path", file.string());
     return passOn(std::move(problem));
   }
   return manifest;
+}
+
+Result<nlohmann::json> readManifest(const fs::path& folderOrManifest) {
+  auto text = readManifestText(folderOrManifest);
+  if (!text) return passOn(text.error());
+  return parseManifest(*text, folderOrManifest);
 }
 
 bool inside(const fs::path& file, const fs::path& folder) {
@@ -151,11 +165,27 @@ Result<fs::path> volumeOfCase(const fs::path& folder, const std::string& relativ
 }
 
 Result<Case> loadCase(const fs::path& folderOrManifest) {
-  return guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<Case> {
-    auto manifest = readManifest(folderOrManifest);
+  auto read = readCase(folderOrManifest);
+  if (!read) return passOn(read.error());
+  return std::move(read->opened);
+}
+
+Result<CaseAsRead> readCase(const fs::path& folderOrManifest) {
+  return guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<CaseAsRead> {
+    auto text = readManifestText(folderOrManifest);
+    if (!text) return passOn(text.error());
+    auto manifest = parseManifest(*text, folderOrManifest);
     if (!manifest) return passOn(manifest.error());
-    return caseFromManifest(*manifest, folderOf(folderOrManifest));
+    auto opened = caseFromManifest(*manifest, folderOf(folderOrManifest));
+    if (!opened) return passOn(opened.error());
+    return CaseAsRead{std::move(*opened), fingerprintOf(*text)};
   });
+}
+
+Result<Fingerprint> manifestFingerprint(const fs::path& folderOrManifest) {
+  auto text = readManifestText(folderOrManifest);
+  if (!text) return passOn(text.error());
+  return fingerprintOf(*text);
 }
 
 std::vector<Error> validateCase(const fs::path& folderOrManifest) {
@@ -183,6 +213,29 @@ Result<void> saveCase(const Case& edited, const fs::path& folder) {
   return writeManifest(edited, folder);
 }
 
+std::string idForFolder(const fs::path& folder) {
+  constexpr std::size_t kLongest = 90;  // an id has at most 100 characters; a number comes behind it
+  std::error_code ignored;
+  fs::path place = fs::absolute(folder, ignored).lexically_normal();
+  if (!place.has_filename()) place = place.parent_path();
+  std::string id;
+  for (const char letter : place.filename().string()) {
+    const bool isCapital = letter >= 'A' && letter <= 'Z';
+    const bool fits = isCapital || (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9');
+    if (fits) id += isCapital ? static_cast<char>(letter - 'A' + 'a') : letter;
+    if (!fits && !id.empty() && id.back() != '-') id += '-';
+  }
+  id.resize(std::min(id.size(), kLongest));
+  while (!id.empty() && id.back() == '-') id.pop_back();
+  if (id.empty()) id = "case";
+  std::set<std::string> taken;
+  for (const Case& beside : listCases(place.parent_path()).cases)
+    if (beside.folder.filename() != place.filename()) taken.insert(beside.id);
+  std::string found = id;
+  for (int number = 2; taken.count(found) > 0; ++number) found = id + "-" + std::to_string(number);
+  return found;
+}
+
 CaseList listCases(const fs::path& folder) {
   CaseList found;
   std::error_code error;
@@ -198,12 +251,17 @@ CaseList listCases(const fs::path& folder) {
     const fs::path& entry = entries->path();
     std::error_code ignored;
     // A hidden folder is a save in progress or a tool's own; a folder without a manifest is not a case.
-    if (entry.filename().string().starts_with('.') || !fs::exists(entry / kManifestName, ignored)) continue;
+    if (entry.filename().string().starts_with('.')) continue;
+    if (!fs::exists(entry / kManifestName, ignored)) {
+      if (fs::is_directory(entry, ignored)) found.noCases.push_back(entry);
+      continue;
+    }
     auto opened = loadCase(entry);
     if (opened)
       found.cases.push_back(std::move(*opened));
     else {
       Error problem = opened.error();
+      problem.sentence = "The case in the folder '" + entry.filename().string() + "' is left out: " + problem.sentence;
       problem.context.emplace_back("case", entry.string());
       found.problems.push_back(std::move(problem));
     }
@@ -211,6 +269,7 @@ CaseList listCases(const fs::path& folder) {
   std::sort(found.cases.begin(), found.cases.end(),
             [](const Case& a, const Case& b) { return std::tie(a.title, a.id) < std::tie(b.title, b.id); });
   std::sort(found.problems.begin(), found.problems.end(), [](const Error& a, const Error& b) { return a.sentence < b.sentence; });
+  std::sort(found.noCases.begin(), found.noCases.end());
   return found;
 }
 

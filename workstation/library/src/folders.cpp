@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -59,6 +60,24 @@ Result<fs::path> shippedCasesFolder() {
     if (isFolder(beside)) return beside.lexically_normal();
   }
   return dataFolder("cases");
+}
+
+bool isShipped(const fs::path& folder) {
+  const auto shipped = shippedCasesFolder();
+  if (!shipped) return false;
+  // Through links as well: what counts is where the files lie.
+  std::error_code failed;
+  const fs::path root = fs::weakly_canonical(*shipped, failed);
+  if (failed) return false;
+  const fs::path place = fs::weakly_canonical(folder, failed);
+  if (failed) return false;
+  return std::mismatch(root.begin(), root.end(), place.begin(), place.end()).first == root.end();
+}
+
+fs::path ownCasesFolder() {
+  if (const std::string chosen = environment("ECHOWEAVE_CASES"); !chosen.empty()) return chosen;
+  if (const std::string home = environment("HOME"); !home.empty()) return fs::path(home) / "EchoWeave" / "cases";
+  return "EchoWeave cases";
 }
 
 fs::path cacheFolder() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/acquisition/reconstruct.h"
+#include "ew/core/fingerprint.h"
 #include "ew/core/frames.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
@@ -107,6 +108,17 @@ struct Case {
 /// @error notFound, badHeader, badField (field name, value found, value expected), newerFormat (with both version numbers), notRigid
 [[nodiscard]] Result<Case> loadCase(const std::filesystem::path& folderOrManifest);
 
+/// A case and what its case.json held when it was read: whoever edits it for a while can tell whether somebody else has saved it since.
+struct CaseAsRead {
+  Case opened;
+  Fingerprint manifest;
+};
+/// @error as loadCase
+[[nodiscard]] Result<CaseAsRead> readCase(const std::filesystem::path& folderOrManifest);
+
+/// What case.json of a case holds now. @error notFound, notReadable, tooLarge
+[[nodiscard]] Result<Fingerprint> manifestFingerprint(const std::filesystem::path& folderOrManifest);
+
 /// All problems of a case at once, each a sentence; empty when it is valid.
 [[nodiscard]] std::vector<Error> validateCase(const std::filesystem::path& folderOrManifest);
 
@@ -132,10 +144,15 @@ struct Case {
 /// @error notWritable (also when `folder` holds something else already), badField (what loadCase would refuse)
 [[nodiscard]] Result<void> saveCase(const Case& edited, const std::filesystem::path& folder);
 
-/// The cases in the sub-folders of `folder`, by title; folders that cannot be read come back as problems.
+/// A good id for a case that is saved as `folder`: the folder's name in small letters, with '-' for what an id may not hold, and a number
+/// behind it when a case beside it has that id already.
+[[nodiscard]] std::string idForFolder(const std::filesystem::path& folder);
+
+/// The cases in the sub-folders of `folder`, by title; folders that cannot be read come back as problems, each with its name.
 struct CaseList {
   std::vector<Case> cases;
   std::vector<Error> problems;
+  std::vector<std::filesystem::path> noCases;  ///< sub-folders without a case.json, but for hidden ones; sorted
 };
 [[nodiscard]] CaseList listCases(const std::filesystem::path& folder);
 
@@ -169,6 +186,11 @@ struct PreparationOptions {
 /// Where the program's own data are: $ECHOWEAVE_RESOURCES, beside the program, the source tree it was built from, or the installed place.
 [[nodiscard]] Result<std::filesystem::path> resourceFolder();
 [[nodiscard]] Result<std::filesystem::path> shippedCasesFolder();
+/// Whether a folder is one of the shipped cases', or any other place below them: it belongs to the program, and a new version of the
+/// program, or of its sources, replaces what is in it.
+[[nodiscard]] bool isShipped(const std::filesystem::path& folder);
+/// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else ~/EchoWeave/cases. It need not be there yet.
+[[nodiscard]] std::filesystem::path ownCasesFolder();
 /// $ECHOWEAVE_CACHE, else $XDG_CACHE_HOME/echoweave, else ~/.cache/echoweave.
 [[nodiscard]] std::filesystem::path cacheFolder();
 
