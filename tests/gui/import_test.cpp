@@ -42,8 +42,21 @@ class ImportTest : public QObject {
     guess->setCurrentIndex(1);
     Q_EMIT guess->activated(1);
     QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("rawDim2"))->value(), 64);
-    const QPixmap slice = dialog->findChild<QLabel*>(QStringLiteral("rawPreview"))->pixmap(Qt::ReturnByValue);
-    QVERIFY(!slice.isNull());
+    auto* slice = dialog->findChild<QLabel*>(QStringLiteral("rawPreview"));
+    const auto isShown = [slice](int width, int height) {
+      const QPixmap shown = slice->pixmap(Qt::ReturnByValue);
+      return !shown.isNull() && shown.width() * height == shown.height() * width;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(64, 64), 300000);
+    // Typed in haste: the window goes on, and what is shown in the end is the last layout.
+    auto* dims = dialog->findChild<QSpinBox*>(QStringLiteral("rawDim0"));
+    for (const int width : {16, 8, 32}) dims->setValue(width);
+    QVERIFY2(isShown(64, 64), "the slices are read by a job, not by the key");
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(32, 64), 300000);
+    QTRY_VERIFY_WITH_TIMEOUT(!jobs.isRunning(), 300000);
+    QVERIFY(isShown(32, 64));
+    dims->setValue(64);
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(64, 64), 300000);
     auto* import = dialog->findChild<QPushButton*>(QStringLiteral("importFile"));
     auto* question = dialog->findChild<QLabel*>(QStringLiteral("importQuestion"));
     import->click();

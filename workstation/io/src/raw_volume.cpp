@@ -198,7 +198,7 @@ std::vector<RawLayout> guessRawLayouts(std::uint64_t fileBytes, std::size_t most
   return guesses;
 }
 
-Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layout) {
+Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layout, Progress& progress) {
   RawLayout spaced = layout;
   for (int axis = 0; axis < 3; ++axis)
     if (!(spaced.spacing_mm[axis] > 0.0)) spaced.spacing_mm[axis] = 1.0;  // the pictures do not depend on it
@@ -228,15 +228,19 @@ Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layou
   const auto unreadable = [&] {
     return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
   };
+  const auto stopped = [] { return failure(ErrorCode::cancelled, "Reading the slices was stopped."); };
   const auto value = [&](std::uint64_t i) { return valueAt(row.data() + i * size, layout.type, layout.bigEndian); };
   for (std::uint64_t j = 0; j < y; ++j) {
+    if (progress.cancelRequested()) return stopped();
     if (!readRow(j, z / 2)) return unreadable();
     for (std::uint64_t i = 0; i < x; ++i) values[0].push_back(value(i));
   }
   for (std::uint64_t k = 0; k < z; ++k) {
+    progress.report("Reading the slices", static_cast<double>(k) / static_cast<double>(z));
     if (!readRow(y / 2, k)) return unreadable();
     for (std::uint64_t i = 0; i < x; ++i) values[1].push_back(value(i));
     for (std::uint64_t j = 0; j < y; ++j) {
+      if (progress.cancelRequested()) return stopped();
       in.seekg(static_cast<std::streamoff>(layout.offset + ((k * y + j) * x + x / 2) * size));
       if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(size))) return unreadable();
       values[2].push_back(value(0));

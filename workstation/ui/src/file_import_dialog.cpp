@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -22,6 +21,7 @@
 #include "ew/io/sequence.h"
 #include "jobs.h"
 #include "message_bar.h"
+#include "save_file.h"
 #include "theme.h"
 #include "words.h"
 
@@ -66,7 +66,8 @@ FileImportDialog::FileImportDialog(const QString& file, FileKind kind, const QSt
 }
 
 FileImportDialog::~FileImportDialog() {
-  if (job_ != 0) jobs_.cancel(job_);
+  for (const int job : {job_, preview_})
+    if (job != 0) jobs_.cancel(job);
 }
 
 void FileImportDialog::addRows() {
@@ -222,11 +223,32 @@ RawLayout FileImportDialog::rawLayout() const {
 }
 
 void FileImportDialog::showPreview() {
+  // Each key is another layout, and of a large file every one takes a while: the newest wins.
+  if (preview_ != 0) jobs_.cancel(preview_);
   const RawLayout layout = rawLayout();
-  const auto preview = previewRawVolume(pathOf(file_), layout);
-  if (!preview) {
+  auto slices = std::make_shared<RawPreview>();
+  auto id = std::make_shared<int>(0);
+  *id = jobs_.start(
+      tr("Reading the slices of %1").arg(QFileInfo(file_).fileName()),
+      [slices, layout, file = pathOf(file_)](Progress& progress) -> Result<void> {
+        auto read = previewRawVolume(file, layout, progress);
+        if (!read) return passOn(read.error());
+        *slices = std::move(*read);
+        return {};
+      },
+      [here = QPointer<FileImportDialog>(this), slices, layout, id](const Result<void>& outcome) {
+        FileImportDialog* const dialog = here.data();
+        if (dialog == nullptr || dialog->preview_ != *id) return;
+        dialog->preview_ = 0;
+        dialog->takePreview(*slices, layout, outcome);
+      });
+  preview_ = *id;
+}
+
+void FileImportDialog::takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome) {
+  if (!outcome) {
     for (QLabel* slice : slices_) slice->clear();
-    refuse(words(preview.error().sentence));
+    if (outcome.error().code != ErrorCode::cancelled) refuse(words(outcome.error().sentence));
     import_->setEnabled(true);
     return;
   }
@@ -235,9 +257,9 @@ void FileImportDialog::showPreview() {
     const QImage image(levels.data(), width, height, width, QImage::Format_Grayscale8);
     label->setPixmap(QPixmap::fromImage(image).scaled(kSlice_px, kSlice_px, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   };
-  show(slices_[0], preview->xy, layout.dims.x, layout.dims.y);
-  show(slices_[1], preview->xz, layout.dims.x, layout.dims.z);
-  show(slices_[2], preview->yz, layout.dims.y, layout.dims.z);
+  show(slices_[0], slices.xy, layout.dims.x, layout.dims.y);
+  show(slices_[1], slices.xz, layout.dims.x, layout.dims.z);
+  show(slices_[2], slices.yz, layout.dims.y, layout.dims.z);
 }
 
 void FileImportDialog::inspect() {
@@ -342,11 +364,11 @@ void FileImportDialog::take(const std::shared_ptr<ImportedFile>& made) {
 void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
   // Pictures without a place are no volume: they are kept as a sequence, to be reconstructed with what a motor file says.
   const QFileInfo info(file_);
-  QString target = QFileDialog::getSaveFileName(this, tr("Save the pictures as a sequence"),
-                                                info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
-                                                tr("Sequences (*.igs.mha)"));
+  const QString target = askSaveFile(this, {tr("Save the pictures as a sequence"),
+                                            info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
+                                            tr("Sequences (*.igs.mha)"),
+                                            {QStringLiteral(".igs.mha"), QStringLiteral(".mha")}});
   if (target.isEmpty()) return;
-  if (!target.endsWith(QStringLiteral(".mha"))) target += QStringLiteral(".igs.mha");
   jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
       [made, target](Progress& progress) { return writeSequence(made->pictures->sequence, pathOf(target), progress); },
@@ -354,7 +376,8 @@ void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
         if (!messages) return;
         if (!outcome) return messages->showError(outcome.error());
         messages->showNote(tr("Wrote %1; reconstruct it with a file that says how the probe moved.").arg(QFileInfo(target).fileName()));
-      });
+      },
+      Jobs::Kind::saving);
   close();
 }
 

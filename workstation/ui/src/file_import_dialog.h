@@ -42,6 +42,7 @@ class FileImportDialog final : public QDialog {
   void inspect();
   void takeSummary(const DicomSummary& summary);
   void showPreview();
+  void takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome);
   void refuse(const QString& why);
   void start();
   void take(const std::shared_ptr<ImportedFile>& made);
@@ -54,6 +55,7 @@ class FileImportDialog final : public QDialog {
   Jobs& jobs_;
   MessageBar& messages_;
   int job_ = 0;
+  int preview_ = 0;  ///< job that reads the slices of the layout as it stands; 0: none
   QComboBox* region_ = nullptr;
   std::array<QDoubleSpinBox*, 2> pixel_{};
   std::array<QDoubleSpinBox*, 3> spacing_{};

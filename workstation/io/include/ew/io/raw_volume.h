@@ -43,10 +43,13 @@ struct RawLayout {
 /// be offered, never applied: their spacing is 0. @param most how many at most
 [[nodiscard]] std::vector<RawLayout> guessRawLayouts(std::uint64_t fileBytes, std::size_t most = 12);
 
-/// The three middle slices (x y, x z, y z) as grey pictures, reading no more than they need. @error as readRawVolume
+/// The three middle slices (x y, x z, y z) as grey pictures, reading no more than they need: for the third one a place of the file a
+/// sample.
+/// @error as readRawVolume; cancelled
 struct RawPreview {
   std::vector<std::uint8_t> xy, xz, yz;
 };
-[[nodiscard]] Result<RawPreview> previewRawVolume(const std::filesystem::path& file, const RawLayout& layout);
+[[nodiscard]] Result<RawPreview> previewRawVolume(const std::filesystem::path& file, const RawLayout& layout,
+                                                  Progress& progress = noProgress());
 
 }  // namespace ew
