@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -267,6 +268,30 @@ class WindowTest : public WindowFixture {
     mirrored["volume"]["file_to_world"][0] = -1.0;
     QVERIFY(!document.edit(mirrored, "Mirror", ""));
     QVERIFY(!document.hasUnsavedChanges());
+  }
+
+  void eachFieldOfThePlacementIsAStepOfItsOwn() {
+    window_->openPlugins();
+    window_->setWorkspace(Workspace::author);
+    QTest::qWait(50);
+    QWidget* panel = window_->findChild<QWidget*>(QStringLiteral("casePanel"));
+#ifdef EW_WITH_CASE_AUTHORING
+    QVERIFY2(panel != nullptr, "the case authoring plugin is part of this build and brought no panel");
+#else
+    if (panel == nullptr) QSKIP("the case authoring plugin is not part of this build");
+#endif
+    CaseDocument& document = window_->document();
+    const auto place = [&document] { return document.current()->volume.fileToWorld; };
+    for (const auto& [name, value] : {std::pair{"placement_x", 3.0}, {"placement_x", 30.0}, {"placement_z", 7.0}, {"placement_rx", 20.0}})
+      panel->findChild<QDoubleSpinBox*>(QLatin1String(name))->setValue(value);
+    QCOMPARE(document.history().count(), 3);
+    document.history().undo();
+    QCOMPARE(place()[3].x, 30.0);
+    QCOMPARE(place()[3].z, 7.0);
+    QCOMPARE(place()[1].z, 0.0);
+    document.history().undo();
+    QCOMPARE(place()[3].z, 0.0);
+    QCOMPARE(place()[3].x, 30.0);
   }
 
   void aSweepDroppedOnTheWindowBecomesAVolume() {

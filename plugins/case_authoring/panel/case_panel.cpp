@@ -268,8 +268,10 @@ void CasePanel::addScene(QFormLayout* form) {
 void CasePanel::addPlace(QFormLayout* form) {
   auto* place = new sdk::PlacementFields;
   place->setObjectName(QStringLiteral("placement"));
-  place->onChanged = [this](const glm::dmat4& matrix) {
-    change(kPlacePath, tr("Move the volume"), [&](nlohmann::json manifest) { return withPlace(std::move(manifest), matrix); });
+  place->onChanged = [this](const glm::dmat4& matrix, const std::string& axis) {
+    change(
+        kPlacePath, tr("Move the volume, %1").arg(sdk::words(axis)),
+        [&](nlohmann::json manifest) { return withPlace(std::move(manifest), matrix); }, axis);
   };
   fields_[kPlacePath] = {[place](const nlohmann::json& manifest) {
                            if (const auto matrix = placeOf(manifest)) place->setMatrix(*matrix);
@@ -277,7 +279,8 @@ void CasePanel::addPlace(QFormLayout* form) {
                          addRow(form, {}, place, kPlacePath)};
 }
 
-void CasePanel::change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit) {
+void CasePanel::change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit,
+                       const std::string& part) {
   auto manifest = host_.cases().current();
   if (!manifest) return;
   const nlohmann::json next = edit(*manifest);
@@ -289,7 +292,7 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   sdk::setProblem(fields_[path].problem, {});
   if (next == *manifest) return;
   changing_ = true;
-  const auto done = host_.cases().edit(next, what.toStdString(), path);
+  const auto done = host_.cases().edit(next, what.toStdString(), path + part);
   if (!done && fieldOf(*manifest, path) != beforeTyping_) {
     // 9 and 99 are fit to be ages on the way to 999, which is not: what nobody meant must not stay in the case and be saved.
     const auto back = beforeTyping_.is_null() ? std::nullopt : std::optional<nlohmann::json>(beforeTyping_);

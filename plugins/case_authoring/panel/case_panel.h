@@ -44,7 +44,9 @@ class CasePanel final : public QWidget {
   void addPlace(QFormLayout* form);
   void addScene(QFormLayout* form);
   QLabel* addRow(QFormLayout* form, const QString& label, QWidget* editor, const std::string& path);
-  void change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit);
+  /// @param part of what `path` names: edits of one part in a row are one step of undo
+  void change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit,
+              const std::string& part = {});
   void showCase();
   void showSaved();
   void say(const Error& problem);

@@ -173,10 +173,10 @@ QWidget* PairInspector::makePose() {
   heading->setToolTip(tr("Where the moving volume lies in the fixed one; in the views the arrow keys move it"));
   column->addWidget(heading);
   pose_ = new sdk::PlacementFields;
-  pose_->onChanged = [this](const glm::dmat4& movingToFixed) {
+  pose_->onChanged = [this](const glm::dmat4& movingToFixed, const std::string& axis) {
     if (showing_ || !session_.pair()) return;
     session_.setTransform(rigidInverse(movingToFixed), tr("place %1 by figures").arg(words(letterOf(session_.pair()->moving))),
-                          "figures " + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
+                          "figures " + axis + ' ' + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
   };
   column->addWidget(pose_);
   return box;

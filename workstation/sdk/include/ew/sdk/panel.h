@@ -141,7 +141,7 @@ class PlacementFields final : public QWidget {
       connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, i](double value) {
         (i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)] = value;
         matrix_ = matrixOf(shown_);
-        if (onChanged) onChanged(matrix_);
+        if (onChanged) onChanged(matrix_, names[i]);
       });
       fields_[i] = field;
     }
@@ -166,7 +166,8 @@ class PlacementFields final : public QWidget {
     }
   }
 
-  std::function<void(const glm::dmat4&)> onChanged;  ///< called when the user edits a field
+  /// Called when the user edits a field: "x", "y", "z", "rx", "ry" or "rz". Undo takes back one field, not all that were typed in a row.
+  std::function<void(const glm::dmat4&, const std::string& field)> onChanged;
 
  private:
   static QString tr_(const char* text) { return QCoreApplication::translate("ew::sdk::PlacementFields", text); }
