@@ -194,8 +194,8 @@
         <translation>Alter</translation>
     </message>
     <message>
-        <source>Move the volume</source>
-        <translation>Volumen verschieben</translation>
+        <source>Move the volume, %1</source>
+        <translation>Volumen verschieben, %1</translation>
     </message>
     <message>
         <source>A marked field cannot be used as it is; correct it first, or undo.</source>
@@ -2725,6 +2725,53 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::CaseFolderDialog</name>
+    <message>
+        <source>Save the case as a folder of its own</source>
+        <translation>Fall in einem eigenen Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Folder of your own cases</source>
+        <translation>Ordner der eigenen Fälle</translation>
+    </message>
+    <message>
+        <source>Name of the new folder</source>
+        <translation>Name des neuen Ordners</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Choose the folder of your own cases.</source>
+        <translation>Wählen Sie den Ordner Ihrer eigenen Fälle.</translation>
+    </message>
+    <message>
+        <source>Type a name for the new folder, without &apos;/&apos; and not beginning with &apos;.&apos;.</source>
+        <translation>Geben Sie dem neuen Ordner einen Namen ohne „/“, der nicht mit „.“ beginnt.</translation>
+    </message>
+    <message>
+        <source>This folder belongs to the program, and the next version replaces it; choose one of your own.</source>
+        <translation>Dieser Ordner gehört zum Programm, und die nächste Version ersetzt ihn; wählen Sie einen eigenen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there already, and nothing in it is replaced; type another name.</source>
+        <translation>„%1“ gibt es schon, und darin wird nichts ersetzt; geben Sie einen anderen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The case will be saved in %1.</source>
+        <translation>Der Fall wird in %1 gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::CasePreparation</name>
     <message>
         <source>Preparing %1</source>
@@ -3487,6 +3534,10 @@
         <source>Wrote %1; reconstruct it with a file that says how the probe moved.</source>
         <translation>%1 wurde geschrieben; mit einer Datei, die die Bewegung des Schallkopfs beschreibt, lässt sich daraus ein Volumen rekonstruieren.</translation>
     </message>
+    <message>
+        <source>Reading the slices of %1</source>
+        <translation>Schnitte von %1 werden gelesen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::FocusScale</name>
@@ -4028,14 +4079,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Fall, Volumen oder Schwenk öffnen</translation>
     </message>
     <message>
-        <source>Save the case as a new folder</source>
-        <translation>Den Fall als neuen Ordner speichern</translation>
-    </message>
-    <message>
-        <source>-copy</source>
-        <translation>-Kopie</translation>
-    </message>
-    <message>
         <source>The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?</source>
         <translation>Das Volumen liegt im Körper woanders, als seine eigenen Koordinaten sagen. Welchen Ort soll die Datei festhalten?</translation>
     </message>
@@ -4415,6 +4458,102 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Save project &amp;as…</source>
         <translation>Projekt speichern &amp;unter…</translation>
     </message>
+    <message>
+        <source>The case &apos;%1&apos; was saved by another window or program since it was opened here.</source>
+        <translation>Der Fall „%1“ wurde von einem anderen Fenster oder Programm gespeichert, seit er hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Save as keeps both, each in a folder of its own. Reload drops the changes made here. Overwrite drops the others&apos;.</source>
+        <translation>„Speichern unter“ behält beide, jeden in einem eigenen Ordner. „Neu laden“ verwirft die Änderungen von hier, „Überschreiben“ die anderen.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is ready to be shown in its place.</source>
+        <translation>„%1“ ist bereit und würde an seiner Stelle gezeigt.</translation>
+    </message>
+    <message>
+        <source>The volume made from &apos;%1&apos; is not saved.</source>
+        <translation>Das Volumen aus „%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Making it again takes as long as it did.</source>
+        <translation>Es noch einmal zu erstellen dauert so lange wie beim ersten Mal.</translation>
+    </message>
+    <message>
+        <source>The volume made from %1 is kept: View, Show the volume made from %1.</source>
+        <translation>Das Volumen aus %1 bleibt erhalten: Ansicht, Volumen aus %1 zeigen.</translation>
+    </message>
+    <message>
+        <source>Show the volume made from %1</source>
+        <translation>Volumen aus %1 zeigen</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; has changes of %2 that were not saved when the program ended.</source>
+        <translation>Der Fall „%1“ hat Änderungen vom %2, die nicht gespeichert waren, als das Programm endete.</translation>
+    </message>
+    <message>
+        <source>Folder: %1</source>
+        <translation>Ordner: %1</translation>
+    </message>
+    <message>
+        <source>Open with these changes</source>
+        <translation>Mit diesen Änderungen öffnen</translation>
+    </message>
+    <message>
+        <source>Throw them away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>Take over the changes of %1</source>
+        <translation>Änderungen vom %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; belongs to the program.</source>
+        <translation>Der Fall „%1“ gehört zum Programm.</translation>
+    </message>
+    <message>
+        <source>Save a copy of your own: the next version of the program replaces what is changed in its own cases.</source>
+        <translation>Speichern Sie eine eigene Kopie: Die nächste Version des Programms ersetzt, was an seinen Fällen geändert wird.</translation>
+    </message>
+    <message>
+        <source>Save a copy…</source>
+        <translation>Kopie speichern…</translation>
+    </message>
+    <message>
+        <source>Change the program&apos;s case</source>
+        <translation>Fall des Programms ändern</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; belongs to the program. It is copied to a folder of your own first, and changed there.</source>
+        <translation>Der Fall „%1“ gehört zum Programm. Er wird zuerst in einen eigenen Ordner kopiert und dort geändert.</translation>
+    </message>
+    <message>
+        <source>shipped case</source>
+        <translation>mitgelieferter Fall</translation>
+    </message>
+    <message>
+        <source>shipped case, not saved</source>
+        <translation>mitgelieferter Fall, nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MessageBar</name>
@@ -4482,6 +4621,60 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::SaveFile</name>
+    <message>
+        <source>There is a file &apos;%1&apos; already. It would be replaced.</source>
+        <translation>Es gibt schon eine Datei „%1“. Sie würde ersetzt.</translation>
+    </message>
+    <message>
+        <source>These files are there already and would be replaced: %1.</source>
+        <translation>Diese Dateien gibt es schon, sie würden ersetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Folder: %1</source>
+        <translation>Ordner: %1</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Another name…</source>
+        <translation>Anderer Name…</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::SavingDialog</name>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Not everything is saved yet</source>
+        <translation>Noch ist nicht alles gespeichert</translation>
+    </message>
+    <message>
+        <source>The window closes as soon as it is. Closing now loses it.</source>
+        <translation>Das Fenster schließt, sobald es gespeichert ist. Wer jetzt schließt, verliert es.</translation>
+    </message>
+    <message>
+        <source>It goes on as soon as it is.</source>
+        <translation>Danach geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Close and lose it</source>
+        <translation>Schließen und verlieren</translation>
+    </message>
+    <message>
+        <source>Do not close</source>
+        <translation>Nicht schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

@@ -32,10 +32,14 @@
 
 namespace ew::ui::testing {
 
-/// What the window's tests share: settings of their own, and files that they write themselves.
+/// What the window's tests share: settings, kept work and a library of cases of their own, and files that they write themselves.
 class Files {
  public:
-  Files() { QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + QStringLiteral("/settings")); }
+  Files() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path() + QStringLiteral("/settings"));
+    qputenv("XDG_DATA_HOME", path(QStringLiteral("data")).toUtf8());
+    qputenv("ECHOWEAVE_CASES", path(QStringLiteral("own cases")).toUtf8());
+  }
 
   [[nodiscard]] QString path(const QString& name) const { return folder_.path() + QLatin1Char('/') + name; }
 

@@ -10,7 +10,12 @@ VolumeWriter::~VolumeWriter() = default;
 Volumes::~Volumes() = default;
 Files::~Files() = default;
 Cases::~Cases() = default;
+Result<void> Cases::makeOwn() { return {}; }
 Jobs::~Jobs() = default;
+void Jobs::startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
+                       std::function<void(const Result<void>&)> done) {
+  start(title, std::move(work), std::move(done));
+}
 PanelDocument::~PanelDocument() = default;
 Panels::~Panels() = default;
 void Panels::addStaged(StagedPanel panel) { add(panel.id, panel.title, std::move(panel.make)); }

@@ -39,8 +39,10 @@ CaseDocument::CaseDocument(QObject* parent) : QObject(parent) {
   connect(&history_, &QUndoStack::cleanChanged, this, &CaseDocument::changed);
 }
 
-void CaseDocument::open(Case opened) {
+void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
   current_ = std::move(opened);
+  asRead_ = asRead;
+  isShipped_ = isShipped(current_->folder);
   history_.clear();
   history_.setClean();
   Q_EMIT changed();
@@ -50,6 +52,12 @@ void CaseDocument::close() {
   current_.reset();
   history_.clear();
   Q_EMIT changed();
+}
+
+Result<void> CaseDocument::restore(const nlohmann::json& manifest, const std::string& what, const Fingerprint& asRead) {
+  auto done = edit(manifest, what, {});
+  if (done) asRead_ = asRead;
+  return done;
 }
 
 nlohmann::json CaseDocument::manifest() const { return current_ ? manifestOf(*current_) : nlohmann::json(); }
@@ -64,18 +72,38 @@ Result<void> CaseDocument::edit(const nlohmann::json& manifest, const std::strin
   return {};
 }
 
-Result<void> CaseDocument::save(const std::filesystem::path& folder) {
+bool CaseDocument::isChangedOnDisk() const {
+  if (!current_ || !asRead_) return false;
+  // A manifest that is gone or cannot be read holds nothing that saving would destroy; saving itself says what is wrong with the folder.
+  const auto now = manifestFingerprint(current_->folder);
+  return now && *now != *asRead_;
+}
+
+Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseOverwrite& decided) {
   if (!current_) return failure(ErrorCode::badUsage, "No case is open; open one first.");
   const std::filesystem::path target = folder.empty() ? current_->folder : folder;
-  auto saved = saveCase(*current_, target);
-  if (!saved) return saved;
-  if (target != current_->folder) {
+  const bool isElsewhere = target != current_->folder;
+  if (!decided.shipped && (isElsewhere ? isShipped(target) : isShipped_))
+    return failure(
+        ErrorCode::notWritable,
+        "'" + target.string() + "' belongs to the program, and the next version replaces it; save the case as a copy of your own.",
+        {{"file", target.string()}});
+  if (!isElsewhere && !decided.changedOnDisk && isChangedOnDisk())
+    return failure(ErrorCode::notWritable,
+                   "The case in '" + target.string() +
+                       "' was saved by another program since it was opened here; save it with File, Save case, which asks what to keep.",
+                   {{"file", target.string()}});
+  Case saved = *current_;
+  if (isElsewhere) saved.id = idForFolder(target);
+  if (auto done = saveCase(saved, target); !done) return done;
+  auto asRead = manifestFingerprint(target);
+  if (isElsewhere) {
     // Undo steps remember the folder they were made in; after a save under another name they would lead back to the old one.
-    Case moved = *current_;
-    moved.folder = target;
-    open(std::move(moved));
+    saved.folder = target;
+    open(std::move(saved), asRead ? std::optional(*asRead) : std::nullopt);
     return {};
   }
+  if (asRead) asRead_ = *asRead;
   history_.setClean();
   Q_EMIT changed();
   return {};

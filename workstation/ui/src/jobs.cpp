@@ -62,7 +62,11 @@ Jobs::~Jobs() {
 }
 
 bool Jobs::isRunning() const {
-  return std::any_of(running_.begin(), running_.end(), [](const auto& job) { return job->kind == Kind::awaited; });
+  return std::any_of(running_.begin(), running_.end(), [](const auto& job) { return job->kind != Kind::background; });
+}
+
+bool Jobs::isSaving() const {
+  return std::any_of(running_.begin(), running_.end(), [](const auto& job) { return job->kind == Kind::saving; });
 }
 
 int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
@@ -106,7 +110,8 @@ std::vector<Jobs::Seen> Jobs::seen() const {
              {},
              std::clamp(job->fraction.load(), 0.0, 1.0),
              static_cast<double>(job->clock.elapsed()) / 1000.0,
-             job->cancelled.load()};
+             job->cancelled.load(),
+             job->kind};
     const std::lock_guard lock(job->mutex);
     one.step = QString::fromStdString(job->step);
     all.push_back(std::move(one));
@@ -121,9 +126,11 @@ void Jobs::deliver(int id) {
   running_.erase(at);
   if (job->thread.joinable()) job->thread.join();
   Q_EMIT finished(id);
-  if (!job->done) return;
-  const auto taken = guarded([&] { job->done(job->outcome); }, [&](const Thrown& thrown) { return notTakenOver(job->title, thrown); });
-  if (!taken) Q_EMIT problem(taken.error());
+  if (job->done) {
+    const auto taken = guarded([&] { job->done(job->outcome); }, [&](const Thrown& thrown) { return notTakenOver(job->title, thrown); });
+    if (!taken) Q_EMIT problem(taken.error());
+  }
+  if (job->kind == Kind::saving && !job->outcome) Q_EMIT notSaved(id);
 }
 
 void Jobs::cancelAllAndWait() {

@@ -19,8 +19,9 @@ class Jobs final : public QObject {
   using Work = std::function<Result<void>(Progress&)>;
   using Done = std::function<void(const Result<void>&)>;
 
-  /// Whether someone waits for the job. Work in the background does not keep the window from being settled.
-  enum class Kind { awaited, background };
+  /// Whether someone waits for the job. Work in the background does not keep the window from being settled. What is being saved is lost
+  /// when the job is cancelled, so nobody cancels it without asking.
+  enum class Kind { awaited, background, saving };
 
   /// What can be seen of a job from the window's thread.
   struct Seen {
@@ -30,6 +31,7 @@ class Jobs final : public QObject {
     double fraction = 0.0;
     double age_s = 0.0;
     bool cancelling = false;
+    Kind kind = Kind::awaited;
   };
 
   explicit Jobs(QObject* parent = nullptr);
@@ -42,6 +44,7 @@ class Jobs final : public QObject {
   void cancel(int id);
   /// Whether a job runs that someone waits for.
   [[nodiscard]] bool isRunning() const;
+  [[nodiscard]] bool isSaving() const;
   [[nodiscard]] std::vector<Seen> seen() const;
   /// Cancels everything, waits until it has stopped, and calls every `done`.
   void cancelAllAndWait();
@@ -50,6 +53,7 @@ class Jobs final : public QObject {
   void started(int id);
   void finished(int id);
   void problem(const ew::Error& error);  ///< a `done` threw
+  void notSaved(int id);  ///< a job of Kind::saving has failed or was cancelled; after its `done`
 
  private:
   struct Job;

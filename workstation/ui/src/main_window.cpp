@@ -1,11 +1,9 @@
 #include "ew/ui/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -13,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ew/library/preparation.h"
+#include "case_folder_dialog.h"
 #include "file_import_dialog.h"
 #include "guarded_application.h"
 #include "import_dialog.h"
@@ -27,7 +25,6 @@ static void initResources() { Q_INIT_RESOURCE(icons); }
 namespace ew::ui {
 namespace {
 
-constexpr int kRecentFiles = 6;
 constexpr int kConsoleWidth_px = 248;
 constexpr int kPanelWidth_px = 400;
 constexpr int kStagedPanelWidth_px = 296;  ///< beside a stage, which has columns of its own
@@ -181,6 +178,10 @@ void MainWindow::connectParts() {
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
   connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
+  connect(&p.document, &CaseDocument::changed, this, [this] {
+    if (!parts_->keepSoon.isActive()) parts_->keepSoon.start();
+  });
+  connect(&p.keepSoon, &QTimer::timeout, this, &MainWindow::keepEdits);
   connect(&p.document.history(), &QUndoStack::indexChanged, this, &MainWindow::showHistory);
   connect(p.host, &WorkstationHost::panelDocumentChanged, this, [this] {
     showHistory();
@@ -190,6 +191,7 @@ void MainWindow::connectParts() {
   connect(p.topBar, &TopBar::workspaceChosen, this,
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
+    if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
     showStage();
     placeOverlays();
     showTitle();
@@ -197,31 +199,29 @@ void MainWindow::connectParts() {
   connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
   connect(p.startPage, &StartPage::caseChosen, this, &MainWindow::open);
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
+  p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); });
+  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
   connect(p.opener, &Opener::opened, this, [this](const QString& path) {
-    QSettings settings;
-    QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
-    recent.removeAll(path);
-    recent.prepend(path);
-    while (recent.size() > kRecentFiles) recent.removeLast();
-    settings.setValue(QStringLiteral("recent"), recent);
-    showRecent();
+    remember(path);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
+    if (parts_->restoring) return restoreKeptEdits();
+    if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
   });
   connect(p.opener, &Opener::preparing, this, [this](const QString& path) {
     parts_->preparing = path;
     parts_->preparation.pause();
   });
-  connect(p.opener, &Opener::opened, this, [this] {
-    parts_->preparing.clear();
-    parts_->preparation.resume();
-    showPreparation();
-  });
   connect(p.opener, &Opener::failed, this, [this](const Error& error) {
     const auto stopped = loadCase(pathOf(parts_->preparing));
-    parts_->preparing.clear();
     if (error.code == ErrorCode::cancelled && stopped) parts_->preparation.stop(stopped->id);
+  });
+  connect(p.opener, &Opener::ended, this, [this] {
+    parts_->dropsEdits = false;
+    parts_->restoring.reset();  // what could not be opened keeps its edits
+    if (std::exchange(parts_->preparing, {}).isEmpty()) return;
     parts_->preparation.resume();
+    showPreparation();
   });
   connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
   connect(&p.preparation, &CasePreparation::prepared, this, [this] {
@@ -234,22 +234,20 @@ void MainWindow::connectParts() {
     connect(dialog, &ImportDialog::imported, this,
             [this, path](const std::shared_ptr<const Volume>& volume, const QString& title,
                          const std::shared_ptr<const Provenance>& provenance) {
-              parts_->document.close();
-              parts_->opener->showVolume(volume, title, false, nullptr, provenance);
-              Q_EMIT parts_->opener->opened(path);
+              takeMade({path, title, volume, provenance});
             });
     dialog->open();
   });
   connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {
     auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
     connect(dialog, &FileImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
-      parts_->document.close();
-      parts_->opener->showVolume(volume, title, false);
-      Q_EMIT parts_->opener->opened(path);
+      if (mayReplaceShown(title)) showMade({path, title, volume, nullptr});
     });
     dialog->open();
   });
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
+    if (!mayLeaveShownVolume(title)) return;
+    forgetShownVolume();
     parts_->opener->showVolume(volume, title, true);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
   });
@@ -267,30 +265,13 @@ void MainWindow::showPicture() {
   p.view3d->setProbeVisible(true);
 }
 
-void MainWindow::open(const QString& path) {
-  if (!mayLeaveCase()) return;
-  parts_->opener->open(path);
-}
-
-void MainWindow::openDefaultCase() {
-  auto folder = shippedCasesFolder();
-  const CaseList found = folder ? listCases(*folder) : CaseList{};
-  if (found.cases.empty()) {
-    showStartPage();
-    return;
-  }
-  // On the first start the one that is scannable soonest.
-  const auto ready = std::find_if(found.cases.begin(), found.cases.end(), [](const Case& each) { return !caseNeedsPreparation(each); });
-  parts_->opener->open(wordsOf(ready != found.cases.end() ? ready->folder : preparationOrder(found.cases).front().folder));
-}
-
 void MainWindow::prepareCases() {
   if (const auto folder = shippedCasesFolder()) parts_->preparation.start(listCases(*folder).cases);
 }
 
 void MainWindow::showPreparation() {
   if (parts_->pages->currentWidget() != parts_->startPage) return;
-  for (const Case& shown : parts_->shippedCases) {
+  for (const Case& shown : parts_->shownCases) {
     const auto seen = parts_->preparation.seen(shown);
     const QString takes = tr("about %1 s").arg(std::ceil(seen.estimate_s));
     switch (seen.state) {
@@ -311,13 +292,23 @@ void MainWindow::showPreparation() {
 }
 
 void MainWindow::showStartPage() {
+  if (parts_->pages->currentWidget() == parts_->startPage) return fillStartPage();
+  parts_->pages->setCurrentWidget(parts_->startPage);
+}
+
+void MainWindow::fillStartPage() {
   auto folder = shippedCasesFolder();
   CaseList found;
   if (folder) found = listCases(*folder);
+  std::error_code ignored;
+  if (const auto own = CaseFolderDialog::library(); std::filesystem::is_directory(own, ignored)) {
+    CaseList theirs = listCases(own);
+    std::move(theirs.cases.begin(), theirs.cases.end(), std::back_inserter(found.cases));
+    std::move(theirs.problems.begin(), theirs.problems.end(), std::back_inserter(found.problems));
+  }
   for (const Error& problem : found.problems) parts_->messages->showError(problem);
   parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
-  parts_->shippedCases = found.cases;
-  parts_->pages->setCurrentWidget(parts_->startPage);
+  parts_->shownCases = found.cases;
   showPreparation();
   prepareThumbnails();
   showTitle();
@@ -389,32 +380,6 @@ void MainWindow::showHistory() {
   p.redoAction->setText(redo.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redo));
   p.status->setEdit(undo.isEmpty() ? QString() : tr("Undo: %1 (Ctrl+Z)").arg(undo));
   p.status->setNote(document != nullptr ? words(document->note()) : QString());
-}
-
-bool MainWindow::mayLeaveCase() {
-  if (!parts_->document.hasUnsavedChanges()) return true;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The case '%1' has changes that are not saved.").arg(words(parts_->document.current()->title)));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
-  if (answer == QMessageBox::Cancel) return false;
-  if (answer == QMessageBox::Discard) return true;
-  saveCase(false);
-  return !parts_->document.hasUnsavedChanges();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLeaveCase()) {
-    event->ignore();
-    return;
-  }
-  QSettings().setValue(QStringLiteral("window"), saveGeometry());
-  parts_->preparation.pause();  // what it has made is kept; the next start goes on from there
-  parts_->jobs.cancelAllAndWait();
-  event->accept();
 }
 
 void MainWindow::placeOverlays() {

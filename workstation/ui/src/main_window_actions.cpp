@@ -9,8 +9,6 @@
 #include <algorithm>
 
 #include "ew/core/version.h"
-#include "ew/io/image_file.h"
-#include "ew/io/volume_file.h"
 #include "icons.h"
 #include "main_window_parts.h"
 #include "plugins_dialog.h"
@@ -27,9 +25,6 @@ QString keysOf(const QAction& action) {
 }
 
 QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); }
-
-/// The name with `ending` when it has none of its own.
-QString withEnding(const QString& file, const QString& ending) { return QFileInfo(file).suffix().isEmpty() ? file + ending : file; }
 
 }  // namespace
 
@@ -54,7 +49,7 @@ void MainWindow::makeActions() {
   file->addSeparator();
   p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
   p.saveAsAction = add(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
-  p.saveVolumeAction = add(file, tr("Save &volume as…"), {}, [this] { saveVolume(); });
+  p.saveVolumeAction = add(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
   p.savePictureAction = add(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
   file->addSeparator();
   add(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
@@ -95,6 +90,7 @@ void MainWindow::makeActions() {
   look(tr("From the &head"), "Alt+5", bridge::CameraPreset::top);
   add(view, tr("Look at the &volume"), {keys("Alt+0")}, [this] { parts_->view3d->fitToVolume(); });
   p.caseVolumeAction = add(view, tr("Scan the &case's volume"), {}, [this] { parts_->opener->showCaseVolume(); });
+  p.madeVolumeAction = add(view, QString(), {}, [this] { showWaitingVolume(); });
   view->addSeparator();
   auto* themes = new QActionGroup(this);
   p.darkAction = add(view, tr("&Dark"), {}, [this] { setDarkTheme(true); });
@@ -339,101 +335,6 @@ void MainWindow::showSource(const QPoint& pixel) {
   dialog->activateWindow();
 }
 
-void MainWindow::chooseFile() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open a case, a volume or a sweep"), QString(),
-                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 "
-                                      "*.raw *.png *.jpg *.pgm);;Cases (case.json);;"
-                                      "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha "
-                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)"));
-  if (!file.isEmpty()) open(file);
-}
-
-void MainWindow::save(bool elsewhere) {
-  if (auto* document = panelDocument())
-    document->save(elsewhere);
-  else
-    saveCase(elsewhere);
-}
-
-void MainWindow::saveCase(bool elsewhere) {
-  if (!parts_->document.current()) return;
-  QString folder;
-  if (elsewhere) {
-    folder =
-        QFileDialog::getSaveFileName(this, tr("Save the case as a new folder"), wordsOf(parts_->document.current()->folder) + tr("-copy"));
-    if (folder.isEmpty()) return;
-  }
-  if (auto saved = parts_->document.save(pathOf(folder)); !saved) parts_->messages->showError(saved.error());
-}
-
-void MainWindow::saveVolume() {
-  const auto& subject = parts_->session.subject();
-  if (!subject) return;
-  bool isPlaced = false;
-  if (!(subject->placedGrid == subject->volume->grid)) {
-    // Either answer surprises someone: a volume moved here for looking must not lose its place beside others of its recording, and one
-    // placed with care must not jump back.
-    QMessageBox question(this);
-    question.setObjectName(QStringLiteral("volumePlace"));
-    question.setWindowTitle(tr("Save the volume"));
-    question.setText(tr("The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?"));
-    question.setInformativeText(tr("Its own coordinates keep it in place beside other volumes of the same recording."));
-    QPushButton* own = question.addButton(tr("Its own coordinates"), QMessageBox::AcceptRole);
-    QPushButton* body = question.addButton(tr("Its place in the body"), QMessageBox::AcceptRole);
-    own->setObjectName(QStringLiteral("ownPlace"));
-    body->setObjectName(QStringLiteral("bodyPlace"));
-    question.addButton(QMessageBox::Cancel);
-    question.setDefaultButton(own);
-    question.exec();
-    if (question.clickedButton() != own && question.clickedButton() != body) return;
-    isPlaced = question.clickedButton() == body;
-  }
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the volume"), QFileInfo(subject->title).completeBaseName() + QStringLiteral(".mha"), tr("MetaImage (*.mha *.mhd)"));
-  if (file.isEmpty()) return;
-  file = withEnding(file, QStringLiteral(".mha"));
-  // Coverage has a file of its own; without it a reopened volume would count every voxel as measured.
-  const bool covered = !subject->volume->coverage.empty();
-  const QString beside = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral("-coverage.mha");
-  parts_->jobs.start(
-      tr("Saving %1").arg(QFileInfo(file).fileName()),
-      [shown = subject->volume, grid = subject->placedGrid, isPlaced, file, beside, covered](Progress& progress) -> Result<void> {
-        std::shared_ptr<const Volume> volume = shown;
-        if (isPlaced) {
-          auto moved = std::make_shared<Volume>(*shown);
-          moved->grid = grid;
-          volume = std::move(moved);
-        }
-        PartOfProgress first(progress, 0.0, covered ? 0.5 : 1.0);
-        if (auto written = writeVolume(*volume, pathOf(file), first); !written || !covered) return written;
-        PartOfProgress second(progress, 0.5, 1.0);
-        return writeCoverage(*volume, pathOf(beside), second);
-      },
-      [this, file, beside, covered](const Result<void>& outcome) {
-        if (outcome) {
-          parts_->messages->showNote(covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside)
-                                             : tr("Saved to %1.").arg(file));
-        } else if (outcome.error().code != ErrorCode::cancelled) {
-          parts_->messages->showError(outcome.error());
-        }
-      });
-}
-
-void MainWindow::savePicture() {
-  if (parts_->session.picture().width == 0) return;
-  QString file =
-      QFileDialog::getSaveFileName(this, tr("Save the picture"), tr("scan") + QStringLiteral(".png"), tr("Pictures (*.png *.mha)"));
-  if (file.isEmpty()) return;
-  file = withEnding(file, QStringLiteral(".png"));
-  const auto written = writeImage(parts_->session.picture(), parts_->session.geometry().pixel_mm, pathOf(file));
-  if (written) {
-    parts_->messages->showNote(tr("Saved to %1.").arg(file));
-  } else {
-    parts_->messages->showError(written.error());
-  }
-}
-
 void MainWindow::showTitle() {
   Parts& p = *parts_;
   const bool isStart = p.pages->currentWidget() == p.startPage;
@@ -444,7 +345,10 @@ void MainWindow::showTitle() {
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
   if (opened && p.opener->showsCase()) {
     if (!opened->patient.name.empty()) remark = words(opened->patient.name);
-    if (p.document.hasUnsavedChanges()) remark = tr("not saved");
+    // Who explores need not know whose folder a case lies in.
+    const bool isShipped = p.document.isShippedCase() && p.workspace == Workspace::author;
+    if (isShipped) remark = tr("shipped case");
+    if (p.document.hasUnsavedChanges()) remark = isShipped ? tr("shipped case, not saved") : tr("not saved");
   }
   const sdk::PanelDocument* document = panelDocument();
   if (document != nullptr) {
@@ -458,16 +362,11 @@ void MainWindow::showTitle() {
   p.saveAsAction->setEnabled(document != nullptr || opened.has_value());
   p.saveVolumeAction->setEnabled(subject.has_value());
   p.savePictureAction->setEnabled(subject.has_value());
+  const MadeVolume* waiting = waitingMadeVolume();
+  p.madeVolumeAction->setVisible(waiting != nullptr);
+  if (waiting != nullptr) p.madeVolumeAction->setText(tr("Show the volume made from %1").arg(waiting->title));
   p.caseVolumeAction->setVisible(opened && !p.opener->showsCase() && p.opener->hasCaseVolume());
   setWindowTitle(title.isEmpty() ? QStringLiteral("EchoWeave") : QStringLiteral("%1 - EchoWeave").arg(title));
-}
-
-void MainWindow::showRecent() {
-  const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
-  parts_->startPage->showRecent(recent);
-  parts_->recentMenu->clear();
-  for (const QString& path : recent) parts_->recentMenu->addAction(path, this, [this, path] { open(path); });
-  parts_->recentMenu->menuAction()->setVisible(!recent.isEmpty());
 }
 
 void MainWindow::setDarkTheme(bool dark) {
@@ -511,12 +410,10 @@ void MainWindow::showThrown(const QObject* receiver, const Thrown& thrown) {
 }
 
 void MainWindow::prepareThumbnails() {
-  auto folder = shippedCasesFolder();
-  if (!folder) return;
   auto pictures = std::make_shared<std::vector<std::pair<std::string, QImage>>>();
   parts_->jobs.start(
       tr("Preparing the cards"),
-      [cases = listCases(*folder).cases, pictures](Progress& progress) -> Result<void> {
+      [cases = parts_->shownCases, pictures](Progress& progress) -> Result<void> {
         const auto resources = resourceFolder();
         if (!resources) return passOn(resources.error());
         const auto probes = readProbes(*resources / "probes");

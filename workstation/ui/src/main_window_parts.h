@@ -6,6 +6,7 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
+#include <QTimer>
 #include <optional>
 
 #include "case_document.h"
@@ -13,6 +14,7 @@
 #include "console_panel.h"
 #include "cost_panel.h"
 #include "ew/door/door.h"
+#include "ew/library/kept_edits.h"
 #include "ew/ui/main_window.h"
 #include "hand_input.h"
 #include "job_cards.h"
@@ -32,14 +34,30 @@
 
 namespace ew::ui {
 
+/// A volume that was made here and lies in no file yet.
+struct MadeVolume {
+  QString path;   ///< of what it was made from
+  QString title;  ///< for people
+  std::shared_ptr<const Volume> volume;
+  std::shared_ptr<const Provenance> provenance;  ///< may be null
+};
+
 /// What the window is made of. Values first, so that they outlive the widgets and plugins that use them.
 struct MainWindow::Parts {
+  Parts();
+
   Session session;
   CaseDocument document;
   Jobs jobs;
   CasePreparation preparation{jobs};
-  std::vector<Case> shippedCases;  ///< that the start page shows
-  QString preparing;               ///< the case that is opened and has to be made first
+  std::vector<Case> shownCases;  ///< on the start page: shipped ones, then the user's own
+  std::vector<MadeVolume> made;  ///< never saved: the one that is shown, and those that wait
+  KeptEdits keptEdits;           ///< of the open case, against a crash
+  QTimer keepSoon;
+  std::vector<std::filesystem::path> decideLater;  ///< kept edits that the user wants to decide about another time
+  std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
+  bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
+  QString preparing;                               ///< the case that is opened and has to be made first
   HandInput hand;
 
   QWidget* central = nullptr;
@@ -75,6 +93,7 @@ struct MainWindow::Parts {
   QAction* saveVolumeAction = nullptr;
   QAction* savePictureAction = nullptr;
   QAction* caseVolumeAction = nullptr;
+  QAction* madeVolumeAction = nullptr;
   QAction* exploreAction = nullptr;
   QAction* authorAction = nullptr;
   QAction* darkAction = nullptr;

@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
@@ -79,15 +80,30 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 
 }  // namespace
 
-/// What a job hands over to the window's thread.
-struct Opener::Loaded {
-  std::optional<Case> opened;
+/// What the open case is scanned as.
+struct Opener::Contents {
+  Sources sources;
+  glm::dmat4 fileToWorld{1.0};  ///< the grids of the volumes are placed with it
   std::shared_ptr<const Volume> volume;
   std::shared_ptr<const BrickedVolume> bricks;
-  std::shared_ptr<const Volume> labels;
-  std::vector<TissueAcoustics> tissues;
+  std::shared_ptr<const Volume> labels;  ///< null when the case has none
+  std::vector<TissueAcoustics> tissues;  ///< of the labels, as the recipe has them
+};
+
+/// What the job that loads a case hands over to the window's thread.
+struct Opener::Loading {
+  std::optional<Case> opened;
+  Fingerprint asRead;  ///< of its manifest
+  Contents contents;
   std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
   fs::path mannequinFile;
+  std::vector<std::string> notes;
+};
+
+/// What the job that looks at any other file hands over.
+struct Opener::Image {
+  std::shared_ptr<const Volume> volume;
+  std::shared_ptr<const BrickedVolume> bricks;
   std::vector<std::string> notes;
   bool isSweep = false;
   FileKind kind = FileKind::volume;
@@ -163,89 +179,155 @@ void Opener::open(const QString& path) {
   }
 }
 
-void Opener::startOpening(const QString& path, Jobs::Work work, std::function<void()> taken) {
+void Opener::startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused) {
   // Whoever chooses something else while a case is prepared wants that, not whatever happens to be ready last.
-  if (openingJob_ != 0) jobs_.cancel(openingJob_);
+  giveUpOpening();
   ++busy_;
   auto id = std::make_shared<int>(0);
   *id = jobs_.start(tr("Opening %1").arg(QFileInfo(path).fileName()), std::move(work),
-                    [this, id, taken = std::move(taken)](const Result<void>& outcome) {
+                    [this, id, taken = std::move(taken), refused = std::move(refused)](const Result<void>& outcome) {
                       --busy_;
                       if (*id != openingJob_) return;
                       openingJob_ = 0;
                       openingPath_.clear();
-                      if (outcome) return taken();
-                      if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
-                      Q_EMIT failed(outcome.error());
+                      reloading_.reset();
+                      if (outcome) {
+                        taken();
+                      } else {
+                        if (refused) refused();
+                        if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+                        Q_EMIT failed(outcome.error());
+                      }
+                      Q_EMIT ended();
                     });
   openingJob_ = *id;
   openingPath_ = QFileInfo(path).absoluteFilePath();
 }
 
+void Opener::giveUpOpening() {
+  if (openingJob_ == 0) return;
+  jobs_.cancel(openingJob_);
+  openingJob_ = 0;
+  openingPath_.clear();
+  reloading_.reset();
+  Q_EMIT ended();
+}
+
+Opener::Sources Opener::sourcesOf(const Case& opened) {
+  Sources sources{opened.volume, opened.mannequin};
+  sources.volume.fileToWorld = glm::dmat4(1.0);
+  return sources;
+}
+
+/// Fills everything but `into.opened`, which says what to load.
+Result<void> Opener::load(Loading& into, const fs::path& presentMannequin, Progress& progress) {
+  const Case& opened = *into.opened;
+  auto body = mannequinFileOf(opened);
+  if (!body) return passOn(body.error());
+  PartOfProgress most(progress, 0.0, 0.85);
+  auto echo = loadCaseVolume(opened, most);
+  if (!echo) return passOn(echo.error());
+  into.notes = std::move(echo->notes);
+  Contents& contents = into.contents;
+  contents.sources = sourcesOf(opened);
+  contents.fileToWorld = opened.volume.fileToWorld;
+  contents.volume = std::make_shared<const Volume>(std::move(echo->volume));
+  if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
+  contents.tissues = std::move(echo->tissues);
+  PartOfProgress next(progress, 0.85, 0.9);
+  auto bricks = bricksWhereThereIsRoom(*contents.volume, next);
+  if (!bricks) return passOn(bricks.error());
+  contents.bricks = std::move(*bricks);
+  if (*body != presentMannequin) {
+    PartOfProgress rest(progress, 0.9, 1.0);
+    auto mannequin = readMannequin(*body, rest);
+    if (!mannequin) return passOn(mannequin.error());
+    into.mannequin = std::move(*mannequin);
+  }
+  into.mannequinFile = std::move(*body);
+  return {};
+}
+
+void Opener::takeContents(Loading& loaded) {
+  // Until its volume is shown the session holds that of another case, which this one must not move.
+  showsCase_ = false;
+  contents_ = std::make_shared<const Contents>(std::move(loaded.contents));
+  refused_.reset();
+  mannequinFile_ = loaded.mannequinFile;
+  showMannequin(loaded.mannequin);
+}
+
 void Opener::openCase(const QString& path) {
-  if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
-  auto loaded = std::make_shared<Loaded>();
+  auto loaded = std::make_shared<Loading>();
   startOpening(
       path,
       [loaded, path, present = mannequinFile_](Progress& progress) -> Result<void> {
-        auto opened = loadCase(pathOf(path));
-        if (!opened) return passOn(opened.error());
-        auto body = mannequinFileOf(*opened);
-        if (!body) return passOn(body.error());
-        PartOfProgress most(progress, 0.0, 0.85);
-        auto echo = loadCaseVolume(*opened, most);
-        if (!echo) return passOn(echo.error());
-        loaded->notes = std::move(echo->notes);
-        loaded->volume = std::make_shared<const Volume>(std::move(echo->volume));
-        if (echo->labels) loaded->labels = std::make_shared<const Volume>(std::move(*echo->labels));
-        loaded->tissues = std::move(echo->tissues);
-        PartOfProgress next(progress, 0.85, 0.9);
-        auto bricks = bricksWhereThereIsRoom(*loaded->volume, next);
-        if (!bricks) return passOn(bricks.error());
-        loaded->bricks = std::move(*bricks);
-        if (*body != present) {
-          PartOfProgress rest(progress, 0.9, 1.0);
-          auto mannequin = readMannequin(*body, rest);
-          if (!mannequin) return passOn(mannequin.error());
-          loaded->mannequin = std::move(*mannequin);
-        }
-        loaded->mannequinFile = std::move(*body);
-        loaded->opened = std::move(*opened);
-        return {};
+        auto read = readCase(pathOf(path));
+        if (!read) return passOn(read.error());
+        loaded->opened = std::move(read->opened);
+        loaded->asRead = read->manifest;
+        return load(*loaded, present, progress);
       },
       [this, loaded, path] {
-        caseVolume_ = loaded->volume;
-        caseBricks_ = loaded->bricks;
-        caseLabels_ = loaded->labels;
-        caseTissues_ = loaded->tissues;
-        casePlacement_ = loaded->opened->volume.fileToWorld;
-        startPose_ = loaded->opened->startPose;
-        mannequinFile_ = loaded->mannequinFile;
-        showMannequin(loaded->mannequin);
-        document_.open(*loaded->opened);
+        if (!mayReplace_(words(loaded->opened->title))) return;
+        takeContents(*loaded);
+        document_.open(*loaded->opened, loaded->asRead);
         showCaseVolume();
         for (const std::string& note : loaded->notes) messages_.showNote(words(note));
         Q_EMIT opened(path);
       });
+  if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
 }
 
-Grid Opener::nowPlaced(const Grid& grid) const {
+void Opener::reloadCase(const Case& edited) {
+  const Sources wanted = sourcesOf(edited);
+  if (reloading_ == wanted || refused_ == wanted) return;
+  auto loaded = std::make_shared<Loading>();
+  loaded->opened = edited;
+  const QString path = wordsOf(edited.folder);
+  startOpening(
+      path, [loaded, present = mannequinFile_](Progress& progress) { return load(*loaded, present, progress); },
+      [this, loaded] {
+        // Edits that go on meanwhile, of the title or the placement, count; those of another volume have asked for another loading.
+        const auto& now = document_.current();
+        if (!now || !(sourcesOf(*now) == loaded->contents.sources)) return;
+        takeContents(*loaded);
+        showCaseVolume();
+        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+      },
+      [this, wanted] {
+        // Nothing is scanned rather than what the case does not hold any more; "Scan the case's volume" tries again.
+        refused_ = wanted;
+        if (!std::exchange(showsCase_, false)) return;
+        session_.clear();
+      });
+  openingPath_.clear();  // whoever opens the case meanwhile wants what its folder holds
+  reloading_ = wanted;
+  if (caseNeedsPreparation(edited)) Q_EMIT preparing(path);
+}
+
+glm::dmat4 Opener::loadedToNow() const {
   const auto& opened = document_.current();
-  return opened ? placed(grid, opened->volume.fileToWorld * glm::inverse(casePlacement_)) : grid;
+  return opened && contents_ ? opened->volume.fileToWorld * glm::inverse(contents_->fileToWorld) : glm::dmat4(1.0);
 }
 
 void Opener::showCaseVolume() {
   const auto& opened = document_.current();
-  if (!opened || !caseVolume_) return;
+  if (!opened || !contents_) return;
+  if (!(contents_->sources == sourcesOf(*opened))) {
+    refused_.reset();
+    reloadCase(*opened);
+    return;
+  }
   showsCase_ = true;
   Subject subject;
   subject.title = words(opened->title);
-  subject.volume = caseVolume_;
-  subject.placedGrid = nowPlaced(caseVolume_->grid);
-  subject.bricks = caseBricks_;
-  subject.labels = caseLabels_;
-  if (caseLabels_) subject.placedLabels = nowPlaced(caseLabels_->grid);
-  subject.scene = sceneWithTissues(opened->scene, caseTissues_);
+  subject.volume = contents_->volume;
+  subject.placedGrid = placed(contents_->volume->grid, loadedToNow());
+  subject.bricks = contents_->bricks;
+  subject.labels = contents_->labels;
+  if (contents_->labels) subject.placedLabels = placed(contents_->labels->grid, loadedToNow());
+  subject.scene = sceneWithTissues(opened->scene, contents_->tissues);
   subject.probes = opened->probes;
   startPose_ = opened->startPose;
   startTaken_ = false;
@@ -254,7 +336,7 @@ void Opener::showCaseVolume() {
 }
 
 void Opener::openImage(const QString& path) {
-  auto loaded = std::make_shared<Loaded>();
+  auto loaded = std::make_shared<Image>();
   startOpening(
       path,
       [loaded, path](Progress& progress) -> Result<void> {
@@ -294,11 +376,8 @@ void Opener::openImage(const QString& path) {
           Q_EMIT answersNeeded(path, loaded->kind, words(loaded->question));
           return;
         }
+        if (!mayReplace_(QFileInfo(path).fileName())) return;
         document_.close();
-        caseVolume_.reset();
-        caseBricks_.reset();
-        caseLabels_.reset();
-        caseTissues_.clear();
         showVolume(loaded->volume, QFileInfo(path).fileName(), false, loaded->bricks);
         for (const std::string& note : loaded->notes) messages_.showNote(words(note));
         Q_EMIT opened(path);
@@ -332,16 +411,28 @@ void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& tit
 void Opener::followDocument() {
   const auto& opened = document_.current();
   if (!opened) {
+    contents_.reset();
+    if (reloading_) giveUpOpening();
     if (showsCase_) {
       showsCase_ = false;
       session_.clear();
     }
     return;
   }
-  if (!showsCase_ || !caseVolume_) return;
+  if (!contents_) return;
+  if (!(contents_->sources == sourcesOf(*opened))) {
+    reloadCase(*opened);
+    return;
+  }
+  if (reloading_ || refused_) {  // undone before it was loaded
+    giveUpOpening();
+    refused_.reset();
+    if (!showsCase_) showCaseVolume();
+  }
+  if (!showsCase_) return;
   session_.setTitle(words(opened->title));
-  session_.setCaseScene(sceneWithTissues(opened->scene, caseTissues_));
-  session_.setPlacedGrid(nowPlaced(caseVolume_->grid), caseLabels_ ? nowPlaced(caseLabels_->grid) : Grid{});
+  session_.setCaseScene(sceneWithTissues(opened->scene, contents_->tissues));
+  session_.place(loadedToNow());
 }
 
 void Opener::takeStart() {

@@ -19,13 +19,18 @@ class MessageBar;
 class View3D;
 
 /// Opens cases, volumes and sweeps as jobs and puts what came out into the session: placed, with the probe on the skin in front of it.
-/// Nothing is replaced before the new thing is there in full.
+/// Nothing is replaced before the new thing is there in full, and then only what may be lost (see askBeforeReplacing). A case whose volume
+/// is exchanged by an edit is loaded again as opening it does, so that the scan shows what the case holds.
 class Opener final : public QObject {
   Q_OBJECT
 
  public:
   Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar& messages, View3D& view, HandInput& hand,
          QObject* parent = nullptr);
+
+  /// @param mayReplace asked when something opened is about to take the place of what is open, and not before: whoever answers decides
+  /// about the edits of that moment; `next` names what was opened. False: all stays as it is
+  void askBeforeReplacing(std::function<bool(const QString& next)> mayReplace) { mayReplace_ = std::move(mayReplace); }
 
   /// By what it is: a folder or case.json is a case, a file with poses a sweep, any other image a volume.
   void open(const QString& path);
@@ -38,11 +43,12 @@ class Opener final : public QObject {
   /// Back to the volume of the open case.
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }
-  [[nodiscard]] bool hasCaseVolume() const { return caseVolume_ != nullptr; }
+  [[nodiscard]] bool hasCaseVolume() const { return contents_ != nullptr; }
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
 
  Q_SIGNALS:
   void preparing(const QString& path);  ///< a case is being opened whose volume has to be made first
+  void ended();                         ///< nothing is being opened any more, whatever came of it; another opening may follow
   void opened(const QString& path);
   void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
   /// A file of another kind leaves something open, or holds pictures that are no volume.
@@ -50,15 +56,29 @@ class Opener final : public QObject {
   void failed(const Error& error);
 
  private:
-  struct Loaded;
+  struct Image;
+  struct Loading;
+  struct Contents;
+  /// What decides which voxels a case shows and in which body. Everything else, the placement too, is edited without loading again.
+  struct Sources {
+    CaseVolume volume;  ///< not placed
+    std::string mannequin;
+    bool operator==(const Sources&) const = default;
+  };
+  [[nodiscard]] static Sources sourcesOf(const Case& opened);
   void openCase(const QString& path);
   void openImage(const QString& path);
+  /// Loads what the open case names since it was edited.
+  void reloadCase(const Case& edited);
+  [[nodiscard]] static Result<void> load(Loading& into, const std::filesystem::path& presentMannequin, Progress& progress);
+  void takeContents(Loading& loaded);
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
-  void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken);
+  void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
+  void giveUpOpening();
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
-  /// Where something that was placed with the case lies now.
-  [[nodiscard]] Grid nowPlaced(const Grid& grid) const;
+  /// From where the contents were placed when they were loaded to where the case has them now.
+  [[nodiscard]] glm::dmat4 loadedToNow() const;
   void takeStart();
   void showHold(const Hold& hold);
 
@@ -68,11 +88,10 @@ class Opener final : public QObject {
   MessageBar& messages_;
   View3D& view_;
   HandInput& hand_;
-  std::shared_ptr<const Volume> caseVolume_;
-  std::shared_ptr<const BrickedVolume> caseBricks_;
-  std::shared_ptr<const Volume> caseLabels_;  ///< null when the case has none
-  std::vector<TissueAcoustics> caseTissues_;  ///< of the labels, as the recipe has them
-  glm::dmat4 casePlacement_{1.0};             ///< the file_to_world that caseVolume_ was placed with when it was loaded
+  std::function<bool(const QString& next)> mayReplace_ = [](const QString&) { return true; };
+  std::shared_ptr<const Contents> contents_;  ///< of the open case; null without one
+  std::optional<Sources> reloading_;          ///< what the open case is being loaded for again
+  std::optional<Sources> refused_;            ///< that could not be loaded: not tried again until they change or are asked for
   std::filesystem::path mannequinFile_;       ///< of the body that is shown or on its way
   std::optional<Pose> startPose_;
   bool showsCase_ = false;

@@ -140,7 +140,10 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
     }
   });
   app.attempt([&] {
-    if (!isScreenshot) window.prepareCases();
+    if (!isScreenshot) {
+      window.prepareCases();
+      QTimer::singleShot(0, &window, &MainWindow::offerKeptEdits);
+    }
     if (options.workspace == "author") window.setWorkspace(Workspace::author);
   });
   if (!isScreenshot) return QApplication::exec();

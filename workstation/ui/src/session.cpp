@@ -113,11 +113,12 @@ void Session::clear() {
   Q_EMIT pictureChanged();
 }
 
-void Session::setPlacedGrid(const Grid& grid, const Grid& labels) {
-  if (!subject_ || subject_->placedGrid == grid) return;
-  EW_EXPECTS(grid.dims == subject_->volume->grid.dims);
-  subject_->placedGrid = grid;
-  if (subject_->labels) subject_->placedLabels = labels;
+void Session::place(const glm::dmat4& ownToWorld) {
+  if (!subject_) return;
+  const Grid there = placed(subject_->volume->grid, ownToWorld);
+  if (subject_->placedGrid == there) return;
+  subject_->placedGrid = there;
+  if (subject_->labels) subject_->placedLabels = placed(subject_->labels->grid, ownToWorld);
   due();
   Q_EMIT subjectChanged();
 }

@@ -59,8 +59,9 @@ class Session final : public QObject {
   void show(Subject subject);
   void clear();
   [[nodiscard]] const std::optional<Subject>& subject() const { return subject_; }
-  /// Moves the volume, and its labels with it; ignored without one.
-  void setPlacedGrid(const Grid& grid, const Grid& labels = {});
+  /// Moves the volume, and its labels with it, to where `ownToWorld` (rigid, mm) takes the grids of their own; ignored without one.
+  /// A transform and no grid: whoever moves something cannot give it the grid of something else.
+  void place(const glm::dmat4& ownToWorld);
   void setTitle(const QString& title);
 
   /// What the frames run: the case's scene until the console switches an effect. Only the console's is set here; the case keeps its own.

@@ -103,7 +103,11 @@ class HostCases final : public sdk::Cases {
   Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
     return document_.edit(manifest, what, mergeKey);
   }
-  Result<void> save(const std::filesystem::path& folder) override { return document_.save(folder); }
+  Result<void> save(const std::filesystem::path& folder) override { return saving.save ? saving.save(folder) : document_.save(folder); }
+  Result<void> makeOwn() override {
+    if (!document_.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+    return saving.makeOwn ? saving.makeOwn() : Result<void>();
+  }
   [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
   Ticket onChanged(std::function<void()> callback) override {
     auto kept = std::make_shared<std::function<void()>>(std::move(callback));
@@ -119,6 +123,8 @@ class HostCases final : public sdk::Cases {
     }
   }
 
+  WorkstationHost::CaseSaving saving;
+
  private:
   CaseDocument& document_;
   std::vector<std::weak_ptr<std::function<void()>>> callbacks_;
@@ -130,6 +136,10 @@ class HostJobs final : public sdk::Jobs {
   void start(const std::string& title, std::function<Result<void>(Progress&)> work,
              std::function<void(const Result<void>&)> done) override {
     jobs_.start(words(title), std::move(work), std::move(done));
+  }
+  void startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
+                   std::function<void(const Result<void>&)> done) override {
+    jobs_.start(words(title), std::move(work), std::move(done), ui::Jobs::Kind::saving);
   }
 
  private:
@@ -188,6 +198,8 @@ WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget&
 }
 
 WorkstationHost::~WorkstationHost() = default;
+
+void WorkstationHost::setCaseSaving(CaseSaving saving) { parts_->cases.saving = std::move(saving); }
 
 bool WorkstationHost::hasStageInFront() const {
   const LazyPanel* panel = parts_->panels.inFront();

@@ -33,6 +33,13 @@ class WorkstationHost final : public QObject, public sdk::Host {
   sdk::Commands& commands() override;
   sdk::Log& log() override;
 
+  /// How the window saves the open case and makes it the user's own; both may ask. Without them saving asks nobody.
+  struct CaseSaving {
+    std::function<Result<void>(const std::filesystem::path& folder)> save;
+    std::function<Result<void>()> makeOwn;
+  };
+  void setCaseSaving(CaseSaving saving);
+
   /// Of the tab in front; whether it is seen is the window's affair.
   [[nodiscard]] bool hasStageInFront() const;
   [[nodiscard]] QWidget* stageInFront(QWidget* parent);  ///< made when first asked for; null: it has none

@@ -110,8 +110,14 @@ class Cases {
   /// Replaces the manifest as one undoable step named `what`; checked against the schema first. Steps with the same non-empty mergeKey
   /// in a row become one.
   [[nodiscard]] virtual Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) = 0;
-  /// Saves the open case, crash-safely; into `folder` when given.
+  /// Saves the open case, crash-safely; into `folder` when given. Asks the user where somebody has to decide: a shipped case, or one that
+  /// another program has saved meanwhile.
+  /// @error badUsage, notWritable, badField, cancelled (the user wants it unsaved for now)
   [[nodiscard]] virtual Result<void> save(const std::filesystem::path& folder = {}) = 0;
+  /// To be called before files are put into currentFolder(): a shipped case is first copied to a folder of the user's own, which is
+  /// asked for and becomes currentFolder(). Any other case stays where it is.
+  /// @error badUsage (no case is open), cancelled (the user wants no copy), notWritable
+  [[nodiscard]] virtual Result<void> makeOwn();
   [[nodiscard]] virtual bool hasUnsavedChanges() const = 0;
   /// Called on the window's thread whenever the open case or its saved state changed, also by undo. Returns a ticket; the callback lives
   /// until the ticket is destroyed.
@@ -126,6 +132,9 @@ class Jobs {
   /// @param work runs on a worker; @param done runs on the window's thread afterwards, also after a failure or cancel
   virtual void start(const std::string& title, std::function<Result<void>(Progress&)> work,
                      std::function<void(const Result<void>&)> done) = 0;
+  /// The same for work that writes what a user wants to keep: a window that is closed meanwhile asks before it is lost.
+  virtual void startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
+                           std::function<void(const Result<void>&)> done);
 };
 
 /// What a panel edits when that is not the open case: while the panel is in front, the window's undo, redo and save are its own, and its

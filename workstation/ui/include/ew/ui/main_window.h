@@ -2,8 +2,10 @@
 
 #include <QMainWindow>
 #include <QPoint>
+#include <filesystem>
 #include <memory>
 
+#include "ew/core/result.h"
 #include "ew/ui/run.h"
 
 namespace ew {
@@ -24,6 +26,7 @@ class MessageBar;
 class ScanView;
 class Session;
 class View3D;
+struct MadeVolume;
 
 enum class Workspace { explore, author };
 
@@ -39,6 +42,8 @@ class MainWindow final : public QMainWindow {
   void open(const QString& path);
   /// The first shipped case that is prepared, else the one that is prepared soonest, or the start page when there is none.
   void openDefaultCase();
+  /// Asks about edits of cases that a crash has interrupted, one after the other.
+  void offerKeptEdits();
   void showStartPage();
   /// Makes the volumes of the shipped cases that have none yet, in the background.
   void prepareCases();
@@ -74,10 +79,29 @@ class MainWindow final : public QMainWindow {
   void connectParts();
   void placeOverlays();
   void chooseFile();
-  void save(bool elsewhere);  ///< the case, or the document of the panel whose stage is shown
-  void saveCase(bool elsewhere);
-  void saveVolume();
+  void save(bool elsewhere);      ///< the case, or the document of the panel whose stage is shown
+  bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
+  /// Asks first when the case is shipped or was saved by another program. @error cancelled: the user wants it unsaved for now
+  [[nodiscard]] Result<void> saveCaseInPlace();
+  /// Asks for a new folder. @param why it is asked for; may be empty
+  [[nodiscard]] Result<void> saveCaseCopy(const QString& why);
+  [[nodiscard]] Result<void> saveCaseFor(const std::filesystem::path& folder);  ///< for a plugin; empty: in place
+  [[nodiscard]] Result<void> makeCaseOwn();
+  void reloadCase();  ///< as its folder holds it; the changes made here go
+  void saveShownVolume();
+  /// Asks for a name and begins to save. @return false: nothing is saved
+  bool saveVolume(const MadeVolume& made);
   void savePicture();
+  void takeMade(const MadeVolume& made);  ///< shows what was just made, or lets it wait
+  void showMade(const MadeVolume& made);
+  void showWaitingVolume();
+  [[nodiscard]] const MadeVolume* shownMadeVolume() const;    ///< null: what is shown was not made here, or is saved
+  [[nodiscard]] const MadeVolume* waitingMadeVolume() const;  ///< null: none
+  void keepEdits();                                           ///< of the open case as it is now, or forgets them when there are none
+  /// @param caseFolder empty: of whatever case
+  void offerKeptEditsOf(const std::filesystem::path& caseFolder);
+  void restoreKeptEdits();
+  void remember(const QString& path);  ///< as opened recently
   void showCost();
   void showSource(const QPoint& pixel);
   void showTitle();
@@ -92,8 +116,14 @@ class MainWindow final : public QMainWindow {
   /// Says what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.
   void showThrown(const QObject* receiver, const Thrown& thrown);
   void showPreparation();
-  /// Asks when the case has unsaved changes. @return whether to go on
-  [[nodiscard]] bool mayLeaveCase();
+  void fillStartPage();  ///< with the cases as they are now
+  /// Asks about everything that is lost when something else is shown. @param next what that is. @return whether to go on
+  [[nodiscard]] bool mayReplaceShown(const QString& next);
+  [[nodiscard]] bool mayLeaveCase(const QString& next);
+  [[nodiscard]] bool mayLeaveShownVolume(const QString& next);
+  [[nodiscard]] bool mayLeaveVolume(const MadeVolume& made, const QString& next);
+  void forgetShownVolume();  ///< the user agreed to lose it
+  [[nodiscard]] bool mayClose();
   std::unique_ptr<Parts> parts_;
 };
 

@@ -1,0 +1,461 @@
+// Opening, saving and leaving: what a person made is asked about when it would be lost.
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "case_folder_dialog.h"
+#include "ew/io/image_file.h"
+#include "ew/io/volume_file.h"
+#include "ew/library/preparation.h"
+#include "main_window_parts.h"
+#include "save_file.h"
+#include "saving_dialog.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kRecentFiles = 6;
+constexpr int kKeepAfter_ms = 400;  // a crash takes no more than this; typing writes no file a letter
+
+/// A case that another program or window has saved meanwhile.
+enum class Keep { nothing, elsewhere, theirs, ours };
+
+Keep askWhichToKeep(QWidget* parent, const QString& title) {
+  QMessageBox question(parent);
+  question.setObjectName(QStringLiteral("changedOnDiskQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(MainWindow::tr("The case '%1' was saved by another window or program since it was opened here.").arg(title));
+  question.setInformativeText(
+      MainWindow::tr("Save as keeps both, each in a folder of its own. Reload drops the changes made here. Overwrite drops the others'."));
+  auto* elsewhere = question.addButton(MainWindow::tr("Save as…"), QMessageBox::AcceptRole);
+  auto* theirs = question.addButton(MainWindow::tr("Reload"), QMessageBox::DestructiveRole);
+  auto* ours = question.addButton(MainWindow::tr("Overwrite"), QMessageBox::DestructiveRole);
+  elsewhere->setObjectName(QStringLiteral("keepBoth"));
+  theirs->setObjectName(QStringLiteral("reload"));
+  ours->setObjectName(QStringLiteral("overwrite"));
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(elsewhere);
+  question.exec();
+  if (question.clickedButton() == elsewhere) return Keep::elsewhere;
+  if (question.clickedButton() == theirs) return Keep::theirs;
+  return question.clickedButton() == ours ? Keep::ours : Keep::nothing;
+}
+
+}  // namespace
+
+void MainWindow::open(const QString& path) { parts_->opener->open(path); }
+
+void MainWindow::openDefaultCase() {
+  auto folder = shippedCasesFolder();
+  const CaseList found = folder ? listCases(*folder) : CaseList{};
+  if (found.cases.empty()) {
+    showStartPage();
+    return;
+  }
+  // On the first start the one that is scannable soonest.
+  const auto ready = std::find_if(found.cases.begin(), found.cases.end(), [](const Case& each) { return !caseNeedsPreparation(each); });
+  parts_->opener->open(wordsOf(ready != found.cases.end() ? ready->folder : preparationOrder(found.cases).front().folder));
+}
+
+void MainWindow::chooseFile() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open a case, a volume or a sweep"), QString(),
+                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 "
+                                      "*.raw *.png *.jpg *.pgm);;Cases (case.json);;"
+                                      "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha "
+                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)"));
+  if (!file.isEmpty()) open(file);
+}
+
+void MainWindow::remember(const QString& path) {
+  QSettings settings;
+  QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  while (recent.size() > kRecentFiles) recent.removeLast();
+  settings.setValue(QStringLiteral("recent"), recent);
+  showRecent();
+}
+
+void MainWindow::showRecent() {
+  const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
+  parts_->startPage->showRecent(recent);
+  parts_->recentMenu->clear();
+  for (const QString& path : recent) parts_->recentMenu->addAction(path, this, [this, path] { open(path); });
+  parts_->recentMenu->menuAction()->setVisible(!recent.isEmpty());
+}
+
+bool MainWindow::mayReplaceShown(const QString& next) {
+  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next)) return false;
+  forgetShownVolume();
+  return true;
+}
+
+bool MainWindow::mayLeaveCase(const QString& next) {
+  if (!parts_->document.hasUnsavedChanges() || (parts_->dropsEdits && !next.isEmpty())) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The case '%1' has changes that are not saved.").arg(words(parts_->document.current()->title)));
+  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Discard) return true;
+  return answer == QMessageBox::Save && saveCase(false);
+}
+
+bool MainWindow::mayLeaveVolume(const MadeVolume& made, const QString& next) {
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedVolumeQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The volume made from '%1' is not saved.").arg(made.title));
+  const QString again = tr("Making it again takes as long as it did.");
+  question.setInformativeText(next.isEmpty() ? again : again + QLatin1Char('\n') + tr("'%1' is ready to be shown in its place.").arg(next));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Discard) return true;
+  return answer == QMessageBox::Save && saveVolume(made) && SavingDialog(parts_->jobs, false, this).wait() == SavingDialog::Outcome::saved;
+}
+
+const MadeVolume* MainWindow::shownMadeVolume() const {
+  const auto& subject = parts_->session.subject();
+  const auto found = std::find_if(parts_->made.begin(), parts_->made.end(),
+                                  [&](const MadeVolume& made) { return subject && made.volume == subject->volume; });
+  return found == parts_->made.end() ? nullptr : &*found;
+}
+
+bool MainWindow::mayLeaveShownVolume(const QString& next) {
+  const MadeVolume* made = shownMadeVolume();
+  return made == nullptr || mayLeaveVolume(MadeVolume(*made), next);
+}
+
+void MainWindow::forgetShownVolume() {
+  if (const MadeVolume* made = shownMadeVolume()) parts_->made.erase(parts_->made.begin() + (made - parts_->made.data()));
+}
+
+void MainWindow::takeMade(const MadeVolume& made) {
+  // Whatever is answered, a volume that took minutes is not lost by it.
+  parts_->made.push_back(made);
+  if (mayReplaceShown(made.title)) return showMade(made);
+  parts_->messages->showNote(tr("The volume made from %1 is kept: View, Show the volume made from %1.").arg(made.title));
+  showTitle();
+}
+
+void MainWindow::showMade(const MadeVolume& made) {
+  parts_->document.close();
+  parts_->opener->showVolume(made.volume, made.title, false, nullptr, made.provenance);
+  Q_EMIT parts_->opener->opened(made.path);
+}
+
+const MadeVolume* MainWindow::waitingMadeVolume() const {
+  const MadeVolume* shown = shownMadeVolume();
+  for (const MadeVolume& made : parts_->made)
+    if (&made != shown) return &made;
+  return nullptr;
+}
+
+void MainWindow::showWaitingVolume() {
+  const MadeVolume* waiting = waitingMadeVolume();
+  if (waiting == nullptr) return;
+  const MadeVolume made = *waiting;
+  if (mayReplaceShown(made.title)) showMade(made);
+}
+
+bool MainWindow::mayClose() {
+  if (!mayLeaveCase({})) return false;
+  const std::vector<MadeVolume> unsaved = parts_->made;
+  for (const MadeVolume& made : unsaved)
+    if (!mayLeaveVolume(made, {})) return false;
+  const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
+  return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayClose()) {
+    event->ignore();
+    return;
+  }
+  QSettings().setValue(QStringLiteral("window"), saveGeometry());
+  parts_->preparation.pause();  // what it has made is kept; the next start goes on from there
+  parts_->jobs.cancelAllAndWait();
+  parts_->keepSoon.stop();
+  parts_->keptEdits.forget();  // the user has decided
+  event->accept();
+}
+
+MainWindow::Parts::Parts()
+    : keptEdits(pathOf(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)) / "echoweave" / "unsaved-cases") {
+  keepSoon.setSingleShot(true);
+  keepSoon.setInterval(kKeepAfter_ms);
+}
+
+void MainWindow::keepEdits() {
+  Parts& p = *parts_;
+  if (!p.document.hasUnsavedChanges()) return p.keptEdits.forget();
+  const auto kept = p.keptEdits.keep(*p.document.current(), p.document.asRead().value_or(Fingerprint{}));
+  if (!kept) p.messages->showError(kept.error());
+}
+
+void MainWindow::offerKeptEdits() { offerKeptEditsOf({}); }
+
+void MainWindow::offerKeptEditsOf(const std::filesystem::path& caseFolder) {
+  Parts& p = *parts_;
+  for (const KeptEdits::Left& left : p.keptEdits.left()) {
+    const bool isLater = std::find(p.decideLater.begin(), p.decideLater.end(), left.kept) != p.decideLater.end();
+    if (isLater || p.restoring || (!caseFolder.empty() && left.caseFolder != caseFolder)) continue;
+    QMessageBox question(this);
+    question.setObjectName(QStringLiteral("keptEditsQuestion"));
+    question.setIcon(QMessageBox::NoIcon);
+    const auto at = QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(left.at));
+    question.setText(tr("The case '%1' has changes of %2 that were not saved when the program ended.")
+                         .arg(words(left.manifest.value("title", std::string())), QLocale().toString(at, QLocale::ShortFormat)));
+    question.setInformativeText(tr("Folder: %1").arg(wordsOf(left.caseFolder)));
+    auto* open = question.addButton(tr("Open with these changes"), QMessageBox::AcceptRole);
+    auto* discard = question.addButton(tr("Throw them away"), QMessageBox::DestructiveRole);
+    auto* later = question.addButton(tr("Decide later"), QMessageBox::RejectRole);
+    open->setObjectName(QStringLiteral("openKept"));
+    discard->setObjectName(QStringLiteral("discardKept"));
+    question.setDefaultButton(open);
+    question.setEscapeButton(later);
+    question.exec();
+    if (question.clickedButton() == discard) {
+      KeptEdits::remove(left);
+    } else if (question.clickedButton() == open) {
+      const auto& current = p.document.current();
+      const bool isOpen = current && current->folder == left.caseFolder;
+      if (!isOpen) p.opener->open(wordsOf(left.caseFolder));
+      p.restoring = left;  // once it is open; what was being opened before has been given up
+      if (isOpen) restoreKeptEdits();
+    } else {
+      p.decideLater.push_back(left.kept);
+    }
+  }
+}
+
+void MainWindow::restoreKeptEdits() {
+  Parts& p = *parts_;
+  const auto left = std::exchange(p.restoring, std::nullopt);
+  if (!left || !p.document.current() || p.document.current()->folder != left->caseFolder) return;
+  const auto restored = p.document.restore(
+      left->manifest,
+      tr("Take over the changes of %1")
+          .arg(QLocale().toString(QDateTime::fromSecsSinceEpoch(std::chrono::system_clock::to_time_t(left->at)), QLocale::ShortFormat))
+          .toStdString(),
+      left->asRead);
+  if (!restored) {
+    p.decideLater.push_back(left->kept);
+    p.messages->showError(restored.error());
+    return;
+  }
+  keepEdits();  // here, before they are gone there
+  KeptEdits::remove(*left);
+}
+
+void MainWindow::save(bool elsewhere) {
+  if (auto* document = panelDocument())
+    document->save(elsewhere);
+  else
+    saveCase(elsewhere);
+}
+
+bool MainWindow::saveCase(bool elsewhere) {
+  const auto saved = elsewhere ? saveCaseCopy({}) : saveCaseInPlace();
+  if (!saved && saved.error().code != ErrorCode::cancelled) parts_->messages->showError(saved.error());
+  return saved.has_value();
+}
+
+Result<void> MainWindow::saveCaseInPlace() {
+  CaseDocument& document = parts_->document;
+  if (!document.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+  const auto unsaved = failure(ErrorCode::cancelled, "The case is not saved.");
+  const QString title = words(document.current()->title);
+  CaseOverwrite decided;
+  if (document.isShippedCase()) {
+    QMessageBox question(this);
+    question.setObjectName(QStringLiteral("shippedQuestion"));
+    question.setIcon(QMessageBox::NoIcon);
+    question.setText(tr("The case '%1' belongs to the program.").arg(title));
+    question.setInformativeText(tr("Save a copy of your own: the next version of the program replaces what is changed in its own cases."));
+    auto* copy = question.addButton(tr("Save a copy…"), QMessageBox::AcceptRole);
+    auto* shipped = question.addButton(tr("Change the program's case"), QMessageBox::DestructiveRole);
+    copy->setObjectName(QStringLiteral("saveCopy"));
+    shipped->setObjectName(QStringLiteral("changeShipped"));
+    question.addButton(QMessageBox::Cancel);
+    question.setDefaultButton(copy);
+    question.exec();
+    if (question.clickedButton() == copy) return saveCaseCopy({});
+    if (question.clickedButton() != shipped) return unsaved;
+    decided.shipped = true;
+  }
+  if (document.isChangedOnDisk()) {
+    switch (askWhichToKeep(this, title)) {
+      case Keep::elsewhere:
+        return saveCaseCopy({});
+      case Keep::theirs:
+        reloadCase();
+        return unsaved;
+      case Keep::nothing:
+        return unsaved;
+      case Keep::ours:
+        decided.changedOnDisk = true;
+    }
+  }
+  return document.save({}, decided);
+}
+
+Result<void> MainWindow::saveCaseCopy(const QString& why) {
+  CaseDocument& document = parts_->document;
+  if (!document.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+  std::filesystem::path present = document.current()->folder;
+  if (!present.has_filename()) present = present.parent_path();
+  CaseFolderDialog dialog(why, wordsOf(present.filename()), this);
+  if (dialog.exec() != QDialog::Accepted) return failure(ErrorCode::cancelled, "The case is not saved.");
+  const std::filesystem::path folder = dialog.folder();
+  if (auto saved = document.save(folder); !saved) return saved;
+  remember(wordsOf(folder));
+  parts_->messages->showNote(tr("Saved in %1.").arg(wordsOf(folder)));
+  return {};
+}
+
+Result<void> MainWindow::saveCaseFor(const std::filesystem::path& folder) {
+  if (folder.empty()) return saveCaseInPlace();
+  auto saved = parts_->document.save(folder);
+  if (saved) remember(wordsOf(folder));
+  return saved;
+}
+
+Result<void> MainWindow::makeCaseOwn() {
+  if (!parts_->document.isShippedCase()) return {};
+  return saveCaseCopy(tr("The case '%1' belongs to the program. It is copied to a folder of your own first, and changed there.")
+                          .arg(words(parts_->document.current()->title)));
+}
+
+void MainWindow::reloadCase() {
+  parts_->opener->open(wordsOf(parts_->document.current()->folder));
+  parts_->dropsEdits = true;  // decided; a case that cannot be opened keeps them all the same
+}
+
+namespace {
+
+/// Coverage has a file of its own; without it a reopened volume would count every voxel as measured.
+QString coverageBeside(const QString& file) {
+  return QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral("-coverage.mha");
+}
+
+/// Writes a volume and which voxels of it were measured, both or neither.
+Result<void> writeWithCoverage(const Volume& volume, const QString& file, Progress& progress) {
+  const bool covered = !volume.coverage.empty();
+  const std::filesystem::path target = pathOf(file), beside = pathOf(coverageBeside(file));
+  std::vector<std::filesystem::path> files{target};
+  if (covered) files.push_back(beside);
+  return saveTogether(files, [&](const OutputSet& outputs) -> Result<void> {
+    PartOfProgress first(progress, 0.0, covered ? 0.5 : 1.0);
+    if (auto written = writeVolume(volume, outputs.staged(target), first); !written || !covered) return written;
+    PartOfProgress second(progress, 0.5, 1.0);
+    return writeCoverage(volume, outputs.staged(beside), second);
+  });
+}
+
+/// Where a file has a volume that was placed elsewhere in the body. @return empty: not saved
+std::optional<bool> askWhetherPlaced(QWidget* parent) {
+  // Either answer surprises someone: a volume moved here for looking must not lose its place beside others of its recording, and one
+  // placed with care must not jump back.
+  QMessageBox question(parent);
+  question.setObjectName(QStringLiteral("volumePlace"));
+  question.setWindowTitle(MainWindow::tr("Save the volume"));
+  question.setText(MainWindow::tr("The volume lies elsewhere in the body than its own coordinates say. Which place should the file hold?"));
+  question.setInformativeText(MainWindow::tr("Its own coordinates keep it in place beside other volumes of the same recording."));
+  QPushButton* own = question.addButton(MainWindow::tr("Its own coordinates"), QMessageBox::AcceptRole);
+  QPushButton* body = question.addButton(MainWindow::tr("Its place in the body"), QMessageBox::AcceptRole);
+  own->setObjectName(QStringLiteral("ownPlace"));
+  body->setObjectName(QStringLiteral("bodyPlace"));
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(own);
+  question.exec();
+  if (question.clickedButton() != own && question.clickedButton() != body) return std::nullopt;
+  return question.clickedButton() == body;
+}
+
+}  // namespace
+
+void MainWindow::saveShownVolume() {
+  const auto& subject = parts_->session.subject();
+  if (subject) saveVolume({{}, subject->title, subject->volume, nullptr});
+}
+
+bool MainWindow::saveVolume(const MadeVolume& made) {
+  std::optional<Grid> there;
+  const auto& subject = parts_->session.subject();
+  if (subject && subject->volume == made.volume && !(subject->placedGrid == made.volume->grid)) {
+    const auto isPlaced = askWhetherPlaced(this);
+    if (!isPlaced) return false;
+    if (*isPlaced) there = subject->placedGrid;
+  }
+  const bool covered = !made.volume->coverage.empty();
+  const QString file = askSaveFile(this, {tr("Save the volume"),
+                                          QFileInfo(made.title).completeBaseName() + QStringLiteral(".mha"),
+                                          tr("MetaImage (*.mha *.mhd)"),
+                                          {QStringLiteral(".mha"), QStringLiteral(".mhd")},
+                                          [covered](const QString& chosen) {
+                                            return covered ? QStringList{chosen, coverageBeside(chosen)} : QStringList{chosen};
+                                          }});
+  if (file.isEmpty()) return false;
+  const QString beside = coverageBeside(file);
+  parts_->jobs.start(
+      tr("Saving %1").arg(QFileInfo(file).fileName()),
+      [shown = made.volume, there, file](Progress& progress) -> Result<void> {
+        std::shared_ptr<const Volume> volume = shown;
+        if (there) {
+          auto moved = std::make_shared<Volume>(*shown);
+          moved->grid = *there;
+          volume = std::move(moved);
+        }
+        return writeWithCoverage(*volume, file, progress);
+      },
+      [this, volume = made.volume, file, beside, covered](const Result<void>& outcome) {
+        if (outcome) {
+          auto& unsaved = parts_->made;
+          unsaved.erase(std::remove_if(unsaved.begin(), unsaved.end(), [&](const MadeVolume& each) { return each.volume == volume; }),
+                        unsaved.end());
+          parts_->messages->showNote(covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside)
+                                             : tr("Saved to %1.").arg(file));
+          showTitle();
+        } else if (outcome.error().code != ErrorCode::cancelled) {
+          parts_->messages->showError(outcome.error());
+        }
+      },
+      Jobs::Kind::saving);
+  return true;
+}
+
+void MainWindow::savePicture() {
+  if (parts_->session.picture().width == 0) return;
+  const QString file = askSaveFile(this, {tr("Save the picture"),
+                                          tr("scan") + QStringLiteral(".png"),
+                                          tr("Pictures (*.png *.mha)"),
+                                          {QStringLiteral(".png"), QStringLiteral(".mha")}});
+  if (file.isEmpty()) return;
+  const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
+    return writeImage(parts_->session.picture(), parts_->session.geometry().pixel_mm, outputs.staged(pathOf(file)));
+  });
+  if (written) {
+    parts_->messages->showNote(tr("Saved to %1.").arg(file));
+  } else {
+    parts_->messages->showError(written.error());
+  }
+}
+
+}  // namespace ew::ui
