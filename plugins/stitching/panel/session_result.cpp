@@ -48,7 +48,7 @@ void StitchSession::saveResult(const fs::path& folder) {
   if (!foreign.isEmpty() && !mayReplace(folder, foreign)) return;
   const QPointer<StitchSession> here(this);
   auto& texts = host_.files();
-  host_.jobs().start(
+  host_.jobs().startSaving(
       tr("Saving the stitched volume").toStdString(),
       [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty(), &texts](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
@@ -74,6 +74,11 @@ void StitchSession::handToCase() {
     Q_EMIT problem(tr("No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file."));
     return;
   }
+  // A case that belongs to the program is copied first: nothing is written into its own folder.
+  if (const auto own = cases.makeOwn(); !own) {
+    if (own.error().code != ErrorCode::cancelled) say(own.error());
+    return;
+  }
   const auto nextName = [&cases] {  // volumes are never written over: an older attempt or another case may still speak of them
     std::error_code ignored;
     std::string name = "stitched";
@@ -97,7 +102,7 @@ void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string&
   const auto read = result_;
   const QPointer<StitchSession> here(this);
   auto& volumes = host_.volumes();
-  host_.jobs().start(
+  host_.jobs().startSaving(
       tr("Handing the volume to the case").toStdString(),
       [read, &volumes, caseFolder, name](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
