@@ -106,7 +106,8 @@ class ChainWorld {
     for (auto at = std::filesystem::recursive_directory_iterator(folder / "steps", ignored);
          at != std::filesystem::recursive_directory_iterator(); at.increment(ignored))
       if (at->path().extension() == ".json" && at->path().filename() != "inputs.json" &&
-          at->path().filename().string().find('-') == std::string::npos)
+          at->path().filename().string().find('-') == std::string::npos &&
+          !at->path().parent_path().filename().string().starts_with(".ew-"))  // what lies aside is not finished
         entries[std::filesystem::relative(at->path(), folder).string()] = at->last_write_time();
     return entries;
   }
