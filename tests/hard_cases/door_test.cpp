@@ -64,6 +64,11 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
              std::function<void(const Result<void>&)> done) override {
     jobsKept.push_back({title, std::move(work), std::move(done)});
   }
+  void startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
+                   std::function<void(const Result<void>&)> done) override {
+    start(title, std::move(work), std::move(done));
+    ++savingJobs;
+  }
   void info(const std::string&) override {}
   void warn(const std::string&) override {}
   void error(const std::string& text) override { errors.push_back(text); }
@@ -75,6 +80,7 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
   test::OneCase theCase;
   std::vector<sdk::StagedPanel> panelsKept;
   std::vector<Job> jobsKept;
+  int savingJobs = 0;
   std::vector<std::string> errors;
 
  private:
@@ -195,6 +201,7 @@ TEST(HardCasesDoor, ExceptionsOfAJobAndOfItsDoneAreTold) {
   plugins.openAll(host);
   static_cast<void>(host.told());
   ASSERT_EQ(host.jobsKept.size(), 1u);
+  EXPECT_EQ(host.savingJobs, 1) << "the window knows that it saves";
   const auto outcome = host.jobsKept[0].work(noProgress());
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().code, ErrorCode::internal);

@@ -59,7 +59,7 @@ class Odd final : public ew::sdk::Plugin {
     host.commands().add("throw-memory", "throw-memory",
                         [](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> { throw std::bad_alloc(); });
     ticket_ = host.cases().onChanged([this] { fail(alive_, ""); });
-    host.jobs().start(
+    host.jobs().startSaving(
         "Odd work", [this](ew::Progress&) -> ew::Result<void> { fail(alive_, ""); },
         [this](const ew::Result<void>&) { fail(!alive_, "no idea what to do with it"); });
     if (ODD == ODD_LATE || ODD == ODD_LATE_NUMBER) fail(ODD == ODD_LATE_NUMBER, "changed its mind");

@@ -68,6 +68,7 @@ class PluginCases final : public sdk::Cases {
     return inner_.edit(manifest, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return inner_.save(folder); }
+  Result<void> makeOwn() override { return inner_.makeOwn(); }
   [[nodiscard]] bool hasUnsavedChanges() const override { return inner_.hasUnsavedChanges(); }
   Ticket onChanged(std::function<void()> callback) override {
     return calls_->keepTicket(inner_.onChanged(
@@ -97,9 +98,21 @@ class PluginJobs final : public sdk::Jobs {
 
   void start(const std::string& title, std::function<Result<void>(Progress&)> work,
              std::function<void(const Result<void>&)> done) override {
-    calls_->whenMade([calls = calls_, &inner = inner_, title, work = std::move(work), done = std::move(done)] {
+    startBy(&sdk::Jobs::start, title, std::move(work), std::move(done));
+  }
+  void startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
+                   std::function<void(const Result<void>&)> done) override {
+    startBy(&sdk::Jobs::startSaving, title, std::move(work), std::move(done));
+  }
+
+ private:
+  using Work = std::function<Result<void>(Progress&)>;
+  using Done = std::function<void(const Result<void>&)>;
+
+  void startBy(void (sdk::Jobs::*how)(const std::string&, Work, Done), const std::string& title, Work work, Done done) {
+    calls_->whenMade([calls = calls_, &inner = inner_, how, title, work = std::move(work), done = std::move(done)] {
       const auto fault = std::make_shared<std::optional<PluginFault>>();  // told when the work is over, on the window's thread
-      inner.start(
+      (inner.*how)(
           title, [calls, title, work, fault](Progress& progress) { return workOn(*calls, title, work, progress, *fault); },
           [calls, title, done, fault](const Result<void>& outcome) {
             // Too little memory is an outcome that a plugin foresees; anything else is its mistake and told whatever it makes of it.
@@ -108,8 +121,6 @@ class PluginJobs final : public sdk::Jobs {
           });
     });
   }
-
- private:
   static Result<void> workOn(PluginCalls& calls, const std::string& title, const std::function<Result<void>(Progress&)>& work,
                              Progress& progress, std::optional<PluginFault>& fault) {
     const PluginCalls::Working working(calls);
