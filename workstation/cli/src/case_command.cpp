@@ -117,8 +117,7 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
               << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
   if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
   for (const auto& problem : list.problems) run.remark(problem.sentence);
-  for (const auto& other : list.noCases)
-    run.remark("The folder '" + other.filename().string() + "' is left out: it holds no case.json.");
+  for (const auto& other : list.noCases) run.remark("The folder '" + other.filename().string() + "' is left out: it holds no case.json.");
   return kDone;
 }
 

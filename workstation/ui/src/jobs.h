@@ -53,7 +53,7 @@ class Jobs final : public QObject {
   void started(int id);
   void finished(int id);
   void problem(const ew::Error& error);  ///< a `done` threw
-  void notSaved(int id);  ///< a job of Kind::saving has failed or was cancelled; after its `done`
+  void notSaved(int id);                 ///< a job of Kind::saving has failed or was cancelled; after its `done`
 
  private:
   struct Job;
