@@ -74,11 +74,6 @@ void StitchSession::handToCase() {
     Q_EMIT problem(tr("No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file."));
     return;
   }
-  // A case that belongs to the program is copied first: nothing is written into its own folder.
-  if (const auto own = cases.makeOwn(); !own) {
-    if (own.error().code != ErrorCode::cancelled) say(own.error());
-    return;
-  }
   const auto nextName = [&cases] {  // volumes are never written over: an older attempt or another case may still speak of them
     std::error_code ignored;
     std::string name = "stitched";
@@ -95,6 +90,11 @@ void StitchSession::handToCase() {
   const CaseWithVolume next = wanted(nextName());
   if (!next.problems.empty()) return say(next.problems.front());
   if (next.targets + next.measurements > 0 && !mayDropTargets(next)) return;
+  // A case that belongs to the program is copied first: nothing is written into its own folder.
+  if (const auto own = cases.makeOwn(); !own) {
+    if (own.error().code != ErrorCode::cancelled) say(own.error());
+    return;
+  }
   writeIntoCase(cases.currentFolder(), nextName());
 }
 
