@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "caption.h"
 #include "cli/cli_world.h"
+#include "ew/imaging/caption.h"
 #include "ew/imaging/frame.h"
 #include "ew/io/image_file.h"
 #include "ew/library/case.h"
@@ -51,7 +51,7 @@ TEST_F(ScanCommand, WritesTheWarningIntoAPictureButNotIntoTheBareFrame) {
   const auto picture = readImage(folder / "o.png");
   ASSERT_TRUE(bare && picture);
   EXPECT_NE(*bare, *picture);
-  cli::burnCaption(viewOf(*bare), "simulation, not for diagnosis");
+  burnCaption(viewOf(*bare), "simulation, not for diagnosis");
   EXPECT_EQ(*bare, *picture);
 }
 
@@ -216,7 +216,7 @@ TEST_F(ScanOfACase, DrawsAContactSheetThatCarriesTheWarning) {
   ASSERT_TRUE(sheet) << sheet.error();
   EXPECT_EQ(sheet->width, 960);
   const GreyImage before = *sheet;
-  cli::burnCaption(viewOf(*sheet), cli::kNotForDiagnosis);
+  burnCaption(viewOf(*sheet), kNotForDiagnosis);
   EXPECT_EQ(*sheet, before);
   // Off and on differ in every pair.
   int differing = 0;

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
-#include "caption.h"
+#include "ew/imaging/caption.h"
 
 namespace ew::cli {
 namespace {

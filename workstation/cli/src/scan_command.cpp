@@ -3,10 +3,10 @@
 #include <ostream>
 
 #include "arguments.h"
-#include "caption.h"
 #include "command.h"
 #include "contact_sheet.h"
 #include "ew/core/numbers.h"
+#include "ew/imaging/caption.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"

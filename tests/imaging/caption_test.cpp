@@ -1,10 +1,10 @@
-#include "caption.h"
+#include "ew/imaging/caption.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace ew::cli {
+namespace ew {
 namespace {
 
 TEST(Caption, TouchesOnlyTheLowerEdge) {
@@ -48,4 +48,4 @@ TEST(Caption, StaysInsideAPictureThatIsFarTooSmall) {
 }
 
 }  // namespace
-}  // namespace ew::cli
+}  // namespace ew

@@ -4,7 +4,7 @@
 
 #include "ew/core/image.h"
 
-namespace ew::cli {
+namespace ew {
 
 /// The words every exported scan picture carries.
 inline constexpr std::string_view kNotForDiagnosis = "simulation, not for diagnosis";
@@ -18,4 +18,4 @@ inline constexpr int kCaptionMinHeight_px = 64;
 /// in the picture changes.
 void burnCaption(ImageView<std::uint8_t> picture, std::string_view words);
 
-}  // namespace ew::cli
+}  // namespace ew

@@ -1,11 +1,11 @@
-#include "caption.h"
+#include "ew/imaging/caption.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
-namespace ew::cli {
+namespace ew {
 namespace {
 
 constexpr int kGlyphWidth = 5;
@@ -117,4 +117,4 @@ void burnCaption(ImageView<std::uint8_t> picture, std::string_view words) {
   }
 }
 
-}  // namespace ew::cli
+}  // namespace ew
