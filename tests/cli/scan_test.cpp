@@ -171,6 +171,7 @@ class ScanOfACase : public testing::Test {
     manifest["volume"]["recipe_spacing_mm"] = 2.0;
     manifest["volume"].erase("sweeps");  // as the anatomy is drawn: no shadow is in the voxels
     manifest["volume"].erase("reconstruct");
+    manifest["start_pose"] = manifest["expert_pose"];  // the stone in the picture
     writeText(folder / "case/case.json", manifest.dump());
   }
   TemporaryFolder folder;

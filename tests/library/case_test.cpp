@@ -70,6 +70,27 @@ TEST(LoadCase, OpensAFolderOrItsManifestAlike) {
   EXPECT_FALSE(byFolder->startPose);
 }
 
+TEST(LoadCase, GivesATraineeATitleOfTheirOwnAndKeepsTheExpertsPoseApartFromTheStart) {
+  json manifest = smallest();
+  manifest["title"] = "Aneurysm";
+  manifest["title_for_trainees"] = "Pulsating swelling";
+  manifest["expert_pose"] = identityWith(3, 5.0);
+  const auto made = caseFromManifest(manifest, {});
+  ASSERT_TRUE(made) << made.error();
+  EXPECT_EQ(titleForTrainees(*made), "Pulsating swelling");
+  EXPECT_FALSE(made->startPose);
+  ASSERT_TRUE(made->expertPose);
+  EXPECT_EQ(made->expertPose->probeToWorld.matrix[3].x, 5.0);
+  EXPECT_TRUE(made->otherFields.empty());
+  manifest.erase("title_for_trainees");
+  EXPECT_EQ(titleForTrainees(*caseFromManifest(manifest, {})), "Aneurysm") << "a case without one has nothing to hide";
+  manifest["expert_pose"] = identityWith(5, 3.0);
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "expert_pose");
+  manifest.erase("expert_pose");
+  manifest["title_for_trainees"] = "";
+  EXPECT_EQ(context(onlyProblem(manifest), "field"), "title_for_trainees");
+}
+
 TEST(LoadCase, RefusesANewerFormatAndNamesBothNumbers) {
   json manifest = smallest();
   manifest["format"] = 7;
@@ -543,16 +564,19 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
                                *rc::gen::inRange(0, 300) * 0.1,
                                *rc::gen::inRange(0, 1000) * 0.1,
                                *rc::gen::inRange(1, 100) * 0.1};
-    made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}}};
-    made.targets = {{.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text()},
-                    {.kind = CaseTarget::Kind::plane, .name = "p", .probeToWorld = matrix(), .angleTolerance_deg = 3.5},
-                    {.kind = CaseTarget::Kind::point, .name = "q", .at_mm = glm::dvec3(1.0 / 3.0, 2, -1e-9), .tolerance_mm = 0.7}};
+    made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}, true}};
+    made.targets = {
+        {.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text(), .revealsFinding = true},
+        {.kind = CaseTarget::Kind::plane, .name = "p", .probeToWorld = matrix(), .angleTolerance_deg = 3.5},
+        {.kind = CaseTarget::Kind::point, .name = "q", .at_mm = glm::dvec3(1.0 / 3.0, 2, -1e-9), .tolerance_mm = 0.7}};
   }
   if (*rc::gen::arbitrary<bool>()) made.findings = {text(), text()};
   if (*rc::gen::arbitrary<bool>()) made.previousExaminations = {{text(), text(), text()}};
   made.probes = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("convex-3.5", "linear-7.5"));
   made.scene.gainAndDgc = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) made.startPose = Pose{{matrix()}};
+  if (*rc::gen::arbitrary<bool>()) made.expertPose = Pose{{matrix()}};
+  if (*rc::gen::arbitrary<bool>()) made.titleForTrainees = "t" + text().substr(0, 99);
   if (*rc::gen::arbitrary<bool>()) made.otherFields["x_" + std::to_string(*rc::gen::inRange(0, 9))] = {{"deep", text()}};
   if (*rc::gen::arbitrary<bool>()) made.otherFields["volume"] = {{"source", text()}};
   made.folder = folder.path();

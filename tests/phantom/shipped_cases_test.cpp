@@ -69,9 +69,9 @@ TEST_P(ShippedCase, StartsWithTheMarkerTowardsThePatientsRightOrHead) {
   EXPECT_GT(std::max(-marked.x, marked.z), 0.7) << "so that the picture, marker at the left, has right or head at the left";
 }
 
-TEST(GallStoneCase, StartsWithTheStoneAndTheLongGallBladderInThePicture) {
+TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsPicture) {
   const auto manifest = jsonOf(EW_SOURCE_DIR "/cases/upper-abdomen-gall-stone/case.json");
-  const glm::dmat4 worldToProbe = glm::inverse(matrixFromRows(manifest.at("start_pose").get<std::array<double, 16>>()));
+  const glm::dmat4 worldToProbe = glm::inverse(matrixFromRows(manifest.at("expert_pose").get<std::array<double, 16>>()));
   const auto inProbe = [&](const glm::dvec3& p_world) { return glm::dvec3(worldToProbe * glm::dvec4(p_world, 1.0)); };
   const glm::dvec3 stone = inProbe({-51.4, -24.4, -55.2});
   EXPECT_LT(std::abs(stone.z), 3.0) << "the plane cuts the stone near its middle";
@@ -79,6 +79,32 @@ TEST(GallStoneCase, StartsWithTheStoneAndTheLongGallBladderInThePicture) {
   EXPECT_NEAR(stone.y, 65.0, 15.0) << "depth";
   for (const glm::dvec3& onAxis : {glm::dvec3(-42, -10, -40), glm::dvec3(-55, -38, -60), glm::dvec3(-63, -55, -71)})
     EXPECT_LT(std::abs(inProbe(onAxis).z), 4.0) << "neck, body and fundus lie in one picture";
+}
+
+/// A trainee is to look for the finding: nothing that is shown before the examination names it, and the probe does not stand on it.
+TEST(ShippedCases, GiveATraineeNoAnswerAway) {
+  int cases = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(EW_SOURCE_DIR "/cases")) {
+    if (!std::filesystem::exists(entry.path() / "case.json")) continue;
+    const auto manifest = jsonOf(entry.path() / "case.json");
+    ++cases;
+    ASSERT_TRUE(manifest.contains("title_for_trainees")) << entry;
+    ASSERT_TRUE(manifest.contains("expert_pose")) << entry;
+    std::string shown = manifest["title_for_trainees"];
+    for (const char* list : {"targets", "measurements"}) {
+      for (const auto& each : manifest.value(list, nlohmann::json::array()))
+        if (!each.value("reveals_finding", false)) shown += ", " + each["name"].get<std::string>();
+    }
+    for (const char* answer : {"aneurysm", "stone", "thrombus", "free fluid", "normal", "nodule", "plaque"}) {
+      EXPECT_EQ(shown.find(answer), std::string::npos) << entry << " says " << answer << " in: " << shown;
+    }
+    const glm::dmat4 start = matrixFromRows(manifest.at("start_pose").get<std::array<double, 16>>());
+    EXPECT_TRUE(checkRigid(start)) << entry;
+    EXPECT_GT(-start[0].x, 0.99) << "transverse, the marker to the patient's right: " << entry;
+    EXPECT_LT(std::abs(start[3].x), 1.0) << "in the midline: " << entry;
+    EXPECT_NE(manifest.at("start_pose"), manifest.at("expert_pose")) << entry;
+  }
+  EXPECT_EQ(cases, 6);
 }
 
 TEST(PatientSchema, HoldsForEveryRecipeOfTheCasesAndAnatomies) {

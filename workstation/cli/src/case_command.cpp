@@ -131,7 +131,7 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   }
   const auto line = [&](std::string name, const std::string& value) {
     if (value.empty()) return;
-    name.resize(13, ' ');
+    name.resize(14, ' ');
     run.out() << name << value << "\n";
   };
   std::string patient = found->patient.name;
@@ -141,6 +141,7 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   for (const auto& probe : found->probes) probes += (probes.empty() ? "" : ", ") + probe;
   line("Id", found->id);
   line("Title", found->title);
+  line("For trainees", found->titleForTrainees);
   line("Region", found->region);
   line("Patient", patient);
   line("History", found->history);
@@ -152,6 +153,7 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   line("Mannequin", found->mannequin.empty() ? "default" : found->mannequin);
   line("Scene", sceneText(found->scene));
   line("Start pose", found->startPose ? "given" : "none");
+  line("Expert pose", found->expertPose ? "given" : "none");
   line("Folder", found->folder.string());
   return kDone;
 }

@@ -13,18 +13,19 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 17> kTopFields = {
-    "format",  "id",           "title",  "region",    "patient", "history", "indication", "previous_examinations", "findings", "diagnosis",
-    "targets", "measurements", "volume", "mannequin", "probes",  "scene",   "start_pose"};
+constexpr std::array<std::string_view, 19> kTopFields = {
+    "format",     "id",        "title",   "title_for_trainees", "region", "patient",   "history", "indication", "previous_examinations",
+    "findings",   "diagnosis", "targets", "measurements",       "volume", "mannequin", "probes",  "scene",      "start_pose",
+    "expert_pose"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 7> kVolumeFields = {"file",   "labels",      "recipe",       "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
 constexpr std::array<std::string_view, 6> kReconstructFields = {"spacing_mm",    "interpolation", "compounding",
                                                                 "fill_reach_mm", "feather_mm",    "labels_spacing_mm"};
 constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", "findings"};
-constexpr std::array<std::string_view, 8> kTargetFields = {
-    "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ"};
-constexpr std::array<std::string_view, 2> kMeasurementFields = {"name", "tolerance"};
+constexpr std::array<std::string_view, 9> kTargetFields = {
+    "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ", "reveals_finding"};
+constexpr std::array<std::string_view, 3> kMeasurementFields = {"name", "tolerance", "reveals_finding"};
 constexpr const char* kSceneName = "the scene of case.json";
 
 template <class Names>
@@ -148,7 +149,7 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
 
   const json& volume = manifest["volume"];
   checkMatrix(volume, "file_to_world", "volume.file_to_world", problems);
-  checkMatrix(manifest, "start_pose", "start_pose", problems);
+  for (const char* pose : {"start_pose", "expert_pose"}) checkMatrix(manifest, pose, pose, problems);
   if (volume.contains("recipe_spacing_mm") && !std::isfinite(volume["recipe_spacing_mm"].get<double>()))
     problems.push_back({ErrorCode::badField,
                         "'volume.recipe_spacing_mm' in case.json is not a number; it must be from 0.1 to 10 mm.",
@@ -218,6 +219,13 @@ std::optional<double> numberIn(const json& object, const char* field) {
   return object[field].get<double>();
 }
 
+std::optional<Pose> poseIn(const json& object, const char* field) {
+  if (!object.contains(field)) return std::nullopt;
+  Pose pose;
+  pose.probeToWorld.matrix = matrixOf(object[field]);
+  return pose;
+}
+
 CaseTarget targetOf(const json& object) {
   CaseTarget target;
   const std::string kind = object["kind"];
@@ -229,6 +237,7 @@ CaseTarget targetOf(const json& object) {
   target.positionTolerance_mm = numberIn(object, "position_tolerance_mm");
   target.angleTolerance_deg = numberIn(object, "angle_tolerance_deg");
   target.organ = object.value("organ", "");
+  target.revealsFinding = object.value("reveals_finding", false);
   target.otherFields = without(object, kTargetFields);
   return target;
 }
@@ -247,6 +256,7 @@ ordered_json toJson(const CaseTarget& target) {
   if (target.positionTolerance_mm) object["position_tolerance_mm"] = *target.positionTolerance_mm;
   if (target.angleTolerance_deg) object["angle_tolerance_deg"] = *target.angleTolerance_deg;
   if (!target.organ.empty()) object["organ"] = target.organ;
+  if (target.revealsFinding) object["reveals_finding"] = true;
   add(object, target.otherFields);
   return object;
 }
@@ -259,7 +269,8 @@ void readExpectations(const json& manifest, Case& made) {
   if (manifest.contains("findings")) made.findings = manifest["findings"].get<std::vector<std::string>>();
   for (const json& each : manifest.value("targets", json::array())) made.targets.push_back(targetOf(each));
   for (const json& each : manifest.value("measurements", json::array()))
-    made.measurements.push_back({each["name"], numberIn(each, "tolerance"), without(each, kMeasurementFields)});
+    made.measurements.push_back(
+        {each["name"], numberIn(each, "tolerance"), each.value("reveals_finding", false), without(each, kMeasurementFields)});
 }
 
 ordered_json examinationsOf(const Case& edited) {
@@ -280,6 +291,7 @@ ordered_json measurementsOf(const Case& edited) {
   for (const CaseMeasurement& each : edited.measurements) {
     ordered_json object = {{"name", each.name}};
     if (each.tolerance) object["tolerance"] = *each.tolerance;
+    if (each.revealsFinding) object["reveals_finding"] = true;
     add(object, each.otherFields);
     list.push_back(std::move(object));
   }
@@ -293,6 +305,7 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   Case made;
   made.id = manifest["id"];
   made.title = manifest["title"];
+  made.titleForTrainees = manifest.value("title_for_trainees", "");
   made.region = manifest.value("region", "");
   if (manifest.contains("patient")) {
     const json& patient = manifest["patient"];
@@ -320,10 +333,8 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
     if (!scene) return passOn(std::move(scene.error()));
     made.scene = std::move(*scene);
   }
-  if (manifest.contains("start_pose")) {
-    made.startPose.emplace();
-    made.startPose->probeToWorld.matrix = matrixOf(manifest["start_pose"]);
-  }
+  made.startPose = poseIn(manifest, "start_pose");
+  made.expertPose = poseIn(manifest, "expert_pose");
   made.otherFields = unknownFields(manifest);
   made.folder = folder;
   return made;
@@ -337,6 +348,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   manifest["format"] = kCaseFormat;
   manifest["id"] = edited.id;
   manifest["title"] = edited.title;
+  text("title_for_trainees", edited.titleForTrainees);
   text("region", edited.region);
   ordered_json patient = ordered_json::object();
   if (!edited.patient.name.empty()) patient["name"] = edited.patient.name;
@@ -365,6 +377,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   if (!edited.probes.empty()) manifest["probes"] = edited.probes;
   manifest["scene"] = ordered_json(toJson(edited.scene, edited.otherFields.contains("scene") ? &edited.otherFields["scene"] : nullptr));
   if (edited.startPose) manifest["start_pose"] = rowsOf(edited.startPose->probeToWorld.matrix);
+  if (edited.expertPose) manifest["expert_pose"] = rowsOf(edited.expertPose->probeToWorld.matrix);
 
   for (const char* nested : {"patient", "volume"})
     if (manifest.contains(nested) && edited.otherFields.contains(nested)) add(manifest[nested], edited.otherFields[nested]);

@@ -68,6 +68,7 @@ struct CaseTarget {
   std::optional<double> positionTolerance_mm = {};  ///< of a plane; absent: the standard plane's
   std::optional<double> angleTolerance_deg = {};    ///< of a plane; absent: the standard plane's
   std::string organ = {};                           ///< of a structure: an organ of the patient
+  bool revealsFinding = false;                      ///< its name gives a finding away: a trainee sees it with the findings
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseTarget&) const = default;
 };
@@ -76,15 +77,17 @@ struct CaseTarget {
 struct CaseMeasurement {
   std::string name;                      ///< of a measurement of the patient
   std::optional<double> tolerance = {};  ///< in the measurement's unit
+  bool revealsFinding = false;           ///< its name gives a finding away: a trainee sees it with the findings
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseMeasurement&) const = default;
 };
 
 /// The manifest of a case folder: case.json, checked against resources/schemas/case.schema.json.
 struct Case {
-  std::string id;  ///< UUID or slug, unique in a library
-  std::string title;
-  std::string region;  ///< "upper abdomen"
+  std::string id;                ///< UUID or slug, unique in a library
+  std::string title;             ///< for authors and instructors: may name the finding
+  std::string titleForTrainees;  ///< what a trainee may read before the examination ("Upper abdomen, pain after meals"); empty: the title
+  std::string region;            ///< "upper abdomen"
   CasePatient patient;
   std::string history;
   std::string indication;
@@ -97,12 +100,16 @@ struct Case {
   std::string mannequin;            ///< file in resources/mannequin or in the case folder; empty: the default
   std::vector<std::string> probes;  ///< ids; the first is the default; empty: all
   Scene scene;
-  std::optional<Pose> startPose;
+  std::optional<Pose> startPose;                          ///< where a trainee begins; gives no finding away
+  std::optional<Pose> expertPose;                         ///< where an expert would have the finding in the picture
   nlohmann::json otherFields = nlohmann::json::object();  ///< kept as they are
 
   std::filesystem::path folder;  ///< where it was read from; not saved
   bool operator==(const Case&) const = default;
 };
+
+/// What a trainee reads on cards, in the header and in lists: the title for trainees, or the title when the case has none.
+[[nodiscard]] const std::string& titleForTrainees(const Case& shown);
 
 /// Opens a case folder or its case.json and checks it against the schema and every file it names.
 /// @error notFound, badHeader, badField (field name, value found, value expected), newerFormat (with both version numbers), notRigid
