@@ -1,4 +1,5 @@
 #include "ew/imaging/frame.h"
+#include <algorithm>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -84,6 +85,30 @@ TEST(FitDisplay, ZoomsAboutTheMiddleOfThePicture) {
   const Point<frame::Image> middle{{299.5, 249.5, 0.0}};
   const glm::dvec3 before = (whole.imageToProbe() * middle).at, after = (zoomed.imageToProbe() * middle).at;
   EXPECT_NEAR(glm::length(before - after), 0.0, 1e-9);
+}
+
+TEST(FitDisplay, ShowsThePannedPointInTheMiddleOfAZoomedPictureAndNothingBesideTheFan) {
+  for (const bool markerLeft : {true, false})
+    for (const bool upsideDown : {true, false}) {
+      Knobs knobs;
+      knobs.markerLeft = markerLeft;
+      knobs.upsideDown = upsideDown;
+      const auto fitted = [&](const Pan& pan) { return fitDisplay(convexProbe(), knobs, 600, 500, pan); };
+      const Point<frame::Image> middle{{299.5, 249.5, 0.0}};
+      const glm::dvec3 whole = (fitted({}).imageToProbe() * middle).at;
+      EXPECT_EQ(fitted({12.0, -20.0}), fitted({})) << "there is nothing to pan over";
+      knobs.zoom = 4.0;
+      const glm::dvec3 shown = (fitted({12.0, -20.0}).imageToProbe() * middle).at;
+      EXPECT_NEAR(shown.x - whole.x, 12.0, fitted({}).pixel_mm) << "in whole pixels";
+      EXPECT_NEAR(shown.y - whole.y, -20.0, 1e-9);
+      const Pan usable = panWithinFan(convexProbe(), knobs, {900.0, 900.0});
+      EXPECT_LT(usable.lateral_mm, 100.0);
+      EXPECT_EQ(fitted({900.0, 900.0}), fitted(usable));
+      EXPECT_EQ(fitted({std::nan(""), 0.0}), fitted({}));
+      const Spans spans = fanSpans(convexProbe(), knobs, fitted(usable));
+      EXPECT_TRUE(std::any_of(spans.begin(), spans.end(), [](const auto& row) { return !row.empty(); }))
+          << "a corner of the fan is still shown";
+    }
 }
 
 TEST(FitDisplay, KeepsTheDepthWithinTheProbesRange) {

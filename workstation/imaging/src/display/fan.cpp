@@ -48,7 +48,22 @@ double resolvedDepth_mm(const Probe& probe, const Knobs& knobs) {
   return std::clamp(knobs.depth_mm, probe.minDepth_mm, probe.maxDepth_mm);
 }
 
-DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height) {
+namespace {
+
+double zoomOf(const Knobs& knobs) { return knobs.zoom > 1.0 ? std::min(knobs.zoom, 8.0) : 1.0; }  // NaN compares false
+
+}  // namespace
+
+Pan panWithinFan(const Probe& probe, const Knobs& knobs, const Pan& pan) {
+  const detail::FanShape::Box box = detail::fanShapeOf(probe, knobs).box(resolvedDepth_mm(probe, knobs));
+  const double free = 1.0 - 1.0 / zoomOf(knobs);
+  const auto within = [](double asked_mm, double most_mm) {
+    return std::isfinite(asked_mm) ? std::clamp(asked_mm, -most_mm, most_mm) : 0.0;
+  };
+  return {within(pan.lateral_mm, free * box.halfWidth_mm), within(pan.axial_mm, free * 0.5 * (box.bottom_mm - box.top_mm))};
+}
+
+DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height, const Pan& pan) {
   EW_EXPECTS(width >= 1 && height >= 1);
   constexpr double kMargin = 0.02;  // of the picture, on each side
   constexpr double kPixelSteps_perMm = 4294967296.0;
@@ -62,12 +77,15 @@ DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, in
   const double usable = 1.0 - 2.0 * kMargin;
   geometry.pixel_mm = std::max(2.0 * box.halfWidth_mm / (usable * static_cast<double>(width)),
                                (box.bottom_mm - box.top_mm) / (usable * static_cast<double>(height)));
-  const double zoom = knobs.zoom > 1.0 ? std::min(knobs.zoom, 8.0) : 1.0;  // NaN compares false
+  const double zoom = zoomOf(knobs);
   // Of few binary digits, so that products with columns are exact and imageToProbe sends mirrored columns to mirrored places.
   geometry.pixel_mm = std::ceil(geometry.pixel_mm / zoom * kPixelSteps_perMm) / kPixelSteps_perMm;
-  // The middle of the fan's box stays in the middle of the picture at every zoom.
-  geometry.face_px.x = 0.5 * static_cast<double>(width - 1);
-  const double middle_px = 0.5 * (box.top_mm + box.bottom_mm) / geometry.pixel_mm;
+  // The middle of the fan's box stays in the middle of the picture at every zoom, but for what it is panned by: sideways in whole pixels,
+  // for the same exactness.
+  const Pan shown = panWithinFan(probe, knobs, pan);
+  const double across = geometry.markerLeft ? -1.0 : 1.0;
+  geometry.face_px.x = 0.5 * static_cast<double>(width - 1) - across * std::round(shown.lateral_mm / geometry.pixel_mm);
+  const double middle_px = (0.5 * (box.top_mm + box.bottom_mm) + shown.axial_mm) / geometry.pixel_mm;
   geometry.face_px.y = 0.5 * static_cast<double>(height - 1) + (geometry.upsideDown ? middle_px : -middle_px);
   return geometry;
 }

@@ -25,6 +25,7 @@ struct Asked {
   int width = 0;
   int height = 0;
   bool hasLabels = false;
+  Pan pan;
   bool operator==(const Asked&) const = default;
 };
 
@@ -38,7 +39,8 @@ void blacken(GreyImage& image) { std::fill(image.pixels.begin(), image.pixels.en
 struct FrameMaker::Parts {
   explicit Parts(int threads) : bands_(threads), scratch_(static_cast<std::size_t>(bands_.threads())) {}
 
-  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels);
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels,
+                 const Pan& pan);
   ImageView<const std::uint8_t> make(const FrameInput& input);
 
   Plan plan_;  ///< of the last frame
@@ -84,8 +86,8 @@ FrameMaker::~FrameMaker() = default;
 FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                           bool hasLabels) {
-  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels);
+                           bool hasLabels, const Pan& pan) {
+  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan);
 }
 ImageView<const std::uint8_t> FrameMaker::make(const FrameInput& input) { return parts_->make(input); }
 ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
@@ -107,19 +109,19 @@ PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
 const Spans& FrameMaker::spans() const { return parts_->spans_; }
 
 void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                                  bool hasLabels) {
+                                  bool hasLabels, const Pan& pan) {
   EW_EXPECTS(width >= 1 && height >= 1);
   const auto isAsked = [&](const Asked& last) {
     return last.width == width && last.height == height && last.hasLabels == hasLabels && last.knobs == knobs && last.probe == probe &&
-           last.scene == scene && last.grid == grid;
+           last.scene == scene && last.grid == grid && last.pan == pan;
   };
   if (asked_ && isAsked(*asked_)) return;
-  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels};
+  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, pan};
   knobs_ = limited(knobs);
   scene_ = limited(scene);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
-  geometry_ = fitDisplay(probe, knobs_, width, height);
+  geometry_ = fitDisplay(probe, knobs_, width, height, pan);
   if (picturesFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_)) {
     spans_ = fanSpans(probe, knobs_, geometry_);
     sampled_ = GreyImage(width, height);

@@ -28,11 +28,21 @@ struct DisplayGeometry {
 /// The knobs' depth brought into the probe's range, or the probe's own where they name none, mm.
 [[nodiscard]] double resolvedDepth_mm(const Probe& probe, const Knobs& knobs);
 
+/// Which part of the fan a zoomed picture shows: its middle, from the middle of the whole fan, along the probe's +x and +y.
+struct Pan {
+  double lateral_mm = 0.0;
+  double axial_mm = 0.0;
+  bool operator==(const Pan&) const = default;
+};
+
+/// The same, no farther than the fan goes at the knobs' zoom; nowhere without a zoom, and where a number is none.
+[[nodiscard]] Pan panWithinFan(const Probe& probe, const Knobs& knobs, const Pan& pan);
+
 /// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
-/// about the picture's middle. The middle of the face stays in the picture's middle column, so a fan that leans to one side is fitted as
-/// if it leant to both. A zoom outside 1..8 is brought to the nearer end.
+/// about the picture's middle and panned (as panWithinFan says). The middle of the face stays in the picture's middle column, so a fan that
+/// leans to one side is fitted as if it leant to both. A zoom outside 1..8 is brought to the nearer end.
 /// @param width, height pixels, >= 1
-[[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height);
+[[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height, const Pan& pan = {});
 
 /// The pixels of each row whose centres lie inside the fan: none in a row the fan does not touch, two runs beside the face of a convex
 /// probe.

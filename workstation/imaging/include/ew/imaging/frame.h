@@ -87,8 +87,9 @@ class FrameMaker {
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// Rebuilds what depends on these values, and only when they changed.
+  /// @param pan what a zoomed picture shows; the viewer's, not the machine's: it is no knob
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                 bool hasLabels = false);
+                 bool hasLabels = false, const Pan& pan = {});
 
   /// The picture for one pose: 0 outside the fan and outside the volume. The view stays valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.
