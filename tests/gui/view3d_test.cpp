@@ -155,6 +155,35 @@ class View3DTest : public QObject {
     QVERIFY(view_->scene().fanCorners_mm().empty());
   }
 
+  void aZoomedPictureCoversItsOwnPartOfTheFanAndIsFramed() {
+    view_->showFrom(bridge::CameraPreset::overview);
+    GreyImage white(300, 320, 255);
+    Knobs knobs;
+    knobs.depth_mm = 160.0;
+    const auto isWhite = [](const QColor& c) { return c.red() > 245 && c.green() > 245 && c.blue() > 245; };
+    const auto shown = [&](double zoom) {
+      knobs.zoom = zoom;
+      view_->setFanImage(viewOf(std::as_const(white)), fitDisplay(convex(), knobs, 300, 320));
+      settle();
+      return view_->grab().toImage();
+    };
+    const QImage whole = shown(1.0);
+    const QImage zoomed = shown(4.0);
+    const int wholePixels = countPixels(whole, isWhite);
+    const int zoomedPixels = countPixels(zoomed, isWhite);
+    // A sixteenth of the picture's rectangle, of which the fan fills about half: never the whole fan, as pixels drawn on to its rim would.
+    QVERIFY2(zoomedPixels > wholePixels / 40 && zoomedPixels < wholePixels / 4,
+             qPrintable(QStringLiteral("%1 of %2").arg(zoomedPixels).arg(wholePixels)));
+    QVERIFY2(countPixels(zoomed, isAccent) > countPixels(whole, isAccent), "the frame of the detail");
+    // A point of the fan beside the detail shows no echo.
+    const Pose pose = poseOf(hand_->hold());
+    const glm::dvec3 beside_mm = glm::dvec3(pose.probeToWorld.matrix * glm::dvec4(0.0, 150.0, 0.0, 1.0));
+    const QPoint at = view_->pixelOf(beside_mm).toPoint();
+    QVERIFY(view_->rect().contains(at));
+    QVERIFY(isWhite(whole.pixelColor(at)));
+    QVERIFY(!isWhite(zoomed.pixelColor(at)));
+  }
+
   void theOverviewShowsTheFaceOfTheFanHoweverTheProbeIsRotated() {
     for (int degrees = -180; degrees < 180; degrees += 30) {
       Hold hold = hand_->hold();

@@ -15,12 +15,48 @@
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "ew/bridge/convert.h"
 
 namespace ew::bridge {
+namespace {
+
+constexpr double kFloor = 30.0;  // of 255, in the edge's colour: what black is shown as
+
+bool isInside(const std::vector<glm::dvec2>& outline, const glm::dvec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++) {
+    const glm::dvec2 &a = outline[i], &b = outline[last];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// The parts of the line from `from` to `to` that lie inside the outline, as pairs of shares of its length.
+std::vector<glm::dvec2> partsInside(const std::vector<glm::dvec2>& outline, const glm::dvec2& from, const glm::dvec2& to) {
+  std::vector<double> cuts{0.0, 1.0};
+  const glm::dvec2 along = to - from;
+  for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++) {
+    const glm::dvec2 side = outline[i] - outline[last];
+    const double across = along.x * side.y - along.y * side.x;
+    if (across == 0.0) continue;  // parallel: crosses nowhere
+    const glm::dvec2 gap = outline[last] - from;
+    const double onLine = (gap.x * side.y - gap.y * side.x) / across;
+    const double onSide = (gap.x * along.y - gap.y * along.x) / across;
+    if (onLine > 0.0 && onLine < 1.0 && onSide >= 0.0 && onSide <= 1.0) cuts.push_back(onLine);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<glm::dvec2> parts;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if (isInside(outline, from + 0.5 * (cuts[i - 1] + cuts[i]) * along)) parts.emplace_back(cuts[i - 1], cuts[i]);
+  }
+  return parts;
+}
+
+}  // namespace
 
 FanPicture::FanPicture() {
   vtkNew<vtkPolyDataMapper> paneMapper;
@@ -36,9 +72,17 @@ FanPicture::FanPicture() {
   edge_->SetMapper(edgeMapper);
   edge_->GetProperty()->LightingOff();
   edge_->GetProperty()->SetLineWidth(2.0F);
+  vtkNew<vtkPolyDataMapper> frameMapper;
+  frameMapper->SetInputData(frameMesh_);
+  frameMapper->SetResolveCoincidentTopologyToPolygonOffset();
+  frameMapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -4.0);
+  frame_->SetMapper(frameMapper);
+  frame_->GetProperty()->LightingOff();
+  frame_->GetProperty()->SetLineWidth(1.0F);
   texture_->SetInputData(pixels_);
   texture_->InterpolateOn();
-  texture_->SetWrap(vtkTexture::ClampToEdge);
+  // Beside a zoomed picture there is no picture: its last pixels drawn on to the rim would be seen as one.
+  texture_->SetWrap(vtkTexture::ClampToBorder);
   texture_->SetColorModeToDirectScalars();
   setAccent(accent_);
 }
@@ -48,6 +92,7 @@ FanPicture::~FanPicture() = default;
 void FanPicture::addTo(vtkRenderer& renderer) {
   renderer.AddActor(pane_);
   renderer.AddActor(edge_);
+  renderer.AddActor(frame_);
 }
 
 void FanPicture::setOutline(const Probe& probe, double depth_mm, const Knobs& knobs) {
@@ -93,6 +138,36 @@ void FanPicture::updateTextureCoordinates() {
   }
   paneMesh_->GetPointData()->SetTCoords(coordinates);
   paneMesh_->Modified();
+  updateFrame();
+}
+
+void FanPicture::updateFrame() {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  if (hasPicture_ && outline_mm_.size() > 2) {
+    const Transform<frame::Probe, frame::Image> imageToProbe = geometry_.imageToProbe();
+    const double right = geometry_.width - 0.5;
+    const double bottom = geometry_.height - 0.5;
+    const std::array<glm::dvec2, 4> corners_px{{{-0.5, -0.5}, {right, -0.5}, {right, bottom}, {-0.5, bottom}}};
+    for (std::size_t i = 0; i < corners_px.size(); ++i) {
+      const auto at_mm = [&](std::size_t corner) {
+        return glm::dvec2((imageToProbe * Point<frame::Image>{{corners_px[corner % corners_px.size()], 0.0}}).at);
+      };
+      const glm::dvec2 from_mm = at_mm(i);
+      const glm::dvec2 to_mm = at_mm(i + 1);
+      for (const glm::dvec2& part : partsInside(outline_mm_, from_mm, to_mm)) {
+        lines->InsertNextCell(2);
+        for (const double share : {part.x, part.y}) {
+          const glm::dvec2 p_mm = from_mm + share * (to_mm - from_mm);
+          lines->InsertCellPoint(points->InsertNextPoint(p_mm.x, p_mm.y, 0.0));
+        }
+      }
+    }
+  }
+  frameMesh_->SetPoints(points);
+  frameMesh_->SetLines(lines);
+  frameMesh_->Modified();
 }
 
 void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
@@ -120,7 +195,7 @@ void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const Display
       }
       // Black on a dark ground would be a hole: the floor of the pane is a trace of its edge's colour.
       for (int c = 0; c < 3; ++c) {
-        const int floor = static_cast<int>(30.0 * accent_[c]);
+        const int floor = static_cast<int>(kFloor * accent_[c]);
         *out++ = static_cast<unsigned char>(floor + grey * (255 - floor) / 255);
       }
     }
@@ -133,6 +208,7 @@ void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const Display
 
 void FanPicture::clearPicture() {
   hasPicture_ = false;
+  updateFrame();
   showTexture(false);
 }
 
@@ -150,18 +226,23 @@ void FanPicture::showTexture(bool show) {
 void FanPicture::setAccent(const glm::dvec3& accent) {
   accent_ = accent;
   edge_->GetProperty()->SetColor(accent.r, accent.g, accent.b);
+  frame_->GetProperty()->SetColor(accent.r, accent.g, accent.b);
+  const glm::vec3 floor = glm::vec3(kFloor * accent) / 255.0F;
+  texture_->SetBorderColor(floor.r, floor.g, floor.b, 1.0F);
   showTexture(hasPicture_);
 }
 
 void FanPicture::setVisible(bool visible) {
   pane_->SetVisibility(visible);
   edge_->SetVisibility(visible);
+  frame_->SetVisibility(visible);
 }
 
 void FanPicture::setProbeToWorld(vtkMatrix4x4* matrix) {
   probeToWorld_ = matrix;
   pane_->SetUserMatrix(matrix);
   edge_->SetUserMatrix(matrix);
+  frame_->SetUserMatrix(matrix);
 }
 
 std::vector<glm::dvec3> FanPicture::corners_mm() const {

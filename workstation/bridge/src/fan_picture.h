@@ -19,7 +19,8 @@ class vtkTexture;
 
 namespace ew::bridge {
 
-/// The fan of the probe: its outline as a pane with the live picture on it, and its edge as a line.
+/// The fan of the probe: its outline as a pane with the live picture on it, and its edge as a line. A zoomed picture covers a part of the
+/// pane: the rest stays empty, and the picture's own border is drawn on it.
 class FanPicture {
  public:
   FanPicture();
@@ -39,6 +40,7 @@ class FanPicture {
 
  private:
   void updateTextureCoordinates();
+  void updateFrame();
   void showTexture(bool show);
 
   static constexpr int kTextureLimit_px = 640;
@@ -46,6 +48,8 @@ class FanPicture {
   vtkNew<vtkActor> edge_;
   vtkNew<vtkPolyData> paneMesh_;
   vtkNew<vtkPolyData> edgeMesh_;
+  vtkNew<vtkActor> frame_;  ///< border of a zoomed picture
+  vtkNew<vtkPolyData> frameMesh_;
   vtkNew<vtkImageData> pixels_;
   vtkNew<vtkTexture> texture_;
   vtkSmartPointer<vtkMatrix4x4> probeToWorld_;
