@@ -654,7 +654,7 @@
     </message>
     <message>
         <source>Cost of accuracy</source>
-        <translation>Preis der Genauigkeit</translation>
+        <translation>Aufwand für Genauigkeit</translation>
     </message>
     <message>
         <source>%1 mm in %2</source>
@@ -677,11 +677,11 @@
     </message>
     <message>
         <source>Cost of accuracy on this machine</source>
-        <translation>Preis der Genauigkeit auf diesem Rechner</translation>
+        <translation>Aufwand für Genauigkeit auf diesem Rechner</translation>
     </message>
     <message>
         <source>Cost of accuracy, as measured elsewhere</source>
-        <translation>Preis der Genauigkeit, anderswo gemessen</translation>
+        <translation>Aufwand für Genauigkeit, anderswo gemessen</translation>
     </message>
     <message>
         <source>about %1</source>
@@ -2772,6 +2772,84 @@
     </message>
 </context>
 <context>
+    <name>ew::ui::CaseInfo</name>
+    <message>
+        <source>female</source>
+        <translation>weiblich</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>männlich</translation>
+    </message>
+    <message>
+        <source>%1 years</source>
+        <translation>%1 Jahre</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Patient, history, indication, and what is to be shown</source>
+        <translation>Patient, Anamnese, Fragestellung und was darzustellen ist</translation>
+    </message>
+    <message>
+        <source>Indication</source>
+        <translation>Fragestellung</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Anamnese</translation>
+    </message>
+    <message>
+        <source>Previous examinations</source>
+        <translation>Frühere Untersuchungen</translation>
+    </message>
+    <message>
+        <source>Hide findings</source>
+        <translation>Befund verbergen</translation>
+    </message>
+    <message>
+        <source>Show findings</source>
+        <translation>Befund zeigen</translation>
+    </message>
+    <message>
+        <source>What a good report says: look after your own examination</source>
+        <translation>Was ein guter Befund sagt: nach der eigenen Untersuchung ansehen</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Planes to show</source>
+        <translation>Darzustellende Ebenen</translation>
+    </message>
+    <message>
+        <source>Structures to show</source>
+        <translation>Darzustellende Strukturen</translation>
+    </message>
+    <message>
+        <source>Points to find</source>
+        <translation>Zu findende Punkte</translation>
+    </message>
+    <message>
+        <source>To measure</source>
+        <translation>Zu messen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more with the findings</source>
+        <translation>
+            <numerusform>%n weiterer mit dem Befund</numerusform>
+            <numerusform>%n weitere mit dem Befund</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ew::ui::CasePreparation</name>
     <message>
         <source>Preparing %1</source>
@@ -2805,24 +2883,12 @@
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>Magnify about the middle of the picture (Z, Shift+Z)</source>
-        <translation>Um die Bildmitte vergrößern (Z, Umschalt+Z)</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Qualität</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Weben</translation>
-    </message>
-    <message>
         <source>Linear</source>
         <translation>Linear</translation>
-    </message>
-    <message>
-        <source>Nearest voxels, fastest (1)</source>
-        <translation>Nächste Voxel, am schnellsten (1)</translation>
     </message>
     <message>
         <source>Interpolated between eight voxels (2)</source>
@@ -2831,10 +2897,6 @@
     <message>
         <source>Transducer</source>
         <translation>Schallkopf</translation>
-    </message>
-    <message>
-        <source>Flip</source>
-        <translation>Spiegeln</translation>
     </message>
     <message>
         <source>The marker is at the left, as usual; put it at the right (X)</source>
@@ -2889,28 +2951,8 @@
         <translation>Die Sonde und ihre Strahlen (F10)</translation>
     </message>
     <message>
-        <source>Depth of the first focus (comma, full stop); drag the marks beside the picture for the others</source>
-        <translation>Tiefe des ersten Fokus (Komma, Punkt); die anderen mit den Marken neben dem Bild ziehen</translation>
-    </message>
-    <message>
-        <source>Foci</source>
-        <translation>Fokusse</translation>
-    </message>
-    <message>
-        <source>Focus by</source>
-        <translation>Fokus durch</translation>
-    </message>
-    <message>
-        <source>Kernel</source>
-        <translation>Faltung</translation>
-    </message>
-    <message>
         <source>Every depth is blurred by the width its beam has there (Shift+N)</source>
         <translation>Jede Tiefe wird so unscharf, wie ihr Strahl dort breit ist (Umschalt+N)</translation>
-    </message>
-    <message>
-        <source>Stretch</source>
-        <translation>Streckung</translation>
     </message>
     <message>
         <source>Rows out of focus are undersampled and stretched back (Shift+N)</source>
@@ -2945,10 +2987,6 @@
         <translation>Hebt dunkles Gewebe an (G für die nächste)</translation>
     </message>
     <message>
-        <source>Hard</source>
-        <translation>Hart</translation>
-    </message>
-    <message>
         <source>Steep in the middle: more contrast (G for the next)</source>
         <translation>Steil in der Mitte: mehr Kontrast (G für die nächste)</translation>
     </message>
@@ -2961,24 +2999,12 @@
         <translation>Hellt alles auf (G für die nächste)</translation>
     </message>
     <message>
-        <source>Edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>Edge enhancement (B, Shift+B)</source>
-        <translation>Kantenanhebung (B, Umschalt+B)</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>aus</translation>
     </message>
     <message>
         <source>Persistence</source>
         <translation>Persistenz</translation>
-    </message>
-    <message>
-        <source>How much of the last picture stays (P, Shift+P)</source>
-        <translation>Wie viel vom letzten Bild stehen bleibt (P, Umschalt+P)</translation>
     </message>
     <message>
         <source>Cubic</source>
@@ -2990,23 +3016,11 @@
     </message>
     <message>
         <source>Adaptive</source>
-        <translation>Anpassen</translation>
+        <translation>Adaptiv</translation>
     </message>
     <message>
         <source>Quality may fall while the probe moves fast, and refines at rest (F9)</source>
         <translation>Die Qualität darf sinken, solange sich die Sonde schnell bewegt, und steigt in Ruhe wieder (F9)</translation>
-    </message>
-    <message>
-        <source>Cost…</source>
-        <translation>Preis …</translation>
-    </message>
-    <message>
-        <source>Cost of accuracy</source>
-        <translation>Preis der Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Measure what accuracy costs on this machine (Ctrl+K)</source>
-        <translation>Messen, was Genauigkeit auf diesem Rechner kostet (Strg+K)</translation>
     </message>
     <message>
         <source>Gain and DGC</source>
@@ -3039,10 +3053,6 @@
     <message>
         <source>The picture is an average over the thickness of the beam (F3)</source>
         <translation>Das Bild ist ein Mittel über die Dicke des Strahls (F3)</translation>
-    </message>
-    <message>
-        <source>Planes</source>
-        <translation>Ebenen</translation>
     </message>
     <message>
         <source>The thickness is averaged over %1 planes (Shift+F3 for the next)</source>
@@ -3170,7 +3180,7 @@
     </message>
     <message>
         <source>Face</source>
-        <translation>Auflage</translation>
+        <translation>Apertur</translation>
     </message>
     <message>
         <source>Depths</source>
@@ -3217,10 +3227,6 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Kippen</translation>
-    </message>
-    <message>
         <source>The probe is at the bottom; put it at the top, as usual (U)</source>
         <translation>Die Sonde ist unten; nach oben setzen, wie üblich (U)</translation>
     </message>
@@ -3229,8 +3235,116 @@
         <translation>Die Sonde ist oben, wie üblich; nach unten setzen (U)</translation>
     </message>
     <message>
-        <source>Number of focus depths (N for the next)</source>
-        <translation>Anzahl der Fokustiefen (N für die nächste Zahl)</translation>
+        <source>Depth of the first focal zone (comma, full stop); drag the marks beside the image for the others</source>
+        <translation>Tiefe der ersten Fokuszone (Komma, Punkt); die anderen neben dem Bild ziehen</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Focal zones</source>
+        <translation>Fokuszonen</translation>
+    </message>
+    <message>
+        <source>Number of focal zones (N for the next)</source>
+        <translation>Anzahl der Fokuszonen (N für die nächste)</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Edge enhancement</source>
+        <translation>Kantenanhebung</translation>
+    </message>
+    <message>
+        <source>Makes borders sharper (B, Shift+B)</source>
+        <translation>Macht Grenzen schärfer (B, Umschalt+B)</translation>
+    </message>
+    <message>
+        <source>How much of the last image stays (P, Shift+P)</source>
+        <translation>Wie viel vom letzten Bild bleibt (P, Umschalt+P)</translation>
+    </message>
+    <message>
+        <source>Magnify; drag in the image to move the detail (Z, Shift+Z)</source>
+        <translation>Vergrößern; im Bild ziehen verschiebt den Ausschnitt (Z, Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>For a slow computer: the image follows the hand, and is coarser (1)</source>
+        <translation>Für langsame Rechner: Das Bild folgt der Hand und ist gröber (1)</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fein</translation>
+    </message>
+    <message>
+        <source>Smooth images (2)</source>
+        <translation>Glatte Bilder (2)</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>The nearest voxels, fastest (1)</source>
+        <translation>Die nächsten Voxel, am schnellsten (1)</translation>
+    </message>
+    <message>
+        <source>Focus model</source>
+        <translation>Fokusmodell</translation>
+    </message>
+    <message>
+        <source>Beam width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Coarse rows</source>
+        <translation>Grobe Zeilen</translation>
+    </message>
+    <message>
+        <source>Slice planes</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Performance…</source>
+        <translation>Leistung…</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Measure what accuracy costs on this computer (Ctrl+K)</source>
+        <translation>Messen, was Genauigkeit auf diesem Rechner kostet (Strg+K)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Invert left/right</source>
+        <translation>Links/rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>Invert up/down</source>
+        <translation>Oben/unten spiegeln</translation>
+    </message>
+    <message>
+        <source>How the image is computed, and what that costs</source>
+        <translation>Wie das Bild berechnet wird und was das kostet</translation>
     </message>
 </context>
 <context>
@@ -3268,7 +3382,7 @@
     <name>ew::ui::CostPanel</name>
     <message>
         <source>Cost of accuracy</source>
-        <translation>Preis der Genauigkeit</translation>
+        <translation>Aufwand für Genauigkeit</translation>
     </message>
     <message>
         <source>Slicing</source>
@@ -3312,7 +3426,7 @@
     </message>
     <message>
         <source>Measuring the cost of accuracy</source>
-        <translation>Preis der Genauigkeit messen</translation>
+        <translation>Aufwand für Genauigkeit messen</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -3859,16 +3973,12 @@
         <translation>Wie das System</translation>
     </message>
     <message>
-        <source>The language changes at the next start.</source>
-        <translation>Die Sprache wechselt beim nächsten Start.</translation>
-    </message>
-    <message>
         <source>F&amp;ull screen</source>
         <translation>Vollb&amp;ild</translation>
     </message>
     <message>
         <source>&amp;Scan</source>
-        <translation>&amp;Schall</translation>
+        <translation>&amp;Scan</translation>
     </message>
     <message>
         <source>&amp;Freeze</source>
@@ -3939,48 +4049,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Sonde</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Ziehen</translation>
-    </message>
-    <message>
-        <source>slide over the skin</source>
-        <translation>über die Haut gleiten</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>tilt</source>
-        <translation>kippen</translation>
-    </message>
-    <message>
-        <source>Shift + wheel</source>
-        <translation>Umschalt + Rad</translation>
-    </message>
-    <message>
-        <source>rock</source>
-        <translation>schaukeln</translation>
-    </message>
-    <message>
-        <source>Ctrl + wheel</source>
-        <translation>Strg + Rad</translation>
-    </message>
-    <message>
         <source>rotate</source>
         <translation>drehen</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Pfeile</translation>
-    </message>
-    <message>
-        <source>slide by 2 mm, with Shift 10 mm</source>
-        <translation>um 2 mm gleiten, mit Umschalt 10 mm</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Pos1</translation>
     </message>
     <message>
         <source>back to the start</source>
@@ -4007,10 +4077,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>den Körper verschieben</translation>
     </message>
     <message>
-        <source>Ctrl + right drag</source>
-        <translation>Strg + rechts ziehen</translation>
-    </message>
-    <message>
         <source>closer, farther</source>
         <translation>näher, weiter weg</translation>
     </message>
@@ -4021,10 +4087,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>look at the volume</source>
         <translation>auf das Volumen sehen</translation>
-    </message>
-    <message>
-        <source>Console</source>
-        <translation>Konsole</translation>
     </message>
     <message>
         <source>freeze</source>
@@ -4049,10 +4111,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>open a case, a volume or a sweep</source>
-        <translation>Fall, Volumen oder Schwenk öffnen</translation>
     </message>
     <message>
         <source>save the case, save it elsewhere</source>
@@ -4127,10 +4185,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>ein Volumen ohne Fall</translation>
     </message>
     <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
-    </message>
-    <message>
         <source>about %1 s</source>
         <translation>etwa %1 s</translation>
     </message>
@@ -4147,10 +4201,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Noch nicht vorbereitet, %1; zum Beginnen öffnen</translation>
     </message>
     <message>
-        <source>Preparing the cards</source>
-        <translation>Karten werden vorbereitet</translation>
-    </message>
-    <message>
         <source>The window was not ready within %1 s; try a smaller volume.</source>
         <translation>Das Fenster war nach %1 s nicht bereit; bitte ein kleineres Volumen versuchen.</translation>
     </message>
@@ -4161,18 +4211,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Saved to %1, and which voxels were measured to %2.</source>
         <translation>Gespeichert als %1, und welche Voxel gemessen wurden als %2.</translation>
-    </message>
-    <message>
-        <source>Weave: nearest voxels, fastest</source>
-        <translation>Weben: nächste Voxel, am schnellsten</translation>
-    </message>
-    <message>
-        <source>Linear: interpolated</source>
-        <translation>Linear: interpoliert</translation>
-    </message>
-    <message>
-        <source>Swap left and right</source>
-        <translation>Links und rechts tauschen</translation>
     </message>
     <message>
         <source>&amp;Image</source>
@@ -4187,14 +4225,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Fokus tiefer</translation>
     </message>
     <message>
-        <source>Number of foci</source>
-        <translation>Anzahl der Fokusse</translation>
-    </message>
-    <message>
-        <source>Focus by kernel or stretch</source>
-        <translation>Fokus durch Faltung oder Streckung</translation>
-    </message>
-    <message>
         <source>Wider dynamic range</source>
         <translation>Weiterer Dynamikbereich</translation>
     </message>
@@ -4207,24 +4237,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Nächste Graukurve</translation>
     </message>
     <message>
-        <source>Stronger edges</source>
-        <translation>Kanten stärker</translation>
-    </message>
-    <message>
-        <source>Weaker edges</source>
-        <translation>Kanten schwächer</translation>
-    </message>
-    <message>
         <source>More persistence</source>
         <translation>Mehr Persistenz</translation>
     </message>
     <message>
         <source>Less persistence</source>
         <translation>Weniger Persistenz</translation>
-    </message>
-    <message>
-        <source>Swap top and bottom</source>
-        <translation>Oben und unten tauschen</translation>
     </message>
     <message>
         <source>&amp;Effects</source>
@@ -4320,31 +4338,19 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Adaptive: falls while the probe moves fast</source>
-        <translation>Anpassen: sinkt, solange sich die Sonde schnell bewegt</translation>
+        <translation>Adaptiv: sinkt, solange sich die Sonde schnell bewegt</translation>
     </message>
     <message>
         <source>Next page of the console</source>
         <translation>Nächste Seite der Konsole</translation>
     </message>
     <message>
-        <source>&amp;Cost of accuracy…</source>
-        <translation>&amp;Preis der Genauigkeit …</translation>
-    </message>
-    <message>
-        <source>weave, linear, cubic</source>
-        <translation>Weben, linear, kubisch</translation>
-    </message>
-    <message>
         <source>adaptive quality</source>
-        <translation>Qualität anpassen</translation>
+        <translation>adaptive Qualität</translation>
     </message>
     <message>
         <source>next page of the console</source>
         <translation>nächste Seite der Konsole</translation>
-    </message>
-    <message>
-        <source>cost of accuracy</source>
-        <translation>Preis der Genauigkeit</translation>
     </message>
     <message>
         <source>Image</source>
@@ -4355,10 +4361,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Fokustiefe</translation>
     </message>
     <message>
-        <source>number of foci, kernel or stretch</source>
-        <translation>Fokusse, Faltung oder Streckung</translation>
-    </message>
-    <message>
         <source>dynamic range</source>
         <translation>Dynamikbereich</translation>
     </message>
@@ -4367,16 +4369,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Graukurve</translation>
     </message>
     <message>
-        <source>edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
         <source>persistence</source>
         <translation>Persistenz</translation>
-    </message>
-    <message>
-        <source>swap left and right, top and bottom</source>
-        <translation>links/rechts, oben/unten tauschen</translation>
     </message>
     <message>
         <source>M line</source>
@@ -4423,20 +4417,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>&amp;Woher kommt das?</translation>
     </message>
     <message>
-        <source>I, Alt + click</source>
-        <translation>I, Alt + Klick</translation>
-    </message>
-    <message>
         <source>which frame a point came from</source>
         <translation>aus welchem Bild ein Punkt stammt</translation>
     </message>
     <message>
         <source>The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a point of the picture.</source>
         <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten (M), dann einen Punkt des Bildes anklicken.</translation>
-    </message>
-    <message>
-        <source>This point lies beside the image. Click a point inside the fan.</source>
-        <translation>Dieser Punkt liegt neben dem Bild. Einen Punkt innerhalb des Fächers anklicken.</translation>
     </message>
     <message>
         <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Keep which frame each voxel came from&apos; switched on, and make the volume.</source>
@@ -4553,6 +4539,192 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>shipped case, not saved</source>
         <translation>mitgelieferter Fall, nicht gespeichert</translation>
+        <source>Drag, arrows</source>
+        <translation>Ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>slide over the skin, with Shift faster</source>
+        <translation>über die Haut schieben, mit Umschalt schneller</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, %1</source>
+        <translation>Umschalt+Rad, %1</translation>
+    </message>
+    <message>
+        <source>rock, along the image</source>
+        <translation>schaukeln, in der Bildebene</translation>
+    </message>
+    <message>
+        <source>Wheel, %1</source>
+        <translation>Rad, %1</translation>
+    </message>
+    <message>
+        <source>tilt, out of the image</source>
+        <translation>kippen, aus der Bildebene</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel, %1</source>
+        <translation>Strg+Rad, %1</translation>
+    </message>
+    <message>
+        <source>Drag in a zoomed image</source>
+        <translation>Ziehen im vergrößerten Bild</translation>
+    </message>
+    <message>
+        <source>move the detail</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>invert left/right, up/down</source>
+        <translation>links/rechts, oben/unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Ctrl+right drag</source>
+        <translation>Strg+rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>in a small window: swap body and scan</source>
+        <translation>im kleinen Fenster: Körper und Schallbild tauschen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>number of focal zones</source>
+        <translation>Anzahl der Fokuszonen</translation>
+    </message>
+    <message>
+        <source>edge enhancement</source>
+        <translation>Kantenanhebung</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>öffnen</translation>
+    </message>
+    <message>
+        <source>save the image</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>scan only</source>
+        <translation>nur das Schallbild</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>%1, Alt+click</source>
+        <translation>%1, Alt+Klick</translation>
+    </message>
+    <message>
+        <source>nearest, linear, cubic</source>
+        <translation>nächste, linear, kubisch</translation>
+    </message>
+    <message>
+        <source>focus model</source>
+        <translation>Fokusmodell</translation>
+    </message>
+    <message>
+        <source>performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>The image is frozen, and the probe with it. Space or F lets both move again.</source>
+        <translation>Das Bild ist eingefroren und mit ihm die Sonde. Leertaste oder F lässt beide wieder los.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>System language</source>
+        <translation>Sprache des Systems</translation>
+    </message>
+    <message>
+        <source>The window speaks the chosen language from the next start on. Close EchoWeave and open it again.</source>
+        <translation>Die gewählte Sprache gilt ab dem nächsten Start. Schließen Sie EchoWeave und öffnen Sie es wieder.</translation>
+    </message>
+    <message>
+        <source>Scan &amp;only</source>
+        <translation>&amp;Nur das Schallbild</translation>
+    </message>
+    <message>
+        <source>Number of focal zones</source>
+        <translation>Anzahl der Fokuszonen</translation>
+    </message>
+    <message>
+        <source>Next focus model</source>
+        <translation>Nächstes Fokusmodell</translation>
+    </message>
+    <message>
+        <source>More edge enhancement</source>
+        <translation>Mehr Kantenanhebung</translation>
+    </message>
+    <message>
+        <source>Less edge enhancement</source>
+        <translation>Weniger Kantenanhebung</translation>
+    </message>
+    <message>
+        <source>Invert left/right</source>
+        <translation>Links/rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>Invert up/down</source>
+        <translation>Oben/unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Fast: nearest voxels</source>
+        <translation>Schnell: nächste Voxel</translation>
+    </message>
+    <message>
+        <source>Fine: interpolated</source>
+        <translation>Fein: interpoliert</translation>
+    </message>
+    <message>
+        <source>&amp;Performance…</source>
+        <translation>&amp;Leistung…</translation>
+    </message>
+    <message>
+        <source>This point lies outside the image. Click a point inside the fan.</source>
+        <translation>Dieser Punkt liegt außerhalb des Bildes. Klicken Sie auf einen Punkt im Schallfächer.</translation>
+    </message>
+    <message>
+        <source>● unsaved changes</source>
+        <translation>● nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Click a point to see the recorded frame it came from</source>
+        <translation>Auf einen Punkt klicken, um das aufgenommene Bild zu sehen, aus dem er stammt</translation>
+    </message>
+    <message>
+        <source>Only a volume made here from a recorded sweep knows which frame a point came from</source>
+        <translation>Nur ein hier aus einer Aufnahme gemachtes Volumen weiß, aus welchem Bild ein Punkt stammt</translation>
+    </message>
+    <message>
+        <source>Loading thumbnails</source>
+        <translation>Vorschaubilder werden geladen</translation>
+    </message>
+    <message>
+        <source>%1   depth %2 cm   gain %3 %</source>
+        <translation>%1   Tiefe %2 cm   Verstärkung %3 %</translation>
+    </message>
+    <message>
+        <source>   zoom %1</source>
+        <translation>   Zoom %1</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
     </message>
 </context>
 <context>
@@ -4696,20 +4868,43 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Eingefroren</translation>
     </message>
     <message>
-        <source>depth %1 mm   gain %2 %   zoom %3</source>
-        <translation>Tiefe %1 mm   Verstärkung %2 %   Zoom %3</translation>
-    </message>
-    <message>
-        <source>The probe is beside the volume.</source>
-        <translation>Die Sonde steht neben dem Volumen.</translation>
-    </message>
-    <message>
-        <source>The probe is beside the volume. Slide it back, or press Home for the start.</source>
-        <translation>Die Sonde steht neben dem Volumen. Schieben Sie sie zurück, oder drücken Sie Pos1 für den Anfang.</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The probe is outside the volume.</source>
+        <translation>Die Sonde ist außerhalb des Volumens.</translation>
+    </message>
+    <message>
+        <source>The probe is outside the volume. Slide it back, or press Home for the start.</source>
+        <translation>Die Sonde ist außerhalb des Volumens. Schieben Sie sie zurück, oder drücken Sie Pos1 für den Anfang.</translation>
+    </message>
+    <message>
+        <source>depth %1 cm   gain %2 %</source>
+        <translation>Tiefe %1 cm   Verstärkung %2 %</translation>
+    </message>
+    <message>
+        <source>   zoom %1</source>
+        <translation>   Zoom %1</translation>
+    </message>
+    <message>
+        <source>drag: move the detail</source>
+        <translation>ziehen: Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>drag: slide the probe</source>
+        <translation>ziehen: Sonde schieben</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ShortcutsOverlay</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Close this page (Escape)</source>
+        <translation>Diese Seite schließen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4866,13 +5061,25 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>There are no cases here yet. Open a case folder, a volume or a sweep to begin.</source>
         <translation>Hier gibt es noch keine Fälle. Öffnen Sie zum Anfang einen Fallordner, ein Volumen oder einen Schwenk.</translation>
     </message>
+    <message>
+        <source>Back to what is open (Escape)</source>
+        <translation>Zurück zu dem, was offen ist (Esc)</translation>
+    </message>
+    <message>
+        <source>A case folder can also be dropped on this window.</source>
+        <translation>Ein Fallordner lässt sich auch auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Back to the scan</source>
+        <translation>Zurück zum Schallbild</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::StatusLine</name>
-    <message>
-        <source>sample weave</source>
-        <translation>gewebt</translation>
-    </message>
     <message>
         <source>sample linear</source>
         <translation>linear</translation>
@@ -4884,10 +5091,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>table</source>
         <translation>Tabelle</translation>
-    </message>
-    <message>
-        <source>depth %1 mm</source>
-        <translation>Tiefe %1 mm</translation>
     </message>
     <message>
         <source>contact %1 %</source>
@@ -4958,10 +5161,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>M-Modus</translation>
     </message>
     <message>
-        <source>weave</source>
-        <translation>Weben</translation>
-    </message>
-    <message>
         <source>linear</source>
         <translation>linear</translation>
     </message>
@@ -4971,7 +5170,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The probe moves fast and frames take long: quality falls until it rests (Adaptive, F9)</source>
-        <translation>Die Sonde bewegt sich schnell und Bilder dauern lange: Die Qualität sinkt, bis sie ruht (Anpassen, F9)</translation>
+        <translation>Die Sonde bewegt sich schnell und Bilder dauern lange: Die Qualität sinkt, bis sie ruht (Adaptiv, F9)</translation>
     </message>
     <message numerus="yes">
         <source>plan: %n steps, %1 ms</source>
@@ -5007,6 +5206,14 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>median %1, 95 % %2, 99 % %3, worst %4</source>
         <translation>Median %1, 95 % %2, 99 % %3, längste %4</translation>
+    </message>
+    <message>
+        <source>sample nearest</source>
+        <translation>nächste abtasten</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächste</translation>
     </message>
 </context>
 <context>

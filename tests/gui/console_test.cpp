@@ -118,6 +118,7 @@ class ConsoleTest : public WindowFixture {
   void initTestCase() { initTranslations(); }
   void init() {
     QSettings().clear();
+    QSettings().setValue(QStringLiteral("fold/advanced"), true);
     showWindowWithCase(files_.writeCase(QStringLiteral("case")));
   }
   void cleanup() { window_.reset(); }

@@ -62,7 +62,7 @@ void CasePreparation::next() {
   waiting_.pop_front();
   auto notes = std::make_shared<std::vector<std::string>>();
   job_ = jobs_.start(
-      tr("Preparing %1").arg(words(running_->title)),
+      tr("Preparing %1").arg(words(titleForTrainees(*running_))),
       [opened = *running_, notes](Progress& progress) -> Result<void> {
         giveWay();
         auto made = prepareCase(opened, {}, progress);

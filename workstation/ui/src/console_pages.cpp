@@ -55,18 +55,18 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
   const auto hasFocus = [this] { return session_.scene().focus.has_value(); };
   SliderParts focus{tr("Focus"),
                     QStringLiteral("focus"),
-                    QStringLiteral("300 mm"),
-                    tr("Depth of the first focus (comma, full stop); drag the marks beside the picture for the others"),
+                    QStringLiteral("30.0 cm"),
+                    tr("Depth of the first focal zone (comma, full stop); drag the marks beside the image for the others"),
                     5,
                     300,
                     5,
                     [this] { return rounded(session_.focus_mm()); },
                     [this](int v) { change([v](Knobs& k) { k.focus_mm = v; }); },
-                    [this] { return tr("%1 mm").arg(rounded(session_.focus_mm())); },
+                    [this] { return tr("%1 cm").arg(figure(session_.focus_mm() / 10.0, 1)); },
                     hasFocus};
   focus.range = [this] { return std::pair{5, rounded(session_.depth_mm())}; };
   addSlider(rows, std::move(focus));
-  ChoiceParts foci{tr("Foci"),
+  ChoiceParts foci{tr("Focal zones"),
                    QStringLiteral("foci"),
                    {},
                    [this] {
@@ -76,18 +76,10 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                    [this](int index) { setFoci(index + 1); },
                    hasFocus};
   for (int i = 1; i <= kMostFoci; ++i) {
-    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("Number of focus depths (N for the next)")});
+    foci.choices.push_back({QString::number(i), QStringLiteral("foci%1").arg(i), tr("Number of focal zones (N for the next)")});
   }
   foci.isInline = true;
   addSegments(rows, std::move(foci));
-  addSegments(rows,
-              {tr("Focus by"),
-               QStringLiteral("focusMethod"),
-               {{tr("Kernel"), QStringLiteral("focusKernel"), tr("Every depth is blurred by the width its beam has there (Shift+N)")},
-                {tr("Stretch"), QStringLiteral("focusStretch"), tr("Rows out of focus are undersampled and stretched back (Shift+N)")}},
-               [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
-               [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
-               hasFocus});
   const auto shownRange_db = [this] {
     const double asked_db = session_.knobs().dynamicRange_db;
     return rounded(asked_db > 0.0 ? asked_db : session_.scene().recordedDynamicRange_db);
@@ -102,44 +94,77 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                      QStringLiteral("greyMap"),
                      {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
                       {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
-                      {tr("Hard"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
+                      {tr("Contrast"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
                       {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")}},
                      [this] { return static_cast<int>(session_.knobs().greyMap); },
                      [this](int i) { change([i](Knobs& k) { k.greyMap = static_cast<GreyMap>(i); }); }});
-  addSlider(rows, {tr("Edges"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Edge enhancement (B, Shift+B)"), 0, 100, 10,
-                   [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
+  addSlider(rows, {tr("Edge enhancement"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Makes borders sharper (B, Shift+B)"), 0,
+                   100, 10, [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
                    [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
                    [this] {
                      const int percent = rounded(session_.knobs().edgeEnhancement * 100.0);
                      return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
                    }});
-  addSlider(rows, {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"),
-                   tr("How much of the last picture stays (P, Shift+P)"), 0, 95, 10,
-                   [this] { return rounded(session_.knobs().persistence * 100.0); },
-                   [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
-                   [this] {
-                     const int percent = rounded(session_.knobs().persistence * 100.0);
-                     return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
-                   }});
-  addSlider(rows, {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify about the middle of the picture (Z, Shift+Z)"),
-                   kZoomSteps, 8 * kZoomSteps, kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
-                   [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
-                   [this] { return tr("%1 x").arg(session_.knobs().zoom, 0, 'f', 1); }});
-  addSegments(rows, {tr("Quality"),
+  addSlider(rows,
+            {tr("Persistence"), QStringLiteral("persistence"), QStringLiteral("95 %"), tr("How much of the last image stays (P, Shift+P)"),
+             0, 95, 10, [this] { return rounded(session_.knobs().persistence * 100.0); },
+             [this](int v) { change([v](Knobs& k) { k.persistence = v / 100.0; }); },
+             [this] {
+               const int percent = rounded(session_.knobs().persistence * 100.0);
+               return percent == 0 ? tr("off") : tr("%1 %").arg(percent);
+             }});
+  addSlider(rows,
+            {tr("Zoom"), QStringLiteral("zoom"), QStringLiteral("8.0 x"), tr("Magnify; drag in the image to move the detail (Z, Shift+Z)"),
+             kZoomSteps, 8 * kZoomSteps, kZoomSteps / 2, [this] { return rounded(session_.knobs().zoom * kZoomSteps); },
+             [this](int v) { change([v](Knobs& k) { k.zoom = static_cast<double>(v) / kZoomSteps; }); },
+             [this] { return tr("%1 x").arg(figure(session_.knobs().zoom, 1)); }});
+  addSegments(rows,
+              {tr("Quality"),
+               QStringLiteral("speed"),
+               {{tr("Fast"), QStringLiteral("qualityFast"), tr("For a slow computer: the image follows the hand, and is coarser (1)")},
+                {tr("Fine"), QStringLiteral("qualityFine"), tr("Smooth images (2)")}},
+               [this] { return session_.knobs().quality == Quality::weave ? 0 : 1; },
+               [this](int i) { chooseQuality(i == 0 ? Quality::weave : Quality::linear); }});
+  addAdvanced(addFold(rows, tr("Advanced"), QStringLiteral("advanced"), tr("How the image is computed, and what that costs")));
+}
+
+/// What an engineer asks about: how an image is computed, and what that costs.
+void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
+  addSegments(rows, {tr("Sampling"),
                      QStringLiteral("quality"),
-                     {{tr("Weave"), QStringLiteral("qualityWeave"), tr("Nearest voxels, fastest (1)")},
+                     {{tr("Nearest"), QStringLiteral("qualityWeave"), tr("The nearest voxels, fastest (1)")},
                       {tr("Linear"), QStringLiteral("qualityLinear"), tr("Interpolated between eight voxels (2)")},
                       {tr("Cubic"), QStringLiteral("qualityCubic"), tr("Interpolated between 64 voxels, sharpest (3)")}},
                      [this] { return static_cast<int>(session_.knobs().quality); },
                      [this](int i) { chooseQuality(static_cast<Quality>(i)); }});
+  addSegments(rows,
+              {tr("Focus model"),
+               QStringLiteral("focusMethod"),
+               {{tr("Beam width"), QStringLiteral("focusKernel"), tr("Every depth is blurred by the width its beam has there (Shift+N)")},
+                {tr("Coarse rows"), QStringLiteral("focusStretch"), tr("Rows out of focus are undersampled and stretched back (Shift+N)")}},
+               [this] { return session_.knobs().focusMethod == FocusMethod::lateralKernel ? 0 : 1; },
+               [this](int i) { change([i](Knobs& k) { k.focusMethod = i == 0 ? FocusMethod::lateralKernel : FocusMethod::rowStretch; }); },
+               [this] { return session_.scene().focus.has_value(); }});
+  ChoiceParts planes{tr("Slice planes"),
+                     QStringLiteral("planes"),
+                     {},
+                     [this] { return (session_.knobs().elevationPlanes - 3) / 2; },
+                     [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
+                     [this] { return session_.scene().sliceThickness.has_value(); }};
+  for (int n = 3; n <= 9; n += 2) {
+    planes.choices.push_back({QString::number(n), QStringLiteral("planes%1").arg(n),
+                              tr("The thickness is averaged over %1 planes (Shift+F3 for the next)").arg(n)});
+  }
+  planes.isInline = true;
+  addSegments(rows, std::move(planes));
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
   QCheckBox* adaptive = addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),
                                   tr("Quality may fall while the probe moves fast, and refines at rest (F9)"));
-  auto* cost = new QPushButton(tr("Cost…"));
+  auto* cost = new QPushButton(tr("Performance…"));
   cost->setObjectName(QStringLiteral("cost"));
-  cost->setAccessibleName(tr("Cost of accuracy"));
-  cost->setToolTip(tr("Measure what accuracy costs on this machine (Ctrl+K)"));
+  cost->setAccessibleName(tr("Performance"));
+  cost->setToolTip(tr("Measure what accuracy costs on this computer (Ctrl+K)"));
   cost->setProperty("flat", true);
   cost->setFocusPolicy(Qt::TabFocus);
   line->addStretch(1);
@@ -199,7 +224,7 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
                           {}},
                          tr("The beam is narrow at the focus and wide elsewhere (F2)"));
   addEffect<SliceThicknessEffect>(
-      rows, &Scene::sliceThickness, &SliceThicknessEffect::scale, 0.1, [](double scale) { return tr("%1 x").arg(scale, 0, 'f', 1); },
+      rows, &Scene::sliceThickness, &SliceThicknessEffect::scale, 0.1, [](double scale) { return tr("%1 x").arg(figure(scale, 1)); },
       {tr("Slice thickness"),
        QStringLiteral("sliceThickness"),
        QStringLiteral("20.0 dB/mm"),
@@ -211,21 +236,9 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
        {},
        {}},
       tr("The picture is an average over the thickness of the beam (F3)"));
-  ChoiceParts planes{tr("Planes"),
-                     QStringLiteral("planes"),
-                     {},
-                     [this] { return (session_.knobs().elevationPlanes - 3) / 2; },
-                     [this](int i) { change([i](Knobs& k) { k.elevationPlanes = 3 + 2 * i; }); },
-                     [this] { return session_.scene().sliceThickness.has_value(); }};
-  for (int n = 3; n <= 9; n += 2) {
-    planes.choices.push_back({QString::number(n), QStringLiteral("planes%1").arg(n),
-                              tr("The thickness is averaged over %1 planes (Shift+F3 for the next)").arg(n)});
-  }
-  planes.isInline = true;
-  addSegments(rows, std::move(planes));
   addEffect<AttenuationEffect>(
       rows, &Scene::attenuation, &AttenuationEffect::interface_dbPerMm, 0.5,
-      [](double loss) { return tr("%1 dB/mm").arg(loss, 0, 'f', 1); },
+      [](double loss) { return tr("%1 dB/mm").arg(figure(loss, 1)); },
       {tr("Shadow and enhancement"),
        QStringLiteral("attenuation"),
        QStringLiteral("20.0 dB/mm"),
@@ -275,7 +288,7 @@ void ConsolePanel::addEffectsPage(QVBoxLayout* rows) {
        {}},
       tr("Noise of the amplifier, which depth compensation lifts (F7)"));
   addEffect<ContactEffect>(
-      rows, &Scene::contact, &ContactEffect::gel_mm, 0.5, [](double gel) { return tr("%1 mm").arg(gel, 0, 'f', 1); },
+      rows, &Scene::contact, &ContactEffect::gel_mm, 0.5, [](double gel) { return tr("%1 mm").arg(figure(gel, 1)); },
       {tr("Skin contact"),
        QStringLiteral("contactGel"),
        QStringLiteral("20.0 dB/mm"),
@@ -363,7 +376,7 @@ void ConsolePanel::addProbePage(QVBoxLayout* rows) {
     }
     if (!isSame) {
       carriers->clear();
-      for (const double hz : offered_hz) carriers->addItem(tr("%1 MHz").arg(hz / 1e6, 0, 'f', 1), hz);
+      for (const double hz : offered_hz) carriers->addItem(tr("%1 MHz").arg(figure(hz / 1e6, 1)), hz);
     }
     const double now_hz = session_.knobs().carrier_hz > 0.0 ? session_.knobs().carrier_hz : p.carrier_hz;
     for (int i = 0; i < carriers->count(); ++i) {
@@ -412,7 +425,7 @@ void ConsolePanel::addProbePage(QVBoxLayout* rows) {
   fact(tr("Depths"), QStringLiteral("88–888 mm"),
        [this] { return tr("%1–%2 mm").arg(rounded(session_.probe().minDepth_mm)).arg(rounded(session_.probe().maxDepth_mm)); });
   fact(tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
-       [this] { return tr("%1 mm").arg(session_.probe().elevationalThickness_mm, 0, 'f', 1); });
+       [this] { return tr("%1 mm").arg(figure(session_.probe().elevationalThickness_mm, 1)); });
 }
 
 }  // namespace ew::ui

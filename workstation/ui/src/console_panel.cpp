@@ -3,15 +3,19 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCursor>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSlider>
+#include <QTabBar>
 #include <QTabWidget>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 #include <cmath>
 
 #include "figures.h"
@@ -35,14 +39,14 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
              [this] { return tr("%1 %").arg(rounded(session_.knobs().gain * 100.0)); }, [this] { return session_.scene().gainAndDgc; }});
   SliderParts depth{tr("Depth"),
                     QStringLiteral("depth"),
-                    QStringLiteral("300 mm"),
+                    QStringLiteral("30.0 cm"),
                     tr("Depth of the picture (Page Up, Page Down)"),
                     1,
                     300,
                     10,
                     [this] { return rounded(session_.depth_mm()); },
                     [this](int v) { change([v](Knobs& k) { k.depth_mm = v; }); },
-                    [this] { return tr("%1 mm").arg(rounded(session_.depth_mm())); }};
+                    [this] { return tr("%1 cm").arg(figure(session_.depth_mm() / 10.0, 1)); }};
   depth.range = [this] {
     return std::pair{static_cast<int>(std::ceil(session_.probe().minDepth_mm)), static_cast<int>(session_.probe().maxDepth_mm)};
   };
@@ -58,12 +62,13 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   const QString keys[] = {tr("What the picture shows and how (F10)"), tr("What the scene does to the sound (F10)"),
                           tr("The transducer and its beams (F10)")};
   for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, keys[i]);
-  rows->addWidget(pages_, 1);
+  rows->addWidget(pages_, 1000);  // all there is, up to its own height
   auto* bottom = new QVBoxLayout;
   bottom->setContentsMargins(16, 8, 16, 0);
   bottom->setSpacing(0);
   addAlways(bottom);
   rows->addLayout(bottom);
+  rows->addStretch(1);
   refreshIcons();
 
   connect(&session_, &Session::knobsChanged, this, &ConsolePanel::showAll);
@@ -139,13 +144,16 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
     column->addLayout(line);
     column->addWidget(slider);
   } else {
+    value->hide();
     line->addWidget(slider, 1);
     line->addWidget(value);
     column->addLayout(line);
   }
   rows->addWidget(box);
-  connect(slider, &QSlider::valueChanged, this, [this, set = parts.set](int v) {
-    if (!showing_) set(v);
+  connect(slider, &QSlider::valueChanged, this, [this, slider, set = parts.set, isNamed = !parts.name.isEmpty()](int v) {
+    if (showing_) return;
+    set(v);
+    if (!isNamed && slider->isSliderDown()) QToolTip::showText(QCursor::pos(), slider->toolTip(), slider);
   });
   shows_.emplace_back([box, slider, value, parts = std::move(parts)] {
     if (parts.range) {
@@ -154,6 +162,7 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
     }
     slider->setValue(parts.get());
     slider->setAccessibleDescription(parts.text());
+    if (parts.name.isEmpty()) slider->setToolTip(tr("%1: %2").arg(parts.tip, parts.text()));
     value->setText(parts.text());
     const bool isOn = parts.isOn();
     slider->setEnabled(isOn);
@@ -209,6 +218,43 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
   });
 }
 
+QVBoxLayout* ConsolePanel::addFold(QBoxLayout* rows, const QString& title, const QString& objectName, const QString& tip) {
+  auto* head = new QPushButton(title);
+  head->setObjectName(objectName);
+  head->setProperty("fold", true);
+  head->setAccessibleName(title);
+  head->setToolTip(tip);
+  head->setCheckable(true);
+  head->setFocusPolicy(Qt::TabFocus);
+  auto* body = new QWidget;
+  auto* inside = new QVBoxLayout(body);
+  inside->setContentsMargins(0, 4, 0, 4);
+  inside->setSpacing(0);
+  rows->addWidget(head);
+  rows->addWidget(body);
+  const QString setting = QStringLiteral("fold/") + objectName;
+  head->setChecked(QSettings().value(setting, false).toBool());
+  body->setVisible(head->isChecked());
+  connect(head, &QPushButton::toggled, this, [this, body, setting](bool open) {
+    QSettings().setValue(setting, open);
+    body->setVisible(open);
+    refreshIcons();
+    fitPages();
+  });
+  folds_.push_back(head);
+  return inside;
+}
+
+void ConsolePanel::fitPages() {
+  int most_px = 0;
+  for (int i = 0; i < pages_->count(); ++i) {
+    QWidget* body = static_cast<QScrollArea*>(pages_->widget(i))->widget();
+    body->layout()->activate();
+    most_px = std::max(most_px, body->sizeHint().height());
+  }
+  pages_->setMaximumHeight(pages_->tabBar()->sizeHint().height() + most_px + 2);
+}
+
 QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const QString& objectName, const QString& tip) {
   auto* made = new QCheckBox(name);
   made->setObjectName(objectName);
@@ -250,9 +296,9 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   addSlider(rows, {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"), tr("Time across the strip (Y, Shift+Y)"), 1, 16, 1,
                    [this] { return rounded(session_.knobs().mSweep_s); }, [this](int v) { change([v](Knobs& k) { k.mSweep_s = v; }); },
                    [this] { return tr("%1 s").arg(rounded(session_.knobs().mSweep_s)); }, [] { return true; }, movesInTime});
-  flip_ = new QPushButton(tr("Flip"));
+  flip_ = new QPushButton(tr("Invert left/right"));
   flip_->setObjectName(QStringLiteral("flip"));
-  turn_ = new QPushButton(tr("Turn"));
+  turn_ = new QPushButton(tr("Invert up/down"));
   turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
@@ -263,8 +309,8 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(button->text());
   }
-  auto* orientation = new QHBoxLayout;
-  orientation->setSpacing(8);
+  auto* orientation = new QVBoxLayout;
+  orientation->setSpacing(4);
   orientation->addWidget(flip_, 1);
   orientation->addWidget(turn_, 1);
   rows->addSpacing(4);
@@ -289,6 +335,7 @@ void ConsolePanel::refreshIcons() {
   flip_->setIcon(icon(QStringLiteral("flip")));
   turn_->setIcon(icon(QStringLiteral("turn")));
   freeze_->setIcon(icon(QStringLiteral("freeze")));
+  for (QPushButton* fold : folds_) fold->setIcon(icon(fold->isChecked() ? QStringLiteral("unfolded") : QStringLiteral("folded")));
 }
 
 void ConsolePanel::showAll() {
@@ -296,6 +343,7 @@ void ConsolePanel::showAll() {
   showing_ = true;
   for (const auto& show : shows_) show();
   showing_ = false;
+  fitPages();
 }
 
 void ConsolePanel::step(const QString& control, int steps) {

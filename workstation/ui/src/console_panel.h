@@ -64,11 +64,17 @@ class ConsolePanel final : public QWidget {
     std::function<bool()> isThere = [] { return true; };
     bool isInline = false;  ///< the name stands left of the buttons
   };
+  /// Without a name the value is told by the tooltip alone.
   QSlider* addSlider(QBoxLayout* rows, SliderParts parts);
   void addSegments(QBoxLayout* rows, ChoiceParts parts);
   QCheckBox* addSwitch(QBoxLayout* rows, const QString& name, const QString& objectName, const QString& tip);
+  /// Rows that stand open only when they are asked for; whether they are is remembered.
+  QVBoxLayout* addFold(QBoxLayout* rows, const QString& title, const QString& objectName, const QString& tip);
+  /// No more room than the longest page needs: what is left lies below everything.
+  void fitPages();
   QWidget* makePage(const std::function<void(QVBoxLayout*)>& fill);
   void addImagePage(QVBoxLayout* rows);
+  void addAdvanced(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);
   void addAlways(QVBoxLayout* rows);
@@ -89,6 +95,7 @@ class ConsolePanel final : public QWidget {
   std::vector<std::function<void()>> shows_;  ///< each brings one control to what the session says
   Scene remembered_;                          ///< an effect that is switched on again has the strength it had
   QTabWidget* pages_ = nullptr;
+  std::vector<QPushButton*> folds_;
   QPushButton* flip_ = nullptr;
   QPushButton* turn_ = nullptr;
   QPushButton* freeze_ = nullptr;

@@ -40,7 +40,7 @@ void CostChart::show(std::vector<Point> points, double wished_db, const QString&
   empty_ = empty;
   QStringList spoken;
   for (const Point& point : points_) {
-    spoken << tr("%1: %2 ms, %3 dB").arg(point.name).arg(point.frame_ms, 0, 'f', 2).arg(point.psnr_db, 0, 'f', 1);
+    spoken << tr("%1: %2 ms, %3 dB").arg(point.name).arg(figure(point.frame_ms, 2)).arg(figure(point.psnr_db, 1));
   }
   setAccessibleDescription(spoken.join(QStringLiteral("; ")));
   update();
@@ -124,7 +124,7 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.drawEllipse(at, 4.5, 4.5);
     painter.setBrush(Qt::NoBrush);
     if (point.inUse) painter.drawEllipse(at, 9.0, 9.0);
-    QString text = point.name + QStringLiteral("  ") + tr("%1 ms").arg(point.frame_ms, 0, 'f', 2);
+    QString text = point.name + QStringLiteral("  ") + tr("%1 ms").arg(figure(point.frame_ms, 2));
     if (point.inUse) text += QStringLiteral("  ") + tr("in use");
     const double wide = figuresWidth_px(painter.fontMetrics(), text);
     const double x = at.x() + 14.0 + wide > width() - 4.0 ? at.x() - 14.0 - wide : at.x() + 14.0;

@@ -71,7 +71,7 @@ double DgcColumn::xOf(double factor) const {
 void DgcColumn::place(double top, double bottom) {
   top_ = top;
   bottom_ = bottom;
-  reset_->setGeometry(0, 0, width(), kHead_px);
+  reset_->setGeometry(kLeft_px, 0, kSlider_px, kHead_px - 4);
   for (int i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[static_cast<std::size_t>(i)];
     const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (i + 0.5) / kDgcSliders)) - kSliderHeight_px / 2;

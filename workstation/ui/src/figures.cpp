@@ -1,5 +1,6 @@
 #include "figures.h"
 
+#include <QLocale>
 #include <algorithm>
 
 namespace ew::ui {
@@ -14,6 +15,12 @@ int digitWidth_px(const QFontMetrics& metrics) {
 bool isFigure(QChar c) { return c >= QLatin1Char('0') && c <= QLatin1Char('9'); }
 
 }  // namespace
+
+QString figure(double value, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(value, 'f', decimals);
+}
 
 int figuresWidth_px(const QFontMetrics& metrics, const QString& text) {
   const int digit = digitWidth_px(metrics);

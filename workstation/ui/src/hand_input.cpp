@@ -84,7 +84,11 @@ void HandInput::setEnabled(bool enabled) {
 }
 
 void HandInput::change(const Hold& hold) {
-  if (!state_->enabled || hold == state_->hold) return;
+  if (hold == state_->hold) return;
+  if (!state_->enabled) {
+    Q_EMIT refused();
+    return;
+  }
   state_->hold = hold;
   Q_EMIT holdChanged(hold);
 }
@@ -127,7 +131,10 @@ bool HandInput::pressInView(const QMouseEvent& event) {
   state_->last = event.localPos();
   switch (event.button()) {
     case Qt::LeftButton: {
-      if (!state_->enabled) return true;
+      if (!state_->enabled) {
+        Q_EMIT refused();
+        return true;
+      }
       const QPointF contact = view.pixelOf(state_->hold.contact.point_mm);
       const QPointF toContact = contact - event.localPos();
       constexpr double kNear_px = 24.0;
@@ -189,7 +196,11 @@ bool HandInput::scanEvent(QEvent* event) {
   switch (event->type()) {
     case QEvent::MouseButtonPress: {
       const auto& mouse = *static_cast<QMouseEvent*>(event);
-      if (mouse.button() != Qt::LeftButton || !state_->enabled) return false;
+      if (mouse.button() != Qt::LeftButton) return false;
+      if (!state_->enabled) {
+        Q_EMIT refused();
+        return false;
+      }
       state_->drag = State::Drag::probeScan;
       state_->last = mouse.localPos();
       return true;

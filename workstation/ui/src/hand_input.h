@@ -21,7 +21,7 @@ class View3D;
 ///   scan view  left drag: slide along lateral and elevational
 ///   both       wheel: tilt; Shift + wheel: rock; Ctrl + wheel: rotate
 ///   keys       arrows: slide 2 mm (Shift: 10 mm), Q/E: rotate, A/D: rock, W/S: tilt, Home: back to the start
-/// It changes nothing while disabled (setEnabled) except the camera.
+/// It changes nothing while disabled (setEnabled) except the camera, and says that it refused.
 class HandInput : public QObject {
   Q_OBJECT
 
@@ -47,6 +47,7 @@ class HandInput : public QObject {
 
  Q_SIGNALS:
   void holdChanged(const ew::Hold& hold);
+  void refused();  ///< somebody tried to move the probe while it is disabled
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

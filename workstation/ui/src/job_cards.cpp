@@ -20,6 +20,12 @@ constexpr double kShowAfter_s = 0.5;
 constexpr int kWidth_px = 336;
 constexpr int kAround_px = 16;
 
+/// A title whose file names may wrap as words do, so that none of it has to be left out.
+QString breakable(QString title) {
+  for (const char after : {'-', '_', '.', '/'}) title.replace(QLatin1Char(after), QLatin1Char(after) + QString(QChar(0x200B)));
+  return title;
+}
+
 }  // namespace
 
 struct JobCards::Card final : QFrame {
@@ -38,12 +44,14 @@ struct JobCards::Card final : QFrame {
     auto* head = new QHBoxLayout;
     title = new QLabel;
     title->setProperty("heading", true);
+    title->setTextFormat(Qt::PlainText);
+    title->setWordWrap(true);
     cancel = new QPushButton(JobCards::tr("Cancel"));
     cancel->setProperty("flat", true);
     cancel->setObjectName(QStringLiteral("cancelJob"));
     cancel->setFocusPolicy(Qt::TabFocus);  // it vanishes with its job; the focus had better stay where it was
     head->addWidget(title, 1);
-    head->addWidget(cancel);
+    head->addWidget(cancel, 0, Qt::AlignTop);
     rows->addLayout(head);
     auto* line = new QHBoxLayout;
     step = new QLabel;
@@ -64,7 +72,7 @@ struct JobCards::Card final : QFrame {
 
   void show(const Jobs::Seen& job) {
     const int room_px = width() - 40;
-    title->setText(title->fontMetrics().elidedText(job.title, Qt::ElideMiddle, room_px - cancel->sizeHint().width()));
+    title->setText(breakable(job.title));
     title->setToolTip(job.title);
     const QString now = job.cancelling ? JobCards::tr("Stopping…") : job.step;
     step->setText(step->fontMetrics().elidedText(now, Qt::ElideRight, room_px - percent->sizeHint().width()));

@@ -26,6 +26,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kConsoleWidth_px = 248;
+constexpr int kHandle_px = 7;  ///< wide enough to be seen and taken
 constexpr int kPanelWidth_px = 400;
 constexpr int kStagedPanelWidth_px = 296;  ///< beside a stage, which has columns of its own
 
@@ -36,9 +37,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   setWindowTitle(QStringLiteral("EchoWeave"));
   setAcceptDrops(true);
   setMinimumSize(1024, 640);
+  rememberSystemTheme();
   const QSettings settings;
-  applyTheme(settings.value(QStringLiteral("theme"), QStringLiteral("dark")).toString() == QLatin1String("light") ? lightTheme()
-                                                                                                                  : darkTheme());
+  applyTheme(themeCalled(settings.value(QStringLiteral("theme"), QStringLiteral("dark")).toString()));
   makeViews();
   makeActions();
   connectParts();
@@ -94,7 +95,9 @@ void MainWindow::makeViews() {
   p.topBar = new TopBar;
   p.startPage = new StartPage;
   p.view3d = new View3D;
-  p.view3d->setMinimumWidth(280);
+  p.view3d->setMinimumWidth(200);
+  p.caseInfo = new CaseInfo;
+  p.body = new BodyColumn(p.view3d, p.caseInfo);
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
@@ -118,10 +121,10 @@ void MainWindow::makeViews() {
   p.panelColumn->hide();
 
   p.columns = new QSplitter(Qt::Horizontal);
-  p.columns->setHandleWidth(1);
+  p.columns->setHandleWidth(kHandle_px);
   p.columns->setChildrenCollapsible(false);
   p.columns->addWidget(p.panelColumn);
-  p.columns->addWidget(p.view3d);
+  p.columns->addWidget(p.body);
   p.columns->addWidget(p.scanView);
   p.stages = new QStackedWidget;
   p.stages->setObjectName(QStringLiteral("stages"));
@@ -152,6 +155,10 @@ void MainWindow::makeViews() {
     const double mm = parts_->scanView->mmPerWidgetPixel();
     return parts_->session.geometry().markerLeft ? -mm : mm;
   });
+  new ScanPan(p.session, *p.scanView);  // after the hand: in a zoomed image it takes the drag; the view owns it
+  p.viewColumns = new ViewColumns(*p.columns, *p.panelColumn, *p.body, *p.scanView, *p.view3d->canvas(), this);
+  p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
+  p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, *p.panels, this);
@@ -173,6 +180,8 @@ void MainWindow::connectParts() {
     parts_->hand.setEnabled(!frozen);
     parts_->freezeAction->setChecked(frozen);
   });
+  connect(&p.hand, &HandInput::refused, this,
+          [this] { parts_->scanView->say(tr("The image is frozen, and the probe with it. Space or F lets both move again.")); });
   connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
@@ -192,12 +201,19 @@ void MainWindow::connectParts() {
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
     if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
+    parts_->status->setIdle(parts_->pages->currentWidget() == parts_->startPage);
     showStage();
     placeOverlays();
     showTitle();
   });
   connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
-  connect(p.startPage, &StartPage::caseChosen, this, &MainWindow::open);
+  connect(p.startPage, &StartPage::backRequested, this, &MainWindow::backToWork);
+  connect(p.startPage, &StartPage::caseChosen, this, [this](const QString& folder) {
+    // What is open and on its way to be examined is not thrown away by looking for it on the page of cases.
+    const auto& present = parts_->document.current();
+    if (present && parts_->opener->showsCase() && present->folder == pathOf(folder)) return backToWork();
+    open(folder);
+  });
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
   p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); });
   p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
@@ -309,9 +325,16 @@ void MainWindow::fillStartPage() {
   for (const Error& problem : found.problems) parts_->messages->showError(problem);
   parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
   parts_->shownCases = found.cases;
+  showRecent();
+  parts_->startPage->setOpenCase(parts_->session.subject() ? parts_->session.subject()->title : QString());
   showPreparation();
   prepareThumbnails();
   showTitle();
+}
+
+void MainWindow::backToWork() {
+  parts_->pages->setCurrentWidget(parts_->workspacePage);
+  parts_->scanView->setFocus();
 }
 
 void MainWindow::setWorkspace(Workspace workspace) {
@@ -321,12 +344,13 @@ void MainWindow::setWorkspace(Workspace workspace) {
   p.topBar->setWorkspace(author ? 1 : 0);
   p.exploreAction->setChecked(!author);
   p.authorAction->setChecked(author);
+  if (author) setScanOnly(false);
   const bool wasAuthor = p.panelColumn->isVisible();
   p.panelColumn->setVisible(author);
-  if (author && !wasAuthor) {
-    const int rest = p.columns->width() - kPanelWidth_px;
-    p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2});
-  }
+  if (author != wasAuthor) p.viewColumns->setPanelWidth(kPanelWidth_px);
+  p.status->setForAuthors(author);
+  p.startPage->setForAuthors(author);
+  showRecent();
   showStage();
   // Exploring needs something to scan; authoring may begin with nothing.
   p.pages->setCurrentWidget(!author && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
@@ -345,23 +369,33 @@ void MainWindow::showStage() {
   }
   const bool was = std::exchange(p.staged, stage != nullptr);
   p.panels->setMinimumWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
-  p.console->setVisible(!p.staged && (!author || width() >= 1440));
+  showConsole();
   if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
   if (was != p.staged) {
-    const int rest = p.columns->width() - (p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
-    p.view3d->setVisible(!p.staged);
+    p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly());
     p.scanView->setVisible(!p.staged);
     p.stages->setVisible(p.staged);
     p.status->setStaged(p.staged);
-    if (p.staged) {
-      p.columns->setSizes({kStagedPanelWidth_px, 0, 0, rest});
-    } else if (author) {
-      p.columns->setSizes({kPanelWidth_px, rest / 2, rest - rest / 2, 0});
-    }
+    p.viewColumns->setStaged(p.staged, p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
   }
   placeOverlays();
   showHistory();
   showTitle();
+}
+
+void MainWindow::showConsole() {
+  const Parts& p = *parts_;
+  const bool hasRoom = p.workspace != Workspace::author || width() >= 1440;
+  p.console->setVisible(!p.staged && !p.viewColumns->isScanOnly() && hasRoom);
+}
+
+void MainWindow::setScanOnly(bool scanOnly) {
+  Parts& p = *parts_;
+  p.scanOnlyAction->setChecked(scanOnly);
+  if (scanOnly == p.viewColumns->isScanOnly()) return;
+  p.viewColumns->setScanOnly(scanOnly);
+  showConsole();
+  placeOverlays();
 }
 
 sdk::PanelDocument* MainWindow::panelDocument() const {
@@ -397,7 +431,7 @@ void MainWindow::placeOverlays() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  if (parts_->workspace == Workspace::author) parts_->console->setVisible(!parts_->staged && width() >= 1440);
+  showConsole();
   centralWidget()->layout()->activate();
   placeOverlays();
 }
@@ -426,6 +460,14 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && parts_->messages->count() > 0) {
     parts_->messages->dismiss();
+    return;
+  }
+  if (event->key() == Qt::Key_Escape && parts_->pages->currentWidget() == parts_->startPage && parts_->session.subject()) {
+    backToWork();
+    return;
+  }
+  if (event->key() == Qt::Key_Escape && parts_->viewColumns->isScanOnly()) {
+    setScanOnly(false);
     return;
   }
   // The keys that move the probe work wherever the focus is, unless a field wants them.

@@ -1,5 +1,6 @@
 #include <QActionGroup>
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
@@ -13,16 +14,11 @@
 #include "main_window_parts.h"
 #include "plugins_dialog.h"
 #include "theme.h"
+#include "thumbnails.h"
 #include "words.h"
 
 namespace ew::ui {
 namespace {
-
-QString keysOf(const QAction& action) {
-  QStringList keys;
-  for (const QKeySequence& key : action.shortcuts()) keys << key.toString(QKeySequence::NativeText);
-  return keys.join(QStringLiteral(", "));
-}
 
 QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); }
 
@@ -93,29 +89,36 @@ void MainWindow::makeActions() {
   p.madeVolumeAction = add(view, QString(), {}, [this] { showWaitingVolume(); });
   view->addSeparator();
   auto* themes = new QActionGroup(this);
-  p.darkAction = add(view, tr("&Dark"), {}, [this] { setDarkTheme(true); });
-  p.lightAction = add(view, tr("L&ight"), {}, [this] { setDarkTheme(false); });
-  for (QAction* action : {p.darkAction, p.lightAction}) {
+  QMenu* theme = view->addMenu(tr("&Theme"));
+  p.systemThemeAction = add(theme, tr("As the system"), {}, [this] { chooseTheme(QStringLiteral("system")); });
+  p.darkAction = add(theme, tr("&Dark"), {}, [this] { chooseTheme(QStringLiteral("dark")); });
+  p.lightAction = add(theme, tr("L&ight"), {}, [this] { chooseTheme(QStringLiteral("light")); });
+  for (QAction* action : {p.systemThemeAction, p.darkAction, p.lightAction}) {
     action->setCheckable(true);
     themes->addAction(action);
   }
   QMenu* language = view->addMenu(tr("La&nguage"));
   auto* languages = new QActionGroup(this);
   const QString chosen = QSettings().value(QStringLiteral("language")).toString();
-  const std::pair<QString, QString> offered[] = {{QString(), tr("As the system")}, {"en", "English"}, {"de", "Deutsch"}};
+  const std::pair<QString, QString> offered[] = {{QString(), tr("System language")}, {"en", "English"}, {"de", "Deutsch"}};
   for (const auto& [code, name] : offered) {
     QAction* action = add(language, name, {}, [this, code = code] {
       QSettings().setValue(QStringLiteral("language"), code);
-      parts_->messages->showNote(tr("The language changes at the next start."));
+      parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."));
     });
     action->setCheckable(true);
     action->setChecked(code == chosen);
     languages->addAction(action);
   }
-  QAction* full =
-      add(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  p.scanOnlyAction = add(view, tr("Scan &only"), {QKeySequence(Qt::Key_F12)}, [this] {
+    const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == Workspace::explore;
+    setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
+  });
+  p.scanOnlyAction->setCheckable(true);
+  add(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 
   QMenu* scan = p.scanMenu = bar.addMenu(tr("&Scan"));
+  scan->setToolTipsVisible(true);
   p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)},
                        [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
   p.freezeAction->setCheckable(true);
@@ -133,31 +136,31 @@ void MainWindow::makeActions() {
     return add(menu, text, key != nullptr ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
                [this, control = QString::fromLatin1(control), steps] { parts_->console->step(control, steps); });
   };
-  QAction* deeper = onConsole(scan, tr("Deeper"), "PgDown", "depth", 1);
-  QAction* shallower = onConsole(scan, tr("Shallower"), "PgUp", "depth", -1);
-  QAction* louder = onConsole(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
-  QAction* quieter = onConsole(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
-  QAction* closer = onConsole(scan, tr("Zoom in"), "Z", "zoom", 1);
-  QAction* farther = onConsole(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
-  QAction* reset = add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
+  onConsole(scan, tr("Deeper"), "PgDown", "depth", 1);
+  onConsole(scan, tr("Shallower"), "PgUp", "depth", -1);
+  onConsole(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
+  onConsole(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
+  onConsole(scan, tr("Zoom in"), "Z", "zoom", 1);
+  onConsole(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
+  add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
   scan->addSeparator();
 
   QMenu* image = scan->addMenu(tr("&Image"));
   onConsole(image, tr("Focus shallower"), ",", "focus", -1);
   onConsole(image, tr("Focus deeper"), ".", "focus", 1);
-  onConsole(image, tr("Number of foci"), "N", "foci", 1);
-  onConsole(image, tr("Focus by kernel or stretch"), "Shift+N", "focusMethod", 1);
+  onConsole(image, tr("Number of focal zones"), "N", "foci", 1);
+  onConsole(image, tr("Next focus model"), "Shift+N", "focusMethod", 1);
   image->addSeparator();
   onConsole(image, tr("Wider dynamic range"), "R", "dynamicRange", 1);
   onConsole(image, tr("Narrower dynamic range"), "Shift+R", "dynamicRange", -1);
   onConsole(image, tr("Next grey map"), "G", "greyMap", 1);
-  onConsole(image, tr("Stronger edges"), "B", "edges", 1);
-  onConsole(image, tr("Weaker edges"), "Shift+B", "edges", -1);
+  onConsole(image, tr("More edge enhancement"), "B", "edges", 1);
+  onConsole(image, tr("Less edge enhancement"), "Shift+B", "edges", -1);
   onConsole(image, tr("More persistence"), "P", "persistence", 1);
   onConsole(image, tr("Less persistence"), "Shift+P", "persistence", -1);
   image->addSeparator();
-  onConsole(image, tr("Swap left and right"), "X", "flip", 1);
-  onConsole(image, tr("Swap top and bottom"), "U", "upsideDown", 1);
+  onConsole(image, tr("Invert left/right"), "X", "flip", 1);
+  onConsole(image, tr("Invert up/down"), "U", "upsideDown", 1);
 
   QMenu* effects = scan->addMenu(tr("&Effects"));
   onConsole(effects, tr("Beam width and focus"), "F2", "focusStrengthEffect", 1);
@@ -187,34 +190,16 @@ void MainWindow::makeActions() {
   const auto choose = [&](const QString& text, Qt::Key key, Quality chosenQuality) {
     add(quality, text, {QKeySequence(key)}, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
   };
-  choose(tr("Weave: nearest voxels, fastest"), Qt::Key_1, Quality::weave);
-  choose(tr("Linear: interpolated"), Qt::Key_2, Quality::linear);
+  choose(tr("Fast: nearest voxels"), Qt::Key_1, Quality::weave);
+  choose(tr("Fine: interpolated"), Qt::Key_2, Quality::linear);
   choose(tr("Cubic: sharpest"), Qt::Key_3, Quality::cubic);
   onConsole(quality, tr("Adaptive: falls while the probe moves fast"), "F9", "adaptive", 1);
   add(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
   scan->addSeparator();
-  add(scan, tr("&Cost of accuracy…"), {keys("Ctrl+K")}, [this] { showCost(); });
+  add(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
 
   QMenu* help = bar.addMenu(tr("&Help"));
-  QAction* shortcuts = add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] {
-    if (parts_->shortcuts) {
-      parts_->shortcuts->close();
-    } else {
-      auto groups = parts_->keys;
-      for (const sdk::StagedPanel* panel : parts_->host->panelsAdded()) {
-        if (panel->keys.empty()) continue;
-        ShortcutsOverlay::Group group{words(panel->title), {}};
-        for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
-        // Of a stage the panel's own keys come first, the probe's are of no use.
-        if (parts_->staged) {
-          groups = {group, groups.back()};
-          break;
-        }
-        groups.push_back(std::move(group));
-      }
-      parts_->shortcuts = new ShortcutsOverlay(groups, parts_->central);
-    }
-  });
+  add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] { showKeys(); });
   add(help, tr("&Plugins…"), {},
       [this] { PluginsDialog(parts_->plugins ? parts_->plugins->states() : std::vector<door::PluginStatus>{}, this).exec(); });
   add(help, tr("&About EchoWeave"), {}, [this] {
@@ -226,59 +211,6 @@ void MainWindow::makeActions() {
             .arg(QLatin1String(kVersion)));
     about.exec();
   });
-
-  p.keys = {{tr("Probe"),
-             {{tr("Drag"), tr("slide over the skin")},
-              {tr("Wheel"), tr("tilt")},
-              {tr("Shift + wheel"), tr("rock")},
-              {tr("Ctrl + wheel"), tr("rotate")},
-              {tr("Arrows"), tr("slide by 2 mm, with Shift 10 mm")},
-              {QStringLiteral("Q, E"), tr("rotate")},
-              {QStringLiteral("A, D"), tr("rock")},
-              {QStringLiteral("W, S"), tr("tilt")},
-              {tr("Home"), tr("back to the start")}}},
-            {tr("3D view"),
-             {{tr("Right drag"), tr("turn the body")},
-              {tr("Middle drag"), tr("move the body")},
-              {tr("Ctrl + right drag"), tr("closer, farther")},
-              {QStringLiteral("Alt+1 … Alt+5"), tr("front, back, right, left, head")},
-              {QStringLiteral("Alt+0"), tr("look at the volume")}}},
-            {tr("Console"),
-             {{keysOf(*p.freezeAction), tr("freeze")},
-              {keysOf(*shallower) + QStringLiteral(", ") + keysOf(*deeper), tr("depth")},
-              {keysOf(*louder) + QStringLiteral(", ") + keysOf(*quieter), tr("gain")},
-              {keysOf(*closer) + QStringLiteral(", ") + keysOf(*farther), tr("zoom")},
-              {keysOf(*reset), tr("reset DGC")},
-              {QStringLiteral("1, 2, 3"), tr("weave, linear, cubic")},
-              {QStringLiteral("F9"), tr("adaptive quality")},
-              {QStringLiteral("F10"), tr("next page of the console")},
-              {QStringLiteral("Ctrl+K"), tr("cost of accuracy")}}},
-            {tr("Image"),
-             {{QStringLiteral(", ."), tr("focus depth")},
-              {QStringLiteral("N, Shift+N"), tr("number of foci, kernel or stretch")},
-              {QStringLiteral("R, Shift+R"), tr("dynamic range")},
-              {QStringLiteral("G"), tr("grey map")},
-              {QStringLiteral("B, Shift+B"), tr("edges")},
-              {QStringLiteral("P, Shift+P"), tr("persistence")},
-              {QStringLiteral("X, U"), tr("swap left and right, top and bottom")},
-              {tr("I, Alt + click"), tr("which frame a point came from")},
-              {QStringLiteral("M"), tr("B, B + M, M")},
-              {QStringLiteral("Ctrl+Left, Ctrl+Right"), tr("M line")},
-              {QStringLiteral("Y, Shift+Y"), tr("sweep of the M-mode")}}},
-            {tr("Effects and probe"),
-             {{QStringLiteral("F2, F3"), tr("beam width, slice thickness")},
-              {QStringLiteral("F4"), tr("shadow and enhancement")},
-              {QStringLiteral("F5, F6"), tr("reverberation, mirror images")},
-              {QStringLiteral("F7, F8"), tr("noise, skin contact")},
-              {QStringLiteral("T, H"), tr("next transducer, next frequency")},
-              {QStringLiteral("J, L, V"), tr("steer a linear array, trapezoid")}}},
-            {tr("Window"),
-             {{QStringLiteral("Ctrl+O"), tr("open a case, a volume or a sweep")},
-              {QStringLiteral("Ctrl+S, Ctrl+Shift+S"), tr("save the case, save it elsewhere")},
-              {QStringLiteral("Ctrl+Z, Ctrl+Shift+Z"), tr("undo, redo")},
-              {QStringLiteral("Ctrl+1, Ctrl+2"), tr("Explore, Author")},
-              {keysOf(*full), tr("full screen")},
-              {keysOf(*shortcuts), tr("this page")}}}};
 }
 
 void MainWindow::showCost() {
@@ -320,7 +252,7 @@ void MainWindow::showSource(const QPoint& pixel) {
         tr("The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a "
            "point of the picture."));
   } else if (!isInFan) {
-    dialog->showNone(tr("This point lies beside the image. Click a point inside the fan."));
+    dialog->showNone(tr("This point lies outside the image. Click a point inside the fan."));
   } else if (subject->provenance) {
     const Point<frame::World> at_world =
         pointShownAt(p.session.geometry(), p.session.picturePose(), {static_cast<double>(pixel.x()), static_cast<double>(pixel.y())});
@@ -340,16 +272,19 @@ void MainWindow::showTitle() {
   const bool isStart = p.pages->currentWidget() == p.startPage;
   const auto& opened = p.document.current();
   const auto& subject = p.session.subject();
+  const bool showsCase = opened && p.opener->showsCase();
   QString title = subject ? subject->title : QString();
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
-  if (opened && p.opener->showsCase()) {
-    if (!opened->patient.name.empty()) remark = words(opened->patient.name);
+  if (showsCase) {
+    title = words(p.workspace == Workspace::author ? opened->title : titleForTrainees(*opened));
+    remark = words(opened->patient.name);
+    const auto add = [&remark](const QString& more) { remark += (remark.isEmpty() ? QString() : QStringLiteral("   ")) + more; };
     // Who explores need not know whose folder a case lies in.
-    const bool isShipped = p.document.isShippedCase() && p.workspace == Workspace::author;
-    if (isShipped) remark = tr("shipped case");
-    if (p.document.hasUnsavedChanges()) remark = isShipped ? tr("shipped case, not saved") : tr("not saved");
+    if (p.document.isShippedCase() && p.workspace == Workspace::author) add(tr("shipped case"));
+    if (p.document.hasUnsavedChanges()) add(tr("● unsaved changes"));
   }
+  p.caseInfo->showCase(showsCase ? &*opened : nullptr);
   const sdk::PanelDocument* document = panelDocument();
   if (document != nullptr) {
     title = words(document->title());
@@ -365,21 +300,28 @@ void MainWindow::showTitle() {
   const MadeVolume* waiting = waitingMadeVolume();
   p.madeVolumeAction->setVisible(waiting != nullptr);
   if (waiting != nullptr) p.madeVolumeAction->setText(tr("Show the volume made from %1").arg(waiting->title));
+  const bool knowsSource = subject && subject->provenance;
+  p.sourceAction->setEnabled(knowsSource);
+  p.sourceAction->setToolTip(knowsSource ? tr("Click a point to see the recorded frame it came from")
+                                         : tr("Only a volume made here from a recorded sweep knows which frame a point came from"));
   p.caseVolumeAction->setVisible(opened && !p.opener->showsCase() && p.opener->hasCaseVolume());
   setWindowTitle(title.isEmpty() ? QStringLiteral("EchoWeave") : QStringLiteral("%1 - EchoWeave").arg(title));
 }
 
-void MainWindow::setDarkTheme(bool dark) {
-  applyTheme(dark ? darkTheme() : lightTheme());
-  QSettings().setValue(QStringLiteral("theme"), dark ? QStringLiteral("dark") : QStringLiteral("light"));
+void MainWindow::setDarkTheme(bool dark) { chooseTheme(dark ? QStringLiteral("dark") : QStringLiteral("light")); }
+
+void MainWindow::chooseTheme(const QString& choice) {
+  applyTheme(themeCalled(choice));
+  QSettings().setValue(QStringLiteral("theme"), choice);
   refreshTheme();
 }
 
 void MainWindow::refreshTheme() {
   const bool dark = currentTheme().dark;
-  parts_->darkAction->setChecked(dark);
-  parts_->lightAction->setChecked(!dark);
+  const QString choice = QSettings().value(QStringLiteral("theme")).toString();
+  (choice == QLatin1String("system") ? parts_->systemThemeAction : dark ? parts_->darkAction : parts_->lightAction)->setChecked(true);
   parts_->view3d->setDarkTheme(dark);
+  parts_->caseInfo->refreshIcons();
   parts_->console->refreshIcons();
   parts_->scanView->refreshIcons();
   parts_->messages->refreshIcons();
@@ -410,19 +352,31 @@ void MainWindow::showThrown(const QObject* receiver, const Thrown& thrown) {
 }
 
 void MainWindow::prepareThumbnails() {
+  const QSize size(544, 320);
+  std::vector<Case> missing;
+  for (const Case& shown : parts_->shownCases) {
+    const QImage kept = keptThumbnail(shown, size);
+    if (!kept.isNull()) {
+      parts_->startPage->setThumbnail(shown.id, kept);
+    } else if (!caseNeedsPreparation(shown)) {  // the others keep their drawn card: a start page is no reason to compute for minutes
+      missing.push_back(shown);
+    }
+  }
+  if (missing.empty()) return;
   auto pictures = std::make_shared<std::vector<std::pair<std::string, QImage>>>();
   parts_->jobs.start(
-      tr("Preparing the cards"),
-      [cases = parts_->shownCases, pictures](Progress& progress) -> Result<void> {
+      tr("Loading thumbnails"),
+      [missing, pictures, size](Progress& progress) -> Result<void> {
         const auto resources = resourceFolder();
         if (!resources) return passOn(resources.error());
         const auto probes = readProbes(*resources / "probes");
         if (!probes) return passOn(probes.error());
-        for (const Case& shown : cases) {
-          // A case that is not prepared yet keeps its drawn card: a start page is no reason to compute for minutes.
-          if (progress.cancelRequested() || caseNeedsPreparation(shown)) continue;
+        for (const Case& shown : missing) {
+          if (progress.cancelRequested()) break;
           auto echo = loadCaseVolume(shown, progress);
-          if (echo) pictures->emplace_back(shown.id, thumbnailOf(shown, echo->volume, *probes, QSize(544, 320)));
+          if (!echo) continue;
+          pictures->emplace_back(shown.id, thumbnailOf(shown, echo->volume, *probes, size));
+          keepThumbnail(shown, pictures->back().second);
         }
         return {};
       },

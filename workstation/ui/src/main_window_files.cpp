@@ -1,6 +1,7 @@
 // Opening, saving and leaving: what a person made is asked about when it would be lost.
 #include <QCloseEvent>
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -19,6 +20,7 @@
 #include "ew/library/preparation.h"
 #include "main_window_parts.h"
 #include "save_file.h"
+#include "saved_picture.h"
 #include "saving_dialog.h"
 #include "words.h"
 
@@ -90,9 +92,16 @@ void MainWindow::remember(const QString& path) {
 
 void MainWindow::showRecent() {
   const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
-  parts_->startPage->showRecent(recent);
+  const bool forAuthors = parts_->workspace == Workspace::author;
+  QStringList onCards;
+  for (const Case& shown : parts_->shownCases) onCards << QDir::cleanPath(QFileInfo(wordsOf(shown.folder)).absoluteFilePath());
+  parts_->startPage->showRecent(recentFilesOf(recent, forAuthors, onCards));
   parts_->recentMenu->clear();
-  for (const QString& path : recent) parts_->recentMenu->addAction(path, this, [this, path] { open(path); });
+  for (const RecentFile& file : recentFilesOf(recent, forAuthors)) {
+    QAction* action = parts_->recentMenu->addAction(file.name, this, [this, path = file.path] { open(path); });
+    action->setToolTip(file.tip);
+  }
+  parts_->recentMenu->setToolTipsVisible(true);
   parts_->recentMenu->menuAction()->setVisible(!recent.isEmpty());
 }
 
@@ -448,8 +457,13 @@ void MainWindow::savePicture() {
                                           tr("Pictures (*.png *.mha)"),
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
+  // Picture files are looked at and need their words; a MetaImage is measured and holds the pixels alone.
+  const bool isMeasured = QFileInfo(file).suffix() == QLatin1String("mha");
+  const QImage saved = isMeasured ? QImage() : ew::ui::savedPicture(parts_->session, QDateTime::currentDateTime());
+  const ImageView<const std::uint8_t> annotated{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()};
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeImage(parts_->session.picture(), parts_->session.geometry().pixel_mm, outputs.staged(pathOf(file)));
+    return writeImage(isMeasured ? parts_->session.picture() : annotated, parts_->session.geometry().pixel_mm,
+                      outputs.staged(pathOf(file)));
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file));

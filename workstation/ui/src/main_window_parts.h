@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "case_document.h"
+#include "case_info.h"
 #include "case_preparation.h"
 #include "console_panel.h"
 #include "cost_panel.h"
@@ -21,6 +22,7 @@
 #include "jobs.h"
 #include "message_bar.h"
 #include "opener.h"
+#include "scan_pan.h"
 #include "scan_view.h"
 #include "session.h"
 #include "shortcuts_overlay.h"
@@ -30,6 +32,7 @@
 #include "status_line.h"
 #include "top_bar.h"
 #include "view3d.h"
+#include "view_columns.h"
 #include "workstation_host.h"
 
 namespace ew::ui {
@@ -72,6 +75,10 @@ struct MainWindow::Parts {
   bool staged = false;
   QSplitter* columns = nullptr;
   View3D* view3d = nullptr;
+  CaseInfo* caseInfo = nullptr;
+  BodyColumn* body = nullptr;  ///< 3D view and case
+  ViewColumns* viewColumns = nullptr;
+  Hold beforePress;  ///< where the probe was before the last press in a view
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
   ConsolePanel* console = nullptr;
@@ -96,13 +103,14 @@ struct MainWindow::Parts {
   QAction* madeVolumeAction = nullptr;
   QAction* exploreAction = nullptr;
   QAction* authorAction = nullptr;
+  QAction* systemThemeAction = nullptr;
   QAction* darkAction = nullptr;
   QAction* lightAction = nullptr;
   QMenu* scanMenu = nullptr;
   QAction* freezeAction = nullptr;
+  QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
   QMenu* recentMenu = nullptr;
-  std::vector<ShortcutsOverlay::Group> keys;
   Workspace workspace = Workspace::explore;
 };
 

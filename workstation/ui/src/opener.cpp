@@ -11,6 +11,7 @@
 #include "ew/io/volume_file.h"
 #include "hand_input.h"
 #include "message_bar.h"
+#include "recent_files.h"
 #include "view3d.h"
 #include "words.h"
 
@@ -184,7 +185,7 @@ void Opener::startOpening(const QString& path, Jobs::Work work, std::function<vo
   giveUpOpening();
   ++busy_;
   auto id = std::make_shared<int>(0);
-  *id = jobs_.start(tr("Opening %1").arg(QFileInfo(path).fileName()), std::move(work),
+  *id = jobs_.start(tr("Opening %1").arg(recentFileOf(path, false).name), std::move(work),
                     [this, id, taken = std::move(taken), refused = std::move(refused)](const Result<void>& outcome) {
                       --busy_;
                       if (*id != openingJob_) return;
@@ -321,7 +322,7 @@ void Opener::showCaseVolume() {
   }
   showsCase_ = true;
   Subject subject;
-  subject.title = words(opened->title);
+  subject.title = words(titleForTrainees(*opened));
   subject.volume = contents_->volume;
   subject.placedGrid = placed(contents_->volume->grid, loadedToNow());
   subject.bricks = contents_->bricks;
@@ -430,7 +431,7 @@ void Opener::followDocument() {
     if (!showsCase_) showCaseVolume();
   }
   if (!showsCase_) return;
-  session_.setTitle(words(opened->title));
+  session_.setTitle(words(titleForTrainees(*opened)));
   session_.setCaseScene(sceneWithTissues(opened->scene, contents_->tissues));
   session_.place(loadedToNow());
 }

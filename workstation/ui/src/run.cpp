@@ -36,6 +36,7 @@ constexpr int kScreenshotPatience_s = 600;  // a case is prepared on its first s
 void installLanguage(QApplication& app, QTranslator& ours, QTranslator& qts) {
   const QString chosen = QSettings().value(QStringLiteral("language")).toString();
   const QLocale locale = chosen.isEmpty() ? QLocale::system() : QLocale(chosen);
+  QLocale::setDefault(locale);  // so that 3.5 is written as the words around it are
   if (ours.load(locale, QStringLiteral("echoweave"), QStringLiteral("_"), QStringLiteral(":/ew/translations")))
     app.installTranslator(&ours);
   if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath))) {

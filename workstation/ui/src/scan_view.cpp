@@ -17,7 +17,11 @@ namespace ew::ui {
 namespace {
 
 constexpr int kLeft_px = DgcColumn::kWidth_px;
-constexpr int kRight_px = 64;   // depth scale
+constexpr int kRight_px = 64;        // depth scale
+constexpr int kLeastMargin_px = 8;   // beside a fan whose corners hold sliders and scale
+constexpr int kMostOverPicture = 2;  // sliders that may reach over the fan's widest place; a rectangle keeps all of them beside it
+constexpr int kHint_px = 220;        // what a drag does
+constexpr int kSaidLong_ms = 3000;
 constexpr int kTop_px = 56;     // probe name and marker
 constexpr int kBottom_px = 40;  // what the picture is
 constexpr int kTime_px = 24;    // time ticks under the strip
@@ -42,6 +46,12 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
   dgc_ = new DgcColumn(session_, this);
   scale_ = new FocusScale(
       session_, [this](double y) { return depthAt_mm(y); }, this);
+  saidLong_.setSingleShot(true);
+  saidLong_.setInterval(kSaidLong_ms);
+  connect(&saidLong_, &QTimer::timeout, this, [this] {
+    said_.clear();
+    update();
+  });
   session_.setWatched(false);
   const auto changed = [this] {
     arrange();
@@ -55,8 +65,11 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
 }
 
 QRect ScanView::pictureRect() const {
-  const QRect whole(kLeft_px, kTop_px, std::max(1, width() - kLeft_px - kRight_px), std::max(1, height() - kTop_px - kBottom_px));
-  if (mode() == DisplayMode::bMode) return whole;
+  const bool isAlone = mode() == DisplayMode::bMode;
+  const int left_px = isAlone ? left_px_ : kLeft_px;
+  const int right_px = isAlone ? right_px_ : kRight_px;
+  const QRect whole(left_px, kTop_px, std::max(1, width() - left_px - right_px), std::max(1, height() - kTop_px - kBottom_px));
+  if (isAlone) return whole;
   if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(kTime_px, whole.height() - 1));
   // Picture and strip have the same size; between them there is room for the picture's lower edge to be seen as one.
   return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - kTime_px - 16) / 2)};
@@ -92,7 +105,59 @@ void ScanView::showEvent(QShowEvent*) { session_.setWatched(true); }
 void ScanView::hideEvent(QHideEvent*) { session_.setWatched(false); }
 void ScanView::refreshIcons() { dgc_->refreshIcons(); }
 
+void ScanView::enterEvent(QEvent*) { update(); }
+void ScanView::leaveEvent(QEvent*) { update(); }
+
+void ScanView::say(const QString& sentence) {
+  said_ = sentence;
+  saidLong_.start();
+  update();
+}
+
+/// The narrowest margins at which sliders and scale stand in the corners beside the fan.
+void ScanView::fitMargins() {
+  if (!session_.subject()) {
+    left_px_ = kLeft_px;
+    right_px_ = kRight_px;
+    fitted_ = {};
+    return;
+  }
+  // What shapes the fan, but for the zoom: a zoomed picture fills the view and lies under them, and the layout stays as it was.
+  const Knobs& asked = session_.pictureKnobs();
+  Knobs whole;
+  whole.depth_mm = asked.depth_mm;
+  whole.steering_rad = asked.steering_rad;
+  whole.trapezoid = asked.trapezoid;
+  whole.markerLeft = asked.markerLeft;
+  whole.upsideDown = asked.upsideDown;
+  const Fitted wanted{size(), session_.pictureProbe().id, whole};
+  if (wanted == fitted_) return;
+  fitted_ = wanted;
+  constexpr int kSteps = 10;
+  for (int step = 0; step <= kSteps; ++step) {
+    left_px_ = kLeastMargin_px + (kLeft_px - kLeastMargin_px) * step / kSteps;
+    right_px_ = kLeastMargin_px + (kRight_px - kLeastMargin_px) * step / kSteps;
+    const int width_px = width() - left_px_ - right_px_;
+    const int height_px = height() - kTop_px - kBottom_px;
+    if (width_px < 1 || height_px < 1) continue;
+    const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
+    const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
+    int atLeft = 0;
+    int atRight = 0;
+    for (int i = 0; i < kDgcSliders; ++i) {
+      const double depth_mm = geometry.depth_mm * (i + 0.5) / kDgcSliders;
+      const auto row = static_cast<int>(geometry.face_px.y + (geometry.upsideDown ? -1.0 : 1.0) * depth_mm / geometry.pixel_mm);
+      if (row < 0 || row >= height_px || fan[static_cast<std::size_t>(row)].empty()) continue;
+      const auto& runs = fan[static_cast<std::size_t>(row)];
+      atLeft += left_px_ + runs[0].begin < kLeft_px ? 1 : 0;
+      atRight += right_px_ + width_px - runs[runs.size() - 1].end < kRight_px ? 1 : 0;
+    }
+    if (atLeft <= kMostOverPicture && atRight <= kMostOverPicture) return;
+  }
+}
+
 void ScanView::arrange() {
+  fitMargins();
   const QRect box = pictureRect();
   session_.setPictureSize(static_cast<int>(std::lround(box.width() * devicePixelRatioF())),
                           static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
@@ -125,12 +190,14 @@ void ScanView::paintEvent(QPaintEvent*) {
   if (mode() != DisplayMode::mMode) paintMarker(painter);
   if (mode() == DisplayMode::both) paintMLine(painter);
   paintWords(painter);
+  if (session_.isFrozen()) paintFrozen(painter);
+  if (!said_.isEmpty()) return paintSaid(painter);
   if (mode() != DisplayMode::mMode && isBesideVolume()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     session_.isFrozen() ? tr("The probe is beside the volume.")
-                                         : tr("The probe is beside the volume. Slide it back, or press Home for the start."));
+                     session_.isFrozen() ? tr("The probe is outside the volume.")
+                                         : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
   }
 }
 
@@ -263,20 +330,51 @@ void ScanView::paintWords(QPainter& painter) {
   painter.setFont(smallFont());
   painter.setPen(theme.quiet);
   const QFontMetrics metrics = painter.fontMetrics();
-  const int right = session_.isFrozen() ? width() - 120 : width() - 24;
+  const int right = session_.isFrozen() ? width() - 144 : width() - 24;
   painter.drawText(QRect(20, 8, right - 20, 24), Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(words(session_.pictureProbe().name), Qt::ElideRight, right - 20));
-  if (session_.isFrozen()) {
-    painter.setPen(theme.accent);
-    painter.drawText(QRect(width() - 144, 8, 120, 24), Qt::AlignRight | Qt::AlignVCenter, tr("Frozen"));
-    painter.setPen(theme.quiet);
-  }
   const Knobs& knobs = session_.pictureKnobs();
-  const QString line = tr("depth %1 mm   gain %2 %   zoom %3")
-                           .arg(static_cast<int>(std::lround(session_.geometry().depth_mm)))
-                           .arg(static_cast<int>(std::lround(knobs.gain * 100.0)))
-                           .arg(knobs.zoom, 0, 'f', 1);
+  QString line = tr("depth %1 cm   gain %2 %")
+                     .arg(figure(session_.geometry().depth_mm / 10.0, 1))
+                     .arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
+  if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
   drawFigures(painter, QRect(20, height() - 32, width() - 100, 24), Qt::AlignLeft, line);
+  // What a drag would do, as long as the pointer is here and there is room beside the figures.
+  const int hint_px = width() - 100 - figuresWidth_px(metrics, line) - 48;
+  if (underMouse() && !session_.isFrozen() && hint_px >= kHint_px) {
+    painter.drawText(QRect(width() - 80 - hint_px, height() - 32, hint_px, 24), Qt::AlignRight | Qt::AlignVCenter,
+                     knobs.zoom > 1.0 ? tr("drag: move the detail") : tr("drag: slide the probe"));
+  }
+}
+
+void ScanView::paintFrozen(QPainter& painter) {
+  const Theme theme = scanTheme();
+  QFont font = textFont();
+  font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  const QString word = tr("Frozen");
+  const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24;
+  const QRect badge(width() - 16 - width_px, 8, width_px, 26);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.accent);
+  painter.drawRoundedRect(badge, 4.0, 4.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(theme.onAccent);
+  painter.drawText(badge, Qt::AlignCenter, word);
+}
+
+void ScanView::paintSaid(QPainter& painter) {
+  painter.setFont(textFont());
+  const QRect room = pictureRect().adjusted(16, 16, -16, -16);
+  const QRect box = painter.boundingRect(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, said_);
+  QColor veil(Qt::black);
+  veil.setAlpha(200);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(veil);
+  painter.drawRoundedRect(box.adjusted(-12, -6, 12, 6), 4.0, 4.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(scanTheme().text);
+  painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, said_);
 }
 
 }  // namespace ew::ui

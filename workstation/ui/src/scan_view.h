@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "session.h"
@@ -10,7 +11,8 @@ class DgcColumn;
 class FocusScale;
 
 /// The scan: the picture pixel for pixel on black, and around it what a machine shows: depth scale, marker, focus marks, DGC sliders at
-/// their depths, and in M-mode the strip of one beam over time, below the picture or instead of it.
+/// their depths, and in M-mode the strip of one beam over time, below the picture or instead of it. Scale and sliders stand in the black
+/// corners beside the fan where it leaves them room, so that the picture may be as large as the view.
 class ScanView final : public QWidget {
   Q_OBJECT
 
@@ -28,15 +30,21 @@ class ScanView final : public QWidget {
   [[nodiscard]] double depthAt_mm(double y) const;
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
   void refreshIcons();
+  /// A sentence over the picture for a few seconds.
+  void say(const QString& sentence);
+  [[nodiscard]] QString said() const { return said_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void enterEvent(QEvent* event) override;
+  void leaveEvent(QEvent* event) override;
 
  private:
   void arrange();
+  void fitMargins();
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   void paintDepthScale(QPainter& painter);
@@ -45,10 +53,22 @@ class ScanView final : public QWidget {
   void paintMLine(QPainter& painter);
   void paintStrip(QPainter& painter);
   void paintWords(QPainter& painter);
+  void paintFrozen(QPainter& painter);
+  void paintSaid(QPainter& painter);
 
   Session& session_;
   DgcColumn* dgc_ = nullptr;
   FocusScale* scale_ = nullptr;
+  int left_px_ = 0, right_px_ = 0;  ///< kept free beside the picture
+  struct Fitted {
+    QSize size;
+    std::string probe;
+    Knobs knobs;
+    bool operator==(const Fitted&) const = default;
+  };
+  Fitted fitted_;  ///< what the margins were fitted to
+  QString said_;
+  QTimer saidLong_;
 };
 
 }  // namespace ew::ui

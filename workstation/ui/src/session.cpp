@@ -189,6 +189,14 @@ void Session::setSkin(std::shared_ptr<const Skin> skin) {
 void Session::setKnobs(const Knobs& knobs) {
   if (knobs == knobs_) return;
   knobs_ = knobs;
+  if (!(knobs_.zoom > 1.0)) pan_ = {};  // the next zoom begins in the middle
+  due();
+  Q_EMIT knobsChanged();
+}
+
+void Session::setPan(const Pan& pan) {
+  if (pan == pan_) return;
+  pan_ = pan;
   due();
   Q_EMIT knobsChanged();
 }
@@ -255,6 +263,7 @@ void Session::setFrozen(bool frozen) {
     isFreezing_ = false;
     frozenHold_ = hold_;
     frozenKnobs_ = knobs_;
+    frozenPan_ = pan_;
     frozenProbe_ = probe_;
     frozenScene_ = scene_;
   }
@@ -298,7 +307,8 @@ void Session::makePictureNow() {
   } else {
     usedKnobs_ = frozenKnobs_;
   }
-  maker_.configure(pictureProbe(), usedKnobs_, pictureScene(), subject_->placedGrid, width_, height_, subject_->labels != nullptr);
+  maker_.configure(pictureProbe(), usedKnobs_, pictureScene(), subject_->placedGrid, width_, height_, subject_->labels != nullptr,
+                   frozen_ ? frozenPan_ : pan_);
   const bool wantsGaps = pictureScene().contact && skin_ && pose.status == PoseStatus::ok;
   if (wantsGaps && !frozen_) measureGaps(pose);
   FrameInput input;

@@ -80,6 +80,9 @@ class Session final : public QObject {
 
   void setKnobs(const Knobs& knobs);
   [[nodiscard]] const Knobs& knobs() const { return knobs_; }
+  /// Which part of the fan a zoomed picture shows; a frozen picture keeps its own.
+  void setPan(const Pan& pan);
+  [[nodiscard]] const Pan& pan() const { return pan_; }
   [[nodiscard]] double depth_mm() const;  ///< resolved and within the probe's range
   [[nodiscard]] double focus_mm() const;  ///< resolved
 
@@ -161,6 +164,7 @@ class Session final : public QObject {
   std::optional<Scene> sceneBeforeReset_;
   Knobs knobs_, frozenKnobs_, usedKnobs_;
   Hold hold_, frozenHold_;
+  Pan pan_, frozenPan_;
   bool frozen_ = false;
   bool due_ = false;
   bool isFreezing_ = false;

@@ -5,15 +5,21 @@
 #include <QPointer>
 #include <vector>
 
+#include "probe_motion.h"
+
+class QScrollArea;
+
 namespace ew::ui {
 
-/// All keys and what the mouse does, over the window; any key or click closes it.
+/// Keys and what the mouse does, over the window. Where the window is too small for all of it the page scrolls; Escape, its button, a click
+/// beside it or any key that does not scroll closes it.
 class ShortcutsOverlay final : public QFrame {
   Q_OBJECT
 
  public:
   struct Line {
     QString keys, what;
+    ProbeMotion motion = ProbeMotion::none;  ///< drawn beside the line
   };
   struct Group {
     QString title;
@@ -22,12 +28,13 @@ class ShortcutsOverlay final : public QFrame {
   ShortcutsOverlay(const std::vector<Group>& groups, QWidget* parent);
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  QScrollArea* scroll_ = nullptr;
   QPointer<QWidget> before_;  ///< had the focus, and gets it back
 };
 

@@ -293,10 +293,10 @@ void SourceDialog::showAll() {
   frame_->setText(isSource                 ? tr("%1, the source").arg(number)
                   : shown_ > source_.frame ? tr("%1, %n after the source", nullptr, apart).arg(number)
                                            : tr("%1, %n before the source", nullptr, apart).arg(number));
-  time_->setText(frame.time_s ? tr("%1 s").arg(*frame.time_s, 0, 'f', 3) : tr("not recorded"));
+  time_->setText(frame.time_s ? tr("%1 s").arg(figure(*frame.time_s, 3)) : tr("not recorded"));
   voxel_->setText(wordsOfVoxel());
   const FrameProjection projection = projectionOnto(frame.imageToWorld, source_.at_recorded);
-  distance_->setText(tr("%1 mm from the plane of this frame").arg(projection.distance_mm, 0, 'f', 2));
+  distance_->setText(tr("%1 mm from the plane of this frame").arg(figure(projection.distance_mm, 2)));
   before_->setEnabled(shown_ > 0);
   after_->setEnabled(shown_ + 1 < provenance_->frames.size());
   home_->setEnabled(!isSource);

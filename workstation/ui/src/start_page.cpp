@@ -23,7 +23,9 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kCardWidth_px = 296;
+constexpr int kLeastCardWidth_px = 280;
+constexpr int kMostCardWidth_px = 440;
+constexpr int kGap_px = 16;
 constexpr int kThumbHeight_px = 160;
 
 /// A fan drawn in the accent's tone, for a case whose volume has not been prepared yet: shape, not data.
@@ -75,19 +77,22 @@ class Thumbnail final : public QWidget {
 
 class CaseCard final : public QFrame {
  public:
-  CaseCard(const Case& shown, std::function<void()> chosen) : id(shown.id), chosen_(std::move(chosen)) {
+  CaseCard(const Case& shown, bool forAuthors, std::function<void()> chosen)
+      : id(shown.id), ownTitle_(words(shown.title)), traineesTitle_(words(titleForTrainees(shown))), chosen_(std::move(chosen)) {
     setObjectName(QStringLiteral("caseCard"));
-    setFixedWidth(kCardWidth_px);
+    setMinimumWidth(kLeastCardWidth_px);
+    setMaximumWidth(kMostCardWidth_px);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
-    setAccessibleName(words(shown.title));
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(12, 12, 12, 16);
     rows->setSpacing(4);
     thumbnail = new Thumbnail(this);
     rows->addWidget(thumbnail);
     rows->addSpacing(8);
-    auto* title = new QLabel(words(shown.title));
+    title_ = new QLabel;
+    title_->setObjectName(QStringLiteral("caseCardTitle"));
+    QLabel* title = title_;
     title->setProperty("heading", true);
     title->setWordWrap(true);
     rows->addWidget(title);
@@ -114,6 +119,12 @@ class CaseCard final : public QFrame {
     rows->addWidget(bar);
     state->hide();
     bar->hide();
+    setForAuthors(forAuthors);
+  }
+
+  void setForAuthors(bool forAuthors) {
+    title_->setText(forAuthors ? ownTitle_ : traineesTitle_);
+    setAccessibleName(title_->text());
   }
 
   void setState(const QString& text, double fraction) {
@@ -141,7 +152,24 @@ class CaseCard final : public QFrame {
   }
 
  private:
+  QLabel* title_ = nullptr;
+  QString ownTitle_, traineesTitle_;
   std::function<void()> chosen_;
+};
+
+/// Opens with Enter as well as with a click: on a page of things to open nobody expects only the space bar to do it.
+class RecentButton final : public QPushButton {
+ public:
+  using QPushButton::QPushButton;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+      click();
+    } else {
+      QPushButton::keyPressEvent(event);
+    }
+  }
 };
 
 QLabel* heading(const QString& text) {
@@ -172,6 +200,11 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* head = new QHBoxLayout;
   head->addWidget(heading(tr("Cases")));
   head->addStretch(1);
+  back_ = new QPushButton;
+  back_->setObjectName(QStringLiteral("startBack"));
+  back_->setToolTip(tr("Back to what is open (Escape)"));
+  back_->hide();
+  head->addWidget(back_);
   auto* open = new QPushButton(icon(QStringLiteral("open"), currentTheme().onAccent), tr("Open…"));
   open->setObjectName(QStringLiteral("startOpen"));
   open->setProperty("primary", true);
@@ -185,7 +218,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   empty_->hide();
   rows->addWidget(empty_);
   grid_ = new QGridLayout;
-  grid_->setSpacing(16);
+  grid_->setSpacing(kGap_px);
   rows->addLayout(grid_);
   recentTitle_ = heading(tr("Recently opened"));
   recentTitle_->hide();
@@ -194,21 +227,37 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   recent_ = new QVBoxLayout;
   recent_->setSpacing(0);
   rows->addLayout(recent_);
-  auto* hint =
-      new QLabel(tr("A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window."));
-  hint->setProperty("quiet", true);
-  hint->setProperty("small", true);
-  hint->setWordWrap(true);
-  rows->addWidget(hint);
+  hint_ = new QLabel;
+  hint_->setObjectName(QStringLiteral("startHint"));
+  hint_->setProperty("quiet", true);
+  hint_->setProperty("small", true);
+  hint_->setWordWrap(true);
+  rows->addWidget(hint_);
   rows->addStretch(1);
   connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  connect(back_, &QPushButton::clicked, this, &StartPage::backRequested);
+  setForAuthors(false);
+}
+
+void StartPage::setForAuthors(bool forAuthors) {
+  forAuthors_ = forAuthors;
+  for (QWidget* card : cards_) static_cast<CaseCard*>(card)->setForAuthors(forAuthors);
+  hint_->setText(forAuthors
+                     ? tr("A sweep (.igs.mha), a volume (.mha, .mhd, .nrrd, .nii) or a case folder can also be dropped on this window.")
+                     : tr("A case folder can also be dropped on this window."));
+}
+
+void StartPage::setOpenCase(const QString& name) {
+  back_->setVisible(!name.isEmpty());
+  back_->setText(tr("Back to the scan"));
+  back_->setAccessibleName(tr("Back to %1").arg(name));
 }
 
 void StartPage::showCases(const std::vector<Case>& cases, const QString& problem) {
   for (QWidget* card : cards_) card->deleteLater();
   cards_.clear();
   for (const Case& shown : cases) {
-    cards_.push_back(new CaseCard(shown, [this, folder = wordsOf(shown.folder)] { Q_EMIT caseChosen(folder); }));
+    cards_.push_back(new CaseCard(shown, forAuthors_, [this, folder = wordsOf(shown.folder)] { Q_EMIT caseChosen(folder); }));
   }
   empty_->setVisible(cases.empty());
   empty_->setText(problem.isEmpty() ? tr("There are no cases here yet. Open a case folder, a volume or a sweep to begin.") : problem);
@@ -216,20 +265,20 @@ void StartPage::showCases(const std::vector<Case>& cases, const QString& problem
   arrange();
 }
 
-void StartPage::showRecent(const QStringList& files) {
+void StartPage::showRecent(const std::vector<RecentFile>& files) {
   while (QLayoutItem* item = recent_->takeAt(0)) {
     delete item->widget();
     delete item;
   }
-  recentTitle_->setVisible(!files.isEmpty());
-  for (const QString& file : files) {
-    const QFileInfo info(file);
-    auto* button = new QPushButton(info.fileName().isEmpty() ? file : info.fileName());
+  recentTitle_->setVisible(!files.empty());
+  for (const RecentFile& file : files) {
+    auto* button = new RecentButton(file.name);
+    button->setObjectName(QStringLiteral("recentFile"));
     button->setProperty("flat", true);
-    button->setToolTip(file);
+    button->setToolTip(file.tip);
     button->setStyleSheet(QStringLiteral("text-align: left;"));
     button->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    connect(button, &QPushButton::clicked, this, [this, file] { Q_EMIT fileChosen(file); });
+    connect(button, &QPushButton::clicked, this, [this, path = file.path] { Q_EMIT fileChosen(path); });
     recent_->addWidget(button, 0, Qt::AlignLeft);
   }
 }
@@ -254,16 +303,22 @@ void StartPage::resizeEvent(QResizeEvent* event) {
 }
 
 void StartPage::arrange() {
-  const int columns = std::max(1, (width() - 80 + 16) / (kCardWidth_px + 16));
+  const int columns = std::max(1, (width() - 80 + kGap_px) / (kLeastCardWidth_px + kGap_px));
   if (columns == columns_) return;
   columns_ = columns;
   for (std::size_t i = 0; i < cards_.size(); ++i) {
     grid_->addWidget(cards_[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
     cards_[i]->show();
   }
-  // Giving a column a stretch makes it exist, so the count is taken before.
-  const int known = std::max(grid_->columnCount(), columns + 1);
-  for (int column = 0; column < known; ++column) grid_->setColumnStretch(column, column == columns ? 1 : 0);
+  // The cards share the width. Giving a column a stretch makes it exist, so the count is taken before.
+  const int known = std::max(grid_->columnCount(), columns);
+  for (int column = 0; column < known; ++column) grid_->setColumnStretch(column, column < columns ? 1 : 0);
+  // The tab key goes from card to card before it comes to what was open recently.
+  QWidget* before = findChild<QPushButton*>(QStringLiteral("startOpen"));
+  for (QWidget* card : cards_) {
+    setTabOrder(before, card);
+    before = card;
+  }
 }
 
 QImage thumbnailOf(const Case& shown, const Volume& volume, const std::vector<Probe>& probes, const QSize& size) {

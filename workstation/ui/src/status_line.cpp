@@ -16,7 +16,7 @@ namespace ew::ui {
 QString nameOfStep(StepKind kind) {
   switch (kind) {
     case StepKind::sampleWeave:
-      return StatusLine::tr("sample weave");
+      return StatusLine::tr("sample nearest");
     case StepKind::sampleLinear:
       return StatusLine::tr("sample linear");
     case StepKind::zoomStretch:
@@ -56,7 +56,7 @@ QString nameOfStep(StepKind kind) {
 QString nameOfQuality(Quality quality) {
   switch (quality) {
     case Quality::weave:
-      return StatusLine::tr("weave");
+      return StatusLine::tr("nearest");
     case Quality::linear:
       return StatusLine::tr("linear");
     case Quality::cubic:
@@ -73,13 +73,11 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   row->setContentsMargins(16, 0, 16, 0);
   row->setSpacing(32);
   position_ = new FigureLabel(QStringLiteral("x -888.8  y -888.8  z -888.8 mm"));
-  depth_ = new FigureLabel(tr("depth %1 mm").arg(888));
   plan_ = new FigureLabel;
   contact_ = new FigureLabel(tr("contact %1 %").arg(888));
   edit_ = new QLabel;
   lowered_ = new QLabel;
   position_->setObjectName(QStringLiteral("position"));
-  depth_->setObjectName(QStringLiteral("statusDepth"));
   plan_->setObjectName(QStringLiteral("plan"));
   contact_->setObjectName(QStringLiteral("contact"));
   edit_->setObjectName(QStringLiteral("lastEdit"));
@@ -88,16 +86,15 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   lowered_->setToolTip(tr("The probe moves fast and frames take long: quality falls until it rests (Adaptive, F9)"));
   position_->setToolTip(tr("Middle of the transducer's face: left, back, up from the mannequin's origin"));
   contact_->setToolTip(tr("How much of the transducer's face touches the skin"));
-  for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(depth_), static_cast<QLabel*>(plan_),
-                        static_cast<QLabel*>(contact_), edit_, lowered_}) {
+  for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(plan_), static_cast<QLabel*>(contact_), edit_, lowered_}) {
     label->setProperty("small", true);
     if (label != lowered_) label->setProperty("quiet", true);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   }
   contact_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(position_);
-  row->addWidget(depth_);
-  row->addWidget(plan_, 1);
+  row->addWidget(plan_);
+  row->addStretch(1);
   row->addWidget(lowered_);
   row->addWidget(edit_);
   row->addWidget(contact_);
@@ -117,6 +114,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(&session_, &Session::pictureChanged, this, [this] {
     if (!soon_.isActive()) soon_.start();
   });
+  showLabels();
   showPose();
   showPlan();
 }
@@ -126,21 +124,38 @@ void StatusLine::setEdit(const QString& text) { edit_->setText(text); }
 void StatusLine::setNote(const QString& text) { note_->setText(text); }
 
 void StatusLine::setStaged(bool staged) {
-  for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(depth_), static_cast<QLabel*>(plan_), lowered_,
-                        static_cast<QLabel*>(contact_)})
-    label->setVisible(!staged);
+  staged_ = staged;
+  showLabels();
   auto* row = static_cast<QHBoxLayout*>(layout());
   row->removeWidget(edit_);
   // Beside a stage the last edit begins the line; beside the scan it stands after the plan.
   row->insertWidget(staged ? 0 : row->indexOf(contact_), edit_, staged ? 1 : 0);
 }
 
+void StatusLine::setIdle(bool idle) {
+  idle_ = idle;
+  showLabels();
+}
+
+void StatusLine::setForAuthors(bool forAuthors) {
+  forAuthors_ = forAuthors;
+  showLabels();
+}
+
+void StatusLine::showLabels() {
+  const bool ofScan = !staged_ && !idle_;
+  for (QLabel* label : {static_cast<QLabel*>(position_), lowered_, static_cast<QLabel*>(contact_)}) label->setVisible(ofScan);
+  plan_->setVisible(ofScan && forAuthors_);
+  edit_->setVisible(!idle_);
+  note_->setVisible(!idle_);
+}
+
 void StatusLine::showPose() {
   const glm::dvec3 at = session_.pose().probeToWorld.matrix[3];
   // A value that rounds to zero is shown as 0.0, never as -0.0.
-  const auto figure = [](double value) { return QString::number(std::round(value * 10.0) / 10.0 + 0.0, 'f', 1).rightJustified(6); };
-  position_->setText(session_.subject() ? QStringLiteral("x %1  y %2  z %3 mm").arg(figure(at.x), figure(at.y), figure(at.z)) : QString());
-  depth_->setText(session_.subject() ? tr("depth %1 mm").arg(static_cast<int>(std::lround(session_.depth_mm()))) : QString());
+  const auto aligned = [](double value) { return figure(std::round(value * 10.0) / 10.0 + 0.0, 1).rightJustified(6); };
+  position_->setText(session_.subject() ? QStringLiteral("x %1  y %2  z %3 mm").arg(aligned(at.x), aligned(at.y), aligned(at.z))
+                                        : QString());
   if (!soon_.isActive()) soon_.start();
 }
 
@@ -157,7 +172,7 @@ void StatusLine::showPlan() {
   double total_ms = 0.0;
   for (const StepTime& step : times) {
     total_ms += step.measured_us / 1000.0;
-    parts << QStringLiteral("%1 %2").arg(nameOfStep(step.kind)).arg(step.measured_us / 1000.0, 0, 'f', 2);
+    parts << QStringLiteral("%1 %2").arg(nameOfStep(step.kind), figure(step.measured_us / 1000.0, 2));
   }
   // Two steps can be read at a glance; more of them are for the tooltip.
   constexpr int kReadable = 2;
@@ -166,9 +181,9 @@ void StatusLine::showPlan() {
   } else if (parts.size() == 1) {
     plan_->setText(tr("plan: %1 ms").arg(parts.front()));
   } else if (parts.size() <= kReadable) {
-    plan_->setText(tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(total_ms, 0, 'f', 2));
+    plan_->setText(tr("plan: %1 = %2 ms").arg(parts.join(QStringLiteral(" | "))).arg(figure(total_ms, 2)));
   } else {
-    plan_->setText(tr("plan: %n steps, %1 ms", nullptr, static_cast<int>(parts.size())).arg(total_ms, 0, 'f', 2));
+    plan_->setText(tr("plan: %n steps, %1 ms", nullptr, static_cast<int>(parts.size())).arg(figure(total_ms, 2)));
   }
   plan_->setToolTip(planTip());
   lowered_->setText(session_.isLowered() ? tr("adaptive: %1").arg(nameOfQuality(session_.usedKnobs().quality)) : QString());
@@ -177,7 +192,7 @@ void StatusLine::showPlan() {
 }
 
 QString StatusLine::planTip() const {
-  const auto figure = [](double us) { return QStringLiteral("<td align='right'>%1</td>").arg(us / 1000.0, 0, 'f', 2); };
+  const auto cell = [](double us) { return QStringLiteral("<td align='right'>%1</td>").arg(figure(us / 1000.0, 2)); };
   QString rows;
   const std::vector<StepTime> times = session_.stepTimes();
   double estimated_us = 0.0;
@@ -187,9 +202,9 @@ QString StatusLine::planTip() const {
     const double took_us = time != times.end() ? time->measured_us : 0.0;
     estimated_us += step.estimated_us;
     measured_us += took_us;
-    rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td>%2%3</tr>").arg(nameOfStep(step.kind), figure(step.estimated_us), figure(took_us));
+    rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td>%2%3</tr>").arg(nameOfStep(step.kind), cell(step.estimated_us), cell(took_us));
   }
-  rows += QStringLiteral("<tr><td>%1</td>%2%3</tr>").arg(tr("frame"), figure(estimated_us), figure(measured_us));
+  rows += QStringLiteral("<tr><td>%1</td>%2%3</tr>").arg(tr("frame"), cell(estimated_us), cell(measured_us));
   QString tip = QStringLiteral(
                     "<p style='white-space:pre'>%1</p><table cellspacing='2'><tr><td></td><td align='right'>%2&nbsp;</td>"
                     "<td align='right'>%3</td></tr>%4</table>")
@@ -200,10 +215,10 @@ QString StatusLine::planTip() const {
   tip +=
       QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
           .arg(tr("From the hand to the picture, ms; pictures: %1").arg(latency.count()), tr("median %1, 95 % %2, 99 % %3, worst %4")
-                                                                                              .arg(quantile_ms(0.5), 0, 'f', 1)
-                                                                                              .arg(quantile_ms(0.95), 0, 'f', 1)
-                                                                                              .arg(quantile_ms(0.99), 0, 'f', 1)
-                                                                                              .arg(latency.max_us() / 1000.0, 0, 'f', 1));
+                                                                                              .arg(figure(quantile_ms(0.5), 1))
+                                                                                              .arg(figure(quantile_ms(0.95), 1))
+                                                                                              .arg(figure(quantile_ms(0.99), 1))
+                                                                                              .arg(figure(latency.max_us() / 1000.0, 1)));
   // Buckets are a quarter of a doubling; two together are still finer than anyone reads.
   constexpr int kTogether = 2;
   std::uint64_t most = 1;
@@ -222,7 +237,7 @@ QString StatusLine::planTip() const {
     const int length =
         count == 0 ? 0 : std::max(1, static_cast<int>(std::lround(kWidest * static_cast<double>(count) / static_cast<double>(most))));
     tip += QStringLiteral("<tr><td align='right'>≤ %1&nbsp;ms&nbsp;</td><td style='color:%2'>%3</td><td>&nbsp;%4</td></tr>")
-               .arg(edge_us / 1000.0, 0, 'f', edge_us < 10000.0 ? 1 : 0)
+               .arg(figure(edge_us / 1000.0, edge_us < 10000.0 ? 1 : 0))
                .arg(currentTheme().accent.name(), QString(length, QChar(0x2588)))
                .arg(count);
   }

@@ -11,8 +11,8 @@ namespace ew::ui {
 
 class FigureLabel;
 
-/// Where the probe is, how deep it looks, what the frame runs and what it costs, and how well the probe touches. The plan's tooltip shows
-/// each step, estimated and measured, and how long pictures took from the hand to the screen's memory.
+/// Where the probe is and how well it touches; for authors also what the frame runs and what it costs: the plan's tooltip shows each step,
+/// estimated and measured, and how long pictures took from the hand to the screen's memory.
 class StatusLine final : public QWidget {
   Q_OBJECT
 
@@ -24,16 +24,21 @@ class StatusLine final : public QWidget {
   void setNote(const QString& text);
   /// Without the figures of the probe: they are not the panel's matter.
   void setStaged(bool staged);
+  /// Empty, while something else than the scan is shown.
+  void setIdle(bool idle);
+  /// What a frame runs and costs is for authors.
+  void setForAuthors(bool forAuthors);
 
  private:
   void showPose();
   void showPlan();
+  void showLabels();
   [[nodiscard]] QString planTip() const;
 
   Session& session_;
   QTimer soon_;
+  bool staged_ = false, idle_ = false, forAuthors_ = false;
   FigureLabel* position_ = nullptr;
-  FigureLabel* depth_ = nullptr;
   FigureLabel* plan_ = nullptr;
   FigureLabel* contact_ = nullptr;
   QLabel* lowered_ = nullptr;

@@ -136,7 +136,7 @@ QSlider[onScan="true"]::groove:horizontal, QSlider[onScan="true"]::sub-page:hori
 QSlider[onScan="true"]::handle:horizontal { background: @scanText; border-color: #000000; }
 QSlider[onScan="true"]::handle:horizontal:hover, QSlider[onScan="true"]::handle:horizontal:focus { background: @scanAccent; border-color: @scanAccent; }
 QSlider[onScan="true"]::handle:horizontal:disabled { background: @scanLine; }
-QPushButton[onScan="true"] { color: @scanQuiet; padding: 0; text-align: center; }
+QPushButton[onScan="true"] { color: @scanQuiet; padding: 0; text-align: center; border: 1px solid @scanLine; }
 QPushButton[onScan="true"]:hover { background: #202326; color: @scanText; }
 QPushButton[onScan="true"]:disabled { color: @scanLine; background: transparent; border-color: transparent; }
 
@@ -174,6 +174,14 @@ QTableView, QTreeView, QListView { background: @ground; border: 1px solid @line;
 QTableView::item, QTreeView::item, QListView::item { padding: 6px 8px; border: 0; background: transparent; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @raised; color: @text; }
 QSplitter::handle { background: @line; }
+QSplitter::handle:horizontal { background: @panel; border-left: 1px solid @line; border-right: 1px solid @line; image: url(:/ew/icons/@scheme/grip.svg); }
+QSplitter::handle:horizontal:hover { background: @raised; }
+QPushButton[fold="true"] { background: transparent; border: 0; color: @quiet; padding: 6px 0; text-align: left; }
+QPushButton[fold="true"]:hover, QPushButton[fold="true"]:checked { background: transparent; color: @text; }
+QPushButton[fold="true"]:focus { color: @accent; }
+#caseInfo, #caseInfoBody { background: @panel; }
+#caseInfo { border-top: 1px solid @line; }
+#caseInfoHead { padding: 0 12px; font-weight: 600; color: @text; }
 QGroupBox { border: 0; border-top: 1px solid @line; margin-top: 16px; padding-top: 8px; }
 QGroupBox::title { subcontrol-origin: margin; color: @quiet; padding-right: 8px; }
 QCheckBox::indicator, QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid @quiet; background: @ground; }
@@ -219,6 +227,12 @@ QCheckBox::indicator:checked { image: url(:/ew/icons/check-on.svg); }
   return sheet;
 }
 
+/// As the palette was before a theme replaced it.
+bool systemIsDark() {
+  static const bool isDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+  return isDark;
+}
+
 }  // namespace
 
 Theme darkTheme() {
@@ -258,6 +272,13 @@ Theme scanTheme() {
 }
 
 const Theme& currentTheme() { return theTheme(); }
+
+void rememberSystemTheme() { (void)systemIsDark(); }
+
+Theme themeCalled(const QString& choice) {
+  const bool isLight = choice == QLatin1String("light") || (choice == QLatin1String("system") && !systemIsDark());
+  return isLight ? lightTheme() : darkTheme();
+}
 
 void applyTheme(const Theme& theme) {
   theTheme() = theme;

@@ -25,6 +25,11 @@ struct Theme {
 [[nodiscard]] Theme lightTheme();
 [[nodiscard]] const Theme& currentTheme();
 
+/// Looks whether the system shows light on dark or dark on light; to be called before the first theme is applied, later calls do nothing.
+void rememberSystemTheme();
+/// @param choice "light", "system" or anything else, which is dark
+[[nodiscard]] Theme themeCalled(const QString& choice);
+
 /// Colours of the scan view: the same in both themes, because the scan is read against black.
 [[nodiscard]] Theme scanTheme();
 

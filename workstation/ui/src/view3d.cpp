@@ -23,6 +23,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kMargin_px = 16;
+constexpr int kLeastForHint_px = 280;
 constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
 
 /// A trunk's size, so that there is something to slide on before a mannequin is loaded.
@@ -313,7 +314,8 @@ const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
 
 void View3D::placeOverlays() {
   QLabel& hint = *parts_->hint;
-  hint.setVisible(!hint.text().isEmpty());
+  // In a narrow column the words would take the place of the body; the page of keys (F1) has them too.
+  hint.setVisible(!hint.text().isEmpty() && width() >= kLeastForHint_px);
   // A narrow view wraps the words; it never cuts them.
   hint.setWordWrap(false);
   hint.adjustSize();

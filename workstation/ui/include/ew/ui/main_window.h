@@ -103,14 +103,21 @@ class MainWindow final : public QMainWindow {
   void restoreKeptEdits();
   void remember(const QString& path);  ///< as opened recently
   void showCost();
+  void showKeys();
   void showSource(const QPoint& pixel);
   void showTitle();
   void showHistory();
   /// Puts the stage of the panel in front in place of the views, or the views back.
   void showStage();
   [[nodiscard]] sdk::PanelDocument* panelDocument() const;  ///< of the stage that is shown
+  void showConsole();
+  void setScanOnly(bool scanOnly);
+  /// From the start page to what is open.
+  void backToWork();
   void showRecent();
   void showPicture();
+  /// @param choice "dark", "light" or "system"
+  void chooseTheme(const QString& choice);
   void refreshTheme();
   void prepareThumbnails();
   /// Says what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <set>
+#include <string>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace ew {
+struct Case;
+}
+
+namespace ew::ui {
+
+/// What is known of the open case before the probe touches the skin: patient, history, earlier examinations, indication, and a list of what
+/// is to be shown and measured, to be ticked off. The findings come when they are asked for, and go again with the case. Folded, only its
+/// head is left; whether it is folded is remembered.
+class CaseInfo final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CaseInfo(QWidget* parent = nullptr);
+
+  /// @param shown the open case, or null: nothing is shown
+  void showCase(const Case* shown);
+  [[nodiscard]] bool isOpen() const { return isOpen_; }
+  void setOpen(bool open);
+  /// Of all of its words at the present width, and of the head alone.
+  [[nodiscard]] int wantedHeight_px() const;
+  [[nodiscard]] int headHeight_px() const;
+  void refreshIcons();
+
+ Q_SIGNALS:
+  void opened(bool open);
+  void contentsChanged();
+
+ private:
+  void fill(const Case& shown);
+  void addHeading(const QString& text);
+  QLabel* addText(const QString& text, bool quiet = false);
+  void addList(const Case& shown);
+  void showFindings(bool show);
+
+  QPushButton* head_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  QWidget* body_ = nullptr;
+  QVBoxLayout* rows_ = nullptr;
+  QPushButton* findingsButton_ = nullptr;
+  std::string case_;                                     ///< folder of what is shown
+  std::string contents_;                                 ///< of what is shown, so that an unrelated edit keeps ticks and findings
+  std::map<std::string, std::set<std::string>> ticked_;  ///< names by the case's folder, as long as the window lives
+  bool isOpen_ = true;
+  bool showsFindings_ = false;
+};
+
+}  // namespace ew::ui

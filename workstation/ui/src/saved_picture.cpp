@@ -1,0 +1,75 @@
+#include "saved_picture.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ew/imaging/caption.h"
+#include "ew/ui/main_window.h"
+#include "figures.h"
+#include "session.h"
+#include "theme.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr int kLine_px = 20;
+constexpr int kHead_px = 2 * kLine_px + 8;
+constexpr int kScale_px = 56;
+constexpr int kFoot_px = 32;    // the warning
+constexpr int kLeast_px = 480;  // the words need as much
+const QColor kWords(150, 150, 150);
+
+QString settingsOf(const Session& session) {
+  const Knobs& knobs = session.pictureKnobs();
+  QString line = MainWindow::tr("%1   depth %2 cm   gain %3 %")
+                     .arg(words(session.pictureProbe().name), figure(session.geometry().depth_mm / 10.0, 1))
+                     .arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
+  if (knobs.zoom > 1.0) line += MainWindow::tr("   zoom %1").arg(figure(knobs.zoom, 1));
+  return line;
+}
+
+void paintScale(QPainter& painter, const DisplayGeometry& geometry, const QRect& picture) {
+  const double down = geometry.upsideDown ? -1.0 : 1.0;
+  constexpr int kTick_mm = 10;
+  for (int at_mm = 0; at_mm <= static_cast<int>(geometry.depth_mm + 1e-9); at_mm += kTick_mm) {
+    const double y = picture.top() + geometry.face_px.y + down * at_mm / geometry.pixel_mm;
+    if (y < picture.top() || y > picture.bottom()) continue;
+    const bool isLabelled = at_mm % (5 * kTick_mm) == 0;
+    const int x = picture.right() + 12;
+    painter.drawLine(QPointF(x, y), QPointF(x + (isLabelled ? 10 : 5), y));
+    if (isLabelled) drawFigures(painter, QRect(x + 12, static_cast<int>(y) - 10, 24, 20), Qt::AlignLeft, QString::number(at_mm / 10));
+  }
+  drawFigures(painter, QRect(picture.right() + 24, picture.bottom() - 8, 30, 20), Qt::AlignLeft, MainWindow::tr("cm"));
+}
+
+}  // namespace
+
+QImage savedPicture(const Session& session, const QDateTime& at) {
+  const ImageView<const std::uint8_t> shown = session.picture();
+  if (!session.subject() || shown.width == 0) return {};
+  QImage saved(std::max(kLeast_px, shown.width + kScale_px), kHead_px + shown.height + kFoot_px, QImage::Format_Grayscale8);
+  saved.fill(Qt::black);
+  const QRect picture((saved.width() - kScale_px - shown.width) / 2, kHead_px, shown.width, shown.height);
+  QPainter painter(&saved);
+  painter.setFont(smallFont());
+  painter.setPen(kWords);
+  const auto line = [&](int number, Qt::Alignment side, const QString& text) {
+    const QRect room(12, 4 + number * kLine_px, saved.width() - 24, kLine_px);
+    painter.drawText(room, side | Qt::AlignVCenter, painter.fontMetrics().elidedText(text, Qt::ElideRight, room.width()));
+  };
+  const QString when = QLocale().toString(at, QLocale::ShortFormat);
+  const int when_px = painter.fontMetrics().horizontalAdvance(when) + 24;
+  line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(session.subject()->title, Qt::ElideRight, saved.width() - 24 - when_px));
+  line(0, Qt::AlignRight, when);
+  line(1, Qt::AlignLeft, settingsOf(session));
+  paintScale(painter, session.geometry(), picture);
+  painter.end();
+  for (int y = 0; y < shown.height; ++y) std::copy_n(shown.row(y), shown.width, saved.scanLine(kHead_px + y) + picture.left());
+  burnCaption({saved.bits(), saved.width(), saved.height(), saved.bytesPerLine()}, kNotForDiagnosis);
+  return saved;
+}
+
+}  // namespace ew::ui

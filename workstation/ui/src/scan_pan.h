@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+class QMouseEvent;
+
+namespace ew::ui {
+
+class ScanView;
+class Session;
+
+/// What a drag in the scan does: in a zoomed image it moves the detail that is shown, otherwise the hand takes it and slides the probe. The
+/// pointer shows which of the two it will be. Made after the hand, so that it sees the mouse first.
+class ScanPan final : public QObject {
+  Q_OBJECT
+
+ public:
+  ScanPan(Session& session, ScanView& view);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void showCursor();
+  [[nodiscard]] bool pans() const;
+  Session& session_;
+  ScanView& view_;
+  bool panning_ = false;
+  QPointF last_;
+};
+
+}  // namespace ew::ui

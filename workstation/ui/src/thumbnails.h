@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QImage>
+#include <QSize>
+
+namespace ew {
+struct Case;
+}
+
+namespace ew::ui {
+
+/// Pictures of cases for the start page, kept in the cache between starts under what shaped them: the files of the case's folder, by name,
+/// size and time, and the picture's size. Whatever cannot be read is painted again; whatever cannot be written is painted at every start.
+
+/// @return null when there is none for the case as it is now
+[[nodiscard]] QImage keptThumbnail(const Case& shown, const QSize& size);
+/// Replaces what is kept of the case.
+void keepThumbnail(const Case& shown, const QImage& picture);
+
+}  // namespace ew::ui
