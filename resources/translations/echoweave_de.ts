@@ -289,6 +289,166 @@
         <source>Switch off: %1</source>
         <translation>Ausschalten: %1</translation>
     </message>
+    <message>
+        <source>For trainees</source>
+        <translation>Für Lernende</translation>
+    </message>
+    <message>
+        <source>Change the title for trainees</source>
+        <translation>Titel für Lernende ändern</translation>
+    </message>
+    <message>
+        <source>Before the examination</source>
+        <translation>Vor der Untersuchung</translation>
+    </message>
+    <message>
+        <source>Change the findings</source>
+        <translation>Befunde ändern</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Schallen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Attribution</source>
+        <translation>Nennung</translation>
+    </message>
+    <message>
+        <source>Change the attribution</source>
+        <translation>Nennung ändern</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Change the licence</source>
+        <translation>Lizenz ändern</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Look for everything that is wrong with this case</source>
+        <translation>Nach allem suchen, was an diesem Fall nicht stimmt</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-Kopie</translation>
+    </message>
+    <message>
+        <source>Case folders (*)</source>
+        <translation>Fallordner (*)</translation>
+    </message>
+    <message>
+        <source>one a line</source>
+        <translation>eine Zeile je Befund</translation>
+    </message>
+    <message>
+        <source>Change the earlier examinations</source>
+        <translation>Frühere Untersuchungen ändern</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Use the present one</source>
+        <translation>Die jetzige nehmen</translation>
+    </message>
+    <message>
+        <source>The probe begins where it is held now</source>
+        <translation>Der Schallkopf beginnt dort, wo er jetzt liegt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The probe begins on the skin before the volume</source>
+        <translation>Der Schallkopf beginnt auf der Haut vor dem Volumen</translation>
+    </message>
+    <message>
+        <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
+        <translation>Geschallt wird gerade nicht das Volumen dieses Falls; wählen Sie Ansicht, Volumen des Falls schallen.</translation>
+    </message>
+    <message>
+        <source>Set the start pose</source>
+        <translation>Startlage setzen</translation>
+    </message>
+    <message>
+        <source>Remove the start pose</source>
+        <translation>Startlage entfernen</translation>
+    </message>
+    <message>
+        <source>on the skin before the volume&apos;s middle</source>
+        <translation>auf der Haut vor der Mitte des Volumens</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>Start pose</source>
+        <translation>Startlage</translation>
+    </message>
+    <message>
+        <source>Allow: %1</source>
+        <translation>Erlauben: %1</translation>
+    </message>
+    <message>
+        <source>Take out: %1</source>
+        <translation>Herausnehmen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (unknown)</source>
+        <translation>%1 (unbekannt)</translation>
+    </message>
+    <message>
+        <source>None is ticked: all may be used.</source>
+        <translation>Keiner ist angekreuzt: Alle dürfen verwendet werden.</translation>
+    </message>
+    <message>
+        <source>At the start: %1</source>
+        <translation>Am Anfang: %1</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Schallköpfe</translation>
+    </message>
+    <message>
+        <source>the usual one</source>
+        <translation>der übliche</translation>
+    </message>
+    <message>
+        <source>Change the mannequin</source>
+        <translation>Übungskörper ändern</translation>
+    </message>
+    <message>
+        <source>Mannequin</source>
+        <translation>Übungskörper</translation>
+    </message>
+    <message>
+        <source>Another one is shown when the case is opened again</source>
+        <translation>Ein anderer erscheint, wenn der Fall wieder geöffnet wird</translation>
+    </message>
+    <message>
+        <source>From here the probe does not see the volume; use another place, or move the volume.</source>
+        <translation>Von hier sieht der Schallkopf das Volumen nicht; nehmen Sie eine andere Stelle oder verschieben Sie das Volumen.</translation>
+    </message>
+    <message>
+        <source>There is no probe &apos;%1&apos;; take it out.</source>
+        <translation>Es gibt keinen Schallkopf „%1“; nehmen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this case.</source>
+        <translation>An diesem Fall ist nichts auszusetzen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::stitching</name>
@@ -3645,8 +3805,31 @@
         <translation>%1 wird geschrieben</translation>
     </message>
     <message>
-        <source>Wrote %1; reconstruct it with a file that says how the probe moved.</source>
-        <translation>%1 wurde geschrieben; mit einer Datei, die die Bewegung des Schallkopfs beschreibt, lässt sich daraus ein Volumen rekonstruieren.</translation>
+        <source>Click a numbered part to keep it alone. Drag a rectangle over what is to become black; a right click on it takes it away. Coloured pixels are orange.</source>
+        <translation>Ein Klick auf einen nummerierten Teil behält nur diesen. Ein aufgezogenes Rechteck wird schwarz; ein Rechtsklick darauf nimmt es weg. Farbige Pixel sind orange.</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle over what is to become black; a right click on it takes it away. Coloured pixels are orange.</source>
+        <translation>Ein aufgezogenes Rechteck wird schwarz; ein Rechtsklick darauf nimmt es weg. Farbige Pixel sind orange.</translation>
+    </message>
+    <message>
+        <source>drawn, or x,y,width,height</source>
+        <translation>gezogen oder x,y,Breite,Höhe</translation>
+    </message>
+    <message>
+        <source>1 to %1, not chosen</source>
+        <translation>1 bis %1, nicht gewählt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 was imported; %n notes say what was decided and left out.</source>
+        <translation>
+            <numerusform>%1 wurde importiert; eine Anmerkung sagt, was entschieden und weggelassen wurde.</numerusform>
+            <numerusform>%1 wurde importiert; %n Anmerkungen sagen, was entschieden und weggelassen wurde.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Reading the slices of %1</source>
@@ -3677,10 +3860,6 @@
     <message>
         <source>Make a volume from a sweep</source>
         <translation>Aus einem Schwenk ein Volumen machen</translation>
-    </message>
-    <message>
-        <source>none: the sweep says everything itself</source>
-        <translation>keine: der Schwenk sagt selbst alles</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -3825,6 +4004,114 @@
     <message>
         <source>The sweep has more than %1 frames; which of them a voxel came from cannot be kept.</source>
         <translation>Der Schwenk hat mehr als %1 Bilder; aus welchem davon ein Voxel stammt, kann nicht behalten werden.</translation>
+    </message>
+    <message>
+        <source>none given</source>
+        <translation>keine angegeben</translation>
+    </message>
+    <message>
+        <source>Device set of the recording (.xml); several with ; between them, the earlier counts where two say the same</source>
+        <translation>Gerätebeschreibung der Aufnahme (.xml); mehrere durch ; getrennt, bei gleichen Angaben zählt die frühere</translation>
+    </message>
+    <message>
+        <source>as a tracker recorded</source>
+        <translation>wie ein Tracker aufzeichnete</translation>
+    </message>
+    <message>
+        <source>as the recording says of its motor</source>
+        <translation>wie die Aufnahme von ihrem Motor sagt</translation>
+    </message>
+    <message>
+        <source>as a motor file says</source>
+        <translation>wie eine Motordatei sagt</translation>
+    </message>
+    <message>
+        <source>sideways, evenly</source>
+        <translation>seitwärts, gleichmäßig</translation>
+    </message>
+    <message>
+        <source>tilted, evenly</source>
+        <translation>gekippt, gleichmäßig</translation>
+    </message>
+    <message>
+        <source>rotated about the beam, evenly</source>
+        <translation>um den Strahl gedreht, gleichmäßig</translation>
+    </message>
+    <message>
+        <source>motor file (.json)</source>
+        <translation>Motordatei (.json)</translation>
+    </message>
+    <message>
+        <source>From the face back to the axis the probe was tilted about; 0: about its face</source>
+        <translation>Von der Auflage zurück zur Achse, um die gekippt wurde; 0: um die Auflage selbst</translation>
+    </message>
+    <message>
+        <source>axis </source>
+        <translation>Achse </translation>
+    </message>
+    <message>
+        <source>from frame to frame</source>
+        <translation>von Bild zu Bild</translation>
+    </message>
+    <message>
+        <source>The probe moved</source>
+        <translation>Der Schallkopf bewegte sich</translation>
+    </message>
+    <message>
+        <source>How a motor moved the probe</source>
+        <translation>Wie ein Motor den Schallkopf bewegte</translation>
+    </message>
+    <message>
+        <source>Motor files (*.json)</source>
+        <translation>Motordateien (*.json)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>as the device set says, else all</source>
+        <translation>wie die Gerätebeschreibung sagt, sonst ganz</translation>
+    </message>
+    <message>
+        <source>Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the picture.</source>
+        <translation>Von jedem Bild wird nur dieses Rechteck verwendet: x,y,Breite,Höhe in Pixeln. Es lässt sich im Bild aufziehen.</translation>
+    </message>
+    <message>
+        <source>as the device set says, else none</source>
+        <translation>wie die Gerätebeschreibung sagt, sonst keiner</translation>
+    </message>
+    <message>
+        <source>Of each frame this fan alone is used: left and right angle in degrees from straight down, x and y of the apex, first and last radius in pixels</source>
+        <translation>Von jedem Bild wird nur dieser Fächer verwendet: linker und rechter Winkel in Grad von der Senkrechten, x und y der Spitze, erster und letzter Radius in Pixeln</translation>
+    </message>
+    <message>
+        <source>Rectangle of frames</source>
+        <translation>Rechteck der Bilder</translation>
+    </message>
+    <message>
+        <source>Fan of frames</source>
+        <translation>Fächer der Bilder</translation>
+    </message>
+    <message>
+        <source>The first frame. Drag a rectangle over what is to be used of every frame.</source>
+        <translation>Das erste Bild. Ziehen Sie ein Rechteck über das, was von jedem Bild verwendet werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose the motor file that says how the probe moved.</source>
+        <translation>Bitte die Motordatei wählen, die sagt, wie sich der Schallkopf bewegte.</translation>
+    </message>
+    <message>
+        <source>Say how far the probe moved from frame to frame; 0 would put all frames into one place.</source>
+        <translation>Bitte angeben, wie weit sich der Schallkopf von Bild zu Bild bewegte; 0 legte alle Bilder an dieselbe Stelle.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2.</source>
+        <translation>„%1“ ist nicht %2.</translation>
+    </message>
+    <message>
+        <source>a fan; give left and right angle, x and y of the apex, first and last radius</source>
+        <translation>ein Fächer; nötig sind linker und rechter Winkel, x und y der Spitze, erster und letzter Radius</translation>
     </message>
 </context>
 <context>
@@ -4725,6 +5012,12 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>cm</source>
         <translation>cm</translation>
+        <source>Click a point of the picture to see the frame it came from</source>
+        <translation>Einen Punkt des Bildes anklicken, um das Bild zu sehen, aus dem er stammt</translation>
+    </message>
+    <message>
+        <source>This volume does not say which frame a voxel came from; one that is made here from a sweep does</source>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt; eines, das hier aus einem Schwenk entsteht, sagt es</translation>
     </message>
 </context>
 <context>
@@ -4744,6 +5037,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
             <numerusform>%n weitere</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::Opener</name>
@@ -4758,6 +5055,20 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>The mannequin was read; %n notes say how.</source>
+        <translation>
+            <numerusform>Der Übungskörper wurde gelesen; eine Anmerkung sagt, wie.</numerusform>
+            <numerusform>Der Übungskörper wurde gelesen; %n Anmerkungen sagen, wie.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open; %n notes say how it was read.</source>
+        <translation>
+            <numerusform>%1 ist geöffnet; eine Anmerkung sagt, wie gelesen wurde.</numerusform>
+            <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5307,6 +5618,40 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>This panel could not be opened; Help, Plugins says more.</source>
         <translation>Dieser Bereich ließ sich nicht öffnen; mehr unter Hilfe, Erweiterungen.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::PictureChooser</name>
+    <message>
+        <source>The picture as the file holds it</source>
+        <translation>Das Bild, wie es in der Datei steht</translation>
+    </message>
+    <message>
+        <source>No picture can be shown yet.</source>
+        <translation>Noch kann kein Bild gezeigt werden.</translation>
+    </message>
+</context>
+<context>
+    <name>ew::case_authoring::ExaminationsField</name>
+    <message>
+        <source>Add an examination</source>
+        <translation>Untersuchung hinzufügen</translation>
+    </message>
+    <message>
+        <source>when</source>
+        <translation>wann</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>what it said</source>
+        <translation>was sie ergab</translation>
     </message>
 </context>
 </TS>

@@ -180,6 +180,17 @@ class SourceTest : public WindowFixture {
     QVERIFY(!picker().mark().has_value());
   }
 
+  void theQuestionIsNotOfferedWhereTheVolumeCannotAnswerIt() {
+    const auto isOffered = [this] {
+      for (const QAction* action : window_->findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(Qt::Key_I)) return action->isEnabled();
+      return true;
+    };
+    QVERIFY(!isOffered());
+    QVERIFY(importSweep(files_.writeSweep(QStringLiteral("offered.igs.mha")), true));
+    QVERIFY(isOffered());
+  }
+
   void whatIsNotKnownIsSaidInASentence() {
     altClick({session().geometry().width / 2, session().geometry().height / 2});
     QVERIFY(waitUntil([this] { return dialog() != nullptr && dialog()->isVisible(); }));

@@ -324,9 +324,26 @@ class WindowTest : public WindowFixture {
     QVERIFY(window_->messages().text().endsWith(QLatin1Char('.')));
     QCOMPARE(session().subject()->title, title);
     QVERIFY(window_->document().current().has_value());
-    QCOMPARE(pixelsOf(session()), before);
+    // It lies on nobody's buttons.
+    const auto placeOf = [](const QWidget& widget) { return QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size()); };
+    const QRect message = placeOf(window_->messages());
+    for (const auto* button : window_->findChildren<QAbstractButton*>()) {
+      if (!button->isVisible() || window_->messages().isAncestorOf(button)) continue;
+      QVERIFY2(!placeOf(*button).intersects(message), qPrintable(button->objectName() + button->text()));
+    }
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     QCOMPARE(window_->messages().count(), 0);
+    // The picture has the room of before again, and shows the same.
+    QTRY_COMPARE(pixelsOf(session()), before);
+  }
+
+  void whatWasSaidOfAnEarlierFileGoesWhenAnotherIsOpen() {
+    const QString wrong = files_.path(QStringLiteral("wrong.mha"));
+    QVERIFY(writeFileSafely(wrong.toStdString(), "this is not a MetaImage\n").has_value());
+    drop(wrong);
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }));
+    QVERIFY(openCase(files_.writeCase(QStringLiteral("next"))));
+    QVERIFY2(waitUntil([this] { return window_->messages().count() == 0; }), qPrintable(window_->messages().text()));
   }
 
   void aJobThatTakesAMomentShowsACardAndIsCancelledThere() {

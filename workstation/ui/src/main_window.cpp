@@ -149,6 +149,7 @@ void MainWindow::makeViews() {
   rows->addWidget(p.status);
 
   p.messages = new MessageBar(p.central);
+  rows->insertWidget(1, p.messages);  // a row of its own, so that it lies on nobody's buttons
   p.cards = new JobCards(p.jobs, p.central);
   p.hand.watch(p.view3d);
   p.hand.watch(p.scanView, [this] {
@@ -183,6 +184,10 @@ void MainWindow::connectParts() {
   connect(&p.hand, &HandInput::refused, this,
           [this] { parts_->scanView->say(tr("The image is frozen, and the probe with it. Space or F lets both move again.")); });
   connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
+  connect(p.messages, &MessageBar::rearranged, this, [this] {
+    parts_->central->layout()->activate();
+    placeOverlays();
+  });
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
@@ -417,12 +422,11 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::placeOverlays() {
-  // Over the views, not over the console: a message must not hide a slider in use.
+  // Over the views, not over the console: a card must not hide a slider in use.
   QRect area = parts_->pages->geometry();
   if (parts_->pages->currentWidget() == parts_->workspacePage && parts_->console->isVisible()) {
     area.setRight(area.right() - parts_->console->width());
   }
-  parts_->messages->placeIn(area);
   // Beside a stage below the panel; a stage has pictures in every corner.
   QWidget* column = parts_->panelColumn;
   parts_->cardRoom->setFixedHeight(parts_->staged ? parts_->cards->heightWanted() : 0);

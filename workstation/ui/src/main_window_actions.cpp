@@ -104,7 +104,8 @@ void MainWindow::makeActions() {
   for (const auto& [code, name] : offered) {
     QAction* action = add(language, name, {}, [this, code = code] {
       QSettings().setValue(QStringLiteral("language"), code);
-      parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."));
+      parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."),
+                                  QStringLiteral("language"));
     });
     action->setCheckable(true);
     action->setChecked(code == chosen);

@@ -3,7 +3,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStyle>
+#include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 
@@ -11,19 +13,35 @@
 #include "words.h"
 
 namespace ew::ui {
+namespace {
+
+constexpr int kMostDetails_px = 120;  ///< six lines; more are scrolled, so that a small window keeps its views
+
+}  // namespace
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   setObjectName(QStringLiteral("messageBar"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 8, 8, 8);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(16, 4, 8, 4);
+  rows->setSpacing(4);
+  auto* row = new QHBoxLayout;
   row->setSpacing(16);
-  sentence_ = new QLabel;
-  sentence_->setObjectName(QStringLiteral("messageText"));
-  sentence_->setWordWrap(true);
-  sentence_->setTextFormat(Qt::PlainText);
-  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  const auto textLabel = [](const char* name) {
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+  };
+  sentence_ = textLabel("messageText");
+  details_ = textLabel("messageDetails");
   more_ = new QLabel;
   more_->setProperty("quiet", true);
+  unfold_ = new QPushButton(tr("Details"));
+  unfold_->setObjectName(QStringLiteral("unfoldMessage"));
+  unfold_->setCheckable(true);
+  unfold_->setFocusPolicy(Qt::TabFocus);
   close_ = new QPushButton;
   close_->setObjectName(QStringLiteral("dismissMessage"));
   close_->setProperty("flat", true);
@@ -33,59 +51,99 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   close_->setFocusPolicy(Qt::TabFocus);  // it vanishes with its message; the focus had better stay where it was
   row->addWidget(sentence_, 1);
   row->addWidget(more_);
+  row->addWidget(unfold_);
   row->addWidget(close_, 0, Qt::AlignTop);
+  rows->addLayout(row);
+  fold_ = new QScrollArea;
+  fold_->setWidget(details_);
+  fold_->setWidgetResizable(true);
+  fold_->setFocusPolicy(Qt::TabFocus);
+  fold_->viewport()->setAutoFillBackground(false);
+  details_->setAutoFillBackground(false);
+  details_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  rows->addWidget(fold_);
+  connect(unfold_, &QPushButton::toggled, this, [this] {
+    fold_->setVisible(unfold_->isChecked());
+    Q_EMIT rearranged();
+  });
   connect(close_, &QPushButton::clicked, this, &MessageBar::dismiss);
   refreshIcons();
-  hide();
+  refresh();
 }
 
 void MessageBar::refreshIcons() { close_->setIcon(icon(QStringLiteral("close"))); }
 
-void MessageBar::showError(const Error& error) {
-  QStringList details;
-  for (const auto& [key, value] : error.context) details << QStringLiteral("%1: %2").arg(words(key), words(value));
-  add({QStringLiteral("error"), words(error.sentence), details.join(QLatin1Char('\n'))});
+void MessageBar::showError(const Error& error, const QString& topic) {
+  QStringList facts;
+  for (const auto& [key, value] : error.context) facts << QStringLiteral("%1: %2").arg(words(key), words(value));
+  add({Kind::error, words(error.sentence), {}, facts.join(QLatin1Char('\n')), topic});
 }
 
-void MessageBar::showError(const QString& sentence) { add({QStringLiteral("error"), sentence, {}}); }
-void MessageBar::showNote(const QString& sentence) { add({QStringLiteral("note"), sentence, {}}); }
+void MessageBar::showError(const QString& sentence, const QString& topic) { add({Kind::error, sentence, {}, {}, topic}); }
+void MessageBar::showNote(const QString& sentence, const QString& topic) { add({Kind::note, sentence, {}, {}, topic}); }
 
-void MessageBar::add(Message message) {
-  // The same sentence twice in a row tells nothing new.
-  if (!waiting_.empty() && waiting_.back().sentence == message.sentence) return;
-  waiting_.push_back(std::move(message));
+void MessageBar::showNotes(const QString& summary, const std::vector<std::string>& sentences, const QString& topic) {
+  if (sentences.empty()) return forget(topic);
+  if (sentences.size() == 1) return showNote(words(sentences.front()), topic);
+  QStringList lines;
+  for (const std::string& sentence : sentences) lines << words(sentence);
+  add({Kind::note, summary, lines.join(QLatin1Char('\n')), {}, topic});
+}
+
+void MessageBar::forgetWhatIsPast() {
+  std::erase_if(waiting_, [](const Message& one) { return !one.topic.isEmpty(); });
   refresh();
 }
 
-QString MessageBar::text() const { return waiting_.empty() ? QString() : waiting_.front().sentence; }
-bool MessageBar::isError() const { return !waiting_.empty() && waiting_.front().kind == QLatin1String("error"); }
+void MessageBar::forget(const QString& topic) {
+  if (topic.isEmpty()) return;
+  std::erase_if(waiting_, [&](const Message& one) { return one.topic == topic; });
+  refresh();
+}
+
+void MessageBar::add(Message message) {
+  // What is said again tells nothing new, and what was said of the same topic before is past.
+  std::erase_if(waiting_, [&](const Message& one) {
+    return (!message.topic.isEmpty() && one.topic == message.topic) || (one.kind == message.kind && one.sentence == message.sentence);
+  });
+  const auto at = message.kind == Kind::error
+                      ? waiting_.end()
+                      : std::find_if(waiting_.begin(), waiting_.end(), [](const Message& one) { return one.kind == Kind::error; });
+  waiting_.insert(at, std::move(message));
+  refresh();
+}
+
+const MessageBar::Message* MessageBar::front() const { return waiting_.empty() ? nullptr : &waiting_.back(); }
+QString MessageBar::text() const { return front() != nullptr ? front()->sentence : QString(); }
+QString MessageBar::details() const { return front() != nullptr ? front()->details : QString(); }
+bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
 void MessageBar::dismiss() {
-  if (!waiting_.empty()) waiting_.pop_front();
+  if (!waiting_.empty()) waiting_.pop_back();
   refresh();
 }
 
 void MessageBar::refresh() {
-  setVisible(!waiting_.empty());
-  if (waiting_.empty()) return;
-  const Message& first = waiting_.front();
-  setProperty("kind", first.kind);
-  style()->unpolish(this);
-  style()->polish(this);
-  sentence_->setText(first.sentence);
-  sentence_->setToolTip(first.details);
-  const int others = static_cast<int>(waiting_.size()) - 1;
-  more_->setText(others > 0 ? tr("%n more", nullptr, others) : QString());
-  placeIn(area_);
-}
-
-void MessageBar::placeIn(const QRect& area) {
-  area_ = area;
-  if (waiting_.empty() || area.isEmpty()) return;
-  const int width = std::min(area.width() - 32, 720);
-  const int height = std::max(48, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
-  setGeometry(area.left() + (area.width() - width) / 2, area.top() + 12, width, height);
-  raise();
+  const Message* first = front();
+  setVisible(first != nullptr);
+  if (first != nullptr) {
+    setProperty("kind", first->kind == Kind::error ? QStringLiteral("error") : QStringLiteral("note"));
+    style()->unpolish(this);
+    style()->polish(this);
+    const bool same = sentence_->text() == first->sentence && details_->text() == first->details;
+    sentence_->setText(first->sentence);
+    sentence_->setToolTip(first->tip);
+    details_->setText(first->details);
+    fold_->setFixedHeight(
+        std::min(kMostDetails_px, (static_cast<int>(first->details.count(QLatin1Char('\n'))) + 2) * details_->fontMetrics().lineSpacing()));
+    unfold_->setVisible(!first->details.isEmpty());
+    if (!same || first->details.isEmpty()) unfold_->setChecked(false);
+    fold_->setVisible(unfold_->isChecked());
+    const int others = count() - 1;
+    more_->setText(others > 0 ? tr("%n more", nullptr, others) : QString());
+    more_->setVisible(others > 0);
+  }
+  Q_EMIT rearranged();
 }
 
 }  // namespace ew::ui

@@ -1,45 +1,67 @@
 #pragma once
 
 #include <QFrame>
-#include <deque>
+#include <string>
+#include <vector>
 
 #include "ew/core/result.h"
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace ew::ui {
 
-/// One sentence above the views that stays until it is dismissed: errors with a red edge, notes with the accent. Several wait in a row
-/// and are counted; nothing is a dialog.
+/// One sentence above the views that stays until it is dismissed or past: errors with a red edge, notes with the accent. Several wait and
+/// are counted; the newest error is in front, then the newest note. It has a row of the window to itself and covers nothing.
+///
+/// A topic says what was being done ("open", "save FILE"): a later message of the same topic takes the place of the earlier ones, and all
+/// messages with a topic go when something else is opened. Those without concern the program itself.
 class MessageBar final : public QFrame {
   Q_OBJECT
 
  public:
   explicit MessageBar(QWidget* parent);
 
-  void showError(const Error& error);
-  void showError(const QString& sentence);
-  void showNote(const QString& sentence);
-  [[nodiscard]] QString text() const;  ///< of the message in sight; empty when there is none
+  void showError(const Error& error, const QString& topic = {});
+  void showError(const QString& sentence, const QString& topic = {});
+  void showNote(const QString& sentence, const QString& topic = {});
+  /// What one action had to say, as one message: a single sentence as it is, several folded below `summary`. With none only what was said
+  /// of the topic before goes.
+  void showNotes(const QString& summary, const std::vector<std::string>& sentences, const QString& topic = {});
+  /// Something else is open: what was said with a topic is past.
+  void forgetWhatIsPast();
+  /// The same for one topic.
+  void forget(const QString& topic);
+  [[nodiscard]] QString text() const;     ///< of the message in sight; empty when there is none
+  [[nodiscard]] QString details() const;  ///< that are folded below it, a line each; empty: none
   [[nodiscard]] bool isError() const;
   [[nodiscard]] int count() const { return static_cast<int>(waiting_.size()); }
   void dismiss();
-  /// Keeps the bar at the top of `area` (in the parent's coordinates).
-  void placeIn(const QRect& area);
   void refreshIcons();
 
+ Q_SIGNALS:
+  void rearranged();  ///< its height may have changed, or it came or went
+
  private:
+  enum class Kind { note, error };
   struct Message {
-    QString kind, sentence, details;
+    Kind kind = Kind::note;
+    QString sentence;
+    QString details;  ///< folded
+    QString tip;
+    QString topic;
   };
   void add(Message message);
   void refresh();
+  [[nodiscard]] const Message* front() const;
 
-  std::deque<Message> waiting_;
-  QRect area_;
+  std::vector<Message> waiting_;  ///< notes, then errors, each with the newest last: the last one is in sight
   QLabel* sentence_ = nullptr;
   QLabel* more_ = nullptr;
+  QLabel* details_ = nullptr;
+  QScrollArea* fold_ = nullptr;
+  QPushButton* unfold_ = nullptr;
   QPushButton* close_ = nullptr;
 };
 

@@ -55,6 +55,8 @@ bool isNifti(const QString& path) {
   return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
 
+const QString kOpening = QStringLiteral("open");  ///< topic of what opening something has to say
+
 glm::dvec3 centreOf(const Grid& grid) {
   const Bounds bounds = boundsOf(grid);
   return (bounds.lowest_mm + bounds.highest_mm) / 2.0;
@@ -157,8 +159,15 @@ void Opener::loadDefaultMannequin() {
 
 void Opener::showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
   if (!mannequin) return;
-  for (const std::string& note : mannequin->notes) messages_.showNote(words(note));
+  messages_.showNotes(tr("The mannequin was read; %n notes say how.", nullptr, static_cast<int>(mannequin->notes.size())),
+                      mannequin->notes);
   view_.setMannequin(std::move(mannequin));
+}
+
+void Opener::tellOpened(const QString& path, const std::vector<std::string>& notes) {
+  messages_.showNotes(
+      tr("%1 is open; %n notes say how it was read.", nullptr, static_cast<int>(notes.size())).arg(QFileInfo(path).fileName()), notes,
+      kOpening);
 }
 
 void Opener::open(const QString& path) {
@@ -166,7 +175,7 @@ void Opener::open(const QString& path) {
   if (!info.exists()) {
     const Error error{
         ErrorCode::notFound, tr("There is no file or folder '%1'; check the name, or choose it with Open.").arg(path).toStdString(), {}};
-    messages_.showError(error);
+    messages_.showError(error, kOpening);
     Q_EMIT failed(error);
     return;
   }
@@ -196,7 +205,7 @@ void Opener::startOpening(const QString& path, Jobs::Work work, std::function<vo
                         taken();
                       } else {
                         if (refused) refused();
-                        if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
+                        if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error(), kOpening);
                         Q_EMIT failed(outcome.error());
                       }
                       Q_EMIT ended();
@@ -271,10 +280,11 @@ void Opener::openCase(const QString& path) {
       },
       [this, loaded, path] {
         if (!mayReplace_(words(loaded->opened->title))) return;
+        messages_.forgetWhatIsPast();
         takeContents(*loaded);
         document_.open(*loaded->opened, loaded->asRead);
         showCaseVolume();
-        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+        tellOpened(path, loaded->notes);
         Q_EMIT opened(path);
       });
   if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
@@ -288,13 +298,13 @@ void Opener::reloadCase(const Case& edited) {
   const QString path = wordsOf(edited.folder);
   startOpening(
       path, [loaded, present = mannequinFile_](Progress& progress) { return load(*loaded, present, progress); },
-      [this, loaded] {
+      [this, loaded, path] {
         // Edits that go on meanwhile, of the title or the placement, count; those of another volume have asked for another loading.
         const auto& now = document_.current();
         if (!now || !(sourcesOf(*now) == loaded->contents.sources)) return;
         takeContents(*loaded);
         showCaseVolume();
-        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+        tellOpened(path, loaded->notes);
       },
       [this, wanted] {
         // Nothing is scanned rather than what the case does not hold any more; "Scan the case's volume" tries again.
@@ -378,9 +388,10 @@ void Opener::openImage(const QString& path) {
           return;
         }
         if (!mayReplace_(QFileInfo(path).fileName())) return;
+        messages_.forgetWhatIsPast();
         document_.close();
         showVolume(loaded->volume, QFileInfo(path).fileName(), false, loaded->bricks);
-        for (const std::string& note : loaded->notes) messages_.showNote(words(note));
+        tellOpened(path, loaded->notes);
         Q_EMIT opened(path);
       });
 }

@@ -75,6 +75,8 @@ class Opener final : public QObject {
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
   void giveUpOpening();
+  /// One message of what reading it had to decide.
+  void tellOpened(const QString& path, const std::vector<std::string>& notes);
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
   /// From where the contents were placed when they were loaded to where the case has them now.

@@ -193,7 +193,7 @@ QCheckBox:focus { color: @accent; }
 QCheckBox::indicator:disabled { border-color: @line; background: @panel; }
 QCheckBox::indicator:checked { image: url(:/ew/icons/check-on.svg); }
 
-#messageBar { background: @panel; border: 1px solid @line; border-radius: 4px; }
+#messageBar { background: @panel; border: 0; border-bottom: 1px solid @line; }
 #messageBar[kind="error"] { border-left: 4px solid @danger; }
 #messageBar[kind="note"] { border-left: 4px solid @accent; }
 #jobCard { background: @panel; border: 1px solid @line; border-radius: 4px; }
