@@ -45,5 +45,24 @@ TEST(ImportCommand, WhatIsMissingIsAskedForByTheNameOfItsOptionAndNothingIsWritt
   EXPECT_NE(run({"import", folder / "x.bin", "-o", folder / "x.mha", "--raw", "5x5:u8:0.5"}).status, 0);
 }
 
+TEST(ImportCommand, AnImportedCineIsReconstructedOnceSomebodySaysHowTheProbeMoved) {
+  const TemporaryFolder folder;
+  CineOf of;
+  of.pixels = ramp(144);
+  writeText(folder / "a.dcm", cineFile(of));
+  ASSERT_EQ(run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha"}).status, 0);
+  const auto asked = run({"reconstruct", folder / "a.igs.mha", "-o", folder / "v.mha"});
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_NE(asked.err.find("--motor"), std::string::npos) << asked.err;
+  EXPECT_EQ(asked.err.find("as the target"), std::string::npos) << asked.err;
+  writeText(folder / "m.json", R"({"format": 1, "kind": "parallel", "step_mm": 0.5})");
+  const auto made = run({"reconstruct", folder / "a.igs.mha", "-o", folder / "v.mha", "--motor", folder / "m.json", "--spacing", "0.1"});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("middle of their upper edge"), std::string::npos) << made.err;
+  const auto volume = readVolume(folder / "v.mha");
+  ASSERT_TRUE(volume.has_value());
+  EXPECT_EQ(volume->volume.grid.dims.z, 11);
+}
+
 }  // namespace
 }  // namespace ew::test

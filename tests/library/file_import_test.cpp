@@ -67,5 +67,40 @@ TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   EXPECT_TRUE(failedWith(importFile(file, answers), ErrorCode::badUsage));
 }
 
+TEST(PreviewImport, ShowsTheWholeFirstPictureWhateverTheAnswersWillBe) {
+  const TempFolder folder;
+  CineOf of;
+  of.pixels = ramp(144);
+  of.burnedIn = "YES";
+  of.regions = {{.x0 = 0, .y0 = 0, .x1 = 3, .y1 = 5}, {.x0 = 4, .y0 = 0, .x1 = 7, .y1 = 5}};
+  const auto still = previewImport(folder.put("a.dcm", cineFile(of)), FileKind::dicomPictures);
+  ASSERT_TRUE(succeeded(still));
+  EXPECT_EQ(still->picture.width, 8);
+  EXPECT_EQ(still->picture.height, 6);
+  const std::string first = of.pixels.substr(0, 48);
+  EXPECT_EQ(still->picture.pixels, std::vector<std::uint8_t>(first.begin(), first.end()));
+  ASSERT_TRUE(still->dicom.has_value());
+  EXPECT_EQ(still->dicom->regions.size(), 2u);
+  EXPECT_EQ(still->dicom->frames, 3u);
+  const auto stack = previewImport(folder.put("p1.pgm", "P5\n3 2\n255\n" + ramp(6)), FileKind::pictures);
+  ASSERT_TRUE(succeeded(stack));
+  EXPECT_EQ(stack->picture.width, 3);
+  EXPECT_EQ(stack->picture.pixels, (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5}));
+}
+
+TEST(PreviewImport, TellsHowManyVolumesAFileHoldsAndWhatSpacingItStates) {
+  const TempFolder folder;
+  const std::string head = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\n";
+  const auto known =
+      previewImport(folder.put("v.mha", head + "ElementSpacing = 0.5 0.6 2\nElementDataFile = LOCAL\n" + ramp(4)), FileKind::volume);
+  ASSERT_TRUE(succeeded(known));
+  EXPECT_EQ(known->volumes, 1u);
+  EXPECT_EQ(known->spacing_mm, glm::dvec3(0.5, 0.6, 2.0));
+  const auto unknown = previewImport(folder.put("w.mha", head + "ElementDataFile = LOCAL\n" + ramp(4)), FileKind::volume);
+  ASSERT_TRUE(succeeded(unknown));
+  EXPECT_FALSE(unknown->spacing_mm.has_value());
+  EXPECT_FALSE(previewImport(folder.put("x.mha", "ObjectType = Image\nNDims = 3\n"), FileKind::volume).has_value());
+}
+
 }  // namespace
 }  // namespace ew

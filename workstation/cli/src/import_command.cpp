@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "arguments.h"
+#include "asked_option.h"
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/io/sequence.h"
@@ -77,29 +78,6 @@ Result<ImportAnswers> answersOf(const ImportArguments& arguments) {
   answers.mirrored = arguments.mirrored;
   answers.asSequence = arguments.asSequence;
   return answers;
-}
-
-/// The option that answers what a reader asks for.
-std::string optionFor(const std::string& asked) {
-  if (asked == "region") return "--region N";
-  if (asked == "pixel-mm") return "--pixel-mm X,Y (with --region all for the whole picture)";
-  if (asked == "spacing") return "--spacing X,Y,Z";
-  if (asked == "colour") return "--colour keep-grey or --colour drop-colour";
-  if (asked == "blank") return "--region N, --blank X,Y,W,H or --keep-text";
-  if (asked == "time-step") return "--time-step N";
-  if (asked == "raw") return "--raw DIMS:TYPE:SPACING[:OFFSET]";
-  if (asked == "sequence") return "--planes";
-  if (asked == "reconstruct") return "the command reconstruct";
-  return {};
-}
-
-tl::unexpected<Error> withOption(Error error) {
-  const std::string option = optionFor(askedFor(error));
-  if (!option.empty() && error.sentence.ends_with('.')) {
-    error.sentence.pop_back();
-    error.sentence += ": " + option + ".";
-  }
-  return passOn(std::move(error));
 }
 
 json toJson(const Removed& removed) {
@@ -194,7 +172,7 @@ void addImport(CLI::App& root, Selection& selection) {
       ->type_name("X,Y,W,H")
       ->allow_extra_args(false);
   app.add_flag("--keep-text", arguments->keepText, "Take the whole picture although the file says that text is burned in");
-  addCount(app, "--time-step", arguments->timeStep, 1, 1000000, "Which of several volumes in the file");
+  addCount(app, "--time-step", arguments->timeStep, 1, 1000000, "Which of several volumes in the file, from 1");
   app.add_option(
          "--raw", arguments->raw,
          "Read samples without a header, as in 256x256x180:u8:0.5,0.5,1.2:512; types u8 i8 u16 i16 u32 i32 f32 f64, with be for big endian")

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "arguments.h"
+#include "asked_option.h"
 #include "command.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
@@ -170,7 +171,7 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
 
   PartOfProgress opening(run.progress, 0.0, 0.3);
   auto opened = openSweep(arguments.sweep, importOptions, opening);
-  if (!opened) return passOn(opened.error());
+  if (!opened) return withOption(opened.error());
   for (const auto& note : opened->plan.notes) run.remark(note);
   run.report.addStep("read", opened->readSeconds * 1e6);
   if (delayUntold(opened->plan, run)) return kVerdict;

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <numeric>
 
 #include "dicom_fields.h"
 #include "ew/core/numbers.h"
@@ -215,9 +216,10 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
                        "the text may stay.",
                    {{"file", file.string()}, {"ask", "blank"}});
 
-  std::vector<std::uint64_t> every(layout->frames);
-  for (std::uint64_t n = 0; n < layout->frames; ++n) every[n] = n;
-  auto grey = readGreyFrames(*dicom, *layout, every, limits, progress, cine.notes);
+  const std::uint64_t frames = options.mostFrames > 0 ? std::min(options.mostFrames, layout->frames) : layout->frames;
+  std::vector<std::uint64_t> wanted(frames);
+  std::iota(wanted.begin(), wanted.end(), std::uint64_t{0});
+  auto grey = readGreyFrames(*dicom, *layout, wanted, limits, progress, cine.notes);
   if (!grey) return passOn(grey.error());
   cine.removed = identifyingFields(dicom->data);
   const PixelRect& rect = chosen->rect;
@@ -225,8 +227,8 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   cine.removed.pixelsPerFrame = blank(grey->level, columns, rows, options.blank);
   blank(grey->coloured, columns, rows, options.blank);
   cine.removed.blanked = options.blank;
-  crop(grey->level, layout->frames, *layout, rect);
-  crop(grey->coloured, layout->frames, *layout, rect);
+  crop(grey->level, frames, *layout, rect);
+  crop(grey->coloured, frames, *layout, rect);
   if (chosen->region != nullptr) {
     cine.removed.blankedOutside.push_back(rect);
     const std::uint64_t kept = static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
@@ -244,7 +246,7 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   imageToPicture[0][0] = cine.pixel_mm.x;
   imageToPicture[1][1] = cine.pixel_mm.y;
   imageToPicture[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
-  for (std::uint64_t n = 0; n < layout->frames; ++n) {
+  for (std::uint64_t n = 0; n < frames; ++n) {
     SequenceFrame frame;
     if (!times_s.empty()) frame.time_s = times_s[n];
     frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});

@@ -117,7 +117,8 @@ Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& option
   const auto times_s = timeStepsOf(opened.planes);
   if (times_s.size() > 1 && !options.timeStep)
     return failure(ErrorCode::missingCalibration,
-                   quoted(file) + " holds " + std::to_string(times_s.size()) + " volumes one after the other; choose one by its number.",
+                   quoted(file) + " holds " + std::to_string(times_s.size()) +
+                       " volumes one after the other; choose one by its number, 1 to " + std::to_string(times_s.size()) + ".",
                    {{"file", file.string()}, {"ask", "time-step"}, {"steps", std::to_string(times_s.size())}});
   const int step = options.timeStep.value_or(1);
   if (step < 1 || static_cast<std::size_t>(step) > times_s.size())

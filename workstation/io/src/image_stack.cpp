@@ -143,6 +143,22 @@ Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
   return files;
 }
 
+Result<StackPicture> readFirstOfStack(const fs::path& folderOrPicture) try {
+  const auto files = stackFiles(folderOrPicture);
+  if (!files) return passOn(files.error());
+  auto picture = readPicture(files->front());
+  if (!picture) return passOn(picture.error());
+  StackPicture first;
+  first.level.width = picture->width;
+  first.level.height = picture->height;
+  first.level.pixels = std::move(picture->level);
+  first.coloured = std::move(picture->coloured);
+  return first;
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge, "There is not enough memory for a picture of " + quoted(folderOrPicture) + "; close other programs.",
+                 {{"file", folderOrPicture.string()}});
+}
+
 Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackOptions& options, Progress& progress,
                                    const ReadLimits& limits) try {
   const auto files = stackFiles(folderOrPicture);

@@ -255,7 +255,8 @@ Result<Bytes> samplesOf(const Reader& in, const fs::path& file, const glm::ivec3
       return badField(file, "D600/0001", std::to_string(several.size()) + " bytes", "a multiple of " + std::to_string(wanted));
     if (steps > 1 && !options.timeStep)
       return failure(ErrorCode::missingCalibration,
-                     quoted(file) + " holds " + std::to_string(steps) + " volumes one after the other; choose one by its number.",
+                     quoted(file) + " holds " + std::to_string(steps) + " volumes one after the other; choose one by its number, 1 to " +
+                         std::to_string(steps) + ".",
                      {{"file", file.string()}, {"ask", "time-step"}, {"steps", std::to_string(steps)}});
     const int step = options.timeStep.value_or(1);
     if (step < 1 || static_cast<std::size_t>(step) > steps)

@@ -13,6 +13,7 @@ namespace ew {
 namespace {
 
 constexpr std::string_view kImage = "Image";
+constexpr std::string_view kPicture = "Picture";  ///< of an imported picture: mm from its upper left pixel
 
 bool sameFrames(const NamedTransform& a, const NamedTransform& b) {
   return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
@@ -69,8 +70,19 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   if (!others.empty()) sentence += ", and " + listed(std::vector<std::string>(others.begin(), others.end())) + " stand apart";
   const bool tracked =
       std::any_of(sequence.frames.begin(), sequence.frames.end(), [](const SequenceFrame& frame) { return !frame.transforms.empty(); });
+  // Imported pictures know the size of a pixel and nothing else: brought "to the frame" they reach, they would all lie in one place.
+  const bool unplaced = tracked && std::all_of(names.begin(), names.end(),
+                                               [&](const NamedTransform& one) { return one.from == kImage && one.to == kPicture; });
+  if (unplaced)
+    return failure(
+        ErrorCode::missingCalibration,
+        "The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor "
+        "file does.",
+        {{"from", std::string(kImage)}, {"to", goal}, {"ask", "motor"}});
   if (!tracked) {
-    sentence += "; the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker.";
+    sentence +=
+        "; the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved the "
+        "probe.";
   } else if (reachable.empty() && !calibrated) {
     const std::string tool = others.contains("Probe") ? "Probe" : "the tracked probe";
     sentence += "; give the device set (.xml) with the calibration from Image to " + tool + ".";
@@ -81,8 +93,15 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   } else {
     sentence += "; name one of those frames as the target, or give the device set (.xml) that leads on.";
   }
+  std::string joined;
+  for (const std::string& name : reachable) joined += (joined.empty() ? "" : ",") + name;
   return failure(ErrorCode::missingCalibration, std::move(sentence),
-                 {{"to", std::string(toFrame)}, {"reachable", listed(reachable)}, {"frames", std::to_string(sequence.frames.size())}});
+                 {{"to", std::string(toFrame)},
+                  {"reachable", joined},
+                  {"ask", !tracked            ? "motor"
+                          : reachable.empty() ? "calibration"
+                                              : "frame"},
+                  {"frames", std::to_string(sequence.frames.size())}});
 }
 
 SweepPoses posesTo(const Sequence& sequence, std::span<const NamedTransform> calibration, std::string_view toFrame) {

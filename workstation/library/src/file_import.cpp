@@ -7,6 +7,7 @@
 #include "ew/io/image_stack.h"
 #include "ew/io/kretz.h"
 #include "ew/io/sequence.h"
+#include "ew/io/volume_series.h"
 
 namespace ew {
 namespace {
@@ -36,7 +37,7 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
   if (read->timeSteps > 1 && !answers.timeStep)
     return ask(ErrorCode::missingCalibration, "time-step",
                "'" + file.filename().string() + "' holds " + std::to_string(read->timeSteps) +
-                   " volumes one after the other; choose one by its number.",
+                   " volumes one after the other; choose one by its number, 1 to " + std::to_string(read->timeSteps) + ".",
                file);
   ImportedFile made;
   made.notes = std::move(read->notes);
@@ -175,6 +176,57 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
   auto made = read(*kind, file, answers, progress, limits);
   if (made) made->kind = *kind;
   return made;
+}
+
+Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progress& progress, const ReadLimits& limits) {
+  ImportPreview preview;
+  switch (kind) {
+    case FileKind::volume: {
+      const auto series = readVolumeSeries(file);
+      if (!series) return passOn(series.error());
+      preview.volumes = series->volumes;
+      if (series->spacingKnown) preview.spacing_mm = series->grid.spacing_mm;
+      return preview;
+    }
+    case FileKind::dicomPictures:
+    case FileKind::dicomVolume: {
+      auto summary = inspectDicom(file, limits);
+      if (!summary) return passOn(summary.error());
+      if (kind == FileKind::dicomVolume) {
+        preview.volumes = std::max<std::uint64_t>(1, summary->timeSteps_s.size());
+      } else {
+        // Whole and with all text: the person who chooses what is kept has the file anyway.
+        CineOptions whole;
+        whole.region = 0;
+        whole.pixel_mm = glm::dvec2(1.0);
+        whole.colour = ColourRule::keepGrey;
+        whole.keepText = true;
+        whole.mostFrames = 1;
+        auto first = readDicomCine(file, whole, progress, limits);
+        if (!first) return passOn(first.error());
+        preview.picture.width = first->sequence.width;
+        preview.picture.height = first->sequence.height;
+        preview.picture.pixels = std::move(first->sequence.pixels);
+        preview.coloured = std::move(first->coloured);
+      }
+      preview.dicom = *std::move(summary);
+      return preview;
+    }
+    case FileKind::pictures: {
+      auto first = readFirstOfStack(file);
+      if (!first) return passOn(first.error());
+      preview.picture = std::move(first->level);
+      preview.coloured = std::move(first->coloured);
+      return preview;
+    }
+    case FileKind::kretz:
+      preview.volumes = 0;
+      return preview;
+    case FileKind::sweep:
+    case FileKind::raw:
+      break;
+  }
+  return preview;
 }
 
 std::string askedFor(const Error& error) {

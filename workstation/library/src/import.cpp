@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "ew/acquisition/line_data.h"
-#include "ew/acquisition/motor_sweep.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
@@ -182,12 +181,32 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
   return effective;
 }
 
+/// Pictures that know the size of their pixels alone (frame Picture of the import) before a probe whose face lies at the middle of their
+/// upper edge.
+std::optional<Transform<frame::Probe, frame::Image>> faceAtUpperEdge(const Sequence& sequence) {
+  if (sequence.frames.empty()) return std::nullopt;
+  const auto imageToPicture = chain(sequence.frames.front().transforms, "Image", "Picture");
+  if (!imageToPicture) return std::nullopt;
+  glm::dmat4 imageToProbe = *imageToPicture;
+  imageToProbe[3] = glm::dvec4(-0.5 * (sequence.width - 1) * glm::dvec3(imageToProbe[0]), 1.0);
+  return Transform<frame::Probe, frame::Image>{imageToProbe};
+}
+
 /// Poses of the motor where there is one, else of the tracker.
 Result<SweepPoses> acquiredPoses(const Sequence& sequence, const DeviceSet* calibration, const SweepImportOptions& options) {
-  if (options.motor.empty()) return sweepPoses(sequence, calibration, options.toFrame);
-  const auto motor = options.motor == kRecordedMotor ? recordedMotor(sequence) : readMotorSweep(options.motor);
+  if (options.motor.empty() && !options.statedMotor) return sweepPoses(sequence, calibration, options.toFrame);
+  auto motor = options.statedMotor               ? Result<MotorSweep>(*options.statedMotor)
+               : options.motor == kRecordedMotor ? recordedMotor(sequence)
+                                                 : readMotorSweep(options.motor);
   if (!motor) return passOn(motor.error());
-  return motorPoses(sequence, *motor, calibration);
+  auto poses = motorPoses(sequence, *motor, calibration);
+  if (poses || poses.error().code != ErrorCode::missingCalibration) return poses;
+  motor->imageToProbe = faceAtUpperEdge(sequence);
+  if (!motor->imageToProbe) return poses;
+  auto assumed = motorPoses(sequence, *motor, calibration);
+  if (assumed)
+    assumed->notes.push_back("Nobody says where pixels lie before the probe; its face was taken to be at the middle of their upper edge.");
+  return assumed;
 }
 
 std::string milliseconds(double time_s) { return textOf(std::round(time_s * 1e4) / 10.0) + " ms"; }

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPixmap>
 #include <QPointer>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include "ew/io/sequence.h"
 #include "jobs.h"
 #include "message_bar.h"
+#include "picture_chooser.h"
 #include "save_file.h"
 #include "theme.h"
 #include "words.h"
@@ -55,14 +57,13 @@ QHBoxLayout* inRow(const Boxes& boxes) {
 
 FileImportDialog::FileImportDialog(const QString& file, FileKind kind, const QString& question, Jobs& jobs, MessageBar& messages,
                                    QWidget* parent)
-    : QDialog(parent), file_(file), kind_(kind), jobs_(jobs), messages_(messages) {
+    : FormDialog(QFileInfo(file).fileName(), file, parent), file_(file), kind_(kind), jobs_(jobs), messages_(messages) {
   setObjectName(QStringLiteral("fileImportDialog"));
-  setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Import"));
-  setMinimumWidth(640);
+  sentence().setObjectName(QStringLiteral("importQuestion"));
   addRows();
-  question_->setText(question);
-  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::dicomVolume) inspect();
+  say(question, false);
+  if (kind_ != FileKind::raw) look();
 }
 
 FileImportDialog::~FileImportDialog() {
@@ -71,31 +72,12 @@ FileImportDialog::~FileImportDialog() {
 }
 
 void FileImportDialog::addRows() {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(24, 24, 24, 24);
-  outer->setSpacing(16);
-  auto* title = new QLabel(QFileInfo(file_).fileName());
-  title->setProperty("heading", true);
-  title->setToolTip(file_);
-  outer->addWidget(title);
-  question_ = new QLabel;
-  question_->setObjectName(QStringLiteral("importQuestion"));
-  question_->setWordWrap(true);
-  outer->addWidget(question_);
-
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(24);
   form->setVerticalSpacing(8);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  if (kind_ == FileKind::dicomPictures) {
-    region_ = new QComboBox;
-    region_->setObjectName(QStringLiteral("region"));
-    region_->addItem(tr("not chosen"), -1);
-    pixel_ = {lengthBox(QStringLiteral("pixelX")), lengthBox(QStringLiteral("pixelY"))};
-    keepText_ = new QCheckBox(tr("Text burned into the pictures may stay"));
-    form->addRow(tr("Part of the picture"), region_);
-    form->addRow(tr("Size of a pixel"), inRow(pixel_));
-  }
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::pictures) addPictureRows(*form);
   if (kind_ != FileKind::dicomPictures && kind_ != FileKind::dicomVolume) {
     spacing_ = {lengthBox(QStringLiteral("spacingX")), lengthBox(QStringLiteral("spacingY")), lengthBox(QStringLiteral("spacingZ"))};
     form->addRow(kind_ == FileKind::kretz ? tr("Spacing to convert to") : tr("Spacing x, y, z"),
@@ -104,31 +86,18 @@ void FileImportDialog::addRows() {
       for (std::size_t axis : {1u, 2u}) spacing_[axis]->setParent(this), spacing_[axis]->hide();
   }
   if (kind_ == FileKind::raw) addRawRows(*form);
-  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::pictures) {
-    colour_ = new QComboBox;
-    colour_->setObjectName(QStringLiteral("colour"));
-    colour_->addItem(tr("not said"), static_cast<int>(ColourRule::ask));
-    colour_->addItem(tr("keep as grey"), static_cast<int>(ColourRule::keepGrey));
-    colour_->addItem(tr("drop (black)"), static_cast<int>(ColourRule::dropColour));
-    blank_ = new QLineEdit;
-    blank_->setObjectName(QStringLiteral("blank"));
-    blank_->setPlaceholderText(tr("x,y,width,height; more with blanks between them"));
-    form->addRow(tr("Coloured pixels"), colour_);
-    form->addRow(tr("Make black"), blank_);
-    if (keepText_ != nullptr) form->addRow(QString(), keepText_);
-  }
   if (kind_ == FileKind::volume || kind_ == FileKind::kretz || kind_ == FileKind::dicomVolume) {
     timeStep_ = new QSpinBox;
     timeStep_->setObjectName(QStringLiteral("timeStep"));
     timeStep_->setRange(0, 100000);
-    timeStep_->setSpecialValueText(tr("the only one"));
+    timeStep_->setSpecialValueText(tr("not chosen"));
     form->addRow(tr("Volume number"), timeStep_);
   }
   if (kind_ == FileKind::kretz) {
     mirrored_ = new QCheckBox(tr("Turn the elevational axis over"));
     form->addRow(QString(), mirrored_);
   }
-  outer->addLayout(form);
+  rows().addLayout(form);
   if (kind_ == FileKind::raw) {
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
@@ -140,28 +109,101 @@ void FileImportDialog::addRows() {
     }
     slices_[0]->setObjectName(QStringLiteral("rawPreview"));
     row->addStretch(1);
-    outer->addLayout(row);
+    rows().addLayout(row);
   }
   removed_ = new QLabel;
   removed_->setObjectName(QStringLiteral("importRemoved"));
   removed_->setProperty("small", true);
   removed_->setWordWrap(true);
-  outer->addWidget(removed_);
-  outer->addStretch(1);
+  rows().addWidget(removed_);
+  rows().addStretch(1);
 
   import_ = new QPushButton(tr("Import"));
   import_->setObjectName(QStringLiteral("importFile"));
   import_->setProperty("primary", true);
   import_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(import_);
-  outer->addLayout(buttons);
+  buttons().addWidget(cancel);
+  buttons().addWidget(import_);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(import_, &QPushButton::clicked, this, &FileImportDialog::start);
+}
+
+void FileImportDialog::addPictureRows(QFormLayout& form) {
+  picture_ = new PictureChooser;
+  auto* column = new QWidget;
+  auto* below = new QVBoxLayout(column);
+  below->setContentsMargins(0, 0, 0, 0);
+  below->setSpacing(8);
+  below->addWidget(picture_, 1);
+  auto* hint = new QLabel(kind_ == FileKind::dicomPictures
+                              ? tr("Click a numbered part to keep it alone. Drag a rectangle over what is to become black; a right click "
+                                   "on it takes it away. Coloured pixels are orange.")
+                              : tr("Drag a rectangle over what is to become black; a right click on it takes it away. Coloured pixels "
+                                   "are orange."));
+  hint->setProperty("quiet", true);
+  hint->setWordWrap(true);
+  below->addWidget(hint);
+  putBeside(column, {960, 560});
+  if (kind_ == FileKind::dicomPictures) {
+    region_ = new QComboBox;
+    region_->setObjectName(QStringLiteral("region"));
+    region_->addItem(tr("not chosen"), -1);
+    // Regions are told apart by whole sentences: the list is as wide as they are, the field need not be.
+    region_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    region_->setMinimumContentsLength(24);
+    pixel_ = {lengthBox(QStringLiteral("pixelX")), lengthBox(QStringLiteral("pixelY"))};
+    form.addRow(tr("Part of the picture"), region_);
+    form.addRow(tr("Size of a pixel"), inRow(pixel_));
+    connect(region_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+      const int region = region_->currentData().toInt();
+      region_->setToolTip(region_->currentText());
+      picture_->setChosenPart(region > 0 ? std::optional(static_cast<std::size_t>(region) - 1) : std::nullopt);
+    });
+    connect(picture_, &PictureChooser::partClicked, this, [this](int part) { region_->setCurrentIndex(region_->findData(part + 1)); });
+  }
+  colour_ = new QComboBox;
+  colour_->setObjectName(QStringLiteral("colour"));
+  colour_->addItem(tr("not said"), static_cast<int>(ColourRule::ask));
+  colour_->addItem(tr("keep as grey"), static_cast<int>(ColourRule::keepGrey));
+  colour_->addItem(tr("drop (black)"), static_cast<int>(ColourRule::dropColour));
+  blank_ = new QLineEdit;
+  blank_->setObjectName(QStringLiteral("blank"));
+  blank_->setPlaceholderText(tr("drawn, or x,y,width,height"));
+  blank_->setToolTip(tr("x,y,width,height; more with blanks between them"));
+  form.addRow(tr("Coloured pixels"), colour_);
+  form.addRow(tr("Make black"), blank_);
+  connect(blank_, &QLineEdit::textChanged, this, &FileImportDialog::showBlanked);
+  connect(picture_, &PictureChooser::drawn, this, &FileImportDialog::blankMore);
+  connect(picture_, &PictureChooser::blankRemoved, this, &FileImportDialog::blankLess);
+  if (kind_ != FileKind::dicomPictures) return;
+  keepText_ = new QCheckBox(tr("Text burned into the pictures may stay"));
+  form.addRow(QString(), keepText_);
+}
+
+Result<std::vector<PixelRect>> FileImportDialog::blanked() const {
+  std::vector<PixelRect> rects;
+  for (const QString& text : blank_->text().split(QRegularExpression(QStringLiteral("\\s+")), Qt::SkipEmptyParts)) {
+    const auto rect = parsePixelRect(text.toStdString());
+    if (!rect) return passOn(rect.error());
+    rects.push_back(*rect);
+  }
+  return rects;
+}
+
+void FileImportDialog::showBlanked() {
+  if (const auto rects = blanked()) picture_->setBlanked(*rects);
+}
+
+void FileImportDialog::blankMore(const PixelRect& rect) {
+  const QString text = QStringLiteral("%1,%2,%3,%4").arg(rect.x).arg(rect.y).arg(rect.width).arg(rect.height);
+  blank_->setText((blank_->text().trimmed() + QLatin1Char(' ') + text).trimmed());
+}
+
+void FileImportDialog::blankLess(int number) {
+  QStringList all = blank_->text().split(QRegularExpression(QStringLiteral("\\s+")), Qt::SkipEmptyParts);
+  if (number >= 0 && number < all.size()) all.removeAt(number);
+  blank_->setText(all.join(QLatin1Char(' ')));
 }
 
 void FileImportDialog::addRawRows(QFormLayout& form) {
@@ -252,7 +294,7 @@ void FileImportDialog::takePreview(const RawPreview& slices, const RawLayout& la
     import_->setEnabled(true);
     return;
   }
-  question_->clear();
+  say({}, false);
   const auto show = [](QLabel* label, const std::vector<std::uint8_t>& levels, int width, int height) {
     const QImage image(levels.data(), width, height, width, QImage::Format_Grayscale8);
     label->setPixmap(QPixmap::fromImage(image).scaled(kSlice_px, kSlice_px, Qt::KeepAspectRatio, Qt::SmoothTransformation));
@@ -262,15 +304,15 @@ void FileImportDialog::takePreview(const RawPreview& slices, const RawLayout& la
   show(slices_[2], slices.yz, layout.dims.y, layout.dims.z);
 }
 
-void FileImportDialog::inspect() {
-  auto found = std::make_shared<std::optional<DicomSummary>>();
+void FileImportDialog::look() {
+  auto found = std::make_shared<std::optional<ImportPreview>>();
   const QPointer<FileImportDialog> here(this);
   job_ = jobs_.start(
       tr("Reading %1").arg(QFileInfo(file_).fileName()),
-      [found, file = pathOf(file_)](Progress&) -> Result<void> {
-        auto summary = inspectDicom(file);
-        if (!summary) return passOn(summary.error());
-        *found = std::move(*summary);
+      [found, file = pathOf(file_), kind = kind_](Progress& progress) -> Result<void> {
+        auto preview = previewImport(file, kind, progress);
+        if (!preview) return passOn(preview.error());
+        *found = std::move(*preview);
         return {};
       },
       [here, found](const Result<void>& outcome) {
@@ -278,21 +320,39 @@ void FileImportDialog::inspect() {
         if (dialog == nullptr) return;
         dialog->job_ = 0;
         if (outcome && *found)
-          dialog->takeSummary(**found);
-        else if (!outcome)
+          dialog->takeLook(**found);
+        else if (!outcome && outcome.error().code != ErrorCode::cancelled)
           dialog->refuse(words(outcome.error().sentence));
       });
 }
 
-void FileImportDialog::takeSummary(const DicomSummary& summary) {
+void FileImportDialog::takeLook(const ImportPreview& preview) {
+  if (picture_ != nullptr && preview.picture.width > 0) picture_->setPicture(preview.picture, preview.coloured);
+  if (timeStep_ != nullptr && preview.volumes > 0) {
+    const int volumes = static_cast<int>(std::min<std::uint64_t>(preview.volumes, 100000));
+    timeStep_->setMaximum(volumes);
+    timeStep_->setSpecialValueText(volumes == 1 ? tr("the only one") : tr("1 to %1, not chosen").arg(volumes));
+    timeStep_->setEnabled(volumes > 1);
+  }
+  if (kind_ == FileKind::volume && preview.spacing_mm)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      spacing_[axis]->setSpecialValueText(tr("%1 mm").arg(QLocale().toString((*preview.spacing_mm)[static_cast<int>(axis)], 'g', 4)));
+  if (!preview.dicom) return;
+  const DicomSummary& summary = *preview.dicom;
   if (region_ != nullptr) {
-    for (std::size_t n = 0; n < summary.regions.size(); ++n)
+    std::vector<PixelRect> parts;
+    for (std::size_t n = 0; n < summary.regions.size(); ++n) {
       region_->addItem(words(summary.regions[n].describe(n + 1)), static_cast<int>(n) + 1);
+      parts.push_back(summary.regions[n].rect);
+    }
     region_->addItem(tr("the whole picture, %1 x %2 pixels").arg(summary.columns).arg(summary.rows), 0);
+    for (int n = 0; n < region_->count(); ++n) region_->setItemData(n, region_->itemText(n), Qt::ToolTipRole);
+    picture_->setParts(std::move(parts));
   }
   QStringList lines;
   for (const std::string& sentence : sentencesOf(summary.identifying)) lines << words(sentence);
   removed_->setText(lines.join(QLatin1Char('\n')));
+  grow();
 }
 
 Result<ImportAnswers> FileImportDialog::answers() const {
@@ -304,12 +364,11 @@ Result<ImportAnswers> FileImportDialog::answers() const {
   if (keepText_ != nullptr) answers.keepText = keepText_->isChecked();
   if (mirrored_ != nullptr) answers.mirrored = mirrored_->isChecked();
   if (timeStep_ != nullptr && timeStep_->value() > 0) answers.timeStep = timeStep_->value();
-  if (blank_ != nullptr)
-    for (const QString& text : blank_->text().split(QRegularExpression(QStringLiteral("\\s+")), Qt::SkipEmptyParts)) {
-      const auto rect = parsePixelRect(text.toStdString());
-      if (!rect) return passOn(rect.error());
-      answers.blank.push_back(*rect);
-    }
+  if (blank_ != nullptr) {
+    auto rects = blanked();
+    if (!rects) return passOn(rects.error());
+    answers.blank = std::move(*rects);
+  }
   if (kind_ == FileKind::raw) {
     answers.raw = rawLayout();
   } else if (kind_ == FileKind::kretz) {
@@ -321,10 +380,7 @@ Result<ImportAnswers> FileImportDialog::answers() const {
   return answers;
 }
 
-void FileImportDialog::refuse(const QString& why) {
-  question_->setStyleSheet(QStringLiteral("color: %1;").arg(currentTheme().danger.name()));
-  question_->setText(why);
-}
+void FileImportDialog::refuse(const QString& why) { say(why, true); }
 
 void FileImportDialog::start() {
   const auto given = answers();
@@ -354,31 +410,40 @@ void FileImportDialog::start() {
 }
 
 void FileImportDialog::take(const std::shared_ptr<ImportedFile>& made) {
-  for (const std::string& note : made->notes) messages_.showNote(words(note));
-  for (const std::string& sentence : sentencesOf(made->removed)) messages_.showNote(words(sentence));
+  std::vector<std::string> notes = made->notes;
+  for (std::string& sentence : sentencesOf(made->removed)) notes.push_back(std::move(sentence));
+  messages_.forgetWhatIsPast();
+  messages_.showNotes(tr("%1 was imported; %n notes say what was decided and left out.", nullptr, static_cast<int>(notes.size()))
+                          .arg(QFileInfo(file_).fileName()),
+                      notes, QStringLiteral("open"));
   if (!made->volume) return saveSequence(made);
   Q_EMIT imported(std::make_shared<const Volume>(std::move(*made->volume)), QFileInfo(file_).fileName());
   close();
 }
 
 void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
-  // Pictures without a place are no volume: they are kept as a sequence, to be reconstructed with what a motor file says.
+  // Pictures without a place are no volume: they are kept as a sequence, and how the probe moved is asked next.
   const QFileInfo info(file_);
   const QString target = askSaveFile(this, {tr("Save the pictures as a sequence"),
                                             info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
                                             tr("Sequences (*.igs.mha)"),
                                             {QStringLiteral(".igs.mha"), QStringLiteral(".mha")}});
   if (target.isEmpty()) return;
+  import_->setEnabled(false);
   jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
       [made, target](Progress& progress) { return writeSequence(made->pictures->sequence, pathOf(target), progress); },
-      [messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
-        if (!messages) return;
-        if (!outcome) return messages->showError(outcome.error());
-        messages->showNote(tr("Wrote %1; reconstruct it with a file that says how the probe moved.").arg(QFileInfo(target).fileName()));
+      [here = QPointer<FileImportDialog>(this), messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
+        if (FileImportDialog* const dialog = here.data(); dialog != nullptr) {
+          dialog->import_->setEnabled(true);
+          if (!outcome) return dialog->refuse(words(outcome.error().sentence));
+          Q_EMIT dialog->sequenceSaved(target);
+          dialog->close();
+        } else if (messages && !outcome && outcome.error().code != ErrorCode::cancelled) {
+          messages->showError(outcome.error(), QStringLiteral("save ") + target);
+        }
       },
       Jobs::Kind::saving);
-  close();
 }
 
 }  // namespace ew::ui

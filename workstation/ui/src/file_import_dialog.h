@@ -1,17 +1,18 @@
 #pragma once
 
-#include <QDialog>
 #include <array>
 #include <memory>
 #include <optional>
 
 #include "ew/core/volume.h"
 #include "ew/library/file_import.h"
+#include "form_dialog.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -21,11 +22,12 @@ namespace ew::ui {
 
 class Jobs;
 class MessageBar;
+class PictureChooser;
 
 /// Asks what a DICOM file, a Kretz volume, a folder of pictures or raw samples leave open, says what of the patient is left out, and
 /// imports. Nothing is filled in beforehand: layouts that fit a raw file are offered in a list, with its three middle slices as they would
-/// look.
-class FileImportDialog final : public QDialog {
+/// look. Of pictures the first is shown: parts are chosen by a click on it, and what is to be made black is drawn on it.
+class FileImportDialog final : public FormDialog {
   Q_OBJECT
 
  public:
@@ -35,18 +37,25 @@ class FileImportDialog final : public QDialog {
 
  Q_SIGNALS:
   void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title);
+  /// Pictures without a place were kept as a sequence: how the probe moved is the next question.
+  void sequenceSaved(const QString& file);
 
  private:
   void addRows();
   void addRawRows(QFormLayout& form);
-  void inspect();
-  void takeSummary(const DicomSummary& summary);
+  void addPictureRows(QFormLayout& form);
+  void look();
+  void takeLook(const ImportPreview& preview);
+  void showBlanked();
+  void blankMore(const PixelRect& rect);
+  void blankLess(int number);
   void showPreview();
   void takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome);
   void refuse(const QString& why);
   void start();
   void take(const std::shared_ptr<ImportedFile>& made);
   void saveSequence(const std::shared_ptr<ImportedFile>& made);
+  [[nodiscard]] Result<std::vector<PixelRect>> blanked() const;
   [[nodiscard]] Result<ImportAnswers> answers() const;
   [[nodiscard]] RawLayout rawLayout() const;
 
@@ -70,7 +79,7 @@ class FileImportDialog final : public QDialog {
   QCheckBox* bigEndian_ = nullptr;
   QSpinBox* offset_ = nullptr;
   std::array<QLabel*, 3> slices_{};
-  QLabel* question_ = nullptr;
+  PictureChooser* picture_ = nullptr;
   QLabel* removed_ = nullptr;
   QPushButton* import_ = nullptr;
 };

@@ -14,12 +14,18 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <set>
 
 #include "ew/acquisition/fill_holes.h"
+#include "ew/core/numbers.h"
+#include "ew/library/file_import.h"
 #include "jobs.h"
 #include "message_bar.h"
+#include "picture_chooser.h"
 #include "theme.h"
 #include "words.h"
 
@@ -28,7 +34,9 @@ namespace ew::ui {
 /// What reading the sweep with the present calibration and frame has shown.
 struct ImportDialog::Seen {
   std::optional<ImportPlan> plan;
-  std::vector<std::string> frames;  ///< that can be reached from the image
+  std::vector<std::string> frames;   ///< that can be reached from the image
+  std::optional<double> spacing_mm;  ///< that the device set asks for
+  GreyImage picture;                 ///< the first frame, turned as clips count it
 };
 
 namespace {
@@ -70,17 +78,66 @@ QString mebibytes(double bytes) {
 QLabel* valueLabel(const char* name) {
   auto* label = new QLabel(QStringLiteral("–"));
   label->setObjectName(QLatin1String(name));
+  label->setWordWrap(true);
   return label;
+}
+
+/// How the probe got from frame to frame.
+enum class Moved { tracker, recordedMotor, motorFile, sideways, tilted, rotated };
+
+/// A choice whose list is as wide as its words while the field may be narrower.
+QComboBox* narrowChoice() {
+  auto* box = new QComboBox;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(18);
+  return box;
+}
+
+QDoubleSpinBox* numberBox(const char* name, double lowest, double highest, double step, int decimals, const QString& suffix) {
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(QLatin1String(name));
+  box->setRange(lowest, highest);
+  box->setSingleStep(step);
+  box->setDecimals(decimals);
+  box->setSuffix(suffix);
+  return box;
+}
+
+QHBoxLayout* besideEachOther(std::initializer_list<QWidget*> widgets) {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  for (QWidget* widget : widgets) row->addWidget(widget, dynamic_cast<QLineEdit*>(widget) != nullptr ? 1 : 0);
+  return row;
+}
+
+/// "1, 2 3" as numbers. @error badUsage (not `count` numbers)
+Result<std::vector<double>> numbersIn(const QString& text, std::size_t count, const QString& what) {
+  QString spaced = text;
+  spaced.replace(QLatin1Char(','), QLatin1Char(' '));
+  auto numbers = parseNumbers(spaced.simplified().toStdString());
+  if (numbers && numbers->size() == count && std::all_of(numbers->begin(), numbers->end(), [](double one) { return std::isfinite(one); }))
+    return *std::move(numbers);
+  return failure(ErrorCode::badUsage, ImportDialog::tr("'%1' is not %2.").arg(text, what).toStdString());
+}
+
+QStringList filesIn(const QString& text) {
+  QStringList files;
+  for (const QString& one : text.split(QLatin1Char(';'), Qt::SkipEmptyParts))
+    if (!one.trimmed().isEmpty()) files << one.trimmed();
+  return files;
 }
 
 }  // namespace
 
 ImportDialog::ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& messages, QWidget* parent)
-    : QDialog(parent), sweep_(sweep), jobs_(jobs), messages_(messages), seen_(std::make_shared<Seen>()) {
+    : FormDialog(QFileInfo(sweep).fileName(), sweep, parent),
+      sweep_(sweep),
+      jobs_(jobs),
+      messages_(messages),
+      seen_(std::make_shared<Seen>()) {
   setObjectName(QStringLiteral("importDialog"));
-  setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Make a volume from a sweep"));
-  setMinimumWidth(560);
   addRows();
   // A spin box changes with every key; one reading after the last change is enough.
   soon_.setSingleShot(true);
@@ -94,114 +151,217 @@ ImportDialog::~ImportDialog() {
 }
 
 void ImportDialog::addRows() {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(24, 24, 24, 24);
-  outer->setSpacing(16);
-  auto* title = new QLabel(QFileInfo(sweep_).fileName());
-  title->setProperty("heading", true);
-  title->setToolTip(sweep_);
-  outer->addWidget(title);
-
-  calibration_ = new QLineEdit;
-  calibration_->setObjectName(QStringLiteral("calibration"));
-  calibration_->setPlaceholderText(tr("none: the sweep says everything itself"));
-  auto* choose = new QPushButton(tr("Choose…"));
-  auto* calibrationRow = new QHBoxLayout;
-  calibrationRow->setSpacing(8);
-  calibrationRow->addWidget(calibration_, 1);
-  calibrationRow->addWidget(choose);
-  frame_ = new QComboBox;
-  frame_->setObjectName(QStringLiteral("frame"));
-  frame_->addItem(tr("as the sweep suggests"), QString());
-  spacing_ = new QDoubleSpinBox;
-  spacing_->setObjectName(QStringLiteral("spacing"));
-  spacing_->setRange(0.05, 10.0);
-  spacing_->setSingleStep(0.1);
-  spacing_->setDecimals(2);
-  spacing_->setSuffix(tr(" mm"));
-  spacing_->setValue(ReconstructOptions{}.spacing_mm);
-  interpolation_ = new QComboBox;
-  interpolation_->addItem(tr("linear: smoother, slower"), static_cast<int>(Interpolation::linear));
-  interpolation_->addItem(tr("nearest: faster"), static_cast<int>(Interpolation::nearest));
-  compounding_ = new QComboBox;
-  compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
-  compounding_->addItem(tr("weighted by confidence: shadows count less"), static_cast<int>(Compounding::weighted));
-  compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
-  compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
-  fill_ = new QDoubleSpinBox;
-  fill_->setObjectName(QStringLiteral("fillReach"));
-  fill_->setRange(0.0, 20.0);
-  fill_->setSingleStep(0.5);
-  fill_->setDecimals(1);
-  fill_->setValue(FillOptions{}.reach_mm);
-  fill_->setSuffix(tr(" mm"));
-  fill_->setSpecialValueText(tr("leave holes"));
-  fill_->setToolTip(tr("Holes at most this far between measured voxels are filled and marked as interpolated"));
-  keepSource_ = new QCheckBox(tr("Keep which frame each voxel came from"));
-  keepSource_->setObjectName(QStringLiteral("keepSource"));
-  keepSource_->setChecked(true);
-  keepSource_->setToolTip(tr("Then a point of the picture leads to its source frame; 2 bytes a voxel more"));
-  frames_ = valueLabel("importFrames");
-  size_ = valueLabel("importSize");
-  memory_ = valueLabel("importMemory");
-
   auto* form = new QFormLayout;
   form->setHorizontalSpacing(24);
   form->setVerticalSpacing(8);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->addRow(tr("Calibration"), calibrationRow);
-  form->addRow(tr("Coordinates of"), frame_);
-  form->addRow(tr("Voxel spacing"), spacing_);
-  form->addRow(tr("Interpolation"), interpolation_);
-  form->addRow(tr("Overlap"), compounding_);
-  form->addRow(tr("Fill holes up to"), fill_);
-  form->addRow(tr("Origin"), keepSource_);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  addPoseRows(*form);
+  addMethodRows(*form);
+  frames_ = valueLabel("importFrames");
+  size_ = valueLabel("importSize");
+  memory_ = valueLabel("importMemory");
   form->addRow(tr("Frames"), frames_);
   form->addRow(tr("Volume"), size_);
   form->addRow(tr("Memory"), memory_);
-  outer->addLayout(form);
-
+  rows().addLayout(form);
   notes_ = new QLabel;
   notes_->setObjectName(QStringLiteral("importNotes"));
   notes_->setProperty("small", true);
   notes_->setWordWrap(true);
   notes_->setMinimumHeight(notes_->fontMetrics().height() * 4);
   notes_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  outer->addWidget(notes_);
-  outer->addStretch(1);
+  rows().addWidget(notes_);
+  rows().addStretch(1);
+  addPicture();
 
   make_ = new QPushButton(tr("Make the volume"));
   make_->setObjectName(QStringLiteral("makeVolume"));
   make_->setProperty("primary", true);
   make_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(8);
-  buttons->addStretch(1);
-  buttons->addWidget(cancel);
-  buttons->addWidget(make_);
-  outer->addLayout(buttons);
-
-  connect(choose, &QPushButton::clicked, this, [this] {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("Calibration of the sweep"), QFileInfo(sweep_).path(), tr("Device sets (*.xml)"));
-    if (!file.isEmpty()) calibration_->setText(file);
-  });
-  connect(calibration_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
-  connect(frame_, qOverload<int>(&QComboBox::activated), this, [this] { soon_.start(); });
-  connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
-  connect(interpolation_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
-  connect(compounding_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
-  connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
-  connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
+  buttons().addWidget(cancel);
+  buttons().addWidget(make_);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &ImportDialog::start);
 }
 
-SweepImportOptions ImportDialog::options() const {
+void ImportDialog::addPoseRows(QFormLayout& form) {
+  calibration_ = new QLineEdit;
+  calibration_->setObjectName(QStringLiteral("calibration"));
+  calibration_->setPlaceholderText(tr("none given"));
+  calibration_->setToolTip(
+      tr("Device set of the recording (.xml); several with ; between them, the earlier counts where two say the same"));
+  auto* choose = new QPushButton(tr("Choose…"));
+  moved_ = narrowChoice();
+  moved_->setObjectName(QStringLiteral("moved"));
+  moved_->addItem(tr("as a tracker recorded"), static_cast<int>(Moved::tracker));
+  moved_->addItem(tr("as the recording says of its motor"), static_cast<int>(Moved::recordedMotor));
+  moved_->addItem(tr("as a motor file says"), static_cast<int>(Moved::motorFile));
+  moved_->addItem(tr("sideways, evenly"), static_cast<int>(Moved::sideways));
+  moved_->addItem(tr("tilted, evenly"), static_cast<int>(Moved::tilted));
+  moved_->addItem(tr("rotated about the beam, evenly"), static_cast<int>(Moved::rotated));
+  motorFile_ = new QLineEdit;
+  motorFile_->setObjectName(QStringLiteral("motorFile"));
+  motorFile_->setPlaceholderText(tr("motor file (.json)"));
+  auto* chooseMotor = new QPushButton(tr("Choose…"));
+  motorFileRow_ = new QWidget;
+  motorFileRow_->setLayout(besideEachOther({motorFile_, chooseMotor}));
+  step_ = numberBox("motorStep", -100.0, 100.0, 0.1, 3, tr(" mm"));
+  step_->setValue(0.5);
+  axisBehindFace_ = numberBox("axisBehindFace", -500.0, 500.0, 1.0, 1, tr(" mm"));
+  axisBehindFace_->setToolTip(tr("From the face back to the axis the probe was tilted about; 0: about its face"));
+  axisBehindFace_->setPrefix(tr("axis "));
+  stepRow_ = new QWidget;
+  stepRow_->setLayout(besideEachOther({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
+  frame_ = narrowChoice();
+  frame_->setObjectName(QStringLiteral("frame"));
+  frame_->addItem(tr("as the sweep suggests"), QString());
+  form.addRow(tr("Calibration"), besideEachOther({calibration_, choose}));
+  form.addRow(tr("The probe moved"), moved_);
+  form.addRow(QString(), motorFileRow_);
+  form.addRow(QString(), stepRow_);
+  form.addRow(tr("Coordinates of"), frame_);
+  showMotorRows();
+
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QStringList files =
+        QFileDialog::getOpenFileNames(this, tr("Calibration of the sweep"), QFileInfo(sweep_).path(), tr("Device sets (*.xml)"));
+    if (!files.isEmpty()) calibration_->setText(files.join(QStringLiteral("; ")));
+  });
+  connect(chooseMotor, &QPushButton::clicked, this, [this] {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("How a motor moved the probe"), QFileInfo(sweep_).path(), tr("Motor files (*.json)"));
+    if (!file.isEmpty()) motorFile_->setText(file);
+  });
+  connect(calibration_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
+  connect(moved_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    showMotorRows();
+    soon_.start();
+  });
+  connect(motorFile_, &QLineEdit::textChanged, this, [this] { soon_.start(); });
+  for (QDoubleSpinBox* box : {step_, axisBehindFace_})
+    connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] { soon_.start(); });
+  connect(frame_, qOverload<int>(&QComboBox::activated), this, [this] { soon_.start(); });
+}
+
+void ImportDialog::showMotorRows() {
+  const auto moved = static_cast<Moved>(moved_->currentData().toInt());
+  motorFileRow_->setVisible(moved == Moved::motorFile);
+  stepRow_->setVisible(moved == Moved::sideways || moved == Moved::tilted || moved == Moved::rotated);
+  step_->setSuffix(moved == Moved::sideways ? tr(" mm") : tr("°"));
+  axisBehindFace_->setVisible(moved == Moved::tilted);
+  frame_->setEnabled(moved == Moved::tracker);
+}
+
+void ImportDialog::addMethodRows(QFormLayout& form) {
+  spacing_ = numberBox("spacing", 0.05, 10.0, 0.1, 2, tr(" mm"));
+  spacing_->setValue(ReconstructOptions{}.spacing_mm);
+  interpolation_ = narrowChoice();
+  interpolation_->addItem(tr("linear: smoother, slower"), static_cast<int>(Interpolation::linear));
+  interpolation_->addItem(tr("nearest: faster"), static_cast<int>(Interpolation::nearest));
+  compounding_ = narrowChoice();
+  compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
+  compounding_->addItem(tr("weighted by confidence: shadows count less"), static_cast<int>(Compounding::weighted));
+  compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
+  compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
+  fill_ = numberBox("fillReach", 0.0, 20.0, 0.5, 1, tr(" mm"));
+  fill_->setValue(FillOptions{}.reach_mm);
+  fill_->setSpecialValueText(tr("leave holes"));
+  fill_->setToolTip(tr("Holes at most this far between measured voxels are filled and marked as interpolated"));
+  clip_ = new QLineEdit;
+  clip_->setObjectName(QStringLiteral("clip"));
+  clip_->setPlaceholderText(tr("as the device set says, else all"));
+  clip_->setToolTip(tr("Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the picture."));
+  fan_ = new QLineEdit;
+  fan_->setObjectName(QStringLiteral("fan"));
+  fan_->setPlaceholderText(tr("as the device set says, else none"));
+  fan_->setToolTip(
+      tr("Of each frame this fan alone is used: left and right angle in degrees from straight down, x and y of the apex, first and last "
+         "radius in pixels"));
+  keepSource_ = new QCheckBox(tr("Keep which frame each voxel came from"));
+  keepSource_->setObjectName(QStringLiteral("keepSource"));
+  keepSource_->setChecked(true);
+  keepSource_->setToolTip(tr("Then a point of the picture leads to its source frame; 2 bytes a voxel more"));
+  form.addRow(tr("Rectangle of frames"), clip_);
+  form.addRow(tr("Fan of frames"), fan_);
+  form.addRow(tr("Voxel spacing"), spacing_);
+  form.addRow(tr("Interpolation"), interpolation_);
+  form.addRow(tr("Overlap"), compounding_);
+  form.addRow(tr("Fill holes up to"), fill_);
+  form.addRow(tr("Origin"), keepSource_);
+  for (QLineEdit* line : {clip_, fan_}) connect(line, &QLineEdit::textChanged, this, [this] { soon_.start(); });
+  connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
+    spacingChosen_ = true;
+    showPlan();
+  });
+  connect(interpolation_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
+  connect(compounding_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
+  connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
+  connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
+}
+
+void ImportDialog::addPicture() {
+  auto* column = new QWidget;
+  auto* below = new QVBoxLayout(column);
+  below->setContentsMargins(0, 0, 0, 0);
+  below->setSpacing(8);
+  picture_ = new PictureChooser;
+  below->addWidget(picture_, 1);
+  auto* hint = new QLabel(tr("The first frame. Drag a rectangle over what is to be used of every frame."));
+  hint->setProperty("quiet", true);
+  hint->setWordWrap(true);
+  below->addWidget(hint);
+  putBeside(column, {960, 600});
+  connect(picture_, &PictureChooser::drawn, this, [this](const PixelRect& rect) {
+    clip_->setText(QStringLiteral("%1,%2,%3,%4").arg(rect.x).arg(rect.y).arg(rect.width).arg(rect.height));
+  });
+}
+
+Result<SweepImportOptions> ImportDialog::options() const {
   SweepImportOptions chosen;
-  if (const auto file = pathOf(calibration_->text().trimmed()); !file.empty()) chosen.calibrations = {file};
-  chosen.toFrame = frame_->currentData().toString().toStdString();
+  for (const QString& file : filesIn(calibration_->text())) chosen.calibrations.push_back(pathOf(file));
+  const auto moved = static_cast<Moved>(moved_->currentData().toInt());
+  const double radian = std::numbers::pi / 180.0;
+  switch (moved) {
+    case Moved::tracker:
+      chosen.toFrame = frame_->currentData().toString().toStdString();
+      break;
+    case Moved::recordedMotor:
+      chosen.motor = kRecordedMotor;
+      break;
+    case Moved::motorFile:
+      if (motorFile_->text().trimmed().isEmpty())
+        return failure(ErrorCode::badUsage, tr("Choose the motor file that says how the probe moved.").toStdString());
+      chosen.motor = motorFile_->text().trimmed().toStdString();
+      break;
+    case Moved::sideways:
+      chosen.statedMotor = MotorSweep{.kind = MotorKind::parallel, .step = step_->value()};
+      break;
+    case Moved::tilted:
+      chosen.statedMotor = MotorSweep{.kind = MotorKind::fan, .step = step_->value(), .axisBehindFace_mm = axisBehindFace_->value()};
+      break;
+    case Moved::rotated:
+      chosen.statedMotor = MotorSweep{.kind = MotorKind::rotational, .step = step_->value()};
+      break;
+  }
+  if (chosen.statedMotor && chosen.statedMotor->step == 0.0)
+    return failure(ErrorCode::badUsage,
+                   tr("Say how far the probe moved from frame to frame; 0 would put all frames into one place.").toStdString());
+  if (!clip_->text().trimmed().isEmpty()) {
+    const auto rect = parsePixelRect(clip_->text().trimmed().toStdString());
+    if (!rect) return passOn(rect.error());
+    chosen.reconstruct.clip.origin_px = {rect->x, rect->y};
+    chosen.reconstruct.clip.size_px = glm::dvec2(rect->width, rect->height);
+    chosen.clipFromCalibration = false;
+  }
+  if (!fan_->text().trimmed().isEmpty()) {
+    const auto numbers = numbersIn(fan_->text(), 6, tr("a fan; give left and right angle, x and y of the apex, first and last radius"));
+    if (!numbers) return passOn(numbers.error());
+    const std::vector<double>& fan = *numbers;
+    chosen.reconstruct.clip.fan = ClipFan{{fan[2], fan[3]}, fan[0] * radian, fan[1] * radian, fan[4], fan[5]};
+    chosen.clipFromCalibration = false;
+  }
   chosen.reconstruct.spacing_mm = spacing_->value();
   chosen.reconstruct.interpolation = static_cast<Interpolation>(interpolation_->currentData().toInt());
   chosen.reconstruct.compounding = static_cast<Compounding>(compounding_->currentData().toInt());
@@ -212,6 +372,13 @@ SweepImportOptions ImportDialog::options() const {
 
 void ImportDialog::readAgain() {
   if (reading_ != 0) jobs_.cancel(reading_);
+  reading_ = 0;
+  const auto asked = options();
+  if (!asked) {
+    seen_ = std::make_shared<Seen>();
+    refuse(words(asked.error().sentence));
+    return;
+  }
   make_->setEnabled(false);
   notes_->setStyleSheet({});
   notes_->setText(tr("Reading the sweep…"));
@@ -221,16 +388,23 @@ void ImportDialog::readAgain() {
   auto id = std::make_shared<int>(0);
   *id = jobs_.start(
       tr("Reading %1").arg(QFileInfo(sweep_).fileName()),
-      [found, sweep = pathOf(sweep_), chosen = options()](Progress& progress) -> Result<void> {
+      [found, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
         std::vector<NamedTransform> calibration;
         if (!chosen.calibrations.empty()) {
           auto device = readDeviceSets(chosen.calibrations);
           if (!device) return passOn(device.error());
           calibration = std::move(device->transforms);
+          const auto spacing_mm = device->outputSpacing_mm;
+          if (spacing_mm && spacing_mm->x == spacing_mm->y && spacing_mm->x == spacing_mm->z) found->spacing_mm = spacing_mm->x;
         }
         auto opened = openSweep(sweep, chosen, progress);
         if (!opened) return passOn(opened.error());
-        found->frames = framesOf(opened->sequence, calibration);
+        const Sequence& sequence = opened->sequence;
+        found->frames = framesOf(sequence, calibration);
+        const auto first = sequence.framePixels(0);
+        found->picture.width = sequence.width;
+        found->picture.height = sequence.height;
+        found->picture.pixels.assign(first.begin(), first.end());
         found->plan = std::move(opened->plan);
         return {};
       },
@@ -244,24 +418,48 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
   reading_ = 0;
   if (!outcome) {
     seen_ = std::make_shared<Seen>();
+    // What can be reached without the missing piece may be what is wanted.
+    const auto reachable = std::find_if(outcome.error().context.begin(), outcome.error().context.end(),
+                                        [](const auto& fact) { return fact.first == "reachable"; });
+    if (reachable != outcome.error().context.end()) {
+      std::vector<std::string> names;
+      for (const QString& name : words(reachable->second).split(QLatin1Char(','), Qt::SkipEmptyParts)) names.push_back(name.toStdString());
+      offerFrames(names, tr("as the sweep suggests"));
+    }
     refuse(words(outcome.error().sentence));
+    if (askedFor(outcome.error()) == "motor") moved_->setFocus();
     return;
   }
   seen_ = found;
+  if (found->spacing_mm && !spacingChosen_) {
+    const QSignalBlocker quiet(spacing_);
+    spacing_->setValue(*found->spacing_mm);
+  }
+  offerFrames(found->frames, tr("as the sweep suggests (%1)").arg(words(found->plan->toFrame)));
+  picture_->setPicture(found->picture, {});
+  const Clip& clip = found->plan->reconstruct.clip;
+  const glm::dvec2 size_px = clip.size_px.value_or(glm::dvec2(found->picture.width, found->picture.height));
+  picture_->setParts(
+      {{static_cast<int>(clip.origin_px.x), static_cast<int>(clip.origin_px.y), static_cast<int>(size_px.x), static_cast<int>(size_px.y)}});
+  picture_->setChosenPart(0);
+  showPlan();
+}
+
+void ImportDialog::offerFrames(const std::vector<std::string>& names, const QString& suggested) {
   const QString chosen = frame_->currentData().toString();
   const QSignalBlocker quiet(frame_);
   while (frame_->count() > 1) frame_->removeItem(1);
-  frame_->setItemText(0, tr("as the sweep suggests (%1)").arg(words(found->plan->toFrame)));
-  for (const std::string& name : found->frames) frame_->addItem(words(name), words(name));
+  frame_->setItemText(0, suggested);
+  for (const std::string& name : names) frame_->addItem(words(name), words(name));
   const int index = frame_->findData(chosen);
   frame_->setCurrentIndex(index < 0 ? 0 : index);
-  showPlan();
 }
 
 void ImportDialog::refuse(const QString& why) {
   make_->setEnabled(false);
   notes_->setStyleSheet(QStringLiteral("color: %1;").arg(currentTheme().danger.name()));
   notes_->setText(why);
+  grow();
   for (QLabel* label : {frames_, size_, memory_}) label->setText(QStringLiteral("–"));
 }
 
@@ -272,7 +470,9 @@ void ImportDialog::showPlan() {
   frames_->setText(
       tr("%1 of %2 used (%3 invalid, %4 without a pose)").arg(counts.used).arg(counts.total).arg(counts.invalid).arg(counts.missing));
   keepSource_->setEnabled(counts.used <= kMostTracedFrames);
-  ReconstructOptions chosen = options().reconstruct;
+  const auto asked = options();
+  if (!asked) return refuse(words(asked.error().sentence));
+  ReconstructOptions chosen = asked->reconstruct;
   chosen.clip = plan.reconstruct.clip;
   const Grid grid = respaced(plan.grid, spacing_->value());
   size_->setText(tr("%1 x %2 x %3 voxels, %4 x %5 x %6 mm")
@@ -299,9 +499,12 @@ void ImportDialog::showPlan() {
   notes_->setStyleSheet(QStringLiteral("color: %1;").arg(currentTheme().quiet.name()));
   notes_->setText(notes.join(QLatin1Char('\n')));
   make_->setEnabled(true);
+  grow();
 }
 
 void ImportDialog::start() {
+  const auto asked = options();
+  if (!asked) return refuse(words(asked.error().sentence));
   struct Made {
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Provenance> provenance;
@@ -311,7 +514,7 @@ void ImportDialog::start() {
   hide();
   jobs_.start(
       tr("Making a volume from %1").arg(title),
-      [made, sweep = pathOf(sweep_), chosen = options()](Progress& progress) -> Result<void> {
+      [made, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
         if (chosen.reconstruct.keepSource) {
           auto traced = importTracedSweep(sweep, chosen, progress);
           if (!traced) return passOn(traced.error());
@@ -328,7 +531,7 @@ void ImportDialog::start() {
         const bool failed = !outcome && outcome.error().code != ErrorCode::cancelled;
         ImportDialog* dialog = here.data();
         if (dialog == nullptr) {
-          if (failed && messages) messages->showError(outcome.error());
+          if (failed && messages) messages->showError(outcome.error(), QStringLiteral("open"));
           return;
         }
         if (failed) {
@@ -338,7 +541,10 @@ void ImportDialog::start() {
           dialog->make_->setEnabled(true);
           return;
         }
-        if (outcome) Q_EMIT dialog->imported(made->volume, title, made->provenance);
+        if (outcome) {
+          dialog->messages_.forgetWhatIsPast();
+          Q_EMIT dialog->imported(made->volume, title, made->provenance);
+        }
         dialog->close();
       });
 }

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <QDialog>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "ew/core/volume.h"
 #include "ew/library/voxel_source.h"
+#include "form_dialog.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -18,10 +20,11 @@ namespace ew::ui {
 
 class Jobs;
 class MessageBar;
+class PictureChooser;
 
-/// Asks what a sweep leaves open before it becomes a volume: calibration, frame, spacing, method; and says beforehand how large the volume
-/// will be and what memory it takes. The reconstruction itself is a job.
-class ImportDialog final : public QDialog {
+/// Asks what a sweep leaves open before it becomes a volume: calibration, how the probe moved, frame, spacing, method, which part of the
+/// frames; and says beforehand how large the volume will be and what memory it takes. The reconstruction itself is a job.
+class ImportDialog final : public FormDialog {
   Q_OBJECT
 
  public:
@@ -36,12 +39,17 @@ class ImportDialog final : public QDialog {
  private:
   struct Seen;
   void addRows();
+  void addPoseRows(QFormLayout& form);
+  void addMethodRows(QFormLayout& form);
+  void addPicture();
+  void showMotorRows();
   void readAgain();
   void take(const std::shared_ptr<Seen>& found, const Result<void>& outcome);
+  void offerFrames(const std::vector<std::string>& names, const QString& suggested);
   void showPlan();
   void refuse(const QString& why);
   void start();
-  [[nodiscard]] SweepImportOptions options() const;
+  [[nodiscard]] Result<SweepImportOptions> options() const;
 
   QString sweep_;
   Jobs& jobs_;
@@ -50,16 +58,26 @@ class ImportDialog final : public QDialog {
   QTimer soon_;
   int reading_ = 0;  ///< job that reads the sweep; 0: none
   QLineEdit* calibration_ = nullptr;
+  QComboBox* moved_ = nullptr;
+  QWidget* motorFileRow_ = nullptr;
+  QLineEdit* motorFile_ = nullptr;
+  QWidget* stepRow_ = nullptr;
+  QDoubleSpinBox* step_ = nullptr;
+  QDoubleSpinBox* axisBehindFace_ = nullptr;
   QComboBox* frame_ = nullptr;
   QDoubleSpinBox* spacing_ = nullptr;
+  bool spacingChosen_ = false;  ///< by a person: the device set does not change it any more
   QComboBox* interpolation_ = nullptr;
   QComboBox* compounding_ = nullptr;
   QDoubleSpinBox* fill_ = nullptr;
+  QLineEdit* clip_ = nullptr;
+  QLineEdit* fan_ = nullptr;
   QCheckBox* keepSource_ = nullptr;
   QLabel* frames_ = nullptr;
   QLabel* size_ = nullptr;
   QLabel* memory_ = nullptr;
   QLabel* notes_ = nullptr;
+  PictureChooser* picture_ = nullptr;
   QPushButton* make_ = nullptr;
 };
 

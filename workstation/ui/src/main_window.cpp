@@ -264,6 +264,7 @@ void MainWindow::connectParts() {
     connect(dialog, &FileImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
       if (mayReplaceShown(title)) showMade({path, title, volume, nullptr});
     });
+    connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
     dialog->open();
   });
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {

@@ -73,6 +73,7 @@ struct CineOptions {
   ColourRule colour = ColourRule::ask;
   std::vector<PixelRect> blank;  ///< of the whole picture, made black before it is cut
   bool keepText = false;         ///< take the whole picture although the file says that text is burned in
+  std::uint64_t mostFrames = 0;  ///< of the first ones, to look at; 0: all
 };
 
 /// A still or a cine: pictures in the order of time with the size of a pixel and no pose.

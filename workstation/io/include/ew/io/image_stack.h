@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/image.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/io/deidentify.h"
@@ -29,6 +30,14 @@ struct StackVolume {
   Removed removed;
   std::vector<std::string> notes;
 };
+
+/// One picture of a stack, to look at.
+struct StackPicture {
+  GreyImage level;
+  std::vector<std::uint8_t> coloured;  ///< like level.pixels: 1 where the source is coloured; empty: nowhere
+};
+/// The first picture of stackFiles(). @error as readImageStack, but for what the other pictures show
+[[nodiscard]] Result<StackPicture> readFirstOfStack(const std::filesystem::path& folderOrPicture);
 
 /// Reads a stack of equally large pictures as a volume: x to the right, y down, z from picture to picture.
 /// @error as stackFiles; missingCalibration (no spacing), badField (pictures of different sizes), badHeader, tooLarge, unsupported (colours

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/image.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
@@ -58,6 +59,18 @@ struct ImportedFile {
 /// @error as readVolume, readDicomCine, readDicomVolume, readKretz, readImageStack, readRawVolume; unsupported (a sweep: reconstruct it)
 [[nodiscard]] Result<ImportedFile> importFile(const std::filesystem::path& file, const ImportAnswers& answers,
                                               Progress& progress = noProgress(), const ReadLimits& limits = {});
+
+/// What a person has to see in order to answer, found without importing.
+struct ImportPreview {
+  std::uint64_t volumes = 1;             ///< one after the other in the file: ImportAnswers::timeStep is 1 to this; 0: not known
+  std::optional<glm::dvec3> spacing_mm;  ///< that the file states
+  std::optional<DicomSummary> dicom;     ///< of a DICOM file
+  GreyImage picture;                     ///< the first one, whole: region and blank count its pixels; width 0: there is none to show
+  std::vector<std::uint8_t> coloured;    ///< like picture.pixels: 1 where the source is coloured; empty: nowhere
+};
+/// @error as importFile
+[[nodiscard]] Result<ImportPreview> previewImport(const std::filesystem::path& file, FileKind kind, Progress& progress = noProgress(),
+                                                  const ReadLimits& limits = {});
 
 /// What an error asks for, or empty.
 [[nodiscard]] std::string askedFor(const Error& error);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ew/acquisition/confidence.h"
+#include "ew/acquisition/motor_sweep.h"
 #include "ew/acquisition/reconstruct.h"
 #include "ew/acquisition/temporal_offset.h"
 #include "ew/core/progress.h"
@@ -33,9 +34,10 @@ struct SweepImportOptions {
   bool compoundingFromCalibration = false;          ///< CompoundingMode of the device set instead of reconstruct.compounding
   std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
   ConfidenceOptions confidence = {};                ///< with Compounding::weighted: how the weight of each pixel is found
-  std::string motor = {};                  ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
-  std::optional<double> poseDelay_s = {};  ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
-  bool estimatePoseDelay = false;          ///< find that out; when nobody can tell, poses stay, and the plan says so
+  std::string motor = {};                      ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
+  std::optional<MotorSweep> statedMotor = {};  ///< the motor as a person said it, in place of a file
+  std::optional<double> poseDelay_s = {};      ///< poses lag behind images by this much; they are moved in time (see posesDelayedBy)
+  bool estimatePoseDelay = false;              ///< find that out; when nobody can tell, poses stay, and the plan says so
 };
 
 struct SweepCounts {
