@@ -89,5 +89,48 @@ RC_GTEST_PROP(Edits, APlaceSurvivesTheManifestAndItsText, ()) {
   RC_ASSERT(manifest["volume"]["licence"] == "CC0");
 }
 
+TEST(Edits, AProbeIsAddedLastAndAnEmptyListMeansAll) {
+  json manifest = withProbe(withProbe(kManifest, "linear-12", true), "convex-3.5", true);
+  EXPECT_EQ(probesOf(manifest), (std::vector<std::string>{"linear-12", "convex-3.5"}));
+  EXPECT_EQ(withProbe(manifest, "linear-12", true), manifest) << "listing it again must not move it to the end";
+  EXPECT_TRUE(listsProbe(manifest, "linear-12"));
+  manifest = withProbe(withProbe(manifest, "linear-12", false), "convex-3.5", false);
+  EXPECT_EQ(manifest, kManifest);
+}
+
+TEST(Edits, LinesBecomeAListWithoutEmptyOnesAndBack) {
+  const json manifest = withLines(kManifest, "findings", "One stone.\n\n  \nNo duct dilated.\n");
+  EXPECT_EQ(manifest["findings"], json({"One stone.", "No duct dilated."}));
+  EXPECT_EQ(linesOf(manifest, "findings"), "One stone.\nNo duct dilated.");
+  EXPECT_EQ(withLines(manifest, "findings", " \n"), kManifest);
+}
+
+TEST(Edits, TheStartPoseIsSetExactlyAndTakenAway) {
+  glm::dmat4 pose(1.0);
+  pose[3] = glm::dvec4(1.25, -7.5, 1e-3, 1.0);
+  const json manifest = withStartPose(kManifest, pose);
+  EXPECT_EQ(startPoseOf(manifest), pose);
+  EXPECT_EQ(withStartPose(manifest, std::nullopt), kManifest);
+  EXPECT_FALSE(startPoseOf({{"start_pose", {1, 2, 3}}}).has_value());
+}
+
+TEST(Edits, AProbeSeesTheVolumeWhereItsFanReachesIt) {
+  sdk::Cases::Scan scan;
+  scan.depth_mm = 100.0;
+  scan.halfFace_mm = 20.0;
+  scan.volume.dims = {21, 21, 21};  // 20 mm
+  scan.volume.origin_mm = {30.0, 60.0, -10.0};
+  const glm::dmat4 here(1.0);
+  EXPECT_FALSE(seesVolume(scan, here)) << "parallel lines run beside it";
+  scan.halfWidth_rad = 0.5;
+  EXPECT_TRUE(seesVolume(scan, here)) << "a fan opens towards it";
+  scan.depth_mm = 40.0;
+  EXPECT_FALSE(seesVolume(scan, here)) << "the picture ends before it";
+  scan.depth_mm = 100.0;
+  glm::dmat4 behind(1.0);
+  behind[3] = glm::dvec4(0.0, 120.0, 0.0, 1.0);
+  EXPECT_FALSE(seesVolume(scan, behind));
+}
+
 }  // namespace
 }  // namespace ew::case_authoring

@@ -34,6 +34,8 @@ class OneCase final : public sdk::Cases {
     return {};
   }
   bool hasUnsavedChanges() const override { return unsaved; }
+  std::optional<Scan> scan() const override { return present; }
+  Choices choices() const override { return {{{"convex-3.5", "Convex"}, {"linear-12", "Linear"}}, {"adult.json", "gravid.json"}}; }
   Ticket onChanged(std::function<void()> callback) override {
     const int key = next_++;
     callbacks_[key] = std::move(callback);
@@ -50,6 +52,7 @@ class OneCase final : public sdk::Cases {
   }
 
   std::optional<nlohmann::json> manifest;
+  std::optional<Scan> present;
   std::filesystem::path folder = "/cases/one";
   std::vector<std::pair<std::string, std::string>> done;
   std::vector<nlohmann::json> before;

@@ -1,5 +1,6 @@
 // The panels of both plugins, opened through the door as the workstation opens them, and driven as a user drives them.
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -152,6 +153,88 @@ class PanelsTest final : public QObject {
     const std::vector<double> expected = {0, -1, 0, 12.5, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     QVERIFY((*host_.theCase.manifest)["volume"]["file_to_world"].get<std::vector<double>>() == expected);
     keepPicture(panel, "case-form.png");
+  }
+
+  void theStartPoseIsTakenFromTheScanAndSaidWhenItSeesNothing() {
+    host_.theCase.manifest = nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}};
+    host_.theCase.present.reset();
+    const auto panel = open(host_, "case_authoring");
+    auto* take = child<QPushButton>(panel, "takeStartPose");
+    auto* remark = child<QLabel>(panel, "startRemark");
+    take->click();
+    QVERIFY(child<QLabel>(panel, "problem")->isVisible());  // nothing is scanned: there is nothing to take
+    QVERIFY(!host_.theCase.manifest->contains("start_pose"));
+    // 100 mm cube at the origin, the probe on its upper face, looking along +y.
+    sdk::Cases::Scan scan;
+    scan.probe = "linear-12";
+    scan.probeToWorld[3] = glm::dvec4(50.0, 0.0, 50.0, 1.0);
+    scan.depth_mm = 60.0;
+    scan.halfFace_mm = 20.0;
+    scan.volume.dims = {101, 101, 101};
+    host_.theCase.present = scan;
+    take->click();
+    QCOMPARE((*host_.theCase.manifest)["start_pose"].get<std::vector<double>>()[3], 50.0);
+    QVERIFY(!remark->isVisible());
+    const std::size_t steps = host_.theCase.before.size();
+    scan.volume.origin_mm = {500.0, 0.0, 0.0};  // the volume was moved away
+    host_.theCase.present = scan;
+    host_.theCase.tell();
+    QVERIFY(remark->isVisible());
+    QVERIFY(!child<QLabel>(panel, "start_pose")->text().isEmpty());
+    const int saves = host_.theCase.saves;
+    QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
+    QCOMPARE(host_.theCase.saves, saves + 1);  // a remark forbids nothing
+    child<QPushButton>(panel, "removeStartPose")->click();
+    QVERIFY(!host_.theCase.manifest->contains("start_pose"));
+    QVERIFY(!remark->isVisible());
+    QCOMPARE(host_.theCase.before.size(), steps + 1);
+    host_.theCase.undo();
+    QVERIFY(host_.theCase.manifest->contains("start_pose"));
+    host_.theCase.present.reset();
+  }
+
+  void probesMannequinAndWhatWasFoundBeforeAreEdited() {
+    host_.theCase.manifest =
+        nlohmann::json{{"format", 1},
+                       {"id", "x"},
+                       {"title", "One"},
+                       {"volume", {{"file", "a.mha"}}},
+                       {"probes", {"linear-12"}},
+                       {"previous_examinations", {{{"when", "in May"}, {"kind", "ultrasound"}, {"findings", "a stone"}, {"by", 7}}}}};
+    const auto panel = open(host_, "case_authoring");
+    const auto& manifest = *host_.theCase.manifest;
+    QVERIFY(child<QCheckBox>(panel, "probe_linear-12")->isChecked());
+    child<QCheckBox>(panel, "probe_convex-3.5")->click();
+    QVERIFY(manifest["probes"] == nlohmann::json({"linear-12", "convex-3.5"}));  // the first stays the one at the start
+    child<QComboBox>(panel, "mannequin")->setCurrentIndex(2);
+    QCOMPARE(manifest["mannequin"].get<std::string>(), std::string("gravid.json"));
+    QTest::keyClicks(child<QPlainTextEdit>(panel, "findings"), QStringLiteral("One stone."));
+    QVERIFY(manifest["findings"] == nlohmann::json({"One stone."}));
+    QTest::keyClicks(child<QLineEdit>(panel, "examination_0_when"), QStringLiteral(" 2020"));
+    QCOMPARE(manifest["previous_examinations"][0]["when"].get<std::string>(), std::string("in May 2020"));
+    QCOMPARE(manifest["previous_examinations"][0]["by"].get<int>(), 7);
+    child<QPushButton>(panel, "addExamination")->click();
+    QTest::keyClicks(child<QLineEdit>(panel, "examination_1_kind"), QStringLiteral("x-ray"));
+    QCOMPARE(manifest["previous_examinations"][1]["kind"].get<std::string>(), std::string("x-ray"));
+    child<QPushButton>(panel, "examination_0_remove")->click();
+    QCOMPARE(manifest["previous_examinations"].size(), std::size_t(1));
+    QTest::keyClicks(child<QLineEdit>(panel, "volume_licence"), QStringLiteral("CC BY 4.0"));
+    QCOMPARE(manifest["volume"]["licence"].get<std::string>(), std::string("CC BY 4.0"));
+    keepPicture(panel, "case-lists.png");
+  }
+
+  void aCheckNamesProbesThatNobodyHasAndSaysWhenAllIsWell() {
+    host_.theCase.manifest =
+        nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}, {"probes", {"nosuch", "linear-12"}}};
+    const auto panel = open(host_, "case_authoring");
+    child<QPushButton>(panel, "checkCase")->click();
+    QVERIFY2(child<QLabel>(panel, "problem")->text().contains(QStringLiteral("nosuch")),
+             qPrintable(child<QLabel>(panel, "problem")->text()));
+    QVERIFY(!child<QLabel>(panel, "checked")->isVisible());
+    child<QCheckBox>(panel, "probe_nosuch")->click();
+    child<QPushButton>(panel, "checkCase")->click();
+    QVERIFY(child<QLabel>(panel, "checked")->isVisible());
+    QVERIFY(!child<QLabel>(panel, "problem")->isVisible());
   }
 
   void droppedVolumesAreListedWithWhatTheWholeWillTake() {

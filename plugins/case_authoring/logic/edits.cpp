@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <sstream>
 
 #include "ew/core/frames.h"
 
@@ -13,6 +15,15 @@ constexpr const char* kGainPath = "scene.gain_and_dgc";
 std::pair<std::string, std::string> split(const std::string& path) {
   const auto dot = path.find('.');
   return dot == std::string::npos ? std::pair{path, std::string()} : std::pair{path.substr(0, dot), path.substr(dot + 1)};
+}
+
+/// 16 numbers, row by row, as a matrix; empty when it is anything else.
+std::optional<glm::dmat4> matrixIn(const nlohmann::json& value) {
+  if (!value.is_array() || value.size() != 16 || !std::all_of(value.begin(), value.end(), [](const auto& n) { return n.is_number(); }))
+    return std::nullopt;
+  std::array<double, 16> rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = value[i].get<double>();
+  return matrixFromRows(rows);
 }
 
 }  // namespace
@@ -68,16 +79,81 @@ nlohmann::json withEffect(nlohmann::json manifest, const std::string& path, bool
 Result<glm::dmat4> placeOf(const nlohmann::json& manifest) {
   const auto value = fieldOf(manifest, "volume.file_to_world");
   if (value.is_null()) return glm::dmat4(1.0);
-  if (!value.is_array() || value.size() != 16 || !std::all_of(value.begin(), value.end(), [](const auto& n) { return n.is_number(); }))
-    return failure(ErrorCode::badField, "The volume's place is not 16 numbers, row by row; correct 'volume.file_to_world' in case.json.",
-                   {{"field", "volume.file_to_world"}});
-  std::array<double, 16> rows{};
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = value[i].get<double>();
-  return matrixFromRows(rows);
+  if (const auto matrix = matrixIn(value)) return *matrix;
+  return failure(ErrorCode::badField, "The volume's place is not 16 numbers, row by row; correct 'volume.file_to_world' in case.json.",
+                 {{"field", "volume.file_to_world"}});
 }
 
 nlohmann::json withPlace(nlohmann::json manifest, const glm::dmat4& fileToWorld) {
   return withField(std::move(manifest), "volume.file_to_world", nlohmann::json(rowsOf(fileToWorld)));
+}
+
+std::vector<std::string> probesOf(const nlohmann::json& manifest) {
+  std::vector<std::string> ids;
+  const auto listed = fieldOf(manifest, "probes");
+  if (listed.is_array())
+    for (const auto& id : listed)
+      if (id.is_string()) ids.push_back(id.get<std::string>());
+  return ids;
+}
+
+bool listsProbe(const nlohmann::json& manifest, const std::string& id) {
+  const auto ids = probesOf(manifest);
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+nlohmann::json withProbe(nlohmann::json manifest, const std::string& id, bool listed) {
+  auto ids = probesOf(manifest);
+  std::erase(ids, id);
+  if (listed == listsProbe(manifest, id)) return manifest;
+  if (listed) ids.push_back(id);
+  return withField(std::move(manifest), "probes", ids.empty() ? std::nullopt : std::optional<nlohmann::json>(ids));
+}
+
+std::string linesOf(const nlohmann::json& manifest, const std::string& path) {
+  std::string lines;
+  const auto list = fieldOf(manifest, path);
+  if (list.is_array())
+    for (const auto& one : list)
+      if (one.is_string()) lines += (lines.empty() ? "" : "\n") + one.get<std::string>();
+  return lines;
+}
+
+nlohmann::json withLines(nlohmann::json manifest, const std::string& path, const std::string& lines) {
+  nlohmann::json list = nlohmann::json::array();
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) list.push_back(line);
+  return withField(std::move(manifest), path, list.empty() ? std::nullopt : std::optional<nlohmann::json>(list));
+}
+
+std::optional<glm::dmat4> startPoseOf(const nlohmann::json& manifest) { return matrixIn(fieldOf(manifest, "start_pose")); }
+
+nlohmann::json withStartPose(nlohmann::json manifest, const std::optional<glm::dmat4>& probeToWorld) {
+  return withField(std::move(manifest), "start_pose", probeToWorld ? std::optional<nlohmann::json>(rowsOf(*probeToWorld)) : std::nullopt);
+}
+
+bool seesVolume(const sdk::Cases::Scan& scan, const glm::dmat4& probeToWorld) {
+  constexpr double kDepthStep_mm = 4.0;
+  constexpr int kLines = 17;
+  const glm::dmat4 probeToVoxel = scan.volume.worldToVoxel().matrix * probeToWorld;
+  const bool isFan = scan.halfWidth_rad > 0.0;
+  // Lines of a fan meet this far behind the face.
+  const double radius_mm = isFan ? scan.halfFace_mm / std::sin(scan.halfWidth_rad) : 0.0;
+  for (int line = 0; line < kLines; ++line) {
+    const double across = 2.0 * line / (kLines - 1) - 1.0;
+    const double angle_rad = across * scan.halfWidth_rad;
+    for (double depth_mm = 0.0; depth_mm <= scan.depth_mm; depth_mm += kDepthStep_mm) {
+      const glm::dvec4 p_probe = isFan ? glm::dvec4((radius_mm + depth_mm) * std::sin(angle_rad),
+                                                    (radius_mm + depth_mm) * std::cos(angle_rad) - radius_mm, 0.0, 1.0)
+                                       : glm::dvec4(across * scan.halfFace_mm, depth_mm, 0.0, 1.0);
+      const glm::dvec3 p_voxel(probeToVoxel * p_probe);
+      if (glm::all(glm::greaterThanEqual(p_voxel, glm::dvec3(-0.5))) &&
+          glm::all(glm::lessThan(p_voxel, glm::dvec3(scan.volume.dims) - 0.5)))
+        return true;
+    }
+  }
+  return false;
 }
 
 std::string fieldOf(const Error& problem) {

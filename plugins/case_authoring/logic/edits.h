@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ew/core/result.h"
+#include "ew/sdk/host.h"
 
 namespace ew::case_authoring {
 
@@ -31,6 +33,26 @@ namespace ew::case_authoring {
 /// @error badField when it is not 16 numbers
 [[nodiscard]] Result<glm::dmat4> placeOf(const nlohmann::json& manifest);
 [[nodiscard]] nlohmann::json withPlace(nlohmann::json manifest, const glm::dmat4& fileToWorld);
+
+/// Whether the case lists a probe. One that lists none allows all.
+[[nodiscard]] bool listsProbe(const nlohmann::json& manifest, const std::string& id);
+/// The manifest with a probe in its list or not; the others keep their order, for the first is the one at the start, and a new one comes
+/// last. A list that becomes empty goes.
+[[nodiscard]] nlohmann::json withProbe(nlohmann::json manifest, const std::string& id, bool listed);
+/// The probes that are listed, in order.
+[[nodiscard]] std::vector<std::string> probesOf(const nlohmann::json& manifest);
+
+/// A list of texts as lines, and back: lines without words are left out, a list without lines goes.
+[[nodiscard]] std::string linesOf(const nlohmann::json& manifest, const std::string& path);
+[[nodiscard]] nlohmann::json withLines(nlohmann::json manifest, const std::string& path, const std::string& lines);
+
+/// Where the probe stands at the start, probe to world; empty when the case leaves it to the program, or when it is not 16 numbers.
+[[nodiscard]] std::optional<glm::dmat4> startPoseOf(const nlohmann::json& manifest);
+[[nodiscard]] nlohmann::json withStartPose(nlohmann::json manifest, const std::optional<glm::dmat4>& probeToWorld);
+
+/// Whether any part of the picture lies within the volume when the probe of `scan` stands at `probeToWorld`. The picture is looked at every
+/// 4 mm of depth and in 17 lines: a volume that is smaller may be missed.
+[[nodiscard]] bool seesVolume(const sdk::Cases::Scan& scan, const glm::dmat4& probeToWorld);
 
 /// The field a problem is about ("patient.age_years"), from its context; empty when it names none. An index is cut off: "start_pose[3]"
 /// is about "start_pose".

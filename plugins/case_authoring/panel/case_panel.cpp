@@ -11,6 +11,7 @@
 #include <QStackedWidget>
 
 #include "logic/edits.h"
+#include "panel/fields.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -19,11 +20,6 @@ using sdk::kGap_px;
 
 constexpr int kAgeUnknown = -1;
 constexpr const char* kPlacePath = "volume.file_to_world";
-
-QString nameOf(const std::string& path) {
-  QString name = sdk::words(path);
-  return name.replace(QLatin1Char('.'), QLatin1Char('_'));
-}
 
 /// Like NumberField: scrolling the form past it must not change it.
 class AgeField final : public sdk::WithHostUndo<QSpinBox> {
@@ -38,19 +34,6 @@ class AgeField final : public sdk::WithHostUndo<QSpinBox> {
       event->ignore();
   }
 };
-class ChoiceField final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      QComboBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
-
 }  // namespace
 
 CasePanel::CasePanel(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
@@ -84,19 +67,30 @@ QWidget* CasePanel::makeForm() {
 
   form->addRow(sdk::headingLabel(tr("Case")));
   addLine(form, "title", tr("Title"), tr("Change the title"));
+  addLine(form, "title_for_trainees", tr("For trainees"), tr("Change the title for trainees"));
   addLine(form, "region", tr("Region"), tr("Change the region"));
   form->addRow(sdk::headingLabel(tr("Patient")));
   addLine(form, "patient.name", tr("Name"), tr("Change the patient's name"));
   addSex(form);
   addAge(form);
-  form->addRow(sdk::headingLabel(tr("Findings")));
+  form->addRow(sdk::headingLabel(tr("Before the examination")));
   addText(form, "history", tr("History"), tr("Change the history"));
   addText(form, "indication", tr("Indication"), tr("Change the indication"));
+  addExaminations(form);
+  form->addRow(sdk::headingLabel(tr("Findings")));
+  addLines(form, "findings", tr("Findings"), tr("Change the findings"));
   addText(form, "diagnosis", tr("Diagnosis"), tr("Change the diagnosis"));
+  form->addRow(sdk::headingLabel(tr("Scan")));
+  addStartPose(form);
+  addProbes(form);
+  addMannequin(form);
   form->addRow(sdk::headingLabel(tr("Scene")));
   addScene(form);
   form->addRow(sdk::headingLabel(tr("Volume in the body")));
   addPlace(form);
+  form->addRow(sdk::headingLabel(tr("Recording")));
+  addLine(form, "volume.attribution", tr("Attribution"), tr("Change the attribution"));
+  addLine(form, "volume.licence", tr("Licence"), tr("Change the licence"));
 
   scroll->setWidget(body);
   column->addWidget(scroll, 1);
@@ -112,6 +106,10 @@ QWidget* CasePanel::makeSaveRow() {
   problem_ = sdk::problemLabel();
   problem_->setObjectName(QStringLiteral("problem"));
   column->addWidget(problem_);
+  checked_ = sdk::quietLabel({});
+  checked_->setObjectName(QStringLiteral("checked"));
+  checked_->hide();
+  column->addWidget(checked_);
   where_ = sdk::quietLabel({});
   where_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(where_);
@@ -120,11 +118,18 @@ QWidget* CasePanel::makeSaveRow() {
   saved_ = new QLabel;
   saved_->setObjectName(QStringLiteral("savedMark"));
   buttons->addWidget(saved_, 1);
+  auto* check = new QPushButton(tr("Check"));
+  check->setObjectName(QStringLiteral("checkCase"));
+  check->setToolTip(tr("Look for everything that is wrong with this case"));
+  connect(check, &QPushButton::clicked, this, &CasePanel::checkCase);
+  buttons->addWidget(check);
   auto* saveAs = new QPushButton(tr("Save as…"));
   saveAs->setObjectName(QStringLiteral("saveAs"));
   saveAs->setToolTip(tr("Copy the whole case into a new folder and go on there"));
   connect(saveAs, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getSaveFileName(this, tr("New folder for the case"));
+    const QString folder =
+        QFileDialog::getSaveFileName(this, tr("New folder for the case"), sdk::words(host_.cases().currentFolder().string()) + tr("-copy"),
+                                     tr("Case folders (*)"), nullptr, QFileDialog::ShowDirsOnly);
     if (!folder.isEmpty()) save(folder.toStdString());
   });
   buttons->addWidget(saveAs);
@@ -289,6 +294,7 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
     beforeTyping_ = fieldOf(*manifest, path);
   }
   sdk::setProblem(problem_, {});
+  checked_->hide();
   sdk::setProblem(fields_[path].problem, {});
   if (next == *manifest) return;
   changing_ = true;
@@ -300,6 +306,7 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   }
   changing_ = false;
   showSaved();
+  showStartRemark();
   if (done) return;
   if (fieldOf(done.error()) == path)
     sdk::setProblem(fields_[path].problem, sdk::words(done.error().sentence));
@@ -330,6 +337,7 @@ void CasePanel::showCase() {
   const auto manifest = host_.cases().current();
   pages_->setCurrentIndex(manifest ? 1 : 0);
   sdk::setProblem(problem_, {});
+  checked_->hide();
   if (!manifest) return;
   const auto problems = host_.cases().check(*manifest);
   for (auto& [path, field] : fields_) {
@@ -340,6 +348,7 @@ void CasePanel::showCase() {
     sdk::setProblem(field.problem, sentence);
   }
   showSaved();
+  showStartRemark();
 }
 
 void CasePanel::showSaved() {

@@ -42,6 +42,11 @@ class CasePanel final : public QWidget {
   void addSex(QFormLayout* form);
   void addAge(QFormLayout* form);
   void addPlace(QFormLayout* form);
+  void addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
+  void addExaminations(QFormLayout* form);
+  void addStartPose(QFormLayout* form);
+  void addProbes(QFormLayout* form);
+  void addMannequin(QFormLayout* form);
   void addScene(QFormLayout* form);
   QLabel* addRow(QFormLayout* form, const QString& label, QWidget* editor, const std::string& path);
   /// @param part of what `path` names: edits of one part in a row are one step of undo
@@ -49,6 +54,8 @@ class CasePanel final : public QWidget {
               const std::string& part = {});
   void showCase();
   void showSaved();
+  void showStartRemark();
+  void checkCase();
   void say(const Error& problem);
 
   sdk::Host& host_;
@@ -60,6 +67,8 @@ class CasePanel final : public QWidget {
   QLabel* saved_ = nullptr;
   QLabel* where_ = nullptr;
   QLabel* problem_ = nullptr;
+  QLabel* checked_ = nullptr;      ///< what a check has found good
+  QLabel* startRemark_ = nullptr;  ///< the case may be saved all the same
   sdk::Cases::Ticket ticket_;
 };
 

@@ -11,6 +11,8 @@ Volumes::~Volumes() = default;
 Files::~Files() = default;
 Cases::~Cases() = default;
 Result<void> Cases::makeOwn() { return {}; }
+std::optional<Cases::Scan> Cases::scan() const { return std::nullopt; }
+Cases::Choices Cases::choices() const { return {}; }
 Jobs::~Jobs() = default;
 void Jobs::startSaving(const std::string& title, std::function<Result<void>(Progress&)> work,
                        std::function<void(const Result<void>&)> done) {

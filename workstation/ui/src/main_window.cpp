@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "case_folder_dialog.h"
@@ -29,6 +30,17 @@ constexpr int kConsoleWidth_px = 248;
 constexpr int kHandle_px = 7;  ///< wide enough to be seen and taken
 constexpr int kPanelWidth_px = 400;
 constexpr int kStagedPanelWidth_px = 296;  ///< beside a stage, which has columns of its own
+
+/// The probes and the mannequins of the program.
+sdk::Cases::Choices choicesForCases(const std::vector<Probe>& probes, const std::filesystem::path& mannequins) {
+  sdk::Cases::Choices choices;
+  for (const Probe& probe : probes) choices.probes.emplace_back(probe.id, probe.name);
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(mannequins, ignored))
+    if (entry.path().extension() == ".json") choices.mannequins.push_back(entry.path().filename().string());
+  std::sort(choices.mannequins.begin(), choices.mannequins.end());
+  return choices;
+}
 
 }  // namespace
 
@@ -53,6 +65,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), parts_(std::make_
   } else {
     auto probes = readProbes(*resources / "probes");
     if (probes) {
+      parts_->host->setChoices([choices = choicesForCases(*probes, *resources / "mannequin")] { return choices; });
       parts_->session.setProbes(std::move(*probes));
     } else {
       parts_->messages->showError(probes.error());
@@ -276,6 +289,17 @@ void MainWindow::connectParts() {
   connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
     connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
+  p.host->setScan([this]() -> std::optional<sdk::Cases::Scan> {
+    const Session& session = parts_->session;
+    if (!parts_->opener->showsCase() || !session.subject()) return std::nullopt;
+    const Probe& probe = session.probe();
+    return sdk::Cases::Scan{probe.id,
+                            session.pose().probeToWorld.matrix,
+                            session.depth_mm(),
+                            isSector(probe.kind) ? probe.halfAngle_rad : 0.0,
+                            faceHalfWidth_mm(probe),
+                            session.subject()->placedGrid};
+  });
 }
 
 void MainWindow::showPicture() {

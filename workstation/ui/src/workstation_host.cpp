@@ -109,11 +109,16 @@ class HostCases final : public sdk::Cases {
     return saving.makeOwn ? saving.makeOwn() : Result<void>();
   }
   [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
+  [[nodiscard]] std::optional<Scan> scan() const override { return askScan ? askScan() : std::nullopt; }
+  [[nodiscard]] Choices choices() const override { return askChoices ? askChoices() : Choices{}; }
   Ticket onChanged(std::function<void()> callback) override {
     auto kept = std::make_shared<std::function<void()>>(std::move(callback));
     callbacks_.push_back(kept);
     return kept;
   }
+
+  std::function<std::optional<Scan>()> askScan;
+  std::function<Choices()> askChoices;
 
   void tellChanged() {
     std::erase_if(callbacks_, [](const auto& one) { return one.expired(); });
@@ -200,6 +205,8 @@ WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget&
 WorkstationHost::~WorkstationHost() = default;
 
 void WorkstationHost::setCaseSaving(CaseSaving saving) { parts_->cases.saving = std::move(saving); }
+void WorkstationHost::setScan(std::function<std::optional<sdk::Cases::Scan>()> scan) { parts_->cases.askScan = std::move(scan); }
+void WorkstationHost::setChoices(std::function<sdk::Cases::Choices()> choices) { parts_->cases.askChoices = std::move(choices); }
 
 bool WorkstationHost::hasStageInFront() const {
   const LazyPanel* panel = parts_->panels.inFront();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "case_document.h"
@@ -39,6 +40,9 @@ class WorkstationHost final : public QObject, public sdk::Host {
     std::function<Result<void>()> makeOwn;
   };
   void setCaseSaving(CaseSaving saving);
+  /// How the open case is scanned, and what a case may choose from: the window knows.
+  void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
+  void setChoices(std::function<sdk::Cases::Choices()> choices);
 
   /// Of the tab in front; whether it is seen is the window's affair.
   [[nodiscard]] bool hasStageInFront() const;

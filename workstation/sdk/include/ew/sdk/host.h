@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ew/core/beams.h"
@@ -119,6 +120,25 @@ class Cases {
   /// @error badUsage (no case is open), cancelled (the user wants no copy), notWritable
   [[nodiscard]] virtual Result<void> makeOwn();
   [[nodiscard]] virtual bool hasUnsavedChanges() const = 0;
+
+  /// How the volume of the open case is scanned at this moment.
+  struct Scan {
+    std::string probe;             ///< its id
+    glm::dmat4 probeToWorld{1.0};  ///< rigid, mm
+    double depth_mm = 0.0;         ///< how far the picture reaches
+    double halfWidth_rad = 0.0;    ///< of the picture about the beam in its middle; 0: its lines are parallel
+    double halfFace_mm = 0.0;      ///< half the width of the probe's face
+    Grid volume;                   ///< where the volume lies in the world, with the case's edits
+  };
+  /// Empty: the case's volume is not the one that is scanned, or there is no window.
+  [[nodiscard]] virtual std::optional<Scan> scan() const;
+  /// What the program has for a case to choose from.
+  struct Choices {
+    std::vector<std::pair<std::string, std::string>> probes;  ///< id and name
+    std::vector<std::string> mannequins;                      ///< file names; the first is the usual one
+  };
+  [[nodiscard]] virtual Choices choices() const;
+
   /// Called on the window's thread whenever the open case or its saved state changed, also by undo. Returns a ticket; the callback lives
   /// until the ticket is destroyed.
   using Ticket = std::shared_ptr<void>;

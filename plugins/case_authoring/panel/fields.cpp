@@ -1,0 +1,107 @@
+#include "panel/fields.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+namespace ew::case_authoring {
+namespace {
+
+QString textIn(const nlohmann::json& object, const char* key) {
+  return object.is_object() && object.contains(key) && object[key].is_string() ? sdk::words(object[key].get<std::string>()) : QString();
+}
+
+}  // namespace
+
+ExaminationsField::ExaminationsField(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("previous_examinations"));
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(sdk::kGap_px);
+  entries_ = new QWidget;
+  column_->addWidget(entries_);
+  auto* add = new QPushButton(tr("Add an examination"));
+  add->setObjectName(QStringLiteral("addExamination"));
+  column_->addWidget(add, 0, Qt::AlignLeft);
+  connect(add, &QPushButton::clicked, this, [this] {
+    list_.push_back(nlohmann::json::object());
+    remake();
+    tell();
+    const QString name = QStringLiteral("examination_%1_when").arg(list_.size() - 1);
+    if (auto* first = findChild<QLineEdit*>(name)) first->setFocus();
+  });
+}
+
+void ExaminationsField::setValue(const nlohmann::json& list) {
+  const nlohmann::json next = list.is_array() ? list : nlohmann::json::array();
+  if (next == list_) return;
+  list_ = next;
+  remake();
+}
+
+void ExaminationsField::remake() {
+  // The button that asked for it may be among what is replaced.
+  column_->removeWidget(entries_);
+  entries_->hide();
+  entries_->setParent(nullptr);
+  entries_->deleteLater();
+  entries_ = new QWidget;
+  auto* rows = new QVBoxLayout(entries_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(sdk::kGap_px);
+  column_->insertWidget(0, entries_);
+  for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
+}
+
+void ExaminationsField::addOne(std::size_t number) {
+  const nlohmann::json& one = list_[number];
+  const QString name = QStringLiteral("examination_%1_").arg(number);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(sdk::kGap_px);
+  const auto line = [&](const char* key, const QString& hint) {
+    auto* edited = new sdk::WithHostUndo<QLineEdit>;
+    edited->setObjectName(name + QLatin1String(key));
+    edited->setPlaceholderText(hint);
+    edited->setAccessibleName(hint);
+    edited->setText(textIn(one, key));
+    connect(edited, &QLineEdit::textEdited, this, [this, number, key](const QString& text) { edit(number, key, text); });
+    head->addWidget(edited, 1);
+  };
+  line("when", tr("when"));
+  line("kind", tr("kind"));
+  auto* away = new QPushButton(tr("Remove"));
+  away->setObjectName(name + QStringLiteral("remove"));
+  connect(away, &QPushButton::clicked, this, [this, number] {
+    list_.erase(number);
+    remake();
+    tell();
+  });
+  head->addWidget(away);
+  auto* rows = static_cast<QVBoxLayout*>(entries_->layout());
+  rows->addLayout(head);
+  auto* findings = new QPlainTextEdit;
+  findings->setObjectName(name + QStringLiteral("findings"));
+  findings->setPlaceholderText(tr("what it said"));
+  findings->setAccessibleName(tr("what it said"));
+  findings->setTabChangesFocus(true);
+  findings->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
+  findings->setFixedHeight(8 * sdk::kGap_px);
+  findings->setPlainText(textIn(one, "findings"));
+  connect(findings, &QPlainTextEdit::textChanged, this, [this, number, findings] { edit(number, "findings", findings->toPlainText()); });
+  rows->addWidget(findings);
+}
+
+void ExaminationsField::edit(std::size_t number, const char* key, const QString& text) {
+  if (number >= list_.size()) return;
+  if (text.isEmpty())
+    list_[number].erase(key);
+  else
+    list_[number][key] = text.toStdString();
+  tell();
+}
+
+void ExaminationsField::tell() {
+  if (onChanged) onChanged(list_.empty() ? nlohmann::json() : list_);
+}
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QComboBox>
+#include <QString>
+#include <QWheelEvent>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ew/sdk/panel.h"
+
+class QVBoxLayout;
+
+namespace ew::case_authoring {
+
+/// The name of the widget that edits a dotted field of the manifest: "patient_name".
+inline QString nameOf(const std::string& path) { return sdk::words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
+
+/// A choice that the wheel changes only when it has the focus, as NumberField.
+class ChoiceField final : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus())
+      QComboBox::wheelEvent(event);
+    else
+      event->ignore();
+  }
+};
+
+/// Earlier examinations, one below the other: when, what kind, and what it said. Fields of an examination that it does not show stay as
+/// they are.
+class ExaminationsField final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExaminationsField(QWidget* parent = nullptr);
+
+  void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
+  std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
+
+ private:
+  void remake();
+  void addOne(std::size_t number);
+  void tell();
+  void edit(std::size_t number, const char* key, const QString& text);
+
+  nlohmann::json list_ = nlohmann::json::array();
+  QVBoxLayout* column_ = nullptr;
+  QWidget* entries_ = nullptr;
+};
+
+}  // namespace ew::case_authoring

@@ -1,0 +1,190 @@
+// The rows of the case panel that say what was examined before, what is found, and how a scan begins.
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "logic/edits.h"
+#include "panel/case_panel.h"
+#include "panel/fields.h"
+
+namespace ew::case_authoring {
+
+using sdk::kGap_px;
+
+void CasePanel::addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
+  auto* text = new QPlainTextEdit;
+  text->setObjectName(nameOf(path));
+  text->setPlaceholderText(tr("one a line"));
+  text->setTabChangesFocus(true);
+  text->setMinimumHeight(8 * kGap_px);
+  text->setMaximumHeight(14 * kGap_px);
+  text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
+  connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what] {
+    change(path, what, [&](nlohmann::json manifest) { return withLines(std::move(manifest), path, text->toPlainText().toStdString()); });
+  });
+  fields_[path] = {[text, path](const nlohmann::json& manifest) {
+                     // Lines without words are on their way to have some: only another list replaces what is being typed.
+                     const auto typed = withLines(nlohmann::json::object(), path, text->toPlainText().toStdString());
+                     if (fieldOf(typed, path) == fieldOf(manifest, path)) return;
+                     const QSignalBlocker quiet(text);
+                     text->setPlainText(sdk::words(linesOf(manifest, path)));
+                   },
+                   addRow(form, label, text, path)};
+}
+
+void CasePanel::addExaminations(QFormLayout* form) {
+  const std::string path = "previous_examinations";
+  auto* field = new ExaminationsField;
+  field->onChanged = [this, path](const nlohmann::json& list) {
+    change(path, tr("Change the earlier examinations"), [&](nlohmann::json manifest) {
+      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+    });
+  };
+  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+                   addRow(form, tr("Earlier"), field, path)};
+}
+
+void CasePanel::addStartPose(QFormLayout* form) {
+  const std::string path = "start_pose";
+  auto* cell = new QWidget;
+  auto* column = new QVBoxLayout(cell);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px);
+  auto* place = new QLabel;
+  place->setObjectName(nameOf(path));
+  place->setWordWrap(true);
+  column->addWidget(place);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(kGap_px);
+  auto* take = new QPushButton(tr("Use the present one"));
+  take->setObjectName(QStringLiteral("takeStartPose"));
+  take->setToolTip(tr("The probe begins where it is held now"));
+  auto* leave = new QPushButton(tr("Remove"));
+  leave->setObjectName(QStringLiteral("removeStartPose"));
+  leave->setToolTip(tr("The probe begins on the skin before the volume"));
+  buttons->addWidget(take);
+  buttons->addWidget(leave);
+  buttons->addStretch(1);
+  column->addLayout(buttons);
+  startRemark_ = sdk::problemLabel();
+  startRemark_->setObjectName(QStringLiteral("startRemark"));
+  column->addWidget(startRemark_);
+  const auto set = [this, path](const QString& what, const std::optional<glm::dmat4>& pose) {
+    change(path, what, [&](nlohmann::json manifest) { return withStartPose(std::move(manifest), pose); });
+    if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+  };
+  connect(take, &QPushButton::clicked, this, [this, set] {
+    const auto scan = host_.cases().scan();
+    if (!scan) {
+      sdk::setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+      return;
+    }
+    set(tr("Set the start pose"), scan->probeToWorld);
+  });
+  connect(leave, &QPushButton::clicked, this, [set] { set(tr("Remove the start pose"), std::nullopt); });
+  fields_[path] = {[place, leave](const nlohmann::json& manifest) {
+                     const auto pose = startPoseOf(manifest);
+                     leave->setEnabled(pose.has_value());
+                     if (!pose) return place->setText(tr("on the skin before the volume's middle"));
+                     const auto mm = [](double value) { return QLocale().toString(value, 'f', 1); };
+                     const glm::dvec4& at_mm = (*pose)[3];
+                     place->setText(tr("x %1  y %2  z %3 mm").arg(mm(at_mm.x), mm(at_mm.y), mm(at_mm.z)));
+                   },
+                   addRow(form, tr("Start pose"), cell, path)};
+}
+
+void CasePanel::addProbes(QFormLayout* form) {
+  const std::string path = "probes";
+  auto* cell = new QWidget;
+  auto* column = new QVBoxLayout(cell);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kGap_px / 2);
+  auto* hint = sdk::quietLabel({});
+  hint->setObjectName(QStringLiteral("probesHint"));
+  column->addWidget(hint);
+  // The program's own, and those of the manifest that it does not know: one that cannot be seen cannot be taken out.
+  auto boxes = std::make_shared<std::map<std::string, QCheckBox*>>();
+  const auto names = host_.cases().choices().probes;
+  const auto box = [this, path, boxes, column](const std::string& id, const QString& name) {
+    auto* made = new QCheckBox(name);
+    made->setObjectName(QStringLiteral("probe_") + sdk::words(id));
+    connect(made, &QCheckBox::toggled, this, [this, path, id, name](bool on) {
+      change(path, on ? tr("Allow: %1").arg(name) : tr("Take out: %1").arg(name),
+             [&](nlohmann::json manifest) { return withProbe(std::move(manifest), id, on); });
+      if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+    });
+    column->addWidget(made);
+    (*boxes)[id] = made;
+  };
+  for (const auto& [id, name] : names) box(id, sdk::words(name));
+  fields_[path] = {[boxes, box, names, hint](const nlohmann::json& manifest) {
+                     const auto listed = probesOf(manifest);
+                     for (const std::string& id : listed)
+                       if (boxes->count(id) == 0) box(id, tr("%1 (unknown)").arg(sdk::words(id)));
+                     for (const auto& [id, one] : *boxes) {
+                       const QSignalBlocker quiet(one);
+                       one->setChecked(listsProbe(manifest, id));
+                     }
+                     const auto first = std::find_if(names.begin(), names.end(),
+                                                     [&](const auto& one) { return !listed.empty() && one.first == listed.front(); });
+                     hint->setText(listed.empty()         ? tr("None is ticked: all may be used.")
+                                   : first == names.end() ? QString()
+                                                          : tr("At the start: %1").arg(sdk::words(first->second)));
+                     hint->setVisible(!hint->text().isEmpty());
+                   },
+                   addRow(form, tr("Probes"), cell, path)};
+}
+
+void CasePanel::addMannequin(QFormLayout* form) {
+  const std::string path = "mannequin";
+  auto* choice = new ChoiceField;
+  choice->setObjectName(nameOf(path));
+  choice->setFocusPolicy(Qt::StrongFocus);
+  choice->addItem(tr("the usual one"), QString());
+  for (const std::string& file : host_.cases().choices().mannequins) choice->addItem(sdk::words(file), sdk::words(file));
+  connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice, path] {
+    change(path, tr("Change the mannequin"),
+           [&](nlohmann::json manifest) { return withText(std::move(manifest), path, choice->currentData().toString().toStdString()); });
+  });
+  fields_[path] = {[choice, path](const nlohmann::json& manifest) {
+                     const QString file = sdk::words(textOf(manifest, path));
+                     const QSignalBlocker quiet(choice);
+                     if (choice->findData(file) < 0) choice->addItem(file, file);  // one of the case's own folder
+                     choice->setCurrentIndex(choice->findData(file));
+                   },
+                   addRow(form, tr("Mannequin"), choice, path)};
+  choice->setToolTip(tr("Another one is shown when the case is opened again"));
+}
+
+void CasePanel::showStartRemark() {
+  const auto manifest = host_.cases().current();
+  const auto scan = host_.cases().scan();
+  const auto pose = manifest ? startPoseOf(*manifest) : std::nullopt;
+  const bool beside = scan && pose && !seesVolume(*scan, *pose);
+  sdk::setProblem(startRemark_,
+                  beside ? tr("From here the probe does not see the volume; use another place, or move the volume.") : QString());
+}
+
+void CasePanel::checkCase() {
+  const auto manifest = host_.cases().current();
+  if (!manifest) return;
+  QStringList found;
+  for (const Error& problem : host_.cases().check(*manifest)) found << sdk::words(problem.sentence);
+  const auto known = host_.cases().choices().probes;
+  for (const std::string& id : probesOf(*manifest))
+    if (!known.empty() && found.filter(sdk::words(id)).isEmpty() &&
+        std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.first == id; }))
+      found << tr("There is no probe '%1'; take it out.").arg(sdk::words(id));
+  if (!startRemark_->text().isEmpty()) found << startRemark_->text();
+  checked_->setText(tr("Nothing is wrong with this case."));
+  checked_->setVisible(found.isEmpty());
+  sdk::setProblem(problem_, found.join(QLatin1Char('\n')));
+}
+
+}  // namespace ew::case_authoring
