@@ -334,7 +334,7 @@ class WindowTest : public WindowFixture {
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     QCOMPARE(window_->messages().count(), 0);
     // The picture has the room of before again, and shows the same.
-    QTRY_COMPARE(pixelsOf(session()), before);
+    QTRY_COMPARE_WITH_TIMEOUT(pixelsOf(session()), before, static_cast<int>(test::kPatience_ms));
   }
 
   void whatWasSaidOfAnEarlierFileGoesWhenAnotherIsOpen() {
