@@ -70,6 +70,8 @@ class PluginCases final : public sdk::Cases {
   Result<void> save(const std::filesystem::path& folder) override { return inner_.save(folder); }
   Result<void> makeOwn() override { return inner_.makeOwn(); }
   [[nodiscard]] bool hasUnsavedChanges() const override { return inner_.hasUnsavedChanges(); }
+  [[nodiscard]] std::optional<Scan> scan() const override { return inner_.scan(); }
+  [[nodiscard]] Choices choices() const override { return inner_.choices(); }
   Ticket onChanged(std::function<void()> callback) override {
     return calls_->keepTicket(inner_.onChanged(
         [calls = calls_, callback = std::move(callback)] { static_cast<void>(calls->call(PluginMoment::caseChanged, {}, callback)); }));
