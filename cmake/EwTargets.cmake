@@ -8,14 +8,47 @@ target_compile_options(ew_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
 # At -O3 GCC 12 warns about the inside of std::string (its bug 105651) and of the JSON library; at -O2, where warnings are errors, it does not.
 target_compile_options(ew_warnings INTERFACE $<$<CONFIG:Release>:-Wno-restrict> $<$<CONFIG:Release>:-Wno-null-dereference>)
 
+# Sources joined by EW_UNITY are not the file that is compiled, so GCC takes their anonymous namespaces for those of headers.
+target_compile_options(ew_warnings INTERFACE $<$<BOOL:${EW_UNITY}>:-Wno-subobject-linkage>)
+
 include(EwSanitizers)
 include(${CMAKE_CURRENT_LIST_DIR}/../workstation/sdk/cmake/EwKnownWords.cmake)
 
-# ew_add_library(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ... [QT]): the static library ew_NAME, also known as ew::NAME.
+# ew_join_sources(TARGET [APART SOURCES...]): several sources of a target are compiled as one (EW_UNITY of them), which reads their headers and
+# instantiates their templates once: a third of the time of a whole build. Left alone are sources that use a name of their neighbours for
+# something else (APART, said by whoever adds the target) and those that highway compiles once for each instruction set.
+function(ew_join_sources target)
+  cmake_parse_arguments(arg "" "" "APART" ${ARGN})
+  if(NOT EW_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${EW_UNITY})
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    set(file ${source})
+    if(NOT IS_ABSOLUTE "${file}")
+      set(file ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    endif()
+    set(alone FALSE)
+    if(source IN_LIST arg_APART)
+      set(alone TRUE)
+    elseif(file MATCHES "\\.cpp$" AND EXISTS "${file}")
+      file(STRINGS "${file}" targets REGEX "hwy/foreach_target.h")
+      if(targets)
+        set(alone TRUE)
+      endif()
+    endif()
+    if(alone)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
+endfunction()
+
+# ew_add_library(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ... [APART ...] [QT]): the static library ew_NAME, also known as ew::NAME.
 # include/ is its interface; src/ is nobody else's business. QT turns on moc for this target.
 function(ew_add_library name)
-  cmake_parse_arguments(arg "QT" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;RESOURCES" ${ARGN})
-  ew_refuse_unknown_words("ew_add_library(${name})" HEADERS SOURCES PUBLIC PRIVATE RESOURCES)
+  cmake_parse_arguments(arg "QT" "" "HEADERS;SOURCES;PUBLIC;PRIVATE;RESOURCES;APART" ${ARGN})
+  ew_refuse_unknown_words("ew_add_library(${name})" HEADERS SOURCES PUBLIC PRIVATE RESOURCES APART)
   add_library(ew_${name} STATIC ${arg_HEADERS} ${arg_SOURCES} ${arg_RESOURCES})
   add_library(ew::${name} ALIAS ew_${name})
   target_include_directories(ew_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
@@ -26,6 +59,16 @@ function(ew_add_library name)
     set_target_properties(ew_${name} PROPERTIES AUTOMOC ON AUTORCC ON)
     target_compile_definitions(ew_${name} PUBLIC QT_NO_KEYWORDS)
   endif()
+  ew_join_sources(ew_${name} APART ${arg_APART})
+endfunction()
+
+# ew_group_test(TARGET): the target tests_FOLDER builds all test programs of the folder of tests/ they stand in.
+function(ew_group_test target)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  if(NOT TARGET tests_${folder})
+    add_custom_target(tests_${folder})
+  endif()
+  add_dependencies(tests_${folder} ${target})
 endfunction()
 
 # ew_add_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT s]): a GoogleTest program tests/ run by ctest, one entry per TEST.
@@ -34,8 +77,8 @@ function(ew_add_test name)
   if(NOT EW_BUILD_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
-  ew_refuse_unknown_words("ew_add_test(${name})" SOURCES LINK LABELS)
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS;APART" ${ARGN})
+  ew_refuse_unknown_words("ew_add_test(${name})" SOURCES LINK LABELS APART)
   if(NOT arg_LABELS)
     set(arg_LABELS unit)
   endif()
@@ -43,6 +86,8 @@ function(ew_add_test name)
     set(arg_TIMEOUT 900)
   endif()
   add_executable(test_${name} ${arg_SOURCES})
+  ew_join_sources(test_${name} APART ${arg_APART})
+  ew_group_test(test_${name})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main rapidcheck ew::warnings ew::sanitizers)
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE EW_SOURCE_DIR="${CMAKE_SOURCE_DIR}")

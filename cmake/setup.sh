@@ -103,3 +103,47 @@ ew_start_screen() {
   rm -f "$log" "$number"
   return 1
 }
+
+# ew_minutes SECONDS: as one reads it.
+ew_minutes() { printf '%d min %02d s' $(($1 / 60)) $(($1 % 60)); }
+
+# ew_ctest FOLDER [ARGS...]: runs the tests of a build folder and remembers how they ended for ew_finish.
+ew_results=()
+ew_failed=0
+ew_ctest() {
+  local folder=$1 results
+  shift
+  results=$(mktemp)
+  ew_results+=("$results")
+  ctest --test-dir "$folder" --output-on-failure -j "$(nproc)" --output-junit "$results" "$@" || ew_failed=1
+}
+
+# ew_tally FILE...: one line from the results of ctest: how many tests passed, failed and were skipped, and why they were.
+ew_tally() {
+  awk '
+    /<testcase / { ++tests; status = $0; sub(/.* status="/, "", status); sub(/".*/, "", status); reading = status == "notrun"; told = 0
+      if (status == "run") ++passed; else if (status == "fail") ++failed; else if (status == "notrun") ++skipped; else ++disabled }
+    reading && !told && because { sub(/<.*/, ""); why = $0; if (sub(/^for want of recordings.*/, "for want of recordings (../shared/data)", why)); ++reasons[why]; told = 1; because = 0 }
+    reading && /: Skipped$/ { because = 1 }
+    END {
+      printf "%d tests: %d passed, %d failed, %d skipped", tests, passed, failed, skipped
+      separator = ": "
+      for (why in reasons) { printf "%s%d %s", separator, reasons[why], why; separator = "; " }
+      if (disabled) printf "; %d disabled", disabled
+      printf "\n"
+      exit tests == 0
+    }' "$@"
+}
+
+# ew_finish: the last two lines of ./check, and its exit status.
+ew_finish() {
+  local status=$ew_failed
+  ew_tally "${ew_results[@]}" || status=1
+  rm -f "${ew_results[@]}"
+  if [ "$status" -eq 0 ]; then
+    printf 'All is well after %s.\n' "$(ew_minutes "$SECONDS")"
+  else
+    printf 'Not all is well, after %s; the failures are above.\n' "$(ew_minutes "$SECONDS")"
+  fi
+  exit "$status"
+}
