@@ -18,7 +18,7 @@ json pointOf(const glm::dvec3& p_mm) { return {p_mm.x, p_mm.y, p_mm.z}; }
 
 glm::dvec3 pointOf(const json& three) { return {three.at(0).get<double>(), three.at(1).get<double>(), three.at(2).get<double>()}; }
 
-glm::dmat4 matrixOf(const json& rows) { return matrixFromRows(rows.get<std::array<double, 16>>()); }
+glm::dmat4 truthMatrixOf(const json& rows) { return matrixFromRows(rows.get<std::array<double, 16>>()); }
 
 /// The element of a list of objects that has this name, or the names there are.
 Result<json> named(const json& list, const std::string& name, const std::string& field, const std::string& what) {
@@ -58,6 +58,8 @@ Result<json> patientTruth(const Case& opened, Progress& progress) {
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Opening the case was stopped.");
   const auto text = truthOfPatient(**patient, progress);
   if (!text) return passOn(text.error());
+  std::error_code ignored;
+  std::filesystem::create_directories(plan->truth.parent_path(), ignored);
   static_cast<void>(writeFileSafely(plan->truth, *text));  // the next start works it out again otherwise
   return parseJson(*text, "the patient's truth");
 }
@@ -88,7 +90,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
       } else {
         auto known = named(truth.at("planes"), target.name, field + ".name", "standard plane");
         if (!known) return passOn(known.error());
-        plane.probeToWorld = place * matrixOf(known->at("probe_to_world"));
+        plane.probeToWorld = place * truthMatrixOf(known->at("probe_to_world"));
         plane.positionTolerance_mm = known->at("position_tolerance_mm").get<double>();
         plane.angleTolerance_deg = known->at("angle_tolerance_deg").get<double>();
         plane.shows = known->at("shows").get<std::vector<std::string>>();
