@@ -144,8 +144,10 @@ class StitchingCareTest : public StitchingFixture {
     QVERIFY(jobsEnd());
     const auto knobs = window_->session().knobs();
     find<QPushButton>("matchAll")->setFocus();
-    for (const Qt::Key key : {Qt::Key_G, Qt::Key_M, Qt::Key_R, Qt::Key_X, Qt::Key_2}) QTest::keyClick(find<QPushButton>("matchAll"), key);
-    QVERIFY(window_->session().knobs() == knobs);
+    for (const Qt::Key key : {Qt::Key_G, Qt::Key_M, Qt::Key_R, Qt::Key_X, Qt::Key_2}) {
+      QTest::keyClick(find<QPushButton>("matchAll"), key);
+      QVERIFY2(window_->session().knobs() == knobs, qPrintable(QKeySequence(key).toString()));
+    }
     window_->setWorkspace(Workspace::explore);
     QTest::keyClick(window_.get(), Qt::Key_G);
     QVERIFY2(!(window_->session().knobs() == knobs), "the scan is seen again");

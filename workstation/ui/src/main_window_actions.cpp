@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <algorithm>
+#include <type_traits>
 
 #include "ew/core/version.h"
 #include "icons.h"
@@ -20,6 +21,11 @@
 namespace ew::ui {
 namespace {
 
+bool isBelow(const QWidget* widget, const QWidget* above) {
+  while (widget != nullptr && widget != above) widget = widget->parentWidget();
+  return widget != nullptr;
+}
+
 QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); }
 
 }  // namespace
@@ -30,7 +36,14 @@ void MainWindow::makeActions() {
   const auto add = [this](QMenu* menu, const QString& text, const QList<QKeySequence>& keys, auto&& run) {
     QAction* action = menu->addAction(text);
     action->setShortcuts(keys);
-    connect(action, &QAction::triggered, this, run);
+    connect(action, &QAction::triggered, this, [this, menu, run](bool checked) {
+      // A key of the scan does nothing while a panel's stage lies over it, whichever submenu it stands in.
+      if (parts_->staged && isBelow(menu, parts_->scanMenu)) return;
+      if constexpr (std::is_invocable_v<decltype(run), bool>)
+        run(checked);
+      else
+        run();
+    });
     return action;
   };
 
@@ -105,7 +118,7 @@ void MainWindow::makeActions() {
     QAction* action = add(language, name, {}, [this, code = code] {
       QSettings().setValue(QStringLiteral("language"), code);
       parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."),
-                                  QStringLiteral("language"));
+                                 QStringLiteral("language"));
     });
     action->setCheckable(true);
     action->setChecked(code == chosen);
