@@ -76,7 +76,9 @@ void CasePanel::addStartPose(QFormLayout* form) {
   startRemark_->setObjectName(QStringLiteral("startRemark"));
   column->addWidget(startRemark_);
   const auto set = [this, path](const QString& what, const std::optional<glm::dmat4>& pose) {
-    change(path, what, [&](nlohmann::json manifest) { return withStartPose(std::move(manifest), pose); });
+    // Taken and removed again are two steps: who undoes the second wants the first back.
+    change(
+        path, what, [&](nlohmann::json manifest) { return withStartPose(std::move(manifest), pose); }, pose ? " taken" : " removed");
     if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
   };
   connect(take, &QPushButton::clicked, this, [this, set] {
