@@ -2430,7 +2430,7 @@
     </message>
     <message>
         <source>by landmarks</source>
-        <translation>nach Landmarken</translation>
+        <translation>Landmarken</translation>
     </message>
     <message>
         <source>by hand, not checked</source>

@@ -9,8 +9,9 @@
 #include "ew/acquisition/confidence.h"
 #include "ew/io/sequence.h"
 #include "ew/io/sweep.h"
+#include "recordings.h"
 
-namespace ew {
+namespace ew::confidence_data_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,8 +70,8 @@ double medianOf(std::vector<float> values) {
 /// Truth comes from the second sweep, whose beams run 12.8 degrees apart: what is bright there and dark here lies in shadow here, what is
 /// bright in both does not. (The sweeps are simulated from computed tomography.)
 TEST(ConfidenceOfSimulatedLiver, TellsWhatTheOtherViewSawFromWhatBothSee) {
-  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "simulated-liver-pair";
-  if (!fs::exists(data)) GTEST_SKIP() << "the simulated liver pair is not here";
+  EW_NEEDS_RECORDING("simulated-liver-pair");
+  const fs::path data = test::recording("simulated-liver-pair");
   const View here = viewOfFile(data / "liver_sim_r2.igs.mha"), there = viewOfFile(data / "liver_sim_l2.igs.mha");
   for (const auto method : {ConfidenceMethod::beamwise, ConfidenceMethod::randomWalk}) {
     std::vector<float> seen, shadowed;
@@ -122,4 +123,4 @@ TEST(ConfidenceOfSimulatedLiver, TellsWhatTheOtherViewSawFromWhatBothSee) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::confidence_data_test

@@ -7,7 +7,7 @@
 
 #include "sweeps.h"
 
-namespace ew {
+namespace ew::confidence_test {
 namespace {
 
 constexpr int kLines = 96;
@@ -135,4 +135,4 @@ TEST(ConfidenceOptions, OutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::confidence_test

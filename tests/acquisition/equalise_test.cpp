@@ -8,7 +8,7 @@
 
 #include "acquisition/pulse.h"
 
-namespace ew {
+namespace ew::equalise_test {
 namespace {
 
 using sweeps::Sweep;
@@ -166,4 +166,4 @@ RC_GTEST_PROP(FrameEqualiser, TablesRiseWithTheLevelAndKeepBlack, ()) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::equalise_test

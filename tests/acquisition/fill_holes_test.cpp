@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace ew {
+namespace ew::fill_holes_test {
 namespace {
 
 Volume emptyVolume(const glm::ivec3& dims) {
@@ -204,4 +204,4 @@ TEST(FillHoles, RefusesAReachItCannotUseAndVoxelsThatDoNotFitTheGrid) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::fill_holes_test

@@ -8,7 +8,7 @@
 #include "acquisition/sweeps.h"
 #include "ew/acquisition/reconstruct.h"
 
-namespace ew {
+namespace ew::fill_sweep_test {
 namespace {
 
 using sweeps::imageOf;
@@ -220,4 +220,4 @@ TEST(KeepSource, TakesTheFrameOfThePixelNearestToTheCentre) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::fill_sweep_test

@@ -10,7 +10,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
-namespace ew {
+namespace ew::gating_test {
 namespace {
 
 using pulse::beats;
@@ -297,4 +297,4 @@ TEST(PhaseVolumes, KeepTheDiameterOfABeatingTubeWhereUngatedOnesLoseIt) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::gating_test

@@ -1,4 +1,5 @@
 #include "ew/acquisition/line_data.h"
+#include "recordings.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace ew {
+namespace ew::line_data_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -112,8 +113,8 @@ TEST(LineData, WithoutItsGeometryIsRefusedByName) {
 }
 
 TEST(LineData, OfARealProbeBecomesWhatItsDeviceSetPromises) {
-  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "curvilinear-scanlines";
-  if (!fs::exists(data)) GTEST_SKIP() << "the recorded scan lines are not here";
+  EW_NEEDS_RECORDING("curvilinear-scanlines");
+  const fs::path data = test::recording("curvilinear-scanlines");
   auto recorded = readSequence(data / "UltrasonixCurvilinearBrightnessData.igs.mha");
   const auto reference = readSequence(data / "UltrasonixCurvilinearScanConvertedData.igs.mha");
   const auto device = readDeviceSet(data / "PlusDeviceSet_RfProcessingAlgoCurvilinearTest.xml");
@@ -134,4 +135,4 @@ TEST(LineData, OfARealProbeBecomesWhatItsDeviceSetPromises) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::line_data_test

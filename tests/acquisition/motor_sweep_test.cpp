@@ -16,7 +16,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
-namespace ew {
+namespace ew::motor_sweep_test {
 namespace {
 
 using nlohmann::json;
@@ -246,4 +246,4 @@ TEST(RecordedMotor, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::motor_sweep_test

@@ -12,7 +12,7 @@
 
 #include "acquisition/sweeps.h"
 
-namespace ew {
+namespace ew::reconstruct_test {
 namespace {
 
 using sweeps::imageOf;
@@ -392,4 +392,4 @@ TEST(ReconstructOnto, RefusesAGridThatDoesNotHoldEveryFrame) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::reconstruct_test

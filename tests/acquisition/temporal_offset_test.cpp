@@ -8,7 +8,7 @@
 
 #include "acquisition/pulse.h"
 
-namespace ew {
+namespace ew::temporal_offset_test {
 namespace {
 
 constexpr double kPixel_mm = 0.5;
@@ -126,4 +126,4 @@ RC_GTEST_PROP(DelayedPoses, OfAnEvenMovementLieExactlyOnIt, ()) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::temporal_offset_test

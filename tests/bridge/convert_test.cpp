@@ -7,7 +7,7 @@
 
 #include <numeric>
 
-namespace ew::bridge {
+namespace ew::bridge::convert_test {
 namespace {
 
 glm::dmat4 withoutSymmetry() { return matrixFromRows({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}); }
@@ -89,4 +89,4 @@ TEST(Convert, AnImageOfOtherScalarsIsRefusedWithAReason) {
 }
 
 }  // namespace
-}  // namespace ew::bridge
+}  // namespace ew::bridge::convert_test

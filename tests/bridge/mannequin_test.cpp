@@ -14,7 +14,7 @@
 #include "bridge/meshes.h"
 #include "ew/phantom/patient.h"
 
-namespace ew::bridge {
+namespace ew::bridge::mannequin_test {
 namespace {
 
 using test::Folder;
@@ -193,4 +193,4 @@ TEST(Mannequin, TheShippedBodyIsAnAdultOfOnePieceFacingMinusY) {
 }
 
 }  // namespace
-}  // namespace ew::bridge
+}  // namespace ew::bridge::mannequin_test

@@ -10,7 +10,7 @@
 #include "bridge/meshes.h"
 #include "ew/bridge/mesh_skin.h"
 
-namespace ew::bridge {
+namespace ew::bridge::skin_test {
 namespace {
 
 constexpr double kRadius_mm = 120.0;
@@ -115,4 +115,4 @@ TEST(MeshSkin, SeveralThreadsReadTheSameAnswers) {
 }
 
 }  // namespace
-}  // namespace ew::bridge
+}  // namespace ew::bridge::skin_test

@@ -5,7 +5,7 @@
 
 #include "ew/sdk/placement.h"
 
-namespace ew::case_authoring {
+namespace ew::case_authoring::edits_test {
 namespace {
 
 using nlohmann::json;
@@ -133,4 +133,4 @@ TEST(Edits, AProbeSeesTheVolumeWhereItsFanReachesIt) {
 }
 
 }  // namespace
-}  // namespace ew::case_authoring
+}  // namespace ew::case_authoring::edits_test

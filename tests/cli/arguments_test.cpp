@@ -10,7 +10,7 @@
 #include "ew/cli/window_arguments.h"
 #include "ew/core/numbers.h"
 
-namespace ew {
+namespace ew::arguments_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -128,4 +128,4 @@ TEST(Locale, ACommaAsDecimalSignChangesNothing) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::arguments_test

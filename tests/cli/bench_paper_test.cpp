@@ -5,6 +5,7 @@
 #include "bench_paper.h"
 #include "ew/io/image_file.h"
 
+namespace bench_paper_test {
 namespace {
 
 using namespace ew;
@@ -47,3 +48,4 @@ TEST(BenchPaper, RefusesMotionsBeyondItsRange) {
 }
 
 }  // namespace
+}  // namespace bench_paper_test

@@ -6,7 +6,7 @@
 #include "bench_register_peers.h"
 #include "cli/bench_run.h"
 
-namespace ew::test {
+namespace ew::test::bench_register_test {
 namespace {
 
 class BenchRegister : public BenchRun<BenchRegister> {
@@ -67,4 +67,4 @@ TEST(BenchRegisterOptions, AreRefusedOutsideTheirRange) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::bench_register_test

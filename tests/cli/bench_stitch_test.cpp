@@ -3,7 +3,7 @@
 #include "bench_stitch.h"
 #include "cli/cli_world.h"
 
-namespace ew::test {
+namespace ew::test::bench_stitch_test {
 namespace {
 
 TEST(BenchStitch, MeasuresEverySettingAndDrawsThem) {
@@ -39,4 +39,4 @@ TEST(BenchStitch, RefusesOptionsOutsideTheirRange) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::bench_stitch_test

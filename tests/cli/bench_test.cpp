@@ -7,7 +7,7 @@
 #include "bench_parts.h"
 #include "cli/bench_run.h"
 
-namespace ew::test {
+namespace ew::test::bench_test {
 namespace {
 
 class BenchFrame : public BenchRun<BenchFrame> {
@@ -154,4 +154,4 @@ TEST(BenchPage, EscapesWhatItShows) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::bench_test

@@ -12,7 +12,7 @@
 
 #include "cli/cli_world.h"
 
-namespace ew::test {
+namespace ew::test::binary_test {
 namespace {
 
 /// Starts the real program without a display; its streams go to files.
@@ -131,4 +131,4 @@ TEST(Program, AnInterruptInTheMiddleOfTheWorkEndsItAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::binary_test

@@ -3,7 +3,7 @@
 #include "cli/cli_world.h"
 #include "ew/library/case.h"
 
-namespace ew::test {
+namespace ew::test::case_test {
 namespace {
 
 /// A case folder with a small volume.
@@ -141,4 +141,4 @@ TEST(CaseCommand, PrepareMakesAVolumeOnceAndThenHasNothingToDo) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::case_test

@@ -5,7 +5,7 @@
 #include "ew/io/volume_file.h"
 #include "io/dicom_files.h"
 
-namespace ew::test {
+namespace ew::test::import_test {
 namespace {
 
 TEST(ImportCommand, ACineBecomesASequenceAndTheReportNamesWhatWasLeftOut) {
@@ -65,4 +65,4 @@ TEST(ImportCommand, AnImportedCineIsReconstructedOnceSomebodySaysHowTheProbeMove
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::import_test

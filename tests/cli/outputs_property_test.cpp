@@ -25,7 +25,7 @@
 #include "ew/io/image_file.h"
 #include "ew/io/volume_file.h"
 
-namespace ew::test {
+namespace ew::test::outputs_property_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -440,4 +440,4 @@ TEST_F(OutputsProperty, ACommandThatFailsOrIsStoppedLeavesTheFolderAsItWas) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::outputs_property_test

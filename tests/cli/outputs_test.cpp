@@ -9,7 +9,7 @@
 #include "ew/library/case.h"
 #include "library/small_case.h"
 
-namespace ew::test {
+namespace ew::test::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ TEST(CommandOutputs, AStoppedStitchSaysItselfWhatItKept) {
 #endif
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::outputs_test

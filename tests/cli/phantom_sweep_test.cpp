@@ -5,7 +5,7 @@
 #include "ew/io/sweep.h"
 #include "ew/io/volume_file.h"
 
-namespace ew::test {
+namespace ew::test::phantom_sweep_test {
 namespace {
 
 /// A ball with a bead in it, and a sweep over it.
@@ -114,4 +114,4 @@ TEST_F(PhantomSweepCommand, SaysWhatIsWrongAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::phantom_sweep_test

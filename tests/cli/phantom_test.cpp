@@ -3,7 +3,7 @@
 #include "cli/cli_world.h"
 #include "ew/library/case.h"
 
-namespace ew::test {
+namespace ew::test::phantom_test {
 namespace {
 
 /// The recipe of a shipped virtual patient; empty when none is shipped.
@@ -96,4 +96,4 @@ TEST(PhantomCommand, RefusesASpacingThatNeedsMoreMemoryThanThereIs) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::phantom_test

@@ -7,7 +7,7 @@
 #include "ew/cli/run_command.h"
 #include "ew/sdk/plugin.h"
 
-namespace ew::test {
+namespace ew::test::plugins_test {
 namespace {
 
 void writeManifest(const TemporaryFolder& folder, const std::string& name, const nlohmann::json& changes) {
@@ -121,4 +121,4 @@ TEST(PluginsCommand, StitchJoinsTwoVolumesAndReportsLikeACommandOfOurOwn) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::plugins_test

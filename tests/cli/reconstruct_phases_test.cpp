@@ -7,7 +7,7 @@
 #include "ew/io/gating_fields.h"
 #include "ew/io/volume_file.h"
 
-namespace ew::test {
+namespace ew::test::reconstruct_phases_test {
 namespace {
 
 Outcome reconstruct(const TemporaryFolder& folder, const Sequence& sweep, std::vector<std::string> more) {
@@ -107,4 +107,4 @@ TEST(ReconstructTimeOffset, MovesThePosesOrSaysThatItCannotTell) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::reconstruct_phases_test

@@ -5,7 +5,7 @@
 
 #include "cli/cli_world.h"
 
-namespace ew::test {
+namespace ew::test::reconstruct_test {
 namespace {
 
 class ReconstructCommand : public testing::Test {
@@ -238,4 +238,4 @@ TEST_F(WrongSweep, StoppingLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::reconstruct_test

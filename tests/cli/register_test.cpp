@@ -11,7 +11,7 @@
 #include "ew/phantom/speckled_tissue.h"
 #include "registration_files.h"
 
-namespace ew::test {
+namespace ew::test::register_test {
 namespace {
 
 class RegisterCommand : public testing::Test {
@@ -332,4 +332,4 @@ TEST(RegistrationFiles, ATransformComesBackTheSameToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::register_test

@@ -7,7 +7,7 @@
 
 #include "ew/core/version.h"
 
-namespace ew::cli {
+namespace ew::cli::report_test {
 namespace {
 
 TEST(Summarise, GivesMedianNinetyNinthPercentileAndLargestOfAKnownList) {
@@ -64,4 +64,4 @@ TEST(PeakMemory, GrowsWithWhatWasTouched) {
 }
 
 }  // namespace
-}  // namespace ew::cli
+}  // namespace ew::cli::report_test

@@ -4,7 +4,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/io/image_file.h"
 
-namespace ew::test {
+namespace ew::test::scan_effects_test {
 namespace {
 
 /// Grey tissue with a bright plate 20 mm below the face, over the left half of the picture (+x of the probe).
@@ -160,4 +160,4 @@ TEST_F(ScanEffects, TheHelpNamesEveryKeyOfKnobsAndScenes) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::scan_effects_test

@@ -10,7 +10,7 @@
 #include "ew/library/case.h"
 #include "knobs_file.h"
 
-namespace ew::test {
+namespace ew::test::scan_test {
 namespace {
 
 /// The scanned volume fills the probe's view: 90 mm cubed of one grey level.
@@ -237,4 +237,4 @@ TEST_F(ScanOfACase, DrawsAContactSheetThatCarriesTheWarning) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::scan_test

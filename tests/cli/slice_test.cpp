@@ -5,7 +5,7 @@
 #include "cli/cli_world.h"
 #include "ew/io/image_file.h"
 
-namespace ew::test {
+namespace ew::test::slice_test {
 namespace {
 
 /// The plane z = 3 of the volume, pixel (0, 0) at voxel (0, 0, 3): the slice's middle column lies on the probe's axis.
@@ -170,4 +170,4 @@ TEST(SliceCommand, ChecksItsOutputBeforeItReadsTheVolume) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::slice_test

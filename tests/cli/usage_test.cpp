@@ -6,7 +6,7 @@
 #include "ew/cli/run_command.h"
 #include "ew/core/version.h"
 
-namespace ew::test {
+namespace ew::test::usage_test {
 namespace {
 
 std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
@@ -102,4 +102,4 @@ TEST(Usage, OnlyCommandsAndQuestionsAreHeadless) {
 }
 
 }  // namespace
-}  // namespace ew::test
+}  // namespace ew::test::usage_test

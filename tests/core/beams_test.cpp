@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ew {
+namespace ew::beams_test {
 namespace {
 
 TEST(Beams, AreParallelWithoutAFan) {
@@ -30,4 +30,4 @@ TEST(Beams, OfAFanThatOnlyTiltsLeaveOnePlace) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::beams_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace ew {
+namespace ew::depth_curves_test {
 namespace {
 
 /// Two owners that see the same places at depths which differ, the more so to the sides; `off` is what they truly differ by.
@@ -54,4 +54,4 @@ TEST(DepthCurves, HoldEachGroupByItself) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::depth_curves_test

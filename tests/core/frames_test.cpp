@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-namespace ew {
+namespace ew::frames_test {
 namespace {
 
 using frame::Image;
@@ -59,4 +59,4 @@ TEST(CheckRigid, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::frames_test

@@ -6,7 +6,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace ew {
+namespace ew::guarded_test {
 namespace {
 
 Error named(const Thrown& thrown) { return {thrown.noMemory ? ErrorCode::tooLarge : ErrorCode::internal, thrown.reason, {}}; }
@@ -49,4 +49,4 @@ TEST(Guarded, AReasonIsOneLineAndNotALongOne) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::guarded_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ew {
+namespace ew::nesting_test {
 namespace {
 
 TEST(Nesting, CountsOpenBracesAndBracketsAtOnce) {
@@ -24,4 +24,4 @@ TEST(Nesting, EndsWithBrokenTexts) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::nesting_test

@@ -6,7 +6,7 @@
 #include <clocale>
 #include <cmath>
 
-namespace ew {
+namespace ew::numbers_test {
 namespace {
 
 TEST(Numbers, AreReadAsFilesWriteThem) {
@@ -39,4 +39,4 @@ RC_GTEST_PROP(Numbers, SurviveTheRoundTripThroughText, (double value)) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::numbers_test

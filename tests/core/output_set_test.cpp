@@ -9,7 +9,7 @@
 
 #include "io/files.h"
 
-namespace ew {
+namespace ew::output_set_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -273,4 +273,4 @@ TEST(OutputSet, WhatAKilledProgramLeftIsRemovedFromAFolderOfOnesOwnAndNothingEls
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::output_set_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ew {
+namespace ew::parallel_test {
 namespace {
 
 /// Says that the user asked to stop after some reports, and checks that they never move backwards.
@@ -83,4 +83,4 @@ TEST(ThreadCount, IsWhatWasAskedOrOnePerProcessor) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::parallel_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace ew {
+namespace ew::pose_test {
 namespace {
 
 TEST(Poses, AreSixteenNumbersALine) {
@@ -59,4 +59,4 @@ TEST(Poses, AreNotWaitedForAtAPipeThatNobodyWritesInto) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::pose_test

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace ew {
+namespace ew::volume_test {
 namespace {
 
 Grid oblique() {
@@ -54,4 +54,4 @@ TEST(Grid, IsRefusedWhenItCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::volume_test

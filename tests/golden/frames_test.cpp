@@ -12,7 +12,7 @@
 #include "ew/io/image_file.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::frames_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(Kept, GoldenFrame, ::testing::ValuesIn(keptFrames()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::frames_test

@@ -12,7 +12,7 @@
 #include "ew/library/case.h"
 #include "ew/phantom/patient.h"
 
-namespace ew {
+namespace ew::plans_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(Kept, GoldenPlan, ::testing::Values("upper-abdomen-gall
 });
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::plans_test

@@ -5,10 +5,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 #include <QTranslator>
 #include <cmath>
 
+#include <QTimer>
 #include "ew/library/voxel_source.h"
 #include "source_dialog.h"
 #include "source_picker.h"
@@ -29,6 +32,14 @@ class SourceTest : public WindowFixture {
   [[nodiscard]] QString textOf(const char* name) const { return dialog()->findChild<QLabel*>(QLatin1String(name))->text(); }
 
   [[nodiscard]] bool importSweep(const QString& sweep, bool keepSource) const {
+    // The volume before was made and never saved, so the window asks about it, in an event loop of its own.
+    QTimer gone;
+    connect(&gone, &QTimer::timeout, &gone, [] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (question != nullptr && question->objectName() == QLatin1String("unsavedVolumeQuestion"))
+        question->button(QMessageBox::Discard)->click();
+    });
+    gone.start(10);
     window_->open(sweep);
     QDialog* import = nullptr;
     const auto isThere = [&] { return (import = find<QDialog>("importDialog")) != nullptr && import->isVisible(); };

@@ -18,6 +18,7 @@
 #include "ew/library/case.h"
 #include "ew/library/kept_edits.h"
 #include "library/small_case.h"
+#include "library/temporary_folder.h"
 #include "opener.h"
 #include "start_page.h"
 #include "window_fixture.h"

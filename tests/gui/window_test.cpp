@@ -108,7 +108,7 @@ class WindowTest : public WindowFixture {
       return glm::distance(glm::dvec3(session().picturePose().probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0;
     }));
     const Pose pose = session().picturePose();
-    QVERIFY(pixelsOf(session()) != before);
+    QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));
     const std::vector<glm::dvec3> fan_mm = view.scene().fanCorners_mm();
     const std::vector<glm::dvec2> outline_mm = fanOutline_mm(session().probe(), session().knobs(), session().geometry().depth_mm);
     QVERIFY(!fan_mm.empty());

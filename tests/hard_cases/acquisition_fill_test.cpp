@@ -8,7 +8,7 @@
 #include "ew/acquisition/confidence.h"
 #include "ew/acquisition/reconstruct.h"
 
-namespace ew {
+namespace ew::acquisition_fill_test {
 namespace {
 
 using sweeps::imageOf;
@@ -121,4 +121,4 @@ TEST(HardConfidence, OfFramesTooSmallOrClippedAwayIsRefused) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::acquisition_fill_test

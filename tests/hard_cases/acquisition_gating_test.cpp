@@ -5,7 +5,7 @@
 #include "acquisition/pulse.h"
 #include "ew/acquisition/gating.h"
 
-namespace ew {
+namespace ew::acquisition_gating_test {
 namespace {
 
 using pulse::beats;
@@ -179,4 +179,4 @@ TEST(HardGating, IsCancelledAndWhatKeepsAVolumeMayStopTheRest) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::acquisition_gating_test

@@ -6,7 +6,7 @@
 #include "acquisition/sweeps.h"
 #include "ew/acquisition/reconstruct.h"
 
-namespace ew {
+namespace ew::acquisition_test {
 namespace {
 
 using sweeps::imageOf;
@@ -156,4 +156,4 @@ TEST(HardSequences, FramesOfDifferentSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::acquisition_test

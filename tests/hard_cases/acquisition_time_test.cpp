@@ -3,7 +3,7 @@
 #include "acquisition/pulse.h"
 #include "ew/acquisition/temporal_offset.h"
 
-namespace ew {
+namespace ew::acquisition_time_test {
 namespace {
 
 struct Recording {
@@ -96,4 +96,4 @@ TEST(HardPoseDelay, IsNeverAppliedAcrossAGapOrAFrameWithoutAPose) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::acquisition_time_test

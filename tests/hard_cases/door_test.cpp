@@ -8,7 +8,7 @@
 #include "library/temporary_folder.h"
 #include "sdk/panel_host.h"
 
-namespace ew::door {
+namespace ew::door::door_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -392,4 +392,4 @@ TEST(HardCasesDoor, TheFoldersSearchedComeFromTheEnvironmentFirstAndEachOnce) {
 }
 
 }  // namespace
-}  // namespace ew::door
+}  // namespace ew::door::door_test

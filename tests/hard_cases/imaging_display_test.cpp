@@ -14,7 +14,7 @@
 #include "ew/imaging/latency.h"
 #include "ew/imaging/m_mode.h"
 
-namespace ew {
+namespace ew::imaging_display_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(HardTimes, LatenciesThatAreNegativeOrNotFiniteDoNotSpoilTheHistogram) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_display_test

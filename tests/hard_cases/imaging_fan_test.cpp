@@ -9,7 +9,7 @@
 #include "ew/imaging/scan_conversion.h"
 #include "imaging/probes_at_random.h"
 
-namespace ew {
+namespace ew::imaging_fan_test {
 namespace {
 
 constexpr ProbeKind kKinds[] = {ProbeKind::linear, ProbeKind::convex, ProbeKind::phased, ProbeKind::endocavity, ProbeKind::sweptSector};
@@ -161,4 +161,4 @@ TEST(HardFan, PointsBehindTheApexLieOutsideTheGrid) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_fan_test

@@ -8,7 +8,7 @@
 #include "ew/imaging/effects/focus.h"
 #include "ew/imaging/effects/slice_thickness.h"
 
-namespace ew {
+namespace ew::imaging_focus_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -143,4 +143,4 @@ TEST(SliceThicknessHardCases, TwoSamplesMakeOneStraightPieceAndAnyLensFocusIsFol
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_focus_test

@@ -11,7 +11,7 @@
 #include "ew/imaging/frame.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::imaging_plan_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -124,4 +124,4 @@ TEST(HardPlan, VolumesOfOneVoxelOrNoneAndLabelsElsewhereRunEveryEffect) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_plan_test

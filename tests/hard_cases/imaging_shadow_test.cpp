@@ -10,7 +10,7 @@
 #include "ew/imaging/effects/noise.h"
 #include "ew/imaging/effects/reverberation.h"
 
-namespace ew {
+namespace ew::imaging_shadow_test {
 namespace {
 
 constexpr double kGreyPerDb = 255.0 / 60.0;
@@ -96,4 +96,4 @@ TEST(HardBeams, ContactThatIsNoNumberIsNone) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_shadow_test

@@ -12,7 +12,7 @@
 #include "ew/imaging/slicing.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::imaging_test {
 namespace {
 
 using testing::ImageToVoxel;
@@ -422,4 +422,4 @@ TEST(HardSameAnswer, SlicesMadeByEightThreadsEqualTheOnesMadeByOne) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::imaging_test

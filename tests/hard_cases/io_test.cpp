@@ -7,7 +7,7 @@
 #include "ew/io/sweep.h"
 #include "io/files.h"
 
-namespace ew {
+namespace ew::io_test {
 namespace {
 using namespace test;
 
@@ -225,4 +225,4 @@ TEST(HardSequences, TwoHundredThousandFramesAreRead) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::io_test

@@ -10,7 +10,7 @@
 #include "ew/library/preparation.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::library_limits_test {
 namespace {
 
 using nlohmann::json;
@@ -131,4 +131,4 @@ TEST(HardCasesLibrary, ProbesThatAreNotThereAndAStartThatSeesNothingAreNamedByVa
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::library_limits_test

@@ -6,7 +6,7 @@
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::library_test {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ TEST(HardCasesLibrary, TheBoundariesOfAllowedNumbersAreAllowed) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::library_test

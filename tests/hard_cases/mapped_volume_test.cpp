@@ -13,7 +13,7 @@
 #include "io/files.h"
 #include "time_limit.h"
 
-namespace ew {
+namespace ew::mapped_volume_test {
 namespace {
 using namespace test;
 
@@ -107,4 +107,4 @@ TEST(HardMappedVolume, FourGibibytesSweptFromAllSidesAreGivenBackUntilLessThanOn
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::mapped_volume_test

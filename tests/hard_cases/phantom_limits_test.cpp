@@ -5,7 +5,7 @@
 #include "ew/phantom/truth.h"
 #include "phantom/recipes.h"
 
-namespace ew {
+namespace ew::phantom_limits_test {
 namespace {
 
 using testing::bodyRecipe;
@@ -226,4 +226,4 @@ TEST_F(HardLimits, ALineThatWouldBeWalkedForHoursIsRefused) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::phantom_limits_test

@@ -1,7 +1,7 @@
 // Recipes that extend others and parameters, at the edges.
 #include "phantom/recipes.h"
 
-namespace ew {
+namespace ew::phantom_recipe_test {
 namespace {
 
 using testing::Folder;
@@ -129,4 +129,4 @@ TEST_F(HardFamilies, WhoseMotionWouldFoldTissueAreRefused) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::phantom_recipe_test

@@ -3,7 +3,7 @@
 
 #include "../phantom/formation.h"
 
-namespace ew::testing {
+namespace ew::testing::phantom_scanner_test {
 namespace {
 
 TEST(HardScanner, AProbeInTheAirSeesItsRingingAndItsNoise) {
@@ -41,4 +41,4 @@ TEST(HardScanner, AProbeInsideWhatLetsNothingThroughGivesNumbersThatFadeIntoNois
 }
 
 }  // namespace
-}  // namespace ew::testing
+}  // namespace ew::testing::phantom_scanner_test

@@ -4,7 +4,7 @@
 #include "phantom/sweeps.h"
 #include "record_sweep.h"
 
-namespace ew {
+namespace ew::phantom_sweep_test {
 namespace {
 
 using testing::ballPatient;
@@ -132,4 +132,4 @@ TEST(HardSweeps, TurningTheImageAroundBetweenTwoStationsIsRefused) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::phantom_sweep_test

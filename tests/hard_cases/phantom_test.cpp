@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ew {
+namespace ew::phantom_test {
 namespace {
 
 using testing::bodyOf;
@@ -125,4 +125,4 @@ TEST(HardPatients, AnOrganThinnerThanAVoxelKeepsItsLabelWhereAVoxelCentreLiesInI
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::phantom_test

@@ -9,6 +9,7 @@
 #include "registration/planar_pairs.h"
 
 /// Hard cases of the two-dimensional registration and of the quality figures: DESIGN.md, section 12, "registration".
+namespace registration_elastic2d_test {
 namespace {
 
 using namespace ew;
@@ -215,3 +216,4 @@ TEST(HardQuality, TakesVolumesOfOneVoxelThickness) {
 }
 
 }  // namespace
+}  // namespace registration_elastic2d_test

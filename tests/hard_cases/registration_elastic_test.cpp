@@ -9,7 +9,7 @@
 #include "registration/fields.h"
 #include "registration/tissue.h"
 
-namespace ew {
+namespace ew::registration_elastic_test {
 namespace {
 
 using namespace registration;
@@ -288,4 +288,4 @@ TEST(HardElastic, AnisotropyOfTwentyToOneIsSurvived) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::registration_elastic_test

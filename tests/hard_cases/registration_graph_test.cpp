@@ -6,7 +6,7 @@
 #include "ew/registration/pose_graph.h"
 #include "registration/graphs.h"
 
-namespace ew::registration {
+namespace ew::registration::registration_graph_test {
 namespace {
 
 using test::isotropic;
@@ -216,4 +216,4 @@ TEST(GraphHardCases, OriginsFarAwayDoNotSpoilThePoses) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::registration_graph_test

@@ -6,7 +6,7 @@
 #include "ew/registration/landmarks.h"
 #include "registration/landmark_sets.h"
 
-namespace ew::registration {
+namespace ew::registration::registration_landmarks_test {
 namespace {
 
 using test::pairsOf;
@@ -162,4 +162,4 @@ TEST(LandmarkHardCases, FarFromTheOriginNothingIsLost) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::registration_landmarks_test

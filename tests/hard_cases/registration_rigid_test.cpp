@@ -9,7 +9,7 @@
 #include "ew/registration/rigid.h"
 #include "registration/ellipsoids.h"
 
-namespace ew::registration {
+namespace ew::registration::registration_rigid_test {
 namespace {
 
 using test::apart_mm;
@@ -422,4 +422,4 @@ TEST(RigidHardCases, ShadowsAloneThatTurnWithTheProbeNeverAlign) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::registration_rigid_test

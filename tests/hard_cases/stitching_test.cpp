@@ -10,7 +10,7 @@
 #include "stitching/views.h"
 
 /// Views that are hard to join, and what must come of them: see resources/docs/hard-cases.md.
-namespace ew::stitching {
+namespace ew::stitching::stitching_test {
 namespace {
 
 constexpr SeamMethod kMethods[] = {SeamMethod::feather, SeamMethod::nearest, SeamMethod::graphCut};
@@ -243,4 +243,4 @@ TEST(HardStitching, StopsAtItsNextQuestionWhereverItIs) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::stitching_test

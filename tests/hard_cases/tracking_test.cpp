@@ -7,7 +7,7 @@
 #include "ew/tracking/hand.h"
 #include "tracking/skins.h"
 
-namespace ew {
+namespace ew::tracking_test {
 namespace {
 
 glm::dvec3 axisOf(const Pose& pose, int axis) { return glm::dvec3(pose.probeToWorld.matrix[axis]); }
@@ -121,4 +121,4 @@ TEST(TrackingHardCases, FarFromTheOriginTheContactStaysOnTheSkin) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::tracking_test

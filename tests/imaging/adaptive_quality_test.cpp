@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-namespace ew {
+namespace ew::adaptive_quality_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -190,4 +190,4 @@ RC_GTEST_PROP(AdaptiveQuality, ChangesNothingButQualityAndPlanesAndNeverRaisesTh
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::adaptive_quality_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ew {
+namespace ew::attenuation_test {
 namespace {
 
 constexpr double kCarrier_hz = 3.5e6;
@@ -225,4 +225,4 @@ TEST(Shadow, LiesOnExactlyTheLinesOfThePresentViewThatMeetTheObstacle) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::attenuation_test

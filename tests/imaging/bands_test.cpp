@@ -5,7 +5,7 @@
 #include <atomic>
 #include <vector>
 
-namespace ew {
+namespace ew::bands_test {
 namespace {
 
 TEST(Bands, HandOutEveryRowOnceWhateverTheNumberOfThreads) {
@@ -47,4 +47,4 @@ TEST(Bands, SeveralOwnersMayRunAtTheSameTimeInsideEachOther) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::bands_test

@@ -10,7 +10,7 @@
 
 #include "imaging/probes_at_random.h"
 
-namespace ew {
+namespace ew::beam_grid_test {
 namespace {
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
@@ -127,4 +127,4 @@ TEST(BeamGrid, RowsOfStartOnTheFaceAndEndAtTheDepth) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::beam_grid_test

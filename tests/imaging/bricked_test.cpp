@@ -10,7 +10,7 @@
 #include "imaging/sliced.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::bricked_test {
 namespace {
 
 using testing::ImageToVoxel;
@@ -269,4 +269,4 @@ RC_GTEST_PROP(SliceProperty, CubicAndBothLayoutsAgreeForAnyGridAndPlane, ()) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::bricked_test

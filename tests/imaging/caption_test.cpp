@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace ew {
+namespace ew::caption_test {
 namespace {
 
 TEST(Caption, TouchesOnlyTheLowerEdge) {
@@ -48,4 +48,4 @@ TEST(Caption, StaysInsideAPictureThatIsFarTooSmall) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::caption_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ew {
+namespace ew::contact_test {
 namespace {
 
 constexpr double kGreyPerDb = 255.0 / 60.0;
@@ -96,4 +96,4 @@ TEST(Contact, ThatIsLostIsDarkBelowBarsThatFadeAtEqualDistances) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::contact_test

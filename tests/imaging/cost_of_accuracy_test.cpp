@@ -8,7 +8,7 @@
 
 #include "ew/core/volume.h"
 
-namespace ew {
+namespace ew::cost_of_accuracy_test {
 namespace {
 
 Probe smallProbe() {
@@ -154,4 +154,4 @@ TEST(CostOfAccuracy, TheFastestThatMeetsAWishIsFound) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::cost_of_accuracy_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace ew {
+namespace ew::edge_enhancement_test {
 namespace {
 
 Spans wholeSpans(int width, int height) { return Spans(static_cast<std::size_t>(height), {{0, width}}); }
@@ -128,4 +128,4 @@ TEST(EdgeEnhancement, OfAStrengthThatIsNoneCopiesAndOfMoreThanOneIsThatOfOne) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::edge_enhancement_test

@@ -8,7 +8,7 @@
 #include "ew/imaging/effects/persistence.h"
 #include "imaging/every_target.h"
 
-namespace ew {
+namespace ew::effect_targets_test {
 namespace {
 
 GreyImage noise(int width, int height, unsigned seed) {
@@ -65,4 +65,4 @@ TEST(EveryVectorUnit, LooksUpEdgesAndPersistenceToTheSamePixels) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::effect_targets_test

@@ -8,7 +8,7 @@
 #include "ew/imaging/m_mode.h"
 #include "imaging/count_allocations.h"
 
-namespace ew {
+namespace ew::effects_allocation_test {
 namespace {
 
 TEST(EffectsOnThePicture, AllocateNothingOnceTheirSizeIsKnown) {
@@ -40,4 +40,4 @@ TEST(EffectsOnThePicture, AllocateNothingOnceTheirSizeIsKnown) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::effects_allocation_test

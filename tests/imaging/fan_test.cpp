@@ -8,7 +8,7 @@
 #include "ew/imaging/display.h"
 #include "imaging/probes_at_random.h"
 
-namespace ew {
+namespace ew::fan_test {
 namespace {
 
 RC_GTEST_PROP(FanOutline, RunsAlongTheEdgesOfTheBeams, ()) {
@@ -80,4 +80,4 @@ TEST(FanOutline, HasTwoEndsForAStraightEdgeAndOnePointForAFaceWithoutRadius) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::fan_test

@@ -13,7 +13,7 @@
 
 #include "imaging/every_target.h"
 
-namespace ew {
+namespace ew::focus_test {
 namespace {
 
 BeamGrid parallelGrid(int lines, double pitch_mm, int samples, double sampleSpacing_mm) {
@@ -376,4 +376,4 @@ TEST(Focus, EveryVectorTargetGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::focus_test

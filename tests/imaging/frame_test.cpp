@@ -13,7 +13,7 @@
 #include "imaging/count_allocations.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::frame_test {
 namespace {
 
 Probe convexProbe() {
@@ -334,4 +334,4 @@ TEST(FrameMaker, ThatWasReconfiguredGivesTheSamePixelsAsANewOne) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::frame_test

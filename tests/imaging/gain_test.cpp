@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace ew {
+namespace ew::gain_test {
 namespace {
 
 using Sliders = std::array<double, kDgcSliders>;
@@ -95,4 +95,4 @@ TEST(GainTable, IsAppliedRowByRow) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::gain_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ew {
+namespace ew::latency_test {
 namespace {
 
 TEST(LatencyHistogram, HasFourBucketsToADoublingFromSixteenMicrosecondsOn) {
@@ -68,4 +68,4 @@ TEST(LatencyHistogram, CountsNegativeTimesAsNoneAndLeavesOutWhatIsNoTime) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::latency_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace ew {
+namespace ew::m_mode_test {
 namespace {
 
 using Beam = std::vector<std::uint8_t>;
@@ -158,4 +158,4 @@ TEST(MMode, StretchesTheBeamFromTheFirstRowToTheLast) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::m_mode_test

@@ -10,7 +10,7 @@
 #include "imaging/probes_at_random.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::mirror_test {
 namespace {
 
 TEST(TurnedProbe, SeesTheMirroredPictureToThePixel) {
@@ -117,4 +117,4 @@ TEST(TurnedProbe, SampledAlongItsLinesSeesTheMirroredLines) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::mirror_test

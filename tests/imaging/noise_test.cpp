@@ -8,7 +8,7 @@
 
 #include "imaging/every_target.h"
 
-namespace ew {
+namespace ew::noise_test {
 namespace {
 
 constexpr double kGreyPerDb = 255.0 / 60.0;
@@ -136,4 +136,4 @@ TEST(Noise, FarBelowBlackChangesNothing) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::noise_test

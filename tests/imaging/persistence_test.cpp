@@ -10,7 +10,7 @@
 #include "ew/imaging/frame.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::persistence_test {
 namespace {
 
 Spans wholeSpans(int width, int height) { return Spans(static_cast<std::size_t>(height), {{0, width}}); }
@@ -151,4 +151,4 @@ TEST(Persistence, OfAFrameForgetsWhatCameBeforeItWasTurnedOffOrThePoseWasLost) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::persistence_test

@@ -7,7 +7,7 @@
 
 #include "ew/imaging/frame.h"
 
-namespace ew {
+namespace ew::plan_test {
 namespace {
 
 Probe convexProbe() {
@@ -208,4 +208,4 @@ TEST(Plan, EstimatesEveryStepAndMoreForMore) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::plan_test

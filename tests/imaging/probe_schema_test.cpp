@@ -11,7 +11,7 @@
 
 #include "ew/imaging/probe.h"
 
-namespace ew {
+namespace ew::probe_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ TEST_F(ProbeSchema, AcceptsEveryShippedProbeAndRefusesWhatTheReaderRefuses) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::probe_schema_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace ew {
+namespace ew::probe_test {
 namespace {
 
 using nlohmann::json;
@@ -198,4 +198,4 @@ TEST_F(ProbeFile, SchemaNamesTheSameFieldsAsTheReader) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::probe_test

@@ -15,9 +15,10 @@
 #include "imaging/support.h"
 #ifdef EW_WITH_IO
 #include "ew/io/volume_file.h"
+#include "recordings.h"
 #endif
 
-namespace ew {
+namespace ew::reslice_peer_test {
 namespace {
 
 using testing::ImageToVoxel;
@@ -102,9 +103,8 @@ TEST(ReslicePeer, WeaveIsTheirNearestNeighbourOnTwoHundredRandomPoses) {
 
 #ifdef EW_WITH_IO
 TEST(ReslicePeer, AgreesOnTheLiverVolume) {
-  const auto file = std::filesystem::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "liver-sweep" / "liver_volume_1mm.mha";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "The liver volume is not on this machine.";
-  const auto volume = readVolume(file, noProgress());
+  EW_NEEDS_RECORDING("liver-sweep/liver_volume_1mm.mha");
+  const auto volume = readVolume(test::recording("liver-sweep/liver_volume_1mm.mha"), noProgress());
   ASSERT_TRUE(volume) << volume.error();
   compareBothLayouts(volume->volume, Quality::linear, 200, 1);
   compareBothLayouts(volume->volume, Quality::weave, 200, 0);
@@ -112,4 +112,4 @@ TEST(ReslicePeer, AgreesOnTheLiverVolume) {
 #endif
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::reslice_peer_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace ew {
+namespace ew::reverberation_test {
 namespace {
 
 constexpr double kGreyPerDb = 255.0 / 60.0;
@@ -191,4 +191,4 @@ TEST(Reverberation, NeverDarkensAndLeavesOtherLinesAndWhatLiesBeforeUntouched) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::reverberation_test

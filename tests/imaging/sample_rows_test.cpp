@@ -9,7 +9,7 @@
 #include "imaging/sliced.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::sample_rows_test {
 namespace {
 
 using testing::ImageToVoxel;
@@ -87,4 +87,4 @@ TEST(SampleRows, ThatAreNotFiniteOrFarAwayBecomeBlackAndTheOthersStay) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::sample_rows_test

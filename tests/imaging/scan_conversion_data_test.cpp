@@ -7,8 +7,9 @@
 
 #include "ew/imaging/scan_conversion.h"
 #include "ew/io/sequence.h"
+#include "recordings.h"
 
-namespace ew {
+namespace ew::scan_conversion_data_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -29,7 +30,7 @@ double correlation(const std::vector<std::uint8_t>& a, std::span<const std::uint
 class RecordedLines : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::is_directory(folder_)) GTEST_SKIP() << "the recordings are not beside this checkout";
+    EW_NEEDS_RECORDING("curvilinear-scanlines");
     auto lines = readSequence(folder_ / "UltrasonixCurvilinearBrightnessData.igs.mha");
     auto pictures = readSequence(folder_ / "UltrasonixCurvilinearScanConvertedData.igs.mha");
     ASSERT_TRUE(lines) << lines.error();
@@ -64,7 +65,7 @@ class RecordedLines : public ::testing::Test {
     return beams;
   }
 
-  const fs::path folder_ = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "curvilinear-scanlines";
+  const fs::path folder_ = test::recording("curvilinear-scanlines");
   Sequence lines_;
   Sequence pictures_;
   Probe probe_;
@@ -106,4 +107,4 @@ TEST_F(RecordedLines, PlacedAboutTheArcsCentreWouldNotMatch) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::scan_conversion_data_test

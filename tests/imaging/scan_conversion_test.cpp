@@ -10,7 +10,7 @@
 #include "imaging/every_target.h"
 #include "imaging/probes_at_random.h"
 
-namespace ew {
+namespace ew::scan_conversion_test {
 namespace {
 
 /// A picture of a fan: random probe, knobs and size.
@@ -197,4 +197,4 @@ TEST(ScanConversion, InBandsOfRowsGivesTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::scan_conversion_test

@@ -8,7 +8,7 @@
 
 #include "ew/imaging/settings_json.h"
 
-namespace ew {
+namespace ew::settings_test {
 namespace {
 
 using nlohmann::json;
@@ -231,4 +231,4 @@ TEST(Limited, ChangesNothingOfTheDefaults) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::settings_test

@@ -10,7 +10,7 @@
 
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::slice_thickness_test {
 namespace {
 
 Probe probeWithLens() {
@@ -252,4 +252,4 @@ RC_GTEST_PROP(AccumulatePlane, TransposesAndAddsForAnySize, ()) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::slice_thickness_test

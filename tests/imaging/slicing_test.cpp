@@ -5,7 +5,7 @@
 
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::slicing_test {
 namespace {
 
 using testing::ImageToVoxel;
@@ -256,4 +256,4 @@ TEST(SliceProperty, WeaveEqualsNearestForAnyPlane) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::slicing_test

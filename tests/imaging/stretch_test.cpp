@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ew {
+namespace ew::stretch_test {
 namespace {
 
 using Greys = std::vector<std::uint8_t>;
@@ -54,4 +54,4 @@ TEST(Stretch, ToTheSameLengthIsACopy) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::stretch_test

@@ -10,7 +10,7 @@
 #include "ew/imaging/frame.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::tone_test {
 namespace {
 
 using Sliders = std::array<double, kDgcSliders>;
@@ -234,4 +234,4 @@ TEST(ToneTable, BehindAPictureIsEquationFiveAndTheToneAtEveryPixelOfTheFanAndBla
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::tone_test

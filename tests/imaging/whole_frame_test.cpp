@@ -12,7 +12,7 @@
 #include "imaging/count_allocations.h"
 #include "imaging/support.h"
 
-namespace ew {
+namespace ew::whole_frame_test {
 namespace {
 
 Probe convexProbe() {
@@ -516,4 +516,4 @@ TEST(MMode, HasNoStripInBModeAndForgetsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::whole_frame_test

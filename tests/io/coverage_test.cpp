@@ -3,7 +3,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::coverage_test {
 namespace {
 using namespace test;
 
@@ -52,4 +52,4 @@ TEST(Coverage, OfAnotherGridOrWithOtherValuesIsRefusedAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::coverage_test

@@ -6,7 +6,7 @@
 #include "ew/io/sweep.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::damaged_files_test {
 namespace {
 using namespace test;
 
@@ -135,4 +135,4 @@ TEST(DamagedFiles, WithRandomBytesChangedTheyNeverDoHarm) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::damaged_files_test

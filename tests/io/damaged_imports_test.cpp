@@ -7,7 +7,7 @@
 #include "ew/io/kretz.h"
 #include "kretz_files.h"
 
-namespace ew {
+namespace ew::damaged_imports_test {
 namespace {
 using namespace test;
 
@@ -107,4 +107,4 @@ RC_GTEST_PROP(DamagedImports, WithAnyBytesChangedTheyEndInAResultOrASentence, ()
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::damaged_imports_test

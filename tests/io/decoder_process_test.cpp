@@ -11,7 +11,7 @@
 #include "ew/io/image_stack.h"
 #include "packed_pictures.h"
 
-namespace ew {
+namespace ew::decoder_process_test {
 namespace {
 using namespace test;
 
@@ -117,4 +117,4 @@ TEST(DecoderProcess, IsNotWaitedForAfterTheWishToStop) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::decoder_process_test

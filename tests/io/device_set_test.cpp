@@ -3,7 +3,7 @@
 #include "ew/io/sequence.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::device_set_test {
 namespace {
 using namespace test;
 
@@ -94,4 +94,4 @@ TEST(DeviceSetFile, WrongFilesAreRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::device_set_test

@@ -8,8 +8,9 @@
 
 #include "dicom_files.h"
 #include "packed_pictures.h"
+#include "recordings.h"
 
-namespace ew {
+namespace ew::dicom_test {
 namespace {
 using namespace test;
 
@@ -506,10 +507,8 @@ TEST(EnhancedUsVolume, GeometryThatIsMissingOrImpossibleIsRefused) {
 
 class RealDicom : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "the recordings are not beside this checkout";
-  }
-  const std::filesystem::path data = std::filesystem::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "dicom-us";
+  void SetUp() override { EW_NEEDS_RECORDING("dicom-us"); }
+  const std::filesystem::path data = test::recording("dicom-us");
 };
 
 TEST_F(RealDicom, TheHalvedCineIsRefusedForItsStaleRegionAndReadWhenThePixelIsGiven) {
@@ -567,4 +566,4 @@ TEST_F(RealDicom, ThePowerDopplerStillAsksAboutItsColours) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::dicom_test

@@ -8,7 +8,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::image_file_test {
 namespace {
 using namespace test;
 
@@ -109,4 +109,4 @@ TEST(ImageFile, WrongFilesAreRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::image_file_test

@@ -6,7 +6,7 @@
 #include "ew/io/dicom.h"
 #include "kretz_files.h"
 
-namespace ew {
+namespace ew::kretz_test {
 namespace {
 using namespace test;
 
@@ -169,4 +169,4 @@ TEST(Kretz, WhatCannotBeReadIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::kretz_test

@@ -3,7 +3,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::mapped_volume_test {
 namespace {
 using namespace test;
 
@@ -110,4 +110,4 @@ TEST(MappedVolume, KeepsItsVoxelsWhenItIsMovedAndWhenItsPagesAreGivenBack) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::mapped_volume_test

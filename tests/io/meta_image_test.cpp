@@ -6,7 +6,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::meta_image_test {
 namespace {
 using namespace test;
 
@@ -262,4 +262,4 @@ TEST(MetaImageVolume, AnEmptyOrCrookedVolumeIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::meta_image_test

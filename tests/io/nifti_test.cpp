@@ -7,7 +7,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::nifti_test {
 namespace {
 using namespace test;
 
@@ -151,4 +151,4 @@ TEST(NiftiVolume, WrongHeadersAreRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::nifti_test

@@ -3,7 +3,7 @@
 #include "ew/io/volume_file.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::nrrd_test {
 namespace {
 using namespace test;
 
@@ -120,4 +120,4 @@ TEST(NrrdVolume, WrongHeadersAreRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::nrrd_test

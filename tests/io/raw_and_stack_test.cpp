@@ -5,7 +5,7 @@
 #include "ew/io/raw_volume.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::raw_and_stack_test {
 namespace {
 using namespace test;
 
@@ -147,4 +147,4 @@ TEST(PixelRects, AreReadFromFourNumbersAndBlackenOnlyWhatTheyCover) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::raw_and_stack_test

@@ -5,18 +5,17 @@
 
 #include "ew/io/sweep.h"
 #include "files.h"
+#include "recordings.h"
 
-namespace ew {
+namespace ew::real_files_test {
 namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
 class RealFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (!fs::is_directory(data)) GTEST_SKIP() << "the recordings are not beside this checkout";
-  }
-  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data";
+  void SetUp() override { EW_NEEDS_RECORDING(""); }
+  const fs::path data = test::recording("");
 
   /// Smallest corner, per axis, of all usable frames.
   static glm::dvec3 smallestCorner(const Sequence& sequence, const SweepPoses& poses) {
@@ -129,4 +128,4 @@ TEST_F(RealFiles, TheWirePhantomHasItsCalibrationInTheResultsFile) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::real_files_test

@@ -12,7 +12,7 @@
 #include "ew/io/volume_stream.h"
 #include "files.h"
 
-namespace ew {
+namespace ew::safe_file_test {
 namespace {
 using namespace test;
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ TEST(TextFile, IsReadUpToItsLimit) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::safe_file_test

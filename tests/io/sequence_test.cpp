@@ -7,7 +7,7 @@
 
 #include "files.h"
 
-namespace ew {
+namespace ew::sequence_test {
 namespace {
 using namespace test;
 
@@ -334,4 +334,4 @@ TEST(SequenceFile, ReadingStopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::sequence_test

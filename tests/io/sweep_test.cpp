@@ -8,7 +8,7 @@
 
 #include "files.h"
 
-namespace ew {
+namespace ew::sweep_test {
 namespace {
 using namespace test;
 
@@ -224,4 +224,4 @@ TEST(SweepPoses, OddCalibrationsAreKeptAndNoted) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::sweep_test

@@ -7,7 +7,7 @@
 
 #include "io/files.h"
 
-namespace ew {
+namespace ew::vector_file_test {
 namespace {
 
 Grid someGrid(const glm::ivec3& dims) {
@@ -98,4 +98,4 @@ TEST(VectorFile, RefusesWhatIsNoFieldOfVectors) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::vector_file_test

@@ -20,7 +20,7 @@
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::case_pipeline_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -458,4 +458,4 @@ TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::case_pipeline_test

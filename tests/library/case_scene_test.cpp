@@ -8,7 +8,7 @@
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::case_scene_test {
 namespace {
 
 using nlohmann::json;
@@ -105,4 +105,4 @@ TEST(CaseScene, TheSchemaAndTheReaderAllowTheSame) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::case_scene_test

@@ -11,7 +11,7 @@
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::case_test {
 namespace {
 
 using nlohmann::json;
@@ -589,4 +589,4 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::case_test

@@ -8,7 +8,7 @@
 #include "ew/library/case.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::case_volume_test {
 namespace {
 
 using test::EnvironmentValue;
@@ -277,4 +277,4 @@ TEST(LoadCaseVolume, LeavesNothingInTheCacheWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::case_volume_test

@@ -5,7 +5,7 @@
 #include "io/dicom_files.h"
 #include "io/kretz_files.h"
 
-namespace ew {
+namespace ew::file_import_test {
 namespace {
 using namespace test;
 
@@ -103,4 +103,4 @@ TEST(PreviewImport, TellsHowManyVolumesAFileHoldsAndWhatSpacingItStates) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::file_import_test

@@ -10,8 +10,9 @@
 #include <string>
 
 #include "ew/io/volume_file.h"
+#include "recordings.h"
 
-namespace ew {
+namespace ew::import_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -302,8 +303,8 @@ Likeness likenessOf(const ReconstructResult& ours, const Volume& theirs) {
 
 /// The references were made by another program whose nearest-neighbour mean is too dark by a known amount (its 8-bit running mean).
 TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
-  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "spine-phantom-sweep";
-  if (!fs::exists(data)) GTEST_SKIP() << "the spine phantom sweep is not here; the analytic tests cover the arithmetic";
+  EW_NEEDS_RECORDING("spine-phantom-sweep");
+  const fs::path data = test::recording("spine-phantom-sweep");
   struct Case {
     const char* device;
     const char* reference;
@@ -354,8 +355,8 @@ double distance_mm(const Wire& wire, const glm::dvec3& p_mm) {
 
 /// The nine wires are stretched between the phantom's walls as its device set says; the recordings show them and little else.
 TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
-  const fs::path data = fs::path(EW_SOURCE_DIR) / ".." / "shared" / "data" / "wire-phantom-pair";
-  if (!fs::exists(data)) GTEST_SKIP() << "the wire phantom's recordings are not here";
+  EW_NEEDS_RECORDING("wire-phantom-pair");
+  const fs::path data = test::recording("wire-phantom-pair");
   const std::vector<Wire> wires = {{{30, 0, 20}, {30, 40, 20}}, {{55, 0, 20}, {35, 40, 20}}, {{60, 0, 20}, {60, 40, 20}},
                                    {{30, 0, 10}, {30, 40, 10}}, {{35, 0, 10}, {55, 40, 10}}, {{60, 0, 10}, {60, 40, 10}},
                                    {{35, 0, 0}, {35, 40, 0}},   {{55, 0, 0}, {40, 40, 0}},   {{60, 0, 0}, {60, 40, 0}}};
@@ -392,4 +393,4 @@ TEST(ImportWirePhantom, PutsBrightVoxelsOnTheKnownWires) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::import_test

@@ -7,7 +7,7 @@
 #include "ew/library/schema.h"
 #include "library/temporary_folder.h"
 
-namespace ew {
+namespace ew::kept_edits_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -92,4 +92,4 @@ TEST(KeptEdits, WithoutAFolderToWriteToSayWhatToDo) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::kept_edits_test

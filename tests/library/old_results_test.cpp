@@ -11,7 +11,7 @@
 #include "library/temporary_folder.h"
 #include "private_folder.h"
 
-namespace ew {
+namespace ew::old_results_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ TEST(CacheFolder, WithoutAHomeIsThisUsersOwnAndNeverAPlantedLink) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::old_results_test

@@ -7,7 +7,7 @@
 
 #include "ew/imaging/display.h"
 
-namespace ew {
+namespace ew::voxel_source_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(VoxelSourceOfASweep, ReadsTheFramesAgainUnlessTheRecordingIsGoneOrAnother
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::voxel_source_test

@@ -6,7 +6,7 @@
 #include "ew/phantom/truth.h"
 #include "recipes.h"
 
-namespace ew {
+namespace ew::abdomen_cases_test {
 namespace {
 
 std::shared_ptr<const Patient> patientOfCase(const std::string& id, const ParameterValues& values = {}) {
@@ -143,4 +143,4 @@ TEST(NormalAbdomen, HasTheLengthsItsSourcesState) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::abdomen_cases_test

@@ -9,7 +9,7 @@
 #include "ew/io/gating_fields.h"
 #include "sweeps.h"
 
-namespace ew {
+namespace ew::acquisition_truth_test {
 namespace {
 
 using testing::patientOf;
@@ -209,4 +209,4 @@ TEST(GatedSweeps, OfABeatingVesselKeepItsDiameterWithinHalfAMillimetreWhereUngat
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::acquisition_truth_test

@@ -4,7 +4,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::body_test {
 namespace {
 
 const BodyShape& adult() {
@@ -166,4 +166,4 @@ TEST(OutwardNormal, IsTheDirectionInWhichTheDistanceGrows) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::body_test

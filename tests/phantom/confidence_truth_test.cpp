@@ -10,7 +10,7 @@
 #include "ew/phantom/virtual_scanner.h"
 #include "formation.h"
 
-namespace ew {
+namespace ew::confidence_truth_test {
 namespace {
 
 /// Share of pairs (seen, shadowed) that the confidence puts in the right order.
@@ -88,4 +88,4 @@ TEST(ConfidenceOfVirtualFrames, IsLowInTrueShadowsAndHighBesideThemAtTheSameDept
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::confidence_truth_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ew {
+namespace ew::contact_pressure_test {
 namespace {
 
 Probe probeNamed(const std::string& id) { return readProbe(std::string(EW_SOURCE_DIR "/resources/probes/") + id + ".json").value(); }
@@ -135,4 +135,4 @@ TEST(ContactPressure, GoesNoDeeperThanTissueCanBeSqueezed) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::contact_pressure_test

@@ -1,6 +1,6 @@
 #include "drawn_anatomy.h"
 
-namespace ew {
+namespace ew::fetus_test {
 namespace {
 
 using testing::in;
@@ -105,4 +105,4 @@ TEST(Fetus, IsShownByItsStandardPlanesAndEachLeavesOutWhatItMust) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::fetus_test

@@ -7,6 +7,7 @@
 
 #include "ew/phantom/virtual_scanner.h"
 #include "recipes.h"
+#include "shipped_probe.h"
 
 namespace ew::testing {
 
@@ -33,15 +34,6 @@ inline std::shared_ptr<const Patient> blockOfTissue(const std::string& organs = 
     std::abort();
   }
   return *patient;
-}
-
-inline Probe shippedProbe(const std::string& id) {
-  auto probe = readProbe(std::filesystem::path(EW_SOURCE_DIR) / "resources/probes" / (id + ".json"));
-  if (!probe) {
-    ADD_FAILURE() << probe.error();
-    std::abort();
-  }
-  return *probe;
 }
 
 inline std::unique_ptr<VirtualScanner> scannerOf(std::shared_ptr<const Patient> patient, const Probe& probe,

@@ -3,7 +3,7 @@
 
 #include "formation.h"
 
-namespace ew::testing {
+namespace ew::testing::formation_losses_test {
 namespace {
 
 /// A cylinder across the image plane (along z), seen by a probe held at y = 2.
@@ -161,4 +161,4 @@ TEST(Losses, NoiseHasItsLevelBeforeDepthGainAndChangesWithTheFrameAlone) {
 }
 
 }  // namespace
-}  // namespace ew::testing
+}  // namespace ew::testing::formation_losses_test

@@ -5,7 +5,7 @@
 
 #include "formation.h"
 
-namespace ew::testing {
+namespace ew::testing::formation_resolution_test {
 namespace {
 
 double at(const Image<float>& image, int line, int sample) {
@@ -243,4 +243,4 @@ TEST(Views, ShiftedAlongElevationDecorrelateAsTheLensDoes) {
 }
 
 }  // namespace
-}  // namespace ew::testing
+}  // namespace ew::testing::formation_resolution_test

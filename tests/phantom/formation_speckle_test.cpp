@@ -2,7 +2,7 @@
 
 #include "formation.h"
 
-namespace ew::testing {
+namespace ew::testing::formation_speckle_test {
 namespace {
 
 struct Setting {
@@ -75,4 +75,4 @@ TEST(Speckle, IsTheSameForEveryThreadAndOrderOfCalls) {
 }
 
 }  // namespace
-}  // namespace ew::testing
+}  // namespace ew::testing::formation_speckle_test

@@ -3,7 +3,7 @@
 
 #include "formation.h"
 
-namespace ew::testing {
+namespace ew::testing::formation_surfaces_test {
 namespace {
 
 FormationOptions surfacesAlone(double depth_mm) {
@@ -203,4 +203,4 @@ TEST(CompressEnvelope, TakesFullWhiteTo255AndTheDynamicRangeTo0) {
 }
 
 }  // namespace
-}  // namespace ew::testing
+}  // namespace ew::testing::formation_surfaces_test

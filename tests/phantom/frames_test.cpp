@@ -2,7 +2,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::frames_test {
 namespace {
 
 double distanceOf(const Result<std::shared_ptr<const Patient>>& patient, const std::string& organ, const glm::dvec3& p_mm) {
@@ -64,4 +64,4 @@ TEST(DrawingFrame, ThatIsMissingIsNamed) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::frames_test

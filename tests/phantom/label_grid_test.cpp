@@ -4,7 +4,7 @@
 
 #include "phantom/recipes.h"
 
-namespace ew {
+namespace ew::label_grid_test {
 namespace {
 
 std::shared_ptr<const Patient> shipped() {
@@ -70,4 +70,4 @@ TEST(LabelsOn, RefusesWhatDoesNotFitAndStopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::label_grid_test

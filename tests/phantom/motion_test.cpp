@@ -8,7 +8,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::motion_test {
 namespace {
 
 const Patient& beating() {
@@ -165,4 +165,4 @@ TEST(Electrocardiogram, IsFlatWithoutAPulse) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::motion_test

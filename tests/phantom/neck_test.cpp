@@ -1,6 +1,6 @@
 #include "drawn_anatomy.h"
 
-namespace ew {
+namespace ew::neck_test {
 namespace {
 
 using testing::in;
@@ -102,4 +102,4 @@ TEST(Neck, WidensTheCarotidsWithThePulse) {
 TEST(Neck, IsShownByItsStandardPlanes) { neck().expectPlanesShowWhatTheySay(20.0, 45.0); }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::neck_test

@@ -5,7 +5,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::patient_test {
 namespace {
 
 using testing::patientOf;
@@ -275,4 +275,4 @@ TEST(Fingerprint, ChangesWithTheRecipeAndWithItsMannequin) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::patient_test

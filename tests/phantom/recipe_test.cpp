@@ -4,7 +4,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::recipe_test {
 namespace {
 
 using testing::Folder;
@@ -170,4 +170,4 @@ TEST(ShippedPatient, HasAStoneAsLargeAsItsParameterSays) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::recipe_test

@@ -13,7 +13,7 @@
 #include "ew/io/sweep.h"
 #include "sweeps.h"
 
-namespace ew {
+namespace ew::record_sweep_test {
 namespace {
 
 using testing::ballPatient;
@@ -349,4 +349,4 @@ TEST(RecordSweep, RefusesWhatDoesNotFitBeforeItBegins) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::record_sweep_test

@@ -6,7 +6,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::shapes_test {
 namespace {
 
 using testing::bodyOf;
@@ -141,4 +141,4 @@ TEST(Mirrored, IsTheSameOnBothSidesAndSmoothInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::shapes_test

@@ -7,7 +7,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::shipped_cases_test {
 namespace {
 
 nlohmann::json jsonOf(const std::filesystem::path& file) {
@@ -135,4 +135,4 @@ TEST(PatientSchema, RefusesWhatTheReaderRefuses) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::shipped_cases_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace ew {
+namespace ew::speckled_tissue_test {
 namespace {
 
 TissueView cube(int side, double spacing_mm) {
@@ -81,4 +81,4 @@ TEST(SpeckledTissue, SharedSpeckleCorrelatesAndIndependentSpeckleLeavesTheStruct
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::speckled_tissue_test

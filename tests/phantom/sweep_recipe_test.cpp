@@ -10,7 +10,7 @@
 #include "ew/phantom/virtual_sweep.h"
 #include "recipes.h"
 
-namespace ew {
+namespace ew::sweep_recipe_test {
 namespace {
 
 using nlohmann::json;
@@ -207,4 +207,4 @@ TEST_F(SweepSchema, DrawsTheSameLineAsTheReader) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::sweep_recipe_test

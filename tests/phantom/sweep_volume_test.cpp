@@ -13,7 +13,7 @@
 #include "record_sweep.h"
 #include "sweeps.h"
 
-namespace ew {
+namespace ew::sweep_volume_test {
 namespace {
 
 using testing::ballPatient;
@@ -203,4 +203,4 @@ TEST(SweptVolumeOfALivingBody, CarriesItsSignalsAndMovesWithThem) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::sweep_volume_test

@@ -7,17 +7,9 @@
 
 #include "ew/phantom/virtual_sweep.h"
 #include "recipes.h"
+#include "shipped_probe.h"
 
 namespace ew::testing {
-
-inline Probe shippedProbe(const std::string& id) {
-  auto probe = readProbe(std::string(EW_SOURCE_DIR "/resources/probes/") + id + ".json");
-  if (!probe) {
-    ADD_FAILURE() << probe.error();
-    std::abort();
-  }
-  return *probe;
-}
 
 /// A ball of even tissue, radius 60 mm, all of it in the patient's box.
 inline std::shared_ptr<const Patient> ballPatient(const std::string& extra = "") {

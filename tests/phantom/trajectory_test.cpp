@@ -9,7 +9,7 @@
 #include "sweeps.h"
 #include "tracker_errors.h"
 
-namespace ew {
+namespace ew::trajectory_test {
 namespace {
 
 using phantom::Trajectory;
@@ -278,4 +278,4 @@ TEST(Tracker, ErrsByTheStatedAmounts) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::trajectory_test

@@ -6,7 +6,7 @@
 
 #include "recipes.h"
 
-namespace ew {
+namespace ew::truth_test {
 namespace {
 
 using testing::patientOf;
@@ -197,4 +197,4 @@ TEST(Surfaces, ThatCannotBeMadeSayWhy) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::truth_test

@@ -5,7 +5,7 @@
 #include "ew/phantom/speckle.h"
 #include "recipes.h"
 
-namespace ew {
+namespace ew::voxelise_test {
 namespace {
 
 using testing::patientOf;
@@ -207,4 +207,4 @@ TEST(Voxelise, AsksAtLeastOncePerHundredThousandVoxelsAndStopsAtItsNextQuestion)
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::voxelise_test

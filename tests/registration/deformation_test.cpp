@@ -9,7 +9,7 @@
 
 #include "registration/fields.h"
 
-namespace ew {
+namespace ew::deformation_test {
 namespace {
 
 using namespace registration;
@@ -279,4 +279,4 @@ TEST(Warped, AcceptsASingleLayerOfVoxelsAndRefusesVolumesThatContradictThemselve
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::deformation_test

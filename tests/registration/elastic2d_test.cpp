@@ -8,6 +8,7 @@
 #include "registration/planar_pairs.h"
 #include "registration/rising_progress.h"
 
+namespace elastic2d_test {
 namespace {
 
 using namespace ew;
@@ -298,3 +299,4 @@ TEST(RegisterElastic2d, RefusesWhatCannotBeAnImageOrAnOption) {
 }
 
 }  // namespace
+}  // namespace elastic2d_test

@@ -14,7 +14,7 @@
 #include "registration/shadows.h"
 #include "registration/tissue.h"
 
-namespace ew {
+namespace ew::elastic_test {
 namespace {
 
 using namespace registration;
@@ -602,4 +602,4 @@ TEST(Unfold, BringsEveryCellAboveTheLeastJacobianAndLeavesTheRestAlone) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::elastic_test

@@ -8,7 +8,7 @@
 #include "ew/core/frames.h"
 #include "registration/landmark_sets.h"
 
-namespace ew::registration {
+namespace ew::registration::landmarks_test {
 namespace {
 
 using test::at;
@@ -130,4 +130,4 @@ TEST(Landmarks, RefuseACoordinateThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::landmarks_test

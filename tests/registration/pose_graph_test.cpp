@@ -15,7 +15,7 @@
 #include "registration/found_views.h"
 #include "registration/graphs.h"
 
-namespace ew::registration {
+namespace ew::registration::pose_graph_test {
 namespace {
 
 using test::isotropic;
@@ -348,4 +348,4 @@ TEST(PoseGraph, TheAnswerIsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::pose_graph_test

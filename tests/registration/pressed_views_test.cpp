@@ -8,7 +8,7 @@
 #include "found_views.h"
 
 /// Twelve swept views of a virtual patient become one graph: recorded, reconstructed, matched without any tracker, solved.
-namespace ew::registration {
+namespace ew::registration::pressed_views_test {
 namespace {
 
 using namespace test;
@@ -97,4 +97,4 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
 INSTANTIATE_TEST_SUITE_P(Seeds, PressedViews, ::testing::Values(1));
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::pressed_views_test

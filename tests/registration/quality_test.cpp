@@ -7,6 +7,7 @@
 
 #include "registration/fields.h"
 
+namespace quality_test {
 namespace {
 
 using namespace ew;
@@ -213,3 +214,4 @@ TEST(ClosureError, IsTheGapThatALoopLeaves) {
 }
 
 }  // namespace
+}  // namespace quality_test

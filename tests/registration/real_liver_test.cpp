@@ -8,15 +8,17 @@
 #include "ew/io/volume_file.h"
 #include "ew/registration/elastic.h"
 #include "ew/registration/quality.h"
+#include "recordings.h"
 
 /// Two overlapping halves of a real liver, one bent by a field that is known. The speckle is the same in both, so this is the easy half of
 /// reality: real anatomy, real sector, changed gain and depth gain.
+namespace real_liver_test {
 namespace {
 
 using namespace ew;
 using namespace ew::registration;
 
-const std::filesystem::path kLiver = std::filesystem::path(EW_SOURCE_DIR) / "../shared/data/liver-sweep/liver_volume_1mm.mha";
+constexpr const char* kLiver = "liver-sweep/liver_volume_1mm.mha";
 
 /// Columns [first, last) along i.
 Volume columns(const Volume& whole, int first, int last) {
@@ -50,8 +52,8 @@ ControlGrid bendOf(const Grid& grid, double peak_mm) {
 }
 
 TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
-  if (!std::filesystem::exists(kLiver)) GTEST_SKIP() << "the liver volume is not here";
-  const auto loaded = readVolume(kLiver);
+  EW_NEEDS_RECORDING(kLiver);
+  const auto loaded = readVolume(ew::test::recording(kLiver));
   ASSERT_TRUE(loaded) << loaded.error().sentence;
   const Volume& whole = loaded->volume;
   for (const double peak_mm : {3.0, 5.0}) {
@@ -107,3 +109,4 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
 }
 
 }  // namespace
+}  // namespace real_liver_test

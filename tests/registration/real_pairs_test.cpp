@@ -13,17 +13,17 @@
 #include "ew/registration/elastic.h"
 #include "ew/registration/rigid.h"
 #include "graphs.h"
+#include "recordings.h"
 
 /// Two recordings of one thing with given poses. The poses of the second are put wrong, frame by frame, before it becomes a volume; the
 /// images alone have to find the given ones again.
+namespace real_pairs_test {
 namespace {
 
 using namespace ew;
 using namespace ew::registration;
 using registration::test::Draw;
 using registration::test::moved;
-
-const std::filesystem::path kData = std::filesystem::path(EW_SOURCE_DIR) / "../shared/data";
 
 /// A recording with its given poses.
 struct Recording {
@@ -188,8 +188,8 @@ Wires wiresOf(const std::filesystem::path& folder, const Recording& b) {
 }
 
 TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
-  const auto folder = kData / "wire-phantom-pair";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the recordings of the wire phantom are not here";
+  EW_NEEDS_RECORDING("wire-phantom-pair");
+  const auto folder = ew::test::recording("wire-phantom-pair");
   const auto calibration = folder / "FreehandCalibration3NWires_fCal2.0.results.xml";
   const Recording a = recordingOf(folder / "fCal_Test_Calibration_3NWires_fCal2.0.igs.mha", calibration);
   const Recording b = recordingOf(folder / "fCal_Test_Validation_3NWires_fCal2.0.igs.mha", calibration);
@@ -235,8 +235,8 @@ TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
 }
 
 TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
-  const auto folder = kData / "simulated-liver-pair";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the simulated sweeps are not here";
+  EW_NEEDS_RECORDING("simulated-liver-pair");
+  const auto folder = ew::test::recording("simulated-liver-pair");
   const Recording a = recordingOf(folder / "liver_sim_l2.igs.mha");
   const Recording b = recordingOf(folder / "liver_sim_r2.igs.mha");
   const Volume fixed = a.volume(glm::dmat4(1.0), 0.8);
@@ -276,8 +276,8 @@ TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
 }
 
 TEST(RealPairs, SimulatedLiverSweepsAreHardlyBentThoughTheirShadowsTurn) {
-  const auto folder = kData / "simulated-liver-pair";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the simulated sweeps are not here";
+  EW_NEEDS_RECORDING("simulated-liver-pair");
+  const auto folder = ew::test::recording("simulated-liver-pair");
   const Volume fixed = recordingOf(folder / "liver_sim_l2.igs.mha").volume(glm::dmat4(1.0), 0.8);
   const Volume moving = recordingOf(folder / "liver_sim_r2.igs.mha").volume(glm::dmat4(1.0), 0.8);
   const auto found = registerElastic({&fixed}, {&moving}, glm::dmat4(1.0), {.threads = 2}, noProgress());
@@ -300,3 +300,4 @@ TEST(RealPairs, SimulatedLiverSweepsAreHardlyBentThoughTheirShadowsTurn) {
 }
 
 }  // namespace
+}  // namespace real_pairs_test

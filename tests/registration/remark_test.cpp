@@ -7,7 +7,7 @@
 
 #include "ew/registration/landmarks.h"
 
-namespace ew::registration {
+namespace ew::registration::remark_test {
 namespace {
 
 constexpr int kCount = static_cast<int>(Says::count_);
@@ -66,4 +66,4 @@ TEST(Remark, OfAResultIsWhatItsReasonSays) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::remark_test

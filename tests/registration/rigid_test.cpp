@@ -54,7 +54,7 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return ta
 void operator delete(void* place) noexcept { giveBack(place); }
 void operator delete(void* place, std::size_t) noexcept { giveBack(place); }
 
-namespace ew::registration {
+namespace ew::registration::rigid_test {
 namespace {
 
 using ew::test::shadowed;
@@ -669,4 +669,4 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
 }
 
 }  // namespace
-}  // namespace ew::registration
+}  // namespace ew::registration::rigid_test

@@ -3,6 +3,7 @@
 #include "ew/registration/elastic.h"
 #include "registration/planar_pairs.h"
 
+namespace tangent_slices_test {
 namespace {
 
 using namespace ew;
@@ -107,3 +108,4 @@ TEST(RegisterTangentSlices, RefusesAPlaneOutsideTheOverlapAndANormalWithoutDirec
 }
 
 }  // namespace
+}  // namespace tangent_slices_test

@@ -7,7 +7,7 @@
 #include "ew/io/volume_file.h"
 #include "library/temporary_folder.h"
 
-namespace ew::door {
+namespace ew::door::out_of_tree_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST_F(OutOfTree, AManifestThatLiesAboutItsAbiIsFoundOutBeforeAnythingElseIsCall
 }
 
 }  // namespace
-}  // namespace ew::door
+}  // namespace ew::door::out_of_tree_test

@@ -7,7 +7,7 @@
 
 #include "ew/core/frames.h"
 
-namespace ew::sdk {
+namespace ew::sdk::placement_test {
 namespace {
 
 double largestDifference(const glm::dmat4& a, const glm::dmat4& b) {
@@ -73,4 +73,4 @@ RC_GTEST_PROP(Placement, GivesBackAnyRigidMatrix, ()) {
 }
 
 }  // namespace
-}  // namespace ew::sdk
+}  // namespace ew::sdk::placement_test

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-namespace ew::stitching {
+namespace ew::stitching::beside_test {
 namespace {
 
 class Recorder final : public Progress {
@@ -69,4 +69,4 @@ TEST(BesideEachOther, OfNothingIsDone) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::beside_test

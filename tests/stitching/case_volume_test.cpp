@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ew::stitching {
+namespace ew::stitching::case_volume_test {
 namespace {
 
 using nlohmann::json;
@@ -62,4 +62,4 @@ TEST(CaseVolume, TellsWhatStaysWrong) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::case_volume_test

@@ -10,7 +10,7 @@
 #include "logic/step_store.h"
 #include "stitching/chain_world.h"
 
-namespace ew::stitching {
+namespace ew::stitching::chain_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -357,4 +357,4 @@ TEST(ChainFolder, WhatNestsWithoutEndIsNoMemoryOfInputsAndNoResult) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::chain_folder_test

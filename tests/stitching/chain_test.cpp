@@ -17,7 +17,7 @@
 #include "stitching/chain_world.h"
 #include "stitching/memory_watch.h"
 
-namespace ew::stitching {
+namespace ew::stitching::chain_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -575,4 +575,4 @@ TEST(Chain, LeavesOutWhatNothingHoldsToTheOthers) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::chain_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ew::stitching {
+namespace ew::stitching::expected_cost_test {
 namespace {
 
 using registration::ElasticEffort;
@@ -77,4 +77,4 @@ TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::expected_cost_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace ew::stitching {
+namespace ew::stitching::grid_flow_test {
 namespace {
 
 const auto kNeverStopped = [] { return false; };
@@ -107,4 +107,4 @@ TEST(GridFlow, StopsWhenAskedTo) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::grid_flow_test

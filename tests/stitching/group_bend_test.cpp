@@ -4,7 +4,7 @@
 
 #include "stitching/chain_world.h"
 
-namespace ew::stitching {
+namespace ew::stitching::group_bend_test {
 namespace {
 
 /// Views of one size in a row along x, half of each over the next, and what their pairs say.
@@ -104,4 +104,4 @@ TEST(BendGroup, IsTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::group_bend_test

@@ -10,7 +10,7 @@
 #include "memory_in_use.h"
 #include "stitching/views.h"
 
-namespace ew::stitching {
+namespace ew::stitching::join_test {
 namespace {
 
 JoinResult joined(const std::vector<View>& views, const JoinOptions& options, Progress& progress = noProgress()) {
@@ -362,4 +362,4 @@ TEST(ForecastJoin, KnowsTheGridAndCountsBlocksNotTheWhole) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::join_test

@@ -14,7 +14,7 @@
 
 #include "stitching/chain_world.h"
 
-namespace ew::stitching {
+namespace ew::stitching::kill_test {
 namespace {
 
 using test::ChainWorld;
@@ -149,4 +149,4 @@ TEST(ChainOnAFullDisk, SaysSoAndGoesOnWhenThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::kill_test

@@ -7,7 +7,7 @@
 
 #include "logic/pair_match.h"
 
-namespace ew::stitching {
+namespace ew::stitching::overlap_test {
 namespace {
 
 Volume block(const glm::ivec3& dims, double spacing_mm) {
@@ -76,4 +76,4 @@ TEST(Overlap, APartKeepsItsVoxelsAndTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::overlap_test

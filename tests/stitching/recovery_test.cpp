@@ -7,7 +7,7 @@
 
 #include "library/temporary_folder.h"
 
-namespace ew::stitching {
+namespace ew::stitching::recovery_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,13 +35,13 @@ TEST_F(RecoveryPlaceTest, WhatALivingWindowKeepsIsNotOfferedAndWhatADeadOneLeftI
 }
 
 TEST_F(RecoveryPlaceTest, ANewWindowNeverTakesAPlaceInWhichSomethingWasLeft) {
-  std::vector<int> left;
+  std::vector<int> left(3);
   for (int n = 0; n < 3; ++n) {
     const RecoveryPlace place(folder_.path());
     leaveSomethingIn(place);
     // The latest is told first, however fast the windows ended.
     fs::last_write_time(place.file(), fs::file_time_type::clock::now() + std::chrono::seconds(n));
-    left.insert(left.begin(), place.number());
+    left[static_cast<std::size_t>(2 - n)] = place.number();
   }
   const RecoveryPlace place(folder_.path());
   EXPECT_EQ(place.left(), left) << "several generations, the latest first";
@@ -65,4 +65,4 @@ TEST_F(RecoveryPlaceTest, AFolderThatCannotBeMadeIsAPlaceAllTheSame) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::recovery_test

@@ -14,7 +14,7 @@
 #include "stitching/views.h"
 
 /// Seams of views whose truth is known: what measure 20 says of them, and that it says so of those that are bad.
-namespace ew::stitching {
+namespace ew::stitching::seam_test {
 namespace {
 
 /// Two views of one scene, side by side along x with an overlap, as pairs of recipe and view.
@@ -291,4 +291,4 @@ TEST(EqualiseViews, GivesTheSameCurvesOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::seam_test

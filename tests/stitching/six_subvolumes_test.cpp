@@ -20,7 +20,7 @@
 #include "six_subvolumes/recordings.h"
 #include "stitching/memory_watch.h"
 
-namespace ew::stitching {
+namespace ew::stitching::six_subvolumes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -413,4 +413,4 @@ TEST(SixSubvolumes, BecomeOneFromRecordingsWithPerturbedPlaces) { runAndJudge({"
 TEST(SixSubvolumes, BecomeOneFromRecordingsWithoutATracker) { runAndJudge({"tracker-off", true}); }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::six_subvolumes_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace ew::stitching {
+namespace ew::stitching::slices_test {
 namespace {
 
 /// echo = 2 i + 3 j + 5 k: linear, without symmetry, so every mistake of an axis shows.
@@ -214,4 +214,4 @@ TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::slices_test

@@ -9,7 +9,7 @@
 
 #include "ew/stitching/distance.h"
 
-namespace ew::stitching {
+namespace ew::stitching::stitch_test {
 namespace {
 
 Grid gridOf(glm::ivec3 dims, glm::dvec3 origin_mm = glm::dvec3(0.0), double spacing_mm = 1.0) {
@@ -349,4 +349,4 @@ RC_GTEST_PROP(DistanceFromBorder, IsTheDistanceToTheNearestAbsentVoxel, ()) {
 }
 
 }  // namespace
-}  // namespace ew::stitching
+}  // namespace ew::stitching::stitch_test

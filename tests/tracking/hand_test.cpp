@@ -7,7 +7,7 @@
 
 #include "tracking/skins.h"
 
-namespace ew {
+namespace ew::hand_test {
 namespace {
 
 using test::CubeSkin;
@@ -263,4 +263,4 @@ TEST(HoldFor, PutsAProbeHeldInTheAirOnTheSkinBelowIt) {
 }
 
 }  // namespace
-}  // namespace ew
+}  // namespace ew::hand_test

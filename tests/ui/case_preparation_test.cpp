@@ -11,7 +11,7 @@
 #include "library/temporary_folder.h"
 #include "time_limit.h"
 
-namespace ew::ui {
+namespace ew::ui::case_preparation_test {
 namespace {
 
 using test::EnvironmentValue;
@@ -98,4 +98,4 @@ TEST_F(PreparationInTheBackground, GivesTheMachineAwayAndGoesOnAfterwards) {
 }
 
 }  // namespace
-}  // namespace ew::ui
+}  // namespace ew::ui::case_preparation_test

@@ -15,7 +15,7 @@
 
 #include "time_limit.h"
 
-namespace ew::ui {
+namespace ew::ui::jobs_test {
 namespace {
 
 class JobsOnTheirOwn : public testing::Test {
@@ -192,4 +192,4 @@ TEST_F(JobsOnTheirOwn, AThreadThatCannotBeHadIsAnErrorOfTheJob) {
 }
 
 }  // namespace
-}  // namespace ew::ui
+}  // namespace ew::ui::jobs_test

@@ -6,6 +6,11 @@
 
 class QComboBox;
 class QListWidget;
+class QPushButton;
+
+namespace ew::sdk {
+class NumberField;
+}
 
 namespace ew::stitching {
 

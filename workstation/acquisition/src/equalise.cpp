@@ -42,11 +42,11 @@ struct Cell {
   double depth_mm = 0.0;
 };
 using Place = std::array<int, 3>;
-using Cells = std::map<Place, Cell>;
+using LevelCells = std::map<Place, Cell>;
 
 /// What one sweep saw, cell by cell; false when cancelled.
 template <class Stopped>
-bool look(const SweepToEqualise& sweep, const ClipSpans& clip, const EqualiseOptions& options, const Stopped& stopped, Cells& cells) {
+bool look(const SweepToEqualise& sweep, const ClipSpans& clip, const EqualiseOptions& options, const Stopped& stopped, LevelCells& cells) {
   const PixelDepth depth(sweep.clip, sweep.frames.front().imageToWorld.matrix);
   const int step = options.pixelStep;
   for (const PosedFrame& frame : sweep.frames) {
@@ -115,7 +115,7 @@ double DepthCorrection::at(double depth_mm) const { return atDepth(grey, knot_mm
 
 Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweeps, const EqualiseOptions& options, Progress& progress) {
   if (const auto checked = check(sweeps, options); !checked) return passOn(checked.error());
-  std::vector<Cells> seen(sweeps.size());
+  std::vector<LevelCells> seen(sweeps.size());
   std::vector<ClipSpans> clips;
   for (const auto& sweep : sweeps)
     clips.push_back(*ClipSpans::of(sweep.clip, sweep.frames.front().pixels.width, sweep.frames.front().pixels.height));

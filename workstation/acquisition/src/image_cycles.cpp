@@ -11,13 +11,13 @@
 namespace ew {
 namespace {
 
-constexpr int kCells = 24;
+constexpr int kCycleCells = 24;
 constexpr std::size_t kComponents = 4;
 constexpr double kWindow_periods = 6.0;
 constexpr double kPiece_periods = 12.0;  ///< of the slowest rhythm, for the spectrum
 
 /// (moments x cells), row after row.
-struct Cells {
+struct CycleCells {
   std::size_t moments = 0;
   std::size_t cells = 0;
   std::vector<double> value;
@@ -41,9 +41,9 @@ void reduce(const ImageView<const std::uint8_t>& image, int across, int down, do
 }
 
 /// Every cell at even moments.
-Cells evenCells(const Cells& raw, std::span<const double> time_s, double step_s) {
+CycleCells evenCells(const CycleCells& raw, std::span<const double> time_s, double step_s) {
   BodySignal signal{{time_s.begin(), time_s.end()}, std::vector<double>(raw.moments)};
-  Cells even;
+  CycleCells even;
   for (std::size_t cell = 0; cell < raw.cells; ++cell) {
     for (std::size_t n = 0; n < raw.moments; ++n) signal.value[n] = raw.row(n)[cell];
     const EvenSignal one = evenly(signal, step_s);
@@ -57,7 +57,7 @@ Cells evenCells(const Cells& raw, std::span<const double> time_s, double step_s)
 }
 
 /// Every cell's band over time: what is slower than two periods is taken away twice, flicker is smoothed.
-Cells bandOf(Cells even, double step_s, double period_s) {
+CycleCells bandOf(CycleCells even, double step_s, double period_s) {
   const auto slow = static_cast<std::size_t>(std::lround(period_s / step_s));
   const auto fast = static_cast<std::size_t>(std::lround(0.2 * period_s / step_s));
   std::vector<double> values(even.moments);
@@ -81,7 +81,7 @@ struct Spectrum {
   std::vector<double> power;
 };
 
-Spectrum spectrumOf(const Cells& even, double step_s, double piece_s, double highest_hz, int threads, Progress& progress) {
+Spectrum spectrumOf(const CycleCells& even, double step_s, double piece_s, double highest_hz, int threads, Progress& progress) {
   const std::size_t length = std::min(even.moments, static_cast<std::size_t>(piece_s / step_s));
   const double span_s = static_cast<double>(length) * step_s;
   Spectrum spectrum{1.0 / span_s, 0.5 / span_s, 2.0 / span_s, {}};
@@ -174,7 +174,7 @@ struct Window {
 };
 
 /// The first principal components over time of a window, by subspace iteration from a fixed start.
-void findComponents(const Cells& band, Window& window) {
+void findComponents(const CycleCells& band, Window& window) {
   const std::size_t count = window.end - window.begin;
   std::vector<double> gram(count * count);
   for (std::size_t a = 0; a < count; ++a)
@@ -293,8 +293,8 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
   if (duration_s < 3.0 * 60.0 / highest_perMin || duration_s / step_s > 1e6)
     return refuse("the recording is shorter than three cycles or has gaps of many times its length");
 
-  const int across = std::min(kCells, frames[0].width), down = std::min(kCells, frames[0].height);
-  Cells raw{kept.size(), static_cast<std::size_t>(across * down), {}};
+  const int across = std::min(kCycleCells, frames[0].width), down = std::min(kCycleCells, frames[0].height);
+  CycleCells raw{kept.size(), static_cast<std::size_t>(across * down), {}};
   raw.value.resize(raw.moments * raw.cells);
   PartOfProgress reducing(progress, 0.0, 0.4), measuring(progress, 0.4, 0.7), finding(progress, 0.7, 1.0);
   if (!forEachTask(static_cast<int>(kept.size()), options.threads, reducing, "Looking for a rhythm in the images", [&](int task) {
@@ -305,7 +305,7 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
   bool changes = false;
   for (std::size_t n = 1; n < raw.moments && !changes; ++n) changes = !std::equal(raw.row(n), raw.row(n) + raw.cells, raw.row(0));
   if (!changes) return refuse("they do not change");
-  Cells even = evenCells(raw, times_s, step_s);
+  CycleCells even = evenCells(raw, times_s, step_s);
   const auto stopped = [] { return failure(ErrorCode::cancelled, "The gating was stopped before it was complete."); };
   const Spectrum spectrum = spectrumOf(even, step_s, kPiece_periods * 60.0 / lowest_perMin,
                                        std::min(0.48 / step_s, 2.0 * highest_perMin / 60.0), options.threads, measuring);
@@ -320,7 +320,7 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
   const double standsOut = 1.0 - 1.0 / tone.ratio, period_s = 1.0 / tone.frequency_hz;
   if (standsOut < options.leastConfidence) return tooWeak(standsOut);
 
-  const Cells band = bandOf(std::move(even), step_s, period_s);
+  const CycleCells band = bandOf(std::move(even), step_s, period_s);
   auto windows = windowsOf(band.moments, static_cast<std::size_t>(kWindow_periods * period_s / step_s));
   if (!forEachTask(static_cast<int>(windows.size()), options.threads, finding, "Looking for a rhythm in the images",
                    [&](int task) { findComponents(band, windows[static_cast<std::size_t>(task)]); }))

@@ -14,7 +14,7 @@ namespace ew {
 namespace {
 
 constexpr int kProfile = 256;
-constexpr int kCells = 48;
+constexpr int kOffsetCells = 48;
 constexpr int kStepsPerFrame = 8;
 constexpr int kBlocks = 8;
 
@@ -109,7 +109,7 @@ struct Look {
 Look lookAt(const ImageView<const std::uint8_t>& image) {
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   std::vector<double> rows(height, 0.0), columns(width, 0.0);
-  const int across = std::min(kCells, image.width), down = std::min(kCells, image.height);
+  const int across = std::min(kOffsetCells, image.width), down = std::min(kOffsetCells, image.height);
   std::vector<double> cells(static_cast<std::size_t>(across * down), 0.0), counts(cells.size(), 0.0);
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* const row = image.row(y);
@@ -200,7 +200,7 @@ std::optional<std::array<double, kSignals>> stepTracked(const PoseTrack& track, 
 }
 
 /// Sums for the correlation of two signals, of the pairs that count.
-struct Sums {
+struct OffsetSums {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
   void add(double a, double b) {
     n += 1.0;
@@ -210,7 +210,7 @@ struct Sums {
     yy += b * b;
     xy += a * b;
   }
-  Sums& operator-=(const Sums& o) {
+  OffsetSums& operator-=(const OffsetSums& o) {
     n -= o.n;
     x -= o.x;
     y -= o.y;
@@ -298,7 +298,7 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
   const auto delays = static_cast<std::size_t>(2 * reach + 1);
   const std::size_t pairs = frames.size() - 1;
   // sums[signal][delay][block]
-  using OfBlocks = std::array<Sums, kBlocks>;
+  using OfBlocks = std::array<OffsetSums, kBlocks>;
   std::array<std::vector<OfBlocks>, kSignals> sums;
   for (auto& ofDelays : sums) ofDelays.resize(delays);
   if (!forEachTask(static_cast<int>(delays), options.threads, comparing, "Comparing movements", [&](int task) {
@@ -314,8 +314,8 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
     return failure(ErrorCode::cancelled, "The estimate was stopped before it was complete.");
 
   const auto totalOf = [](const OfBlocks& blocks) {
-    Sums total;
-    for (const Sums& block : blocks) {
+    OffsetSums total;
+    for (const OffsetSums& block : blocks) {
       total.n += block.n;
       total.x += block.x;
       total.y += block.y;
@@ -328,14 +328,14 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
   std::string why = "The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.";
   double closest = 0.0;
   for (std::size_t s = 0; s < kSignals; ++s) {
-    const Sums still = totalOf(sums[s][static_cast<std::size_t>(reach)]);
+    const OffsetSums still = totalOf(sums[s][static_cast<std::size_t>(reach)]);
     if (still.n < kFewest / 2) continue;
     const double mean = still.x / still.n, spread = std::sqrt(std::max(0.0, still.xx / still.n - mean * mean));
     // Shifts below a tenth of a pixel and an even speed drown in the noise of watching.
     if (s == kChange ? spread < 0.1 * std::abs(mean) || spread <= 0.0 : spread < 0.1) continue;
     std::vector<double> heights;
     for (const OfBlocks& blocks : sums[s]) {
-      const Sums total = totalOf(blocks);
+      const OffsetSums total = totalOf(blocks);
       heights.push_back(total.n >= 0.5 * still.n ? total.correlation() : 0.0);
     }
     const Best best = bestOf(heights);
@@ -366,7 +366,7 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
       const auto from = static_cast<std::size_t>(std::max(0.0, best.step - 2 * kStepsPerFrame));
       const auto to = std::min(delays, static_cast<std::size_t>(best.step + 2 * kStepsPerFrame) + 1);
       for (std::size_t d = from; d < to; ++d) {
-        Sums rest = totalOf(sums[s][d]);
+        OffsetSums rest = totalOf(sums[s][d]);
         rest -= sums[s][d][b];
         part[d] = rest.correlation();
       }

@@ -21,11 +21,11 @@ namespace {
 using nlohmann::json;
 
 constexpr int kLines = 4, kSamples = 16;  // of a judged block: less and speckle decides what is lost
-constexpr double kDepth_mm = 65.0;
+constexpr double kConfidenceDepth_mm = 65.0;
 constexpr double kShadow_db = 15.0, kSight_db = 3.0;
 
 /// A block of tissue below y = 0 with two stones, one that is little more than a scar, and a vessel.
-constexpr const char* kPatient = R"({"format": 1, "name": "block with stones", "mannequin": "body.json",
+constexpr const char* kConfidencePatient = R"({"format": 1, "name": "block with stones", "mannequin": "body.json",
   "box": {"lowest_mm": [-40, -5, -40], "highest_mm": [40, 75, 40]},
   "tissues": [{"name": "even", "echo_level": 150, "speckle": 1},
     {"name": "water", "echo_level": 0, "speckle": 0, "attenuation_db_per_cm_mhz": 0},
@@ -36,7 +36,7 @@ constexpr const char* kPatient = R"({"format": 1, "name": "block with stones", "
     {"name": "stone 2", "tissue": "stone", "shape": {"ellipsoid": {"centre_mm": [13, 18, 0], "radii_mm": [3, 2, 40]}}},
     {"name": "scar", "tissue": "scar", "shape": {"ellipsoid": {"centre_mm": [-17, 20, 0], "radii_mm": [2.5, 2, 40]}}},
     {"name": "vessel", "tissue": "water", "shape": {"ellipsoid": {"centre_mm": [2, 34, 0], "radii_mm": [4, 4, 40]}}}]})";
-constexpr const char* kBody =
+constexpr const char* kConfidenceBody =
     R"({"format": 1, "name": "block", "body": {"ellipsoid": {"centre_mm": [0, 2000, 0], "radii_mm": [2000, 2000, 2000]}}})";
 
 /// Recipes are read from files; these are gone once they are read.
@@ -45,8 +45,8 @@ Result<std::shared_ptr<const Patient>> blockWithStones() {
   std::error_code ignored;
   const fs::path folder = fs::temp_directory_path(ignored) / ("echoweave-bench-" + std::to_string(::getpid()));
   fs::create_directories(folder, ignored);
-  auto written = writeFileSafely(folder / "body.json", kBody);
-  if (written) written = writeFileSafely(folder / "patient.json", kPatient);
+  auto written = writeFileSafely(folder / "body.json", kConfidenceBody);
+  if (written) written = writeFileSafely(folder / "patient.json", kConfidencePatient);
   auto patient = written ? readPatient(folder / "patient.json") : Result<std::shared_ptr<const Patient>>(passOn(written.error()));
   fs::remove_all(folder, ignored);
   return patient;
@@ -80,7 +80,7 @@ double powerOf(const Image<float>& envelope, int line, int sample) {
 
 Result<View> viewAt(double elevation_mm, const std::shared_ptr<const Patient>& patient, const Probe& probe) {
   FormationOptions formation;
-  formation.depth_mm = kDepth_mm;
+  formation.depth_mm = kConfidenceDepth_mm;
   const auto recorded = makeVirtualScanner(patient, probe, formation, 1);
   formation.noise_db = -300.0;
   formation.tgc = {{0.0, 0.0}};
@@ -98,7 +98,7 @@ Result<View> viewAt(double elevation_mm, const std::shared_ptr<const Patient>& p
       const double depth_mm = (*recorded)->grid().depth_mm(s + 0.5 * kSamples);
       const double whole = powerOf(without, l, s), even_db = 2.0 * 0.5 * probe.carrier_hz * 1e-6 * depth_mm / 10.0;
       const double excess_db = 10.0 * std::log10(whole / std::max(1e-300, powerOf(with, l, s))) - even_db;
-      const bool judged = whole > 1e-12 && depth_mm > 30.0 && depth_mm < kDepth_mm - 5.0;
+      const bool judged = whole > 1e-12 && depth_mm > 30.0 && depth_mm < kConfidenceDepth_mm - 5.0;
       view.blocks.push_back(!judged                  ? Seen::undecided
                             : excess_db > kShadow_db ? Seen::inShadow
                             : excess_db < kSight_db  ? Seen::inSight

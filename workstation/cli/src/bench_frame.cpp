@@ -29,7 +29,7 @@ constexpr double kPerSigma = 2.354820045030949;  // full width at half maximum o
 enum class Exact { none, field, elevationalMean, lateralMean };
 
 /// One thing to time. `frame` makes the picture of a pose; it stays valid until the next call.
-struct Setting {
+struct FrameSetting {
   std::string name;  ///< "frame_1024x768_of_256cubed/focus_kernel/1"
   std::string group;
   std::string method;
@@ -124,7 +124,8 @@ std::vector<TissueAcoustics> benchTissues() {
 }
 
 /// Frames of a FrameMaker of its own, so that settings can take turns without making tables anew.
-void addFrames(std::vector<Setting>& settings, const World& world, Setting setting, bool withLabels = false, bool withGaps = false) {
+void addFrames(std::vector<FrameSetting>& settings, const World& world, FrameSetting setting, bool withLabels = false,
+               bool withGaps = false) {
   setting.maker = std::make_shared<FrameMaker>(setting.threads);
   if (withLabels) setting.scene.tissues = benchTissues();
   setting.maker->configure(world.probe, setting.knobs, setting.scene, world.volume.grid, world.options.width_px, world.options.height_px,
@@ -143,7 +144,7 @@ void addFrames(std::vector<Setting>& settings, const World& world, Setting setti
 }
 
 /// Sampling on the beam grid and scan conversion with nothing between: what a setting pays for its beams before the first effect.
-void addBareBeams(std::vector<Setting>& settings, const World& world, Setting setting) {
+void addBareBeams(std::vector<FrameSetting>& settings, const World& world, FrameSetting setting) {
   struct State {
     BeamGrid grid;
     ScanConversionTable table;
@@ -171,13 +172,13 @@ void addBareBeams(std::vector<Setting>& settings, const World& world, Setting se
   settings.push_back(std::move(setting));
 }
 
-void addPeers(std::vector<Setting>& settings, const World& world) {
+void addPeers(std::vector<FrameSetting>& settings, const World& world) {
   const DisplayGeometry geometry = fitDisplay(world.probe, Knobs(), world.options.width_px, world.options.height_px);
   const auto imageToProbe = geometry.imageToProbe();
   const auto worldToVoxel = world.volume.grid.worldToVoxel();
   for (const auto& [quality, method] :
        {std::pair{Quality::weave, "VTK nearest"}, std::pair{Quality::linear, "VTK linear"}, std::pair{Quality::cubic, "VTK cubic"}}) {
-    Setting setting;
+    FrameSetting setting;
     setting.group = "sampling";
     setting.method = method;
     setting.peer = true;
@@ -187,7 +188,7 @@ void addPeers(std::vector<Setting>& settings, const World& world) {
     settings.push_back(std::move(setting));
   }
   // The same number of pixels through the volume's middle, one voxel a pixel: those beside the volume cost VTK little.
-  Setting setting;
+  FrameSetting setting;
   setting.group = "one voxel a pixel";
   setting.method = "VTK linear, one voxel a pixel";
   setting.peer = true;
@@ -207,29 +208,29 @@ void addPeers(std::vector<Setting>& settings, const World& world) {
   settings.push_back(std::move(setting));
 }
 
-std::vector<Setting> settingsOf(const World& world) {
-  std::vector<Setting> settings;
+std::vector<FrameSetting> settingsOf(const World& world) {
+  std::vector<FrameSetting> settings;
   const auto neutral = [](std::string group, std::string method) {
-    Setting setting;
+    FrameSetting setting;
     setting.group = std::move(group);
     setting.method = std::move(method);
     return setting;
   };
   const std::pair<Quality, const char*> qualities[] = {{Quality::weave, "weave"}, {Quality::linear, "linear"}, {Quality::cubic, "cubic"}};
   for (const auto& [quality, name] : qualities) {
-    Setting setting = neutral("sampling", name);
+    FrameSetting setting = neutral("sampling", name);
     setting.knobs.quality = quality;
     setting.exact = Exact::field;
     addFrames(settings, world, setting);
   }
   for (const auto& [quality, name] : qualities) {
-    Setting setting = neutral("sampling", std::string("beams, ") + name);
+    FrameSetting setting = neutral("sampling", std::string("beams, ") + name);
     setting.knobs.quality = quality;
     setting.exact = Exact::field;
     addBareBeams(settings, world, setting);
   }
   for (const int planes : {3, 5, 7, 9}) {
-    Setting setting = neutral("slice thickness", std::to_string(planes) + " planes");
+    FrameSetting setting = neutral("slice thickness", std::to_string(planes) + " planes");
     setting.scene.sliceThickness.emplace();
     setting.knobs.elevationPlanes = planes;
     setting.exact = Exact::elevationalMean;
@@ -237,53 +238,53 @@ std::vector<Setting> settingsOf(const World& world) {
   }
   for (const auto& [method, name] :
        {std::pair{FocusMethod::rowStretch, "row stretch"}, std::pair{FocusMethod::lateralKernel, "lateral kernel"}}) {
-    Setting setting = neutral("focus", name);
+    FrameSetting setting = neutral("focus", name);
     setting.scene.focus.emplace();
     setting.knobs.focusMethod = method;
     setting.knobs.focus_mm = 60.0;
     setting.exact = Exact::lateralMean;
     addFrames(settings, world, setting);
   }
-  const auto alone = [&](const char* method, const std::function<void(Setting&)>& set, bool labels = false, bool gaps = false) {
-    Setting setting = neutral("one effect", method);
+  const auto alone = [&](const char* method, const std::function<void(FrameSetting&)>& set, bool labels = false, bool gaps = false) {
+    FrameSetting setting = neutral("one effect", method);
     set(setting);
     addFrames(settings, world, setting, labels, gaps);
   };
-  alone("gain and DGC", [](Setting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
-  alone("dynamic range, grey map", [](Setting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
-  alone("edge enhancement", [](Setting& s) { s.knobs.edgeEnhancement = 0.4; });
-  alone("persistence", [](Setting& s) { s.knobs.persistence = 0.3; });
-  alone("M-mode beside B-mode", [](Setting& s) { s.knobs.mode = DisplayMode::both; });
-  alone("shadow by grey level", [](Setting& s) { s.scene.attenuation.emplace(); });
+  alone("gain and DGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
+  alone("dynamic range, grey map", [](FrameSetting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
+  alone("edge enhancement", [](FrameSetting& s) { s.knobs.edgeEnhancement = 0.4; });
+  alone("persistence", [](FrameSetting& s) { s.knobs.persistence = 0.3; });
+  alone("M-mode beside B-mode", [](FrameSetting& s) { s.knobs.mode = DisplayMode::both; });
+  alone("shadow by grey level", [](FrameSetting& s) { s.scene.attenuation.emplace(); });
   alone(
-      "shadow by tissue", [](Setting& s) { s.scene.attenuation.emplace(); }, true);
-  alone("reverberation", [](Setting& s) { s.scene.reverberation.emplace(); });
-  alone("noise", [](Setting& s) { s.scene.noise.emplace(); });
+      "shadow by tissue", [](FrameSetting& s) { s.scene.attenuation.emplace(); }, true);
+  alone("reverberation", [](FrameSetting& s) { s.scene.reverberation.emplace(); });
+  alone("noise", [](FrameSetting& s) { s.scene.noise.emplace(); });
   alone(
-      "contact loss", [](Setting& s) { s.scene.contact.emplace(); }, false, true);
+      "contact loss", [](FrameSetting& s) { s.scene.contact.emplace(); }, false, true);
 
-  const auto everything = [&](const std::string& method, const std::function<void(Setting&)>& change, int threads = 1) {
-    Setting setting = neutral("everything", method);
+  const auto everything = [&](const std::string& method, const std::function<void(FrameSetting&)>& change, int threads = 1) {
+    FrameSetting setting = neutral("everything", method);
     setting.knobs = everyKnob();
     setting.scene = sceneWithEverything();
     setting.threads = threads;
     change(setting);
     addFrames(settings, world, setting, true, true);
   };
-  everything("everything", [](Setting&) {});
-  everything("everything, weave", [](Setting& s) { s.knobs.quality = Quality::weave; });
-  everything("everything, cubic", [](Setting& s) { s.knobs.quality = Quality::cubic; });
-  everything("everything, 3 planes", [](Setting& s) { s.knobs.elevationPlanes = 3; });
-  everything("everything, 7 planes", [](Setting& s) { s.knobs.elevationPlanes = 7; });
-  everything("everything, row stretch", [](Setting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
-  Setting two = neutral("two threads", "linear");
+  everything("everything", [](FrameSetting&) {});
+  everything("everything, weave", [](FrameSetting& s) { s.knobs.quality = Quality::weave; });
+  everything("everything, cubic", [](FrameSetting& s) { s.knobs.quality = Quality::cubic; });
+  everything("everything, 3 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 3; });
+  everything("everything, 7 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 7; });
+  everything("everything, row stretch", [](FrameSetting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
+  FrameSetting two = neutral("two threads", "linear");
   two.threads = 2;
   addFrames(settings, world, two);
   everything(
-      "everything", [](Setting& s) { s.group = "two threads"; }, 2);
+      "everything", [](FrameSetting& s) { s.group = "two threads"; }, 2);
   if (world.options.peers) addPeers(settings, world);
   const std::string size = std::to_string(world.options.width_px) + "x" + std::to_string(world.options.height_px);
-  for (Setting& setting : settings) {
+  for (FrameSetting& setting : settings) {
     std::string name = setting.method;
     std::erase(name, ',');
     std::replace(name.begin(), name.end(), ' ', '_');
@@ -293,9 +294,9 @@ std::vector<Setting> settingsOf(const World& world) {
 }
 
 /// The exact grey level of a pixel under a setting.
-class Answer {
+class FrameAnswer {
  public:
-  Answer(const World& world, const Setting& setting)
+  FrameAnswer(const World& world, const FrameSetting& setting)
       : world_(world),
         setting_(setting),
         geometry_(fitDisplay(world.probe, setting.knobs, world.options.width_px, world.options.height_px)),
@@ -334,15 +335,15 @@ class Answer {
 
  private:
   const World& world_;
-  const Setting& setting_;
+  const FrameSetting& setting_;
   DisplayGeometry geometry_;
   BeamGrid grid_;
   BeamModel beam_;
 };
 
-void measureError(Setting& setting, const World& world) {
+void measureError(FrameSetting& setting, const World& world) {
   if (setting.exact == Exact::none) return;
-  const Answer answer(world, setting);
+  const FrameAnswer answer(world, setting);
   const int step = setting.exact == Exact::lateralMean ? 5 : 3;
   double squares = 0.0, count = 0.0;
   for (std::size_t n = 0; n < world.poses.size(); n += std::max<std::size_t>(1, world.poses.size() / 3)) {
@@ -363,7 +364,7 @@ void measureError(Setting& setting, const World& world) {
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Settings take turns, in another order each time, so that a busy moment of the machine falls on no one alone.
-bool timeSettings(std::vector<Setting>& settings, const World& world, Progress& progress) {
+bool timeSettings(std::vector<FrameSetting>& settings, const World& world, Progress& progress) {
   std::vector<std::size_t> order(settings.size());
   for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
   std::mt19937 random(7);
@@ -373,7 +374,7 @@ bool timeSettings(std::vector<Setting>& settings, const World& world, Progress& 
       if (progress.cancelRequested()) return false;
       progress.report("Timing frames of " + std::to_string(world.side) + " cubed",
                       (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / world.options.repetitions);
-      Setting& setting = settings[order[n]];
+      FrameSetting& setting = settings[order[n]];
       setting.frame(world.poses.back());  // its tables come back into the caches
       const double startWall_s = now_s(), startCpu_s = threadTime_s();
       for (const Pose& pose : world.poses) {
@@ -389,16 +390,16 @@ bool timeSettings(std::vector<Setting>& settings, const World& world, Progress& 
   return true;
 }
 
-const Setting* settingNamed(const std::vector<Setting>& settings, const std::string& group, const std::string& method) {
+const FrameSetting* settingNamed(const std::vector<FrameSetting>& settings, const std::string& group, const std::string& method) {
   const auto found =
-      std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.group == group && s.method == method; });
+      std::find_if(settings.begin(), settings.end(), [&](const FrameSetting& s) { return s.group == group && s.method == method; });
   return found == settings.end() ? nullptr : &*found;
 }
 
-void addToReport(const std::vector<Setting>& settings, const World& world, json& report) {
-  const Setting* peer = settingNamed(settings, "sampling", "VTK linear");
+void addToReport(const std::vector<FrameSetting>& settings, const World& world, json& report) {
+  const FrameSetting* peer = settingNamed(settings, "sampling", "VTK linear");
   const double peer_us = peer ? medianOf(peer->cpu_us) : 0.0;
-  for (const Setting& setting : settings) {
+  for (const FrameSetting& setting : settings) {
     const double time_us = setting.threads == 1 ? medianOf(setting.cpu_us) : medianOf(setting.wall_us);
     json row = {
         {"name", setting.name},       {"group", setting.group},    {"method", setting.method}, {"peer", setting.peer},
@@ -418,7 +419,7 @@ void addToReport(const std::vector<Setting>& settings, const World& world, json&
       for (const auto& [step, times_us] : setting.steps_us)
         report["steps"].push_back(json(cli::stepRow(setting.name + "/" + step, times_us)));
   }
-  const auto must = [&](const std::string& what, const Setting* setting, double limit) {
+  const auto must = [&](const std::string& what, const FrameSetting* setting, double limit) {
     if (!setting || peer_us <= 0.0) return;
     const double value = medianOf(setting->cpu_us) / peer_us;
     report["must_show"].push_back({{"name", what + ", " + std::to_string(world.side) + " cubed, of VTK's bare linear slice"},
@@ -463,8 +464,8 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
     auto made = makeWorld(options, side, *probe, part);
     if (!made) return passOn(made.error());
     World& world = **made;
-    std::vector<Setting> settings = settingsOf(world);
-    for (Setting& setting : settings) {
+    std::vector<FrameSetting> settings = settingsOf(world);
+    for (FrameSetting& setting : settings) {
       if (part.cancelRequested()) return stopped();
       measureError(setting, world);
       const auto all = [&] {

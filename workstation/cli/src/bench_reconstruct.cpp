@@ -36,9 +36,11 @@ struct Truth {
   std::vector<float> level;
 };
 
-tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
+tl::unexpected<Error> reconstructStopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
 
-double wall_us() { return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double reconstructWall_us() {
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 double levelAt(const BenchField& field, const glm::dvec3& p_world_mm) { return field.at(p_world_mm / kFieldVoxel_mm); }
 
@@ -63,7 +65,7 @@ Result<Sweep> sweepOf(const std::string& kind, const ReconstructBenchOptions& op
   const glm::dmat4 imageToProbe =
       translation(-0.5 * (kImage_mm - pixel_mm), 0.0, 0.0) * glm::scale(glm::dmat4(1.0), glm::dvec3(pixel_mm, pixel_mm, pixel_mm));
   for (int n = 0; n < options.frames; ++n) {
-    if (progress.cancelRequested()) return stopped();
+    if (progress.cancelRequested()) return reconstructStopped();
     const glm::dmat4 imageToWorld = probeToWorld(kind, n - 0.5 * (options.frames - 1)) * imageToProbe;
     GreyImage image(side, side);
     for (int y = 0; y < side; ++y)
@@ -95,7 +97,7 @@ Truth truthOn(const Grid& grid, const BenchField& field) {
   return truth;
 }
 
-struct Setting {
+struct ReconstructSetting {
   std::string name;  ///< "reconstruct_fan/0.5mm/linear/sweep_6mm"
   const Sweep* sweep = nullptr;
   const Truth* truth = nullptr;
@@ -115,16 +117,16 @@ const char* fillNameOf(const ReconstructOptions& options) {
   return options.fillMethod == FillMethod::sweep ? "sweep" : "bridges";
 }
 
-std::vector<Setting> settingsOf(const std::vector<Sweep>& sweeps, const std::vector<std::vector<Truth>>& truths,
-                                const std::vector<double>& spacings_mm) {
-  std::vector<Setting> settings;
+std::vector<ReconstructSetting> settingsOf(const std::vector<Sweep>& sweeps, const std::vector<std::vector<Truth>>& truths,
+                                           const std::vector<double>& spacings_mm) {
+  std::vector<ReconstructSetting> settings;
   for (std::size_t s = 0; s < sweeps.size(); ++s)
     for (std::size_t v = 0; v < spacings_mm.size(); ++v)
       for (const auto interpolation : {Interpolation::nearest, Interpolation::linear, Interpolation::centred})
         for (const double reach_mm : {0.0, 2.0, 6.0})
           for (const auto method : {FillMethod::bridges, FillMethod::sweep}) {
             if (reach_mm == 0.0 && method == FillMethod::sweep) continue;
-            Setting setting;
+            ReconstructSetting setting;
             setting.options.spacing_mm = spacings_mm[v];
             setting.options.interpolation = interpolation;
             setting.options.fillReach_mm = reach_mm;
@@ -158,9 +160,9 @@ json errorsOf(const Volume& volume, const Truth& truth, Coverage coverage, std::
           {"bias", sum / count}};
 }
 
-Result<void> measureErrors(std::vector<Setting>& settings, Progress& progress) {
+Result<void> measureErrors(std::vector<ReconstructSetting>& settings, Progress& progress) {
   for (std::size_t n = 0; n < settings.size(); ++n) {
-    Setting& setting = settings[n];
+    ReconstructSetting& setting = settings[n];
     const double share = 1.0 / static_cast<double>(settings.size());
     PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
     const auto made = reconstruct(setting.sweep->frames, setting.options, part);
@@ -175,7 +177,7 @@ Result<void> measureErrors(std::vector<Setting>& settings, Progress& progress) {
 }
 
 /// Settings take turns, in another order each time, so that a busy moment of the machine falls on no one alone.
-Result<void> timeSettings(std::vector<Setting>& settings, int repetitions, Progress& progress) {
+Result<void> timeSettings(std::vector<ReconstructSetting>& settings, int repetitions, Progress& progress) {
   std::vector<std::size_t> order(settings.size());
   for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
   std::mt19937 random(7);
@@ -183,8 +185,8 @@ Result<void> timeSettings(std::vector<Setting>& settings, int repetitions, Progr
     std::shuffle(order.begin(), order.end(), random);
     for (std::size_t n = 0; n < order.size(); ++n) {
       progress.report("Timing reconstructions", (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / repetitions);
-      if (progress.cancelRequested()) return stopped();
-      Setting& setting = settings[order[n]];
+      if (progress.cancelRequested()) return reconstructStopped();
+      ReconstructSetting& setting = settings[order[n]];
       const double start_s = threadTime_s();
       const auto made = reconstruct(setting.sweep->frames, setting.options, noProgress());
       setting.cpu_us.push_back(1e6 * (threadTime_s() - start_s));
@@ -195,10 +197,10 @@ Result<void> timeSettings(std::vector<Setting>& settings, int repetitions, Progr
 }
 
 /// One thread and two in turns, by the clock on the wall: on a busy machine the ratio says less than it should.
-Result<json> timeThreads(const std::vector<Setting>& settings, int repetitions, Progress& progress) {
+Result<json> timeThreads(const std::vector<ReconstructSetting>& settings, int repetitions, Progress& progress) {
   json rows = json::array();
   const double finest_mm = settings.front().options.spacing_mm;
-  for (const Setting& setting : settings) {
+  for (const ReconstructSetting& setting : settings) {
     const bool chosen = setting.sweep->name == "freehand" && setting.options.spacing_mm == finest_mm &&
                         (setting.options.fillReach_mm == 0.0 || (setting.options.fillReach_mm > 4.0));
     if (!chosen) continue;
@@ -207,12 +209,12 @@ Result<json> timeThreads(const std::vector<Setting>& settings, int repetitions, 
     bool same = true;
     for (int repetition = 0; repetition < repetitions; ++repetition)
       for (const int threads : {1, 2}) {
-        if (progress.cancelRequested()) return stopped();
+        if (progress.cancelRequested()) return reconstructStopped();
         ReconstructOptions options = setting.options;
         options.threads = threads;
-        const double start_us = wall_us();
+        const double start_us = reconstructWall_us();
         auto made = reconstruct(setting.sweep->frames, options, noProgress());
-        (threads == 1 ? one_us : two_us).push_back(wall_us() - start_us);
+        (threads == 1 ? one_us : two_us).push_back(reconstructWall_us() - start_us);
         if (!made) return passOn(made.error());
         if (threads == 2) same = same && made->volume.echo == voxels;
         if (threads == 1) voxels = std::move(made->volume.echo);
@@ -261,7 +263,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
     }
     sweeps.push_back(*std::move(sweep));
   }
-  std::vector<Setting> settings = settingsOf(sweeps, truths, options.spacings_mm);
+  std::vector<ReconstructSetting> settings = settingsOf(sweeps, truths, options.spacings_mm);
   if (auto measured = measureErrors(settings, comparing); !measured) return passOn(measured.error());
   const auto once = [&] { static_cast<void>(reconstruct(settings.back().sweep->frames, settings.back().options, noProgress())); };
   if (!runsOnThisThreadAlone(once))
@@ -278,7 +280,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
                  {"results", json::array()},
                  {"threads_measured", *std::move(threads)},
                  {"steps", json::array()}};
-  for (Setting& setting : settings) {
+  for (ReconstructSetting& setting : settings) {
     const double median_us = medianOf(setting.cpu_us);
     report["results"].push_back({{"name", setting.name},
                                  {"sweep", setting.sweep->name},

@@ -36,7 +36,7 @@ constexpr double kPeak_mm = 5.0;
 constexpr double kWave_mm = 100.0;  // of the elastic motion: smooth, as tissue under a probe moves
 constexpr double kShared = 0.8;     // of the speckle's amplitude: two thirds of its power
 
-tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
+tl::unexpected<Error> registerStopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
 
 using Motion = std::function<glm::dvec3(const glm::dvec3&)>;  // a fixed point's true place in the moving volume
 
@@ -491,7 +491,7 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
     std::vector<double> times_us;
     Result<Answer> answer = Answer{};
     for (int repetition = 0; repetition < options.repetitions; ++repetition) {
-      if (progress.cancelRequested()) return stopped();
+      if (progress.cancelRequested()) return registerStopped();
       // The work's own progress would move the bar backwards; the wish to cancel has to reach it.
       QuietProgress ask(progress);
       const double begin_s = threadTime_s();
@@ -506,7 +506,7 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
     report["results"].push_back(std::move(row));
   }
   for (auto& row : landmarkRows(options.seed, progress)) report["results"].push_back(std::move(row));
-  if (progress.cancelRequested()) return stopped();
+  if (progress.cancelRequested()) return registerStopped();
   if (options.peers)
     if (auto measured = measurePeers(pairs->elastic, report, waiting); !measured) return passOn(measured.error());
   return report;

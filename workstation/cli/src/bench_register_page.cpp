@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string figure(const json& row, const char* key, int decimals) {
+std::string rowFigure(const json& row, const char* key, int decimals) {
   return row.contains(key) && row[key].is_number() ? fixedText(row[key].get<double>(), decimals) : std::string();
 }
 std::string word(const json& row, const char* key) {
@@ -25,8 +25,8 @@ void pointInto(BenchSection& section, const json& row, const std::string& label,
 
 void rowInto(BenchSection& section, const json& row, const std::string& who) {
   section.table.rows.push_back({who, word(row, "setting"), word(row, "pair"), word(row, "verdict"),
-                                fixedText(row["median_us"].get<double>() * 1e-3, 1), figure(row, "error_start_mm", 2),
-                                figure(row, "error_mm", 3), figure(row, "error_p95_mm", 3), figure(row, "jacobian_min", 2)});
+                                fixedText(row["median_us"].get<double>() * 1e-3, 1), rowFigure(row, "error_start_mm", 2),
+                                rowFigure(row, "error_mm", 3), rowFigure(row, "error_p95_mm", 3), rowFigure(row, "jacobian_min", 2)});
 }
 
 BenchSection sectionFor(const std::string& title, const std::string& text) {

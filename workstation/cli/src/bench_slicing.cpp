@@ -23,7 +23,7 @@ namespace {
 using nlohmann::json;
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
-struct Scene {
+struct SlicingScene {
   Volume volume;
   BrickedVolume bricks;
   BenchField field;
@@ -57,8 +57,8 @@ std::map<std::string, std::vector<ImageToVoxel>> posesFor(const BenchOptions& op
   return poses;
 }
 
-Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volumeSide, Progress& progress) {
-  auto scene = std::make_unique<Scene>(Scene{{}, {}, BenchField(volumeSide), posesFor(options, volumeSide)});
+Result<std::unique_ptr<SlicingScene>> makeScene(const BenchOptions& options, int volumeSide, Progress& progress) {
+  auto scene = std::make_unique<SlicingScene>(SlicingScene{{}, {}, BenchField(volumeSide), posesFor(options, volumeSide)});
   auto volume = scene->field.volume(progress);
   if (!volume) return passOn(volume.error());
   scene->volume = std::move(*volume);
@@ -71,7 +71,7 @@ Result<std::unique_ptr<Scene>> makeScene(const BenchOptions& options, int volume
 /// The layout the program uses for such a volume; the other is shown beside it.
 VoxelLayout layoutOf(int volumeSide) { return worthBricking(glm::ivec3(volumeSide)) ? VoxelLayout::bricked : VoxelLayout::linear; }
 
-SliceSource sourceOf(const Scene& scene, VoxelLayout layout) {
+SliceSource sourceOf(const SlicingScene& scene, VoxelLayout layout) {
   return layout == VoxelLayout::bricked ? scene.bricks.source(scene.volume.grid) : SliceSource(scene.volume.view());
 }
 
@@ -98,7 +98,7 @@ BenchSlicer ownSlicer(Quality quality, const SliceSource& source, int side) {
   };
 }
 
-struct Case {
+struct SlicingCase {
   std::string name;  ///< "slice_400x400_of_256cubed/weave/random"
   std::string method;
   Quality quality = Quality::weave;
@@ -140,7 +140,7 @@ double inDoublePrecision(Quality quality, const Volume& volume, const glm::dvec3
 
 double psnrOf(double squares, double count) { return squares > 0.0 ? 10.0 * std::log10(255.0 * 255.0 * count / squares) : 0.0; }
 
-void measureError(Case& tested, const Scene& scene, int side) {
+void measureError(SlicingCase& tested, const SlicingScene& scene, int side) {
   double squares = 0.0, squaresDouble = 0.0, count = 0.0;
   const glm::dvec3 last = glm::dvec3(scene.volume.grid.dims - 1);
   const auto& poses = scene.poses.at(tested.poseKind);
@@ -166,7 +166,7 @@ void measureError(Case& tested, const Scene& scene, int side) {
 /// Collects the mean of each repetition.
 class Collector final : public benchmark::BenchmarkReporter {
  public:
-  explicit Collector(std::map<std::string, Case*> cases) : cases_(std::move(cases)) {}
+  explicit Collector(std::map<std::string, SlicingCase*> cases) : cases_(std::move(cases)) {}
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
@@ -177,15 +177,15 @@ class Collector final : public benchmark::BenchmarkReporter {
   }
 
  private:
-  std::map<std::string, Case*> cases_;
+  std::map<std::string, SlicingCase*> cases_;
 };
 
-void timeCases(std::vector<Case>& cases, const Scene& scene, const BenchOptions& options, Progress& progress) {
-  std::map<std::string, Case*> byName;
+void timeCases(std::vector<SlicingCase>& cases, const SlicingScene& scene, const BenchOptions& options, Progress& progress) {
+  std::map<std::string, SlicingCase*> byName;
   const double total = static_cast<double>(cases.size()) * options.repetitions;
   double done = 0.0;
   benchmark::ClearRegisteredBenchmarks();
-  for (Case& tested : cases) {
+  for (SlicingCase& tested : cases) {
     byName[tested.name] = &tested;
     const auto body = [&](benchmark::State& state) {
       const auto& poses = scene.poses.at(tested.poseKind);
@@ -226,8 +226,8 @@ Result<void> checkOptions(const BenchOptions& options) {
   return {};
 }
 
-std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int volumeSide) {
-  std::vector<Case> cases;
+std::vector<SlicingCase> casesFor(const BenchOptions& options, const SlicingScene& scene, int volumeSide) {
+  std::vector<SlicingCase> cases;
   const std::string size = std::to_string(options.sliceSide);
   const std::string prefix = "slice_" + size + "x" + size + "_of_" + std::to_string(volumeSide) + "cubed/";
   struct Way {
@@ -251,7 +251,7 @@ std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int 
   for (const std::string kind : {"random", "smooth"})
     for (const Way& way : ways) {
       if (way.peer && !options.peers) continue;
-      Case tested;
+      SlicingCase tested;
       tested.method = way.method;
       tested.name = prefix + way.id + "/" + kind;
       tested.quality = way.quality;
@@ -266,7 +266,7 @@ std::vector<Case> casesFor(const BenchOptions& options, const Scene& scene, int 
 }
 
 /// Wall time of a linear slice of 1024 x 768 pixels, all of them within the volume, on one and on two threads that take turns; medians.
-json timeThreads(const Scene& scene, int volumeSide) {
+json timeThreads(const SlicingScene& scene, int volumeSide) {
   constexpr int kWidth = 1024, kHeight = 768, kSlices = 31;
   GreyImage image(kWidth, kHeight);
   const Spans spans(kHeight, {{0, kWidth}});
@@ -337,8 +337,8 @@ json promises(const json& report) {
   return kept;
 }
 
-void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
-  for (const Case& tested : cases) {
+void addToReport(const std::vector<SlicingCase>& cases, int volumeSide, json& report) {
+  for (const SlicingCase& tested : cases) {
     report["results"].push_back({{"name", tested.name},
                                  {"method", tested.method},
                                  {"peer", tested.peer},
@@ -350,7 +350,7 @@ void addToReport(const std::vector<Case>& cases, int volumeSide, json& report) {
                                  {"psnr_double_db", tested.psnrDouble_db},
                                  {"worst_grey", tested.worst_grey}});
     report["steps"].push_back(json(cli::stepRow(tested.name, tested.slices_us)));
-    for (const Case& peer : cases)
+    for (const SlicingCase& peer : cases)
       if (!tested.peer && peer.peer && peer.quality == tested.quality && peer.poseKind == tested.poseKind)
         report["ratios"].push_back({{"volume_side", volumeSide},
                                     {"pose_kind", tested.poseKind},
@@ -386,9 +386,9 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
     part.report("Filling a volume of " + std::to_string(volumeSide) + " cubed", 0.0);
     auto made = makeScene(options, volumeSide, progress);
     if (!made) return passOn(made.error());
-    const Scene& scene = **made;
-    std::vector<Case> cases = casesFor(options, scene, volumeSide);
-    for (Case& tested : cases) {
+    const SlicingScene& scene = **made;
+    std::vector<SlicingCase> cases = casesFor(options, scene, volumeSide);
+    for (SlicingCase& tested : cases) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
       measureError(tested, scene, options.sliceSide);
       const auto sliceAll = [&] {

@@ -83,7 +83,7 @@ const char* nameOf(SeamMethod method) {
   return method == SeamMethod::nearest ? "nearest" : "graph_cut";
 }
 
-struct Setting {
+struct StitchSetting {
   std::string name;
   JoinOptions options;
   int block = 0;  ///< 0: whole
@@ -91,10 +91,10 @@ struct Setting {
   std::vector<double> find_us, join_us;
 };
 
-std::vector<Setting> settingsOf() {
-  std::vector<Setting> settings;
+std::vector<StitchSetting> settingsOf() {
+  std::vector<StitchSetting> settings;
   const auto add = [&](SeamMethod method, double cell_mm, double blend_mm, int block) {
-    Setting setting;
+    StitchSetting setting;
     setting.options.seam.method = method;
     setting.options.seam.cell_mm = cell_mm;
     setting.options.seam.blend_mm = blend_mm;
@@ -137,7 +137,7 @@ class Whole final : public BlockSink {
 double wall_us() { return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// One run; the result is kept of the first.
-Result<void> run(const Views& made, Setting& setting, double (*clock_us)(), Progress& progress) {
+Result<void> run(const Views& made, StitchSetting& setting, double (*clock_us)(), Progress& progress) {
   const double begun_us = clock_us();
   const auto seams = findSeams(made.views, made.grid, setting.options.seam, progress);
   if (!seams) return passOn(seams.error());
@@ -161,7 +161,7 @@ Result<void> run(const Views& made, Setting& setting, double (*clock_us)(), Prog
 
 double threadTime_us() { return 1e6 * threadTime_s(); }
 
-json rowOf(const Views& made, const Setting& setting) {
+json rowOf(const Views& made, const StitchSetting& setting) {
   const SeamVisibility& seam = setting.result.report.seam;
   const auto forecast = forecastJoin(gridsOf(made.views), setting.options);
   const double worst =
@@ -185,17 +185,17 @@ json rowOf(const Views& made, const Setting& setting) {
 }
 
 /// One thread and two in turns, by the clock on the wall, for the default setting.
-Result<json> timeThreads(const Views& made, const Setting& like, int repetitions, Progress& progress) {
-  Setting one = like, two = like;
-  for (Setting* setting : {&one, &two}) {
+Result<json> timeThreads(const Views& made, const StitchSetting& like, int repetitions, Progress& progress) {
+  StitchSetting one = like, two = like;
+  for (StitchSetting* setting : {&one, &two}) {
     setting->find_us.clear();
     setting->join_us.clear();
     setting->options.seam.threads = setting->options.grid.threads = setting == &one ? 1 : 2;
   }
   for (int repetition = 0; repetition < repetitions; ++repetition)
-    for (Setting* setting : {&one, &two})
+    for (StitchSetting* setting : {&one, &two})
       if (auto done = run(made, *setting, wall_us, progress); !done) return passOn(done.error());
-  const auto total_us = [](const Setting& setting) { return medianOf(setting.find_us) + medianOf(setting.join_us); };
+  const auto total_us = [](const StitchSetting& setting) { return medianOf(setting.find_us) + medianOf(setting.join_us); };
   return json::array({{{"name", like.name},
                        {"one_us", total_us(one)},
                        {"two_us", total_us(two)},
@@ -231,7 +231,7 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
   }
   for (std::size_t n = 0; n < made.views.size(); ++n) made.views[n].correction = equalised->corrections[n];
 
-  std::vector<Setting> settings = settingsOf();
+  std::vector<StitchSetting> settings = settingsOf();
   std::vector<std::size_t> order(settings.size());
   for (std::size_t n = 0; n < order.size(); ++n) order[n] = n;
   std::mt19937 random(7);
@@ -244,8 +244,8 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
       if (auto ran = run(made, settings[order[n]], threadTime_us, noProgress()); !ran) return passOn(ran.error());
     }
   }
-  const auto standard =
-      std::find_if(settings.begin(), settings.end(), [](const Setting& s) { return s.name == "stitch_graph_cut/cell_1.5mm/blend_3mm"; });
+  const auto standard = std::find_if(settings.begin(), settings.end(),
+                                     [](const StitchSetting& s) { return s.name == "stitch_graph_cut/cell_1.5mm/blend_3mm"; });
   PartOfProgress threading(progress, 0.9, 1.0);
   auto threads = timeThreads(made, *standard, options.repetitions, threading);
   if (!threads) return passOn(threads.error());
@@ -261,7 +261,7 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
                  {"results", json::array()},
                  {"threads_measured", *std::move(threads)},
                  {"steps", json::array()}};
-  for (Setting& setting : settings) {
+  for (StitchSetting& setting : settings) {
     json row = rowOf(made, setting);
     if (setting.block > 0) row["same_as_whole"] = setting.result.volume.echo == standard->result.volume.echo;
     report["results"].push_back(std::move(row));

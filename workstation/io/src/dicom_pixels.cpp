@@ -17,7 +17,7 @@ namespace ew::detail {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr DicomTag kPixelData = 0x7FE00010u;
+constexpr DicomTag kPixelDataTag = 0x7FE00010u;
 
 struct Syntax {
   const char* uid;
@@ -145,7 +145,7 @@ tl::unexpected<Error> badFrame(const fs::path& file, std::uint64_t frame, const 
 
 Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits) {
   const DicomItem& data = dicom.data;
-  const DicomElement* const pixels = data.find(kPixelData);
+  const DicomElement* const pixels = data.find(kPixelDataTag);
   if (pixels == nullptr)
     return failure(ErrorCode::unsupported,
                    quoted(dicom.file) + " is a DICOM file without pictures; choose the file that holds the pictures.",
@@ -274,7 +274,7 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
         // Tables that say 16 bits but stay below 256 mean 8.
         reader.palette_[n][colour] = static_cast<std::uint8_t>(wide ? tables[colour][n] >> 8 : tables[colour][n]);
   }
-  const DicomElement& pixels = *dicom.data.find(kPixelData);
+  const DicomElement& pixels = *dicom.data.find(kPixelDataTag);
   if (layout.codec == "uncompressed") return reader;
   const std::vector<Bytes>& all = pixels.fragments;
   reader.packed_.resize(layout.frames);
@@ -321,7 +321,7 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
     samples[n] = static_cast<std::int32_t>(value) - (negative ? static_cast<std::int32_t>(mask) + 1 : 0);
   };
   if (layout_.codec == "uncompressed") {
-    const DicomElement& element = *dicom_->data.find(kPixelData);
+    const DicomElement& element = *dicom_->data.find(kPixelDataTag);
     const std::size_t size = storedBytesPerFrame(layout_);
     const Bytes bytes = element.value.subspan(frame * size, size);
     // Words of a big endian file hold the second 8 bit sample in front.

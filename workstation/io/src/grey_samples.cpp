@@ -15,7 +15,7 @@
 namespace ew::detail {
 namespace {
 
-constexpr std::size_t kChunk = 1u << 20;
+constexpr std::size_t kSampleChunk = 1u << 20;
 
 Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits) {
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
@@ -39,7 +39,7 @@ Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::
   std::size_t filled = 0;
   while (filled < target.size()) {
     if (progress.cancelRequested()) return stopped(header.file);
-    const auto part = target.subspan(filled, std::min(kChunk, target.size() - filled));
+    const auto part = target.subspan(filled, std::min(kSampleChunk, target.size() - filled));
     const auto got = source.read(part);
     if (!got) {
       Error error = got.error();
@@ -123,7 +123,7 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
   double highest = -lowest;
   std::uint64_t notFinite = 0;
   for (std::size_t pixel = 0; pixel < grey.size(); ++pixel) {
-    if (pixel % kChunk == 0 && progress.cancelRequested()) return stopped(header.file);
+    if (pixel % kSampleChunk == 0 && progress.cancelRequested()) return stopped(header.file);
     const double here = value(pixel);
     if (!std::isfinite(here)) {
       ++notFinite;
@@ -139,7 +139,7 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
   // Halves keep the width finite when the values span the whole range of a double.
   const double width = highest * 0.5 - lowest * 0.5;
   for (std::size_t pixel = 0; pixel < grey.size(); ++pixel) {
-    if (pixel % kChunk == 0 && progress.cancelRequested()) return stopped(header.file);
+    if (pixel % kSampleChunk == 0 && progress.cancelRequested()) return stopped(header.file);
     const double here = value(pixel);
     const double share = width > 0.0 && std::isfinite(here) ? (here * 0.5 - lowest * 0.5) / width : 0.0;
     grey[pixel] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));

@@ -16,7 +16,7 @@ namespace {
 using namespace detail;
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostPixels = 1ull << 28;
+constexpr std::uint64_t kMostStackPixels = 1ull << 28;
 constexpr std::uint64_t kLargestFile = 256u << 20;
 
 bool isPicture(const fs::path& file) {
@@ -58,7 +58,7 @@ tl::unexpected<Error> damaged(const fs::path& file, const std::string& why) {
 }
 
 Result<JpegGrey> readPngPicture(Bytes bytes, const fs::path& file) {
-  auto png = readPngPixels(bytes, file, kMostPixels);
+  auto png = readPngPixels(bytes, file, kMostStackPixels);
   if (!png) return passOn(png.error());
   JpegGrey picture;
   picture.width = png->width;
@@ -95,7 +95,7 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   };
   if (bytes.size() < 8 || bytes[0] != 'P' || bytes[1] != '5') return damaged(file, "no binary PGM");
   const auto width = number(), height = number(), largest = number();
-  if (!width || !height || !largest || *width < 1 || *height < 1 || *largest != 255 || *width * *height > kMostPixels)
+  if (!width || !height || !largest || *width < 1 || *height < 1 || *largest != 255 || *width * *height > kMostStackPixels)
     return damaged(file, "no 8 bit PGM");
   ++at;
   const std::size_t pixels = *width * *height;
@@ -114,7 +114,7 @@ Result<JpegGrey> readPicture(const fs::path& file, const Progress& progress = no
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".png") return readPngPicture(*bytes, file);
   if (ending == ".pgm") return readPgm(*bytes, file);
-  return readJpeg(*bytes, file, kMostPixels, progress);
+  return readJpeg(*bytes, file, kMostStackPixels, progress);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 namespace ew::detail {
 namespace {
-constexpr std::size_t kChunk = 64u << 10;
+constexpr std::size_t kLineChunk = 64u << 10;
 constexpr std::size_t kLongestLine = 1u << 20;
 constexpr std::uint64_t kLongestHeader = 512u << 20;
 }  // namespace
@@ -39,8 +39,8 @@ Result<std::optional<std::string>> LineReader::next() {
     at_ = 0;
     searched = buffer_.size();
     const std::size_t before = buffer_.size();
-    buffer_.resize(before + kChunk);
-    in_.read(buffer_.data() + before, static_cast<std::streamsize>(kChunk));
+    buffer_.resize(before + kLineChunk);
+    in_.read(buffer_.data() + before, static_cast<std::streamsize>(kLineChunk));
     buffer_.resize(before + static_cast<std::size_t>(in_.gcount()));
     if (in_.bad())
       return failure(ErrorCode::notReadable, quoted(file_) + " cannot be read; check the medium it is on.", {{"file", file_.string()}});

@@ -9,24 +9,24 @@ namespace ew::detail {
 namespace {
 namespace fs = std::filesystem;
 
-struct NamedType {
+struct MetaType {
   const char* name;
   SampleType type;
 };
 // MET_LONG is 4 bytes in this format whatever the machine's long is.
-constexpr std::array<NamedType, 13> kTypes{{{"MET_UCHAR", SampleType::u8},
-                                            {"MET_CHAR", SampleType::i8},
-                                            {"MET_USHORT", SampleType::u16},
-                                            {"MET_SHORT", SampleType::i16},
-                                            {"MET_UINT", SampleType::u32},
-                                            {"MET_INT", SampleType::i32},
-                                            {"MET_ULONG", SampleType::u32},
-                                            {"MET_LONG", SampleType::i32},
-                                            {"MET_ULONG_LONG", SampleType::u64},
-                                            {"MET_LONG_LONG", SampleType::i64},
-                                            {"MET_FLOAT", SampleType::f32},
-                                            {"MET_DOUBLE", SampleType::f64},
-                                            {"MET_OTHER", SampleType::none}}};
+constexpr std::array<MetaType, 13> kMetaTypes{{{"MET_UCHAR", SampleType::u8},
+                                               {"MET_CHAR", SampleType::i8},
+                                               {"MET_USHORT", SampleType::u16},
+                                               {"MET_SHORT", SampleType::i16},
+                                               {"MET_UINT", SampleType::u32},
+                                               {"MET_INT", SampleType::i32},
+                                               {"MET_ULONG", SampleType::u32},
+                                               {"MET_LONG", SampleType::i32},
+                                               {"MET_ULONG_LONG", SampleType::u64},
+                                               {"MET_LONG_LONG", SampleType::i64},
+                                               {"MET_FLOAT", SampleType::f32},
+                                               {"MET_DOUBLE", SampleType::f64},
+                                               {"MET_OTHER", SampleType::none}}};
 
 std::optional<bool> parseBool(std::string_view text) {
   const std::string lower = lowerCase(text);
@@ -36,7 +36,7 @@ std::optional<bool> parseBool(std::string_view text) {
 }
 
 /// The header while its lines are read: what is known so far in raw form, because NDims may come after what needs it.
-struct Draft {
+struct MetaDraft {
   ImageHeader header;
   std::optional<std::uint64_t> dimensions;
   std::string spacing;
@@ -48,7 +48,7 @@ struct Draft {
   long long headerSize = 0;
 };
 
-Result<void> take(Draft& draft, const std::string& key, const std::string& value) {
+Result<void> take(MetaDraft& draft, const std::string& key, const std::string& value) {
   ImageHeader& header = draft.header;
   const auto bad = [&](std::string_view expected) { return badField(header.file, key, value, expected); };
   const auto boolean = [&](bool& target) -> Result<void> {
@@ -71,8 +71,8 @@ Result<void> take(Draft& draft, const std::string& key, const std::string& value
   } else if (key == "ElementType") {
     std::string name = value;
     if (name.ends_with("_ARRAY")) name.resize(name.size() - 6);
-    const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const NamedType& type) { return name == type.name; });
-    if (found == kTypes.end()) return bad("a type from MET_UCHAR to MET_DOUBLE");
+    const auto* const found = std::find_if(kMetaTypes.begin(), kMetaTypes.end(), [&](const MetaType& type) { return name == type.name; });
+    if (found == kMetaTypes.end()) return bad("a type from MET_UCHAR to MET_DOUBLE");
     header.type = found->type;
     draft.hasType = true;
   } else if (key == "ElementNumberOfChannels") {
@@ -120,7 +120,7 @@ Result<std::vector<double>> numbersFor(const ImageHeader& header, std::string_vi
   return *std::move(numbers);
 }
 
-Result<void> takeGeometry(Draft& draft) {
+Result<void> takeGeometry(MetaDraft& draft) {
   ImageHeader& header = draft.header;
   const std::size_t n = header.sizes.size();
   const std::size_t spatial = std::min<std::size_t>(n, 3);
@@ -148,7 +148,7 @@ Result<void> takeGeometry(Draft& draft) {
   return {};
 }
 
-Result<void> takeDataFile(Draft& draft, const std::string& name, std::uint64_t headerBytes) {
+Result<void> takeDataFile(MetaDraft& draft, const std::string& name, std::uint64_t headerBytes) {
   ImageHeader& header = draft.header;
   const std::string lower = lowerCase(name);
   if (name.empty()) return badField(header.file, "ElementDataFile", name, "LOCAL or the name of a file");
@@ -179,7 +179,7 @@ Result<void> takeDataFile(Draft& draft, const std::string& name, std::uint64_t h
 
 Result<ImageHeader> readMetaHeader(const fs::path& file) {
   LineReader lines(file);
-  Draft draft;
+  MetaDraft draft;
   draft.header.file = file;
   std::optional<std::string> dataFile;
   bool anyKnown = false;

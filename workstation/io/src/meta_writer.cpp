@@ -16,7 +16,7 @@ namespace ew::detail {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr std::size_t kChunk = 512u << 10;
+constexpr std::size_t kWriteChunk = 512u << 10;
 
 std::string vectorText(const glm::dvec3& values, std::size_t count) {
   std::string text;
@@ -69,9 +69,9 @@ Result<void> checkFields(const fs::path& file, const MetaText& meta) {
 
 Result<void> writeRaw(std::ostream& out, const fs::path& file, std::span<const std::uint8_t> samples, std::string_view what,
                       Progress& progress) {
-  for (std::size_t at = 0; at < samples.size(); at += kChunk) {
+  for (std::size_t at = 0; at < samples.size(); at += kWriteChunk) {
     if (progress.cancelRequested()) return stopped(file);
-    const auto part = samples.subspan(at, std::min(kChunk, samples.size() - at));
+    const auto part = samples.subspan(at, std::min(kWriteChunk, samples.size() - at));
     out.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(part.size()));
     if (!out) return notWritable(file, "the medium is full or gone");
     progress.report(what, static_cast<double>(at + part.size()) / static_cast<double>(samples.size()));
@@ -86,7 +86,7 @@ Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std
   constexpr int level = 2;
   if (deflateInit(&stream, level) != Z_OK)
     return failure(ErrorCode::internal, "The compressor could not be started; free some memory and try again.");
-  std::vector<std::uint8_t> packed(kChunk);
+  std::vector<std::uint8_t> packed(kWriteChunk);
   std::uint64_t written = 0;
   Result<std::uint64_t> result = 0;
   for (std::size_t at = 0;;) {
@@ -94,7 +94,7 @@ Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std
       result = stopped(file);
       break;
     }
-    const auto part = samples.subspan(at, std::min(kChunk, samples.size() - at));
+    const auto part = samples.subspan(at, std::min(kWriteChunk, samples.size() - at));
     at += part.size();
     const bool last = at == samples.size();
     stream.next_in = const_cast<Bytef*>(part.data());  // zlib reads it only, but its old interface does not say so

@@ -10,11 +10,11 @@ namespace ew::detail {
 namespace {
 namespace fs = std::filesystem;
 
-struct NamedType {
+struct NrrdType {
   const char* name;
   SampleType type;
 };
-constexpr std::array<NamedType, 36> kTypes{{
+constexpr std::array<NrrdType, 36> kNrrdTypes{{
     {"signed char", SampleType::i8},
     {"int8", SampleType::i8},
     {"int8_t", SampleType::i8},
@@ -90,7 +90,7 @@ std::string unescaped(std::string_view text) {
   return plain;
 }
 
-struct Draft {
+struct NrrdDraft {
   ImageHeader header;
   std::optional<std::uint64_t> dimension;
   std::string space;
@@ -106,7 +106,7 @@ struct Draft {
   bool hasType = false;
 };
 
-Result<void> take(Draft& draft, std::string field, const std::string& value) {
+Result<void> take(NrrdDraft& draft, std::string field, const std::string& value) {
   ImageHeader& header = draft.header;
   const auto bad = [&](std::string_view expected) { return badField(header.file, field, value, expected); };
   const auto whole = [&](long long& target, long long smallest) -> Result<void> {
@@ -118,8 +118,8 @@ Result<void> take(Draft& draft, std::string field, const std::string& value) {
   field = lowerCase(field);
   if (field == "type") {
     const std::string name = lowerCase(value);
-    const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), [&](const NamedType& type) { return name == type.name; });
-    if (found == kTypes.end()) return bad("a type from uchar to double");
+    const auto* const found = std::find_if(kNrrdTypes.begin(), kNrrdTypes.end(), [&](const NrrdType& type) { return name == type.name; });
+    if (found == kNrrdTypes.end()) return bad("a type from uchar to double");
     header.type = found->type;
     draft.hasType = true;
   } else if (field == "dimension") {
@@ -162,7 +162,7 @@ Result<void> take(Draft& draft, std::string field, const std::string& value) {
   return {};
 }
 
-Result<void> takeStorage(Draft& draft, std::uint64_t headerBytes) {
+Result<void> takeStorage(NrrdDraft& draft, std::uint64_t headerBytes) {
   ImageHeader& header = draft.header;
   if (draft.encoding == "raw") {
     header.packing = Packing::raw;
@@ -205,7 +205,7 @@ Result<void> takeStorage(Draft& draft, std::uint64_t headerBytes) {
 }
 
 /// Takes an axis of colours or components out of the sizes: it must be the fastest.
-Result<std::size_t> takeChannels(Draft& draft, const std::optional<std::vector<Axis>>& axes) {
+Result<std::size_t> takeChannels(NrrdDraft& draft, const std::optional<std::vector<Axis>>& axes) {
   ImageHeader& header = draft.header;
   if (header.sizes.size() < 3) return std::size_t{0};
   const std::string kind = header.kinds.empty() ? "" : lowerCase(header.kinds.front());
@@ -230,7 +230,7 @@ std::optional<glm::dvec3> signsOf(std::string space) {
   return std::nullopt;
 }
 
-Result<void> takeGeometry(Draft& draft, const std::optional<std::vector<Axis>>& axes, std::size_t channelAxes) {
+Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis>>& axes, std::size_t channelAxes) {
   ImageHeader& header = draft.header;
   const std::size_t spatial = std::min<std::size_t>(header.sizes.size(), 3);
   const auto signs = signsOf(draft.space);
@@ -290,7 +290,7 @@ Result<void> takeGeometry(Draft& draft, const std::optional<std::vector<Axis>>& 
 
 Result<ImageHeader> readNrrdHeader(const fs::path& file) {
   LineReader lines(file);
-  Draft draft;
+  NrrdDraft draft;
   ImageHeader& header = draft.header;
   header.file = file;
   const auto notNrrd = [&] {

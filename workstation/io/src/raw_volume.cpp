@@ -23,13 +23,13 @@ struct TypeName {
   const char* name;
   SampleType sample;
 };
-constexpr std::array kTypes{TypeName{RawType::u8, "u8", SampleType::u8},    TypeName{RawType::i8, "i8", SampleType::i8},
-                            TypeName{RawType::u16, "u16", SampleType::u16}, TypeName{RawType::i16, "i16", SampleType::i16},
-                            TypeName{RawType::u32, "u32", SampleType::u32}, TypeName{RawType::i32, "i32", SampleType::i32},
-                            TypeName{RawType::f32, "f32", SampleType::f32}, TypeName{RawType::f64, "f64", SampleType::f64}};
+constexpr std::array kRawTypes{TypeName{RawType::u8, "u8", SampleType::u8},    TypeName{RawType::i8, "i8", SampleType::i8},
+                               TypeName{RawType::u16, "u16", SampleType::u16}, TypeName{RawType::i16, "i16", SampleType::i16},
+                               TypeName{RawType::u32, "u32", SampleType::u32}, TypeName{RawType::i32, "i32", SampleType::i32},
+                               TypeName{RawType::f32, "f32", SampleType::f32}, TypeName{RawType::f64, "f64", SampleType::f64}};
 
 const TypeName& entryOf(RawType type) {
-  return *std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& one) { return one.type == type; });
+  return *std::find_if(kRawTypes.begin(), kRawTypes.end(), [&](const TypeName& one) { return one.type == type; });
 }
 
 std::vector<std::string_view> split(std::string_view text, char by) {
@@ -120,8 +120,8 @@ Result<RawLayout> parseRawLayout(std::string_view text) {
     layout.bigEndian = type.ends_with("be");
     type.resize(type.size() - 2);
   }
-  const auto* const known = std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& one) { return type == one.name; });
-  if (known == kTypes.end()) return refuse("the type is not known");
+  const auto* const known = std::find_if(kRawTypes.begin(), kRawTypes.end(), [&](const TypeName& one) { return type == one.name; });
+  if (known == kRawTypes.end()) return refuse("the type is not known");
   layout.type = known->type;
   const auto spacing = split(parts[2], ',');
   if (spacing.size() != 1 && spacing.size() != 3) return refuse("one or three spacings are needed");

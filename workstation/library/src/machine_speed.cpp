@@ -9,15 +9,15 @@
 namespace ew {
 namespace {
 
-constexpr const char* kFile = "speed.json";
+constexpr const char* kSpeedFile = "speed.json";
 constexpr double kNewShare = 0.5;  // of what was just measured: a machine's load changes
 // Two cores of 2.5 GHz: s a patient, s for a million voxels, s for a million resolution cells, the same, s for a million voxels swept.
 constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 1.2, 1.6, 0.15, 0.3};
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
-  const auto text = readTextFile(folder / kFile, 1u << 16);
+  const auto text = readTextFile(folder / kSpeedFile, 1u << 16);
   if (!text) return nlohmann::json::object();
-  auto kept = parseJson(*text, kFile);
+  auto kept = parseJson(*text, kSpeedFile);
   return kept && kept->is_object() ? *kept : nlohmann::json::object();
 }
 
@@ -60,7 +60,7 @@ void keepMachineSpeed(const std::filesystem::path& folder, PreparationStep kind,
   kept[name] = before ? (1.0 - kNewShare) * *before + kNewShare * rate : rate;
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  static_cast<void>(writeFileSafely(folder / kFile, kept.dump(2) + "\n"));
+  static_cast<void>(writeFileSafely(folder / kSpeedFile, kept.dump(2) + "\n"));
 }
 
 }  // namespace ew

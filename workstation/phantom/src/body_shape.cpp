@@ -20,9 +20,9 @@ class RecipeBody final : public BodyShape {
   phantom::ShapePtr shape_;
 };
 
-constexpr int kBlock = 4;
+constexpr int kBodyBlock = 4;
 // How far a first-order distance may exceed the true one; measured on the shipped body (below 1.4) and kept with a reserve.
-constexpr double kReserve = 1.5;
+constexpr double kBodyReserve = 1.5;
 
 }  // namespace
 
@@ -65,19 +65,19 @@ Result<void> sampleDistance(const BodyShape& body, const Grid& grid, std::vector
   }
   const auto voxelToWorld = grid.voxelToWorld();
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
-  const glm::ivec3 blocks = (grid.dims + glm::ivec3(kBlock - 1)) / kBlock;
+  const glm::ivec3 blocks = (grid.dims + glm::ivec3(kBodyBlock - 1)) / kBodyBlock;
   const bool finished =
       forEachTask(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row, int /*worker*/, const auto& stopped) {
         for (int bi = 0; bi < blocks.x && !stopped(); ++bi) {
-          const glm::ivec3 first(bi * kBlock, (row % blocks.y) * kBlock, (row / blocks.y) * kBlock);
-          const glm::ivec3 last = glm::min(first + kBlock, grid.dims) - 1;
+          const glm::ivec3 first(bi * kBodyBlock, (row % blocks.y) * kBodyBlock, (row / blocks.y) * kBodyBlock);
+          const glm::ivec3 last = glm::min(first + kBodyBlock, grid.dims) - 1;
           const glm::dvec3 centre = worldOf(0.5 * glm::dvec3(first + last));
           const double reach = glm::distance(centre, worldOf(glm::dvec3(first)));
           const double across = glm::distance(centre, worldOf(glm::dvec3(first.x, last.y, last.z)));
           const double radius = std::max({reach, across, glm::distance(centre, worldOf(glm::dvec3(last.x, first.y, last.z))),
                                           glm::distance(centre, worldOf(glm::dvec3(last.x, last.y, first.z)))});
           const double atCentre = body.signedDistance_mm(centre);
-          const bool far = std::abs(atCentre) > kReserve * radius;
+          const bool far = std::abs(atCentre) > kBodyReserve * radius;
           for (int k = first.z; k <= last.z; ++k) {
             for (int j = first.y; j <= last.y; ++j) {
               float* out = distances_mm.data() + grid.indexOf(first.x, j, k);

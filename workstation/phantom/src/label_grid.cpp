@@ -10,9 +10,9 @@
 namespace ew {
 namespace {
 
-constexpr int kBlock = 8;
+constexpr int kLabelBlock = 8;
 // As in voxelise: how far a first-order distance may exceed the true one before a block is wrongly left out.
-constexpr double kReserve = 1.5;
+constexpr double kLabelReserve = 1.5;
 
 /// The organs that can own a point within `radius_mm` of the centre, by priority.
 void select(const Patient& patient, const glm::dvec3& centre_mm, double radius_mm, std::vector<std::size_t>& near) {
@@ -21,9 +21,9 @@ void select(const Patient& patient, const glm::dvec3& centre_mm, double radius_m
     const phantom::Shape& shape = *patient.organs[n].shape;
     if (shape.atLeast_mm(centre_mm) > radius_mm) continue;
     const double d = shape.distance_mm(centre_mm);
-    if (d > kReserve * radius_mm) continue;
+    if (d > kLabelReserve * radius_mm) continue;
     near.push_back(n);
-    if (d < -kReserve * radius_mm) return;  // whatever comes later is hidden by this one
+    if (d < -kLabelReserve * radius_mm) return;  // whatever comes later is hidden by this one
   }
 }
 
@@ -51,19 +51,19 @@ Result<std::vector<std::uint8_t>> labelsOn(const Patient& patient, const Grid& g
   }
   const auto voxelToWorld = grid.voxelToWorld();
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
-  const double radius_mm = 0.5 * (kBlock - 1) * glm::length(grid.spacing_mm);
-  const glm::ivec3 blocks = (grid.dims + kBlock - 1) / kBlock;
+  const double radius_mm = 0.5 * (kLabelBlock - 1) * glm::length(grid.spacing_mm);
+  const glm::ivec3 blocks = (grid.dims + kLabelBlock - 1) / kLabelBlock;
   const auto labelRow = [&](int task, int /*worker*/, const auto& isStopped) {
     std::vector<std::size_t> near;
     near.reserve(patient.organs.size());
     const glm::ivec2 at(task % blocks.y, task / blocks.y);
     for (int i = 0; i < blocks.x && !isStopped(); ++i) {
-      const glm::ivec3 first(i * kBlock, at.x * kBlock, at.y * kBlock);
-      const glm::ivec3 last = glm::min(first + kBlock, grid.dims);
-      const glm::dvec3 centre_mm = worldOf(glm::dvec3(first) + 0.5 * (kBlock - 1));
+      const glm::ivec3 first(i * kLabelBlock, at.x * kLabelBlock, at.y * kLabelBlock);
+      const glm::ivec3 last = glm::min(first + kLabelBlock, grid.dims);
+      const glm::dvec3 centre_mm = worldOf(glm::dvec3(first) + 0.5 * (kLabelBlock - 1));
       const double skin_mm = patient.skin->distance_mm(centre_mm);
-      if (skin_mm > kReserve * radius_mm) continue;
-      const bool allInside = skin_mm < -kReserve * radius_mm;
+      if (skin_mm > kLabelReserve * radius_mm) continue;
+      const bool allInside = skin_mm < -kLabelReserve * radius_mm;
       select(patient, centre_mm, radius_mm, near);
       if (near.empty()) continue;
       for (int k = first.z; k < last.z; ++k)

@@ -10,11 +10,11 @@ namespace ew::phantom {
 namespace {
 
 // As in sampleDistance: how far a first-order distance may exceed the true one before a part of the body is wrongly left out.
-constexpr double kReserve = 1.5;
+constexpr double kScattererReserve = 1.5;
 constexpr double kHalfDiagonal = 0.8660254037844386;
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
 constexpr double kMeanOfLog_db = 2.507;
-constexpr std::uint64_t kTextureSeed = 0x7465787475726521ull;  // as voxelise: the same grains
+constexpr std::uint64_t kScattererTextureSeed = 0x7465787475726521ull;  // as voxelise: the same grains
 constexpr std::uint64_t kAmplitudeSeed = 0x616d706c69747564ull;
 constexpr std::uint64_t kFacetSeed = 0x66616365745f5f31ull;
 constexpr int kFacetsPerCell = 2;  // along each edge
@@ -71,8 +71,8 @@ class ScattererField::Filler {
     const glm::dvec3 centre = corner_ + pitch_ * (glm::dvec3(cell) + 0.5 * size);
     if (!insideSkin) {
       const double skin = patient_.skin->distance_mm(centre);
-      if (skin > kReserve * radius) return;
-      insideSkin = skin < -kReserve * radius;
+      if (skin > kScattererReserve * radius) return;
+      insideSkin = skin < -kScattererReserve * radius;
     }
     std::vector<const Organ*> near;
     std::vector<double> atCentre_mm;
@@ -81,10 +81,10 @@ class ScattererField::Filler {
       const double reach = radius + std::max(organ->border ? organ->border->width_mm : 0.0, pitch_);
       if (organ->shape->atLeast_mm(centre) > reach) continue;
       const double d = organ->shape->distance_mm(centre);
-      if (d > kReserve * reach) continue;
+      if (d > kScattererReserve * reach) continue;
       near.push_back(organ);
       atCentre_mm.push_back(d);
-      if (d < -kReserve * reach) {  // whatever comes later is hidden by this one
+      if (d < -kScattererReserve * reach) {  // whatever comes later is hidden by this one
         owner = organ;
         break;
       }
@@ -212,7 +212,7 @@ class ScattererField::Filler {
     double level = tissue.echoLevel;
     if (tissue.texture.level > 0.0) {
       const glm::dvec3 grain(place.x, tissue.texture.followsTheSkin ? patient_.skin->distance_mm(place) : place.y, place.z);
-      const std::uint64_t seed = 1 + kTextureSeed * (number + 1);
+      const std::uint64_t seed = 1 + kScattererTextureSeed * (number + 1);
       const double fine = valueNoise(~seed, grain / (kFineGrain * tissue.texture.scale_mm));
       level += tissue.texture.level * (valueNoise(seed, grain / tissue.texture.scale_mm) + kFineStrength * fine * std::abs(fine));
     }
@@ -269,7 +269,7 @@ class ScattererField::Filler {
     const Near& here = near_[n];
     const Organ& organ = *here.organ;
     const double spacing = pitch_ / kFacetsPerCell;
-    if (std::abs(here.atCentre_mm) > kReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
+    if (std::abs(here.atCentre_mm) > kScattererReserve * (kHalfDiagonal * pitch_ + 0.5 * spacing)) return;
     for (int part = 0; part < kFacetsPerCell * kFacetsPerCell * kFacetsPerCell; ++part) {
       const glm::ivec3 sub = kFacetsPerCell * (first_ + cell) + glm::ivec3(part & 1, (part >> 1) & 1, part >> 2);
       const std::uint64_t hash =

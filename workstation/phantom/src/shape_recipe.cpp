@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr double kSmallest_mm = 0.01;
 constexpr double kLargest_mm = 5000.0;
-constexpr int kDeepest = 16;  // nesting of shapes: a recipe deeper than this is a mistake or an attack on the stack
+constexpr int kDeepestShape = 16;  // nesting of shapes: a recipe deeper than this is a mistake or an attack on the stack
 constexpr std::size_t kMostParts = 500;
 constexpr double kMostSolids = 20000.0;  // asked for one point, a shared one at every use; the shipped bodies have some hundreds
 constexpr int kDeepestUse = 100;         // shapes that use one another: asking a point recurses once for each
@@ -180,8 +180,8 @@ ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& pla
                {"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
                 "mirror_smoothing_mm", "of", "shell", "tube", "union"});
   if (reader.problem()) return nullptr;
-  if (around.depth > kDeepest) {
-    reader.refuse(place, "nested too deeply", "at most " + std::to_string(kDeepest) + " shapes inside one another");
+  if (around.depth > kDeepestShape) {
+    reader.refuse(place, "nested too deeply", "at most " + std::to_string(kDeepestShape) + " shapes inside one another");
     return nullptr;
   }
   std::string kind;

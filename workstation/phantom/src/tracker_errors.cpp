@@ -10,7 +10,7 @@
 namespace ew::phantom {
 namespace {
 
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
+constexpr double kTrackerDegree_rad = std::numbers::pi / 180.0;
 constexpr int kLongestRun = 9;
 
 enum Stream : std::int64_t { shift = 101, turn, lateness, arrival, runs };
@@ -53,7 +53,8 @@ std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecip
     Pose& pose = tracked.poses[static_cast<std::size_t>(n)];
     pose.time_s = time_s;
     pose.probeToWorld = trajectory.poseAt(time_s - tracker.latency_s + tracker.jitter_s * normalAt(tracker.seed, Stream::lateness, n));
-    const glm::dmat3 turned = glm::dmat3(pose.probeToWorld.matrix) * smallTurn(tracker.noise_deg * kDegree_rad * normal3(Stream::turn, n));
+    const glm::dmat3 turned =
+        glm::dmat3(pose.probeToWorld.matrix) * smallTurn(tracker.noise_deg * kTrackerDegree_rad * normal3(Stream::turn, n));
     for (int axis = 0; axis < 3; ++axis) pose.probeToWorld.matrix[axis] = glm::dvec4(turned[axis], 0.0);
     pose.probeToWorld.matrix[3] += glm::dvec4(tracker.noise_mm * normal3(Stream::shift, n), 0.0);
     tracked.unfilteredTime_s[static_cast<std::size_t>(n)] = time_s + tracker.jitter_s * normalAt(tracker.seed, Stream::arrival, n);

@@ -19,7 +19,7 @@ using phantom::TubePlace;
 
 constexpr double kScan_mm = 0.2;        // nothing thinner is looked for along a line
 constexpr double kFarthest_mm = 500.0;  // a surface further from the middle is none
-constexpr double kReserve = 1.5;        // how far a first-order distance may exceed the true one (see sampleDistance)
+constexpr double kTruthReserve = 1.5;   // how far a first-order distance may exceed the true one (see sampleDistance)
 
 /// A moment of the body, and whoever waits for what is measured in it.
 struct Moment {
@@ -106,7 +106,7 @@ std::optional<glm::dvec3> borderFrom(const Solid& solid, const glm::dvec3& middl
                  ? std::nullopt
                  : std::optional(borderBetween(solid, middle + direction * std::max(0.0, gone - kScan_mm), middle + direction * gone));
     // Never more than the safe part of the distance, except that a step at the border must get across it.
-    gone += std::max(depth / kReserve - kScan_mm, kScan_mm);
+    gone += std::max(depth / kTruthReserve - kScan_mm, kScan_mm);
   }
   return std::nullopt;
 }
@@ -281,7 +281,7 @@ std::optional<glm::dvec3> furthest(const Solid& solid, const glm::dvec3& directi
         const glm::dvec3 border = borderBetween(solid, base + direction * along, base + direction * std::min(along + kScan_mm, radius));
         return glm::dot(border - centre, direction);
       }
-      along -= std::max(far / kReserve, 0.5 * kScan_mm);
+      along -= std::max(far / kTruthReserve, 0.5 * kScan_mm);
     }
     return -std::numeric_limits<double>::infinity();
   };
@@ -400,7 +400,7 @@ Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const 
       for (int bi = 0; bi < blocks.x; ++bi) {
         const glm::dvec3 corner = box.lowest_mm + h * kBlock * (glm::dvec3(bi, bj, bk) - 0.25);
         const glm::dvec3 centre = corner + 0.5 * kBlock * h;
-        if (solid.distance_mm(centre) > kReserve * (radius + h) + solid.reach_mm()) continue;
+        if (solid.distance_mm(centre) > kTruthReserve * (radius + h) + solid.reach_mm()) continue;
         for (int n = 0; n < kBlock * kBlock * kBlock; ++n) {
           if (moment.progress.cancelRequested()) throw Stopped();
           const glm::dvec3 p = corner + h * (glm::dvec3(n % kBlock, n / kBlock % kBlock, n / kBlock / kBlock) + 0.5);

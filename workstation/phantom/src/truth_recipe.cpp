@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostEntries = 200;
+constexpr std::size_t kMostTruthEntries = 200;
 constexpr double kFarthestSkin_mm = 1000.0;
 constexpr double kLongestLine_mm = 5000.0;  // it is walked in small steps
 
@@ -146,7 +146,7 @@ std::vector<MeasurementRequest> readMeasurements(FieldReader& reader, const json
   std::vector<MeasurementRequest> read;
   if (!recipe.contains("measurements")) return read;
   std::set<std::string> names;
-  const json& list = reader.list(recipe, "patient", "measurements", 0, kMostEntries);
+  const json& list = reader.list(recipe, "patient", "measurements", 0, kMostTruthEntries);
   for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
     const std::string place = "measurements[" + std::to_string(n) + "]";
     read.push_back(readMeasurement(reader, list[n], place, shapes));
@@ -165,7 +165,7 @@ std::vector<StandardPlane> readPlanes(FieldReader& reader, const json& recipe, c
   std::vector<StandardPlane> read;
   if (!recipe.contains("planes")) return read;
   std::set<std::string> names;
-  const json& list = reader.list(recipe, "patient", "planes", 0, kMostEntries);
+  const json& list = reader.list(recipe, "patient", "planes", 0, kMostTruthEntries);
   for (std::size_t n = 0; n < list.size() && !reader.problem() && !progress.cancelRequested(); ++n) {
     const json& object = list[n];
     const std::string place = "planes[" + std::to_string(n) + "]";

@@ -29,7 +29,7 @@ struct Points {
   [[nodiscard]] std::size_t size() const { return fixed.size(); }
 };
 
-struct Rigid {
+struct LandmarkRigid {
   Matrix turn = Matrix::Identity();
   Vector shift = Vector::Zero();
   [[nodiscard]] Vector operator()(const Vector& p) const { return turn * p + shift; }
@@ -68,7 +68,7 @@ Matrix smallestTurn(const Vector& from, const Vector& to) { return Eigen::Quater
 
 /// Arun, Huang and Blostein 1987: with H = sum w (f - F)(m - M)^T = U S V^T the turn is V diag(1, 1, det(V U^T)) U^T; the determinant is
 /// Umeyama's guard. `mirrored` asks for the best mirror instead. Places on one line leave a turn free: then the smallest turn is taken.
-Rigid closedForm(const Points& points, std::span<const double> weight, bool mirrored = false) {
+LandmarkRigid closedForm(const Points& points, std::span<const double> weight, bool mirrored = false) {
   Vector fixedCentre = Vector::Zero();
   Vector movingCentre = Vector::Zero();
   double sum = 0.0;
@@ -77,7 +77,7 @@ Rigid closedForm(const Points& points, std::span<const double> weight, bool mirr
     movingCentre += weight[i] * points.moving[i];
     sum += weight[i];
   }
-  Rigid found;
+  LandmarkRigid found;
   if (sum <= 0.0) return found;
   fixedCentre /= sum;
   movingCentre /= sum;
@@ -98,7 +98,7 @@ Rigid closedForm(const Points& points, std::span<const double> weight, bool mirr
   return found;
 }
 
-std::vector<double> residualsOf(const Points& points, const Rigid& at) {
+std::vector<double> residualsOf(const Points& points, const LandmarkRigid& at) {
   std::vector<double> residual(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) residual[i] = (at(points.fixed[i]) - points.moving[i]).norm();
   return residual;
@@ -126,8 +126,8 @@ double costOf(std::span<const double> residual, double scale, double pick_mm) {
   return sum;
 }
 
-struct Fit {
-  Rigid at;
+struct LandmarkFit {
+  LandmarkRigid at;
   std::vector<double> residual;
   std::vector<double> weight;
   double scale = 1.0;
@@ -144,7 +144,7 @@ double scaleOf(std::span<const double> residual, double pick_mm) {
   return std::clamp(median({residual.begin(), residual.end()}) / (kMedianOfNorm * shrunk), least, kLargestScale * least);
 }
 
-Fit reweighted(const Points& points, Fit fit, double pick_mm) {
+LandmarkFit reweighted(const Points& points, LandmarkFit fit, double pick_mm) {
   fit.residual = residualsOf(points, fit.at);
   for (int iteration = 0; iteration < 100; ++iteration) {
     fit.scale = scaleOf(fit.residual, pick_mm);
@@ -152,7 +152,7 @@ Fit reweighted(const Points& points, Fit fit, double pick_mm) {
     std::size_t used = 0;
     for (std::size_t i = 0; i < points.size(); ++i) used += (fit.weight[i] = tukeyWeight(fit.residual[i], fit.scale)) > 0.0 ? 1 : 0;
     if (used < 3) break;
-    const Rigid next = closedForm(points, fit.weight);
+    const LandmarkRigid next = closedForm(points, fit.weight);
     double moved = 0.0;
     for (const Vector& p : points.fixed) moved = std::max(moved, (next(p) - fit.at(p)).norm());
     fit.at = next;
@@ -170,14 +170,14 @@ Fit reweighted(const Points& points, Fit fit, double pick_mm) {
   return fit;
 }
 
-double apart(const Points& points, const Rigid& a, const Rigid& b) {
+double apart(const Points& points, const LandmarkRigid& a, const LandmarkRigid& b) {
   double most = 0.0;
   for (const Vector& p : points.fixed) most = std::max(most, (a(p) - b(p)).norm());
   return most;
 }
 
 /// Fits from triples, so that one wrong pair cannot spoil the start, each then reweighted; best first, each a different place.
-std::vector<Fit> consensus(const Points& points, double pick_mm) {
+std::vector<LandmarkFit> consensus(const Points& points, double pick_mm) {
   const std::size_t n = points.size();
   std::vector<std::array<std::size_t, 3>> triples;
   if (n <= 29) {
@@ -192,9 +192,9 @@ std::vector<Fit> consensus(const Points& points, double pick_mm) {
     }
   }
   const double scale = kLargestScale * std::sqrt(2.0) * pick_mm;
-  std::vector<std::pair<double, Rigid>> starts;
+  std::vector<std::pair<double, LandmarkRigid>> starts;
   const std::vector<double> all(n, 1.0);
-  const Rigid plain = closedForm(points, all);
+  const LandmarkRigid plain = closedForm(points, all);
   starts.emplace_back(costOf(residualsOf(points, plain), scale, pick_mm), plain);
   const std::vector<double> three(3, 1.0);
   for (const auto& t : triples) {
@@ -204,18 +204,19 @@ std::vector<Fit> consensus(const Points& points, double pick_mm) {
       some.moving.push_back(points.moving[i]);
     }
     if (scatterOf(some.fixed, three).deviation[1] < 0.5 * pick_mm) continue;  // says nothing about the turn
-    const Rigid at = closedForm(some, three);
+    const LandmarkRigid at = closedForm(some, three);
     starts.emplace_back(costOf(residualsOf(points, at), scale, pick_mm), at);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Fit> fits;
+  std::vector<LandmarkFit> fits;
   for (std::size_t i = 0; i < std::min<std::size_t>(starts.size(), 40); ++i)
     fits.push_back(reweighted(points, {.at = starts[i].second, .residual = {}, .weight = {}}, pick_mm));
   fits.push_back(reweighted(points, {.at = plain, .residual = {}, .weight = {}}, pick_mm));
-  std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
-  std::vector<Fit> different;
-  for (Fit& fit : fits)
-    if (std::none_of(different.begin(), different.end(), [&](const Fit& other) { return apart(points, other.at, fit.at) < 3.0 * pick_mm; }))
+  std::stable_sort(fits.begin(), fits.end(), [](const LandmarkFit& a, const LandmarkFit& b) { return a.cost < b.cost; });
+  std::vector<LandmarkFit> different;
+  for (LandmarkFit& fit : fits)
+    if (std::none_of(different.begin(), different.end(),
+                     [&](const LandmarkFit& other) { return apart(points, other.at, fit.at) < 3.0 * pick_mm; }))
       different.push_back(std::move(fit));
   return different;
 }
@@ -235,7 +236,7 @@ double expectedError_mm(const Scatter& places, double fle2, double pairs, double
   return std::sqrt(fle2 / pairs * (1.0 + reach_mm * reach_mm * (inverse - least) / 3.0));
 }
 
-glm::dmat4 matrixOf(const Rigid& rigid) {
+glm::dmat4 matrixOf(const LandmarkRigid& rigid) {
   const Matrix turn = Eigen::Quaterniond(rigid.turn).normalized().toRotationMatrix();
   glm::dmat4 matrix(1.0);
   for (int c = 0; c < 3; ++c)
@@ -264,7 +265,7 @@ double turnError_rad(const Scatter& places, double pairs, double fle_mm) {
 }
 
 void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Points& points, const LandmarkOptions& options,
-           const std::vector<Fit>& fits) {
+           const std::vector<LandmarkFit>& fits) {
   const std::size_t n = pairs.size();
   const std::size_t distinct = n - result.coincident.size();
   /// A remark that names places goes by their numbers where they have no name.
@@ -287,10 +288,10 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     result.remarks = {{Says::placesOnALine}};
     return sayRepeats();
   }
-  const Fit& best = fits.front();
+  const LandmarkFit& best = fits.front();
   const std::vector<double> all(n, 1.0);
   if (best.agreeing < n) {
-    const Rigid mirror = closedForm(points, all, true);
+    const LandmarkRigid mirror = closedForm(points, all, true);
     const auto residual = residualsOf(points, mirror);
     const double largest = *std::max_element(residual.begin(), residual.end());
     if (n >= 4 && largest < kOutlyingAt * std::sqrt(2.0) * options.pickError_mm) {
@@ -360,11 +361,11 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
 
   // Places on a line are found in both volumes: a wrong pair may lie beside the line in one of them, but says nothing about the turn.
   const double fle_mm = std::sqrt(2.0) * options.pickError_mm;
-  std::vector<Fit> fits;
+  std::vector<LandmarkFit> fits;
   if (options.robust && n > 3) {
     fits = consensus(points, options.pickError_mm);
   } else {
-    Fit plain{.at = closedForm(points, result.weight), .residual = {}, .weight = {}};
+    LandmarkFit plain{.at = closedForm(points, result.weight), .residual = {}, .weight = {}};
     plain.residual = residualsOf(points, plain.at);
     plain.scale = scaleOf(plain.residual, options.pickError_mm);
     plain.weight.assign(n, 0.0);
@@ -372,7 +373,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
     plain.stop = StopReason::converged;
     fits.push_back(std::move(plain));
   }
-  const Fit& best = fits.front();
+  const LandmarkFit& best = fits.front();
   result.fixedToMoving = matrixOf(best.at);
   result.residual_mm = best.residual;
   result.stop = best.stop;

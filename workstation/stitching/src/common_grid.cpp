@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "ew/stitching/stitch.h"
+#include "view_sampler.h"
 
 namespace ew::stitching {
 namespace {
 
 constexpr std::size_t kMostInputs = 255;  // a source is one byte per voxel
-constexpr double kOnLattice_voxel = 1e-6;
 
 std::string gibibytes(double bytes) {
   std::string text(32, '\0');

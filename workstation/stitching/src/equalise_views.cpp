@@ -16,7 +16,7 @@ namespace {
 constexpr int kLooksPerSide = 4;       // a cell is looked at in so many places along each axis
 constexpr double kFewestLooks = 24.0;  // of 64
 constexpr double kClippedShare = 0.02;
-constexpr double kTrusted = 0.5;
+constexpr double kTrustedShare = 0.5;
 constexpr double kDbPerGrey = 60.0 / 255.0;
 
 /// What a view shows in a cube of the world.
@@ -63,7 +63,7 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
       for (int j = seen.box.begin.y * kLooksPerSide; j < seen.box.end.y * kLooksPerSide; ++j)
         sampler.alongRow(j, k, seen.box.begin.x * kLooksPerSide, seen.box.end.x * kLooksPerSide, [&](int i, const glm::dvec3& where) {
           const ViewSample sample = sampler.nearestTo(where);
-          if (sample.quality <= 0.0 || sample.confidence < kTrusted) return;
+          if (sample.quality <= 0.0 || sample.confidence < kTrustedShare) return;
           Cell& cell = seen.cells[seen.box.indexOf(i / kLooksPerSide, j / kLooksPerSide, ck)];
           cell.looks += 1.0f;
           cell.clipped += sample.level <= 0.0 || sample.level >= 255.0 ? 1.0f : 0.0f;

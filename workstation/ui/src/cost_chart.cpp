@@ -12,10 +12,10 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kLeft_px = 56;
-constexpr int kRight_px = 56;
-constexpr int kTop_px = 32;
-constexpr int kBottom_px = 48;
+constexpr int kChartLeft_px = 56;
+constexpr int kChartRight_px = 56;
+constexpr int kChartTop_px = 32;
+constexpr int kChartBottom_px = 48;
 
 /// A step of the 1-2-5 series so that about `count` of them fill the range.
 double niceStep(double range, int count) {
@@ -60,7 +60,7 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(40, 24, -40, -24), Qt::AlignCenter | Qt::TextWordWrap, empty_);
     return;
   }
-  const QRectF box(kLeft_px, kTop_px, width() - kLeft_px - kRight_px, height() - kTop_px - kBottom_px);
+  const QRectF box(kChartLeft_px, kChartTop_px, width() - kChartLeft_px - kChartRight_px, height() - kChartTop_px - kChartBottom_px);
   double slowest_ms = 0.0, lowest_db = wished_db_, highest_db = wished_db_;
   for (const Point& point : points_) {
     slowest_ms = std::max(slowest_ms, point.frame_ms);
@@ -89,9 +89,9 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(theme.line, 1.0));
     painter.drawLine(QPointF(box.left(), yOf(db)), QPointF(box.right(), yOf(db)));
     painter.setPen(theme.quiet);
-    drawFigures(painter, QRect(4, y - 9, kLeft_px - 12, 18), Qt::AlignRight, QString::number(db, 'f', 0));
+    drawFigures(painter, QRect(4, y - 9, kChartLeft_px - 12, 18), Qt::AlignRight, QString::number(db, 'f', 0));
     const double grey = 255.0 * std::pow(10.0, -db / 20.0);
-    drawFigures(painter, QRect(static_cast<int>(box.right()) + 8, y - 9, kRight_px - 12, 18), Qt::AlignLeft,
+    drawFigures(painter, QRect(static_cast<int>(box.right()) + 8, y - 9, kChartRight_px - 12, 18), Qt::AlignLeft,
                 QString::number(grey, 'f', grey < 10.0 ? (grey < 1.0 ? 2 : 1) : 0));
   }
   painter.setPen(theme.quiet);

@@ -15,7 +15,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kHighest_percent = 200;
-constexpr int kLeft_px = 8;
+constexpr int kColumnLeft_px = 8;
 constexpr int kSlider_px = 72;
 constexpr int kSliderHeight_px = 20;
 constexpr int kHandle_px = 14;  // with its edge, as the style sheet draws it
@@ -65,17 +65,17 @@ void DgcColumn::refreshIcons() { reset_->setIcon(icon(QStringLiteral("reset"), s
 
 double DgcColumn::xOf(double factor) const {
   const double share = std::clamp(factor * 100.0 / kHighest_percent, 0.0, 1.0);
-  return kLeft_px + kHandle_px / 2.0 + share * (kSlider_px - kHandle_px);
+  return kColumnLeft_px + kHandle_px / 2.0 + share * (kSlider_px - kHandle_px);
 }
 
 void DgcColumn::place(double top, double bottom) {
   top_ = top;
   bottom_ = bottom;
-  reset_->setGeometry(kLeft_px, 0, kSlider_px, kHead_px - 4);
+  reset_->setGeometry(kColumnLeft_px, 0, kSlider_px, kHead_px - 4);
   for (int i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[static_cast<std::size_t>(i)];
     const int y = static_cast<int>(std::lround(top_ + (bottom_ - top_) * (i + 0.5) / kDgcSliders)) - kSliderHeight_px / 2;
-    slider->setGeometry(kLeft_px, y, kSlider_px, kSliderHeight_px);
+    slider->setGeometry(kColumnLeft_px, y, kSlider_px, kSliderHeight_px);
     slider->setVisible(session_.subject() && y >= kHead_px && y + kSliderHeight_px <= height());
   }
   reset_->setVisible(session_.subject().has_value());

@@ -10,7 +10,7 @@ namespace {
 using Group = ShortcutsOverlay::Group;
 
 /// Keys as the system's language calls them: "Ctrl+O" is "Strg+O" in German.
-QString keys(const char* names) {
+QString keysOf(const char* names) {
   QStringList shown;
   for (const QString& name : QString::fromLatin1(names).split(QStringLiteral(" | "))) {
     shown << QKeySequence(name).toString(QKeySequence::NativeText);
@@ -21,65 +21,65 @@ QString keys(const char* names) {
 std::vector<Group> keysOfTheScan() {
   return {{MainWindow::tr("Probe"),
            {{MainWindow::tr("Drag, arrows"), MainWindow::tr("slide over the skin, with Shift faster"), ProbeMotion::slide},
-            {MainWindow::tr("Shift+wheel, %1").arg(keys("A | D")), MainWindow::tr("rock, along the image"), ProbeMotion::rock},
-            {MainWindow::tr("Wheel, %1").arg(keys("W | S")), MainWindow::tr("tilt, out of the image"), ProbeMotion::tilt},
-            {MainWindow::tr("Ctrl+wheel, %1").arg(keys("Q | E")), MainWindow::tr("rotate"), ProbeMotion::rotate},
-            {keys("Home"), MainWindow::tr("back to the start")}}},
+            {MainWindow::tr("Shift+wheel, %1").arg(keysOf("A | D")), MainWindow::tr("rock, along the image"), ProbeMotion::rock},
+            {MainWindow::tr("Wheel, %1").arg(keysOf("W | S")), MainWindow::tr("tilt, out of the image"), ProbeMotion::tilt},
+            {MainWindow::tr("Ctrl+wheel, %1").arg(keysOf("Q | E")), MainWindow::tr("rotate"), ProbeMotion::rotate},
+            {keysOf("Home"), MainWindow::tr("back to the start")}}},
           {MainWindow::tr("Image"),
-           {{keys("Space | F"), MainWindow::tr("freeze")},
-            {keys("PgUp | PgDown"), MainWindow::tr("depth")},
-            {keys("Ctrl+Up | Ctrl+Down"), MainWindow::tr("gain")},
-            {keys("Ctrl+0"), MainWindow::tr("reset DGC")},
-            {keys("Z | Shift+Z"), MainWindow::tr("zoom")},
+           {{keysOf("Space | F"), MainWindow::tr("freeze")},
+            {keysOf("PgUp | PgDown"), MainWindow::tr("depth")},
+            {keysOf("Ctrl+Up | Ctrl+Down"), MainWindow::tr("gain")},
+            {keysOf("Ctrl+0"), MainWindow::tr("reset DGC")},
+            {keysOf("Z | Shift+Z"), MainWindow::tr("zoom")},
             {MainWindow::tr("Drag in a zoomed image"), MainWindow::tr("move the detail")},
-            {keys("X | U"), MainWindow::tr("invert left/right, up/down")},
-            {keys("M"), MainWindow::tr("B, B + M, M")},
-            {keys("Ctrl+Left | Ctrl+Right"), MainWindow::tr("M line")},
-            {keys("Y | Shift+Y"), MainWindow::tr("sweep of the M-mode")}}},
+            {keysOf("X | U"), MainWindow::tr("invert left/right, up/down")},
+            {keysOf("M"), MainWindow::tr("B, B + M, M")},
+            {keysOf("Ctrl+Left | Ctrl+Right"), MainWindow::tr("M line")},
+            {keysOf("Y | Shift+Y"), MainWindow::tr("sweep of the M-mode")}}},
           {MainWindow::tr("3D view"),
            {{MainWindow::tr("Right drag"), MainWindow::tr("turn the body")},
             {MainWindow::tr("Middle drag"), MainWindow::tr("move the body")},
             {MainWindow::tr("Ctrl+right drag"), MainWindow::tr("closer, farther")},
-            {keys("Alt+1") + QStringLiteral(" … ") + keys("Alt+5"), MainWindow::tr("front, back, right, left, head")},
-            {keys("Alt+0"), MainWindow::tr("look at the volume")},
+            {keysOf("Alt+1") + QStringLiteral(" … ") + keysOf("Alt+5"), MainWindow::tr("front, back, right, left, head")},
+            {keysOf("Alt+0"), MainWindow::tr("look at the volume")},
             {MainWindow::tr("Double click"), MainWindow::tr("in a small window: swap body and scan")}}},
           {MainWindow::tr("Settings"),
-           {{keys("F10"), MainWindow::tr("next page of the console")},
-            {keys(", | ."), MainWindow::tr("focus depth")},
-            {keys("N"), MainWindow::tr("number of focal zones")},
-            {keys("R | Shift+R"), MainWindow::tr("dynamic range")},
-            {keys("G"), MainWindow::tr("grey map")},
-            {keys("B | Shift+B"), MainWindow::tr("edge enhancement")},
-            {keys("P | Shift+P"), MainWindow::tr("persistence")}}},
+           {{keysOf("F10"), MainWindow::tr("next page of the console")},
+            {keysOf(", | ."), MainWindow::tr("focus depth")},
+            {keysOf("N"), MainWindow::tr("number of focal zones")},
+            {keysOf("R | Shift+R"), MainWindow::tr("dynamic range")},
+            {keysOf("G"), MainWindow::tr("grey map")},
+            {keysOf("B | Shift+B"), MainWindow::tr("edge enhancement")},
+            {keysOf("P | Shift+P"), MainWindow::tr("persistence")}}},
           {MainWindow::tr("Effects and probe"),
-           {{keys("F2 | F3"), MainWindow::tr("beam width, slice thickness")},
-            {keys("F4"), MainWindow::tr("shadow and enhancement")},
-            {keys("F5 | F6"), MainWindow::tr("reverberation, mirror images")},
-            {keys("F7 | F8"), MainWindow::tr("noise, skin contact")},
-            {keys("T | H"), MainWindow::tr("next transducer, next frequency")},
-            {keys("J | L | V"), MainWindow::tr("steer a linear array, trapezoid")}}}};
+           {{keysOf("F2 | F3"), MainWindow::tr("beam width, slice thickness")},
+            {keysOf("F4"), MainWindow::tr("shadow and enhancement")},
+            {keysOf("F5 | F6"), MainWindow::tr("reverberation, mirror images")},
+            {keysOf("F7 | F8"), MainWindow::tr("noise, skin contact")},
+            {keysOf("T | H"), MainWindow::tr("next transducer, next frequency")},
+            {keysOf("J | L | V"), MainWindow::tr("steer a linear array, trapezoid")}}}};
 }
 
 Group keysOfTheWindow() {
   return {MainWindow::tr("Window"),
-          {{keys("Ctrl+H"), MainWindow::tr("cases")},
-           {keys("Ctrl+O"), MainWindow::tr("open")},
-           {keys("Ctrl+P"), MainWindow::tr("save the image")},
-           {keys("F12"), MainWindow::tr("scan only")},
-           {keys("F11"), MainWindow::tr("full screen")},
-           {keys("Ctrl+1 | Ctrl+2"), MainWindow::tr("Explore, Author")},
-           {keys("F1"), MainWindow::tr("this page")}}};
+          {{keysOf("Ctrl+H"), MainWindow::tr("cases")},
+           {keysOf("Ctrl+O"), MainWindow::tr("open")},
+           {keysOf("Ctrl+P"), MainWindow::tr("save the image")},
+           {keysOf("F12"), MainWindow::tr("scan only")},
+           {keysOf("F11"), MainWindow::tr("full screen")},
+           {keysOf("Ctrl+1 | Ctrl+2"), MainWindow::tr("Explore, Author")},
+           {keysOf("F1"), MainWindow::tr("this page")}}};
 }
 
 Group keysOfAuthors() {
   return {MainWindow::tr("Author"),
-          {{keys("Ctrl+S | Ctrl+Shift+S"), MainWindow::tr("save the case, save it elsewhere")},
-           {keys("Ctrl+Z | Ctrl+Shift+Z"), MainWindow::tr("undo, redo")},
-           {MainWindow::tr("%1, Alt+click").arg(keys("I")), MainWindow::tr("which frame a point came from")},
-           {keys("1 | 2 | 3"), MainWindow::tr("nearest, linear, cubic")},
-           {keys("Shift+N"), MainWindow::tr("focus model")},
-           {keys("F9"), MainWindow::tr("adaptive quality")},
-           {keys("Ctrl+K"), MainWindow::tr("performance")}}};
+          {{keysOf("Ctrl+S | Ctrl+Shift+S"), MainWindow::tr("save the case, save it elsewhere")},
+           {keysOf("Ctrl+Z | Ctrl+Shift+Z"), MainWindow::tr("undo, redo")},
+           {MainWindow::tr("%1, Alt+click").arg(keysOf("I")), MainWindow::tr("which frame a point came from")},
+           {keysOf("1 | 2 | 3"), MainWindow::tr("nearest, linear, cubic")},
+           {keysOf("Shift+N"), MainWindow::tr("focus model")},
+           {keysOf("F9"), MainWindow::tr("adaptive quality")},
+           {keysOf("Ctrl+K"), MainWindow::tr("performance")}}};
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ class SourceImage final : public QWidget {
 
 namespace {
 
-QLabel* valueLabel(const char* name) {
+QLabel* sourceLabel(const char* name) {
   auto* label = new QLabel;
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
@@ -118,11 +118,11 @@ void SourceDialog::addRows() {
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(24);
   form->setVerticalSpacing(4);
-  sweep_ = valueLabel("sourceSweep");
-  frame_ = valueLabel("sourceFrame");
-  time_ = valueLabel("sourceTime");
-  voxel_ = valueLabel("sourceVoxel");
-  distance_ = valueLabel("sourceDistance");
+  sweep_ = sourceLabel("sourceSweep");
+  frame_ = sourceLabel("sourceFrame");
+  time_ = sourceLabel("sourceTime");
+  voxel_ = sourceLabel("sourceVoxel");
+  distance_ = sourceLabel("sourceDistance");
   form->addRow(tr("Sweep"), sweep_);
   form->addRow(tr("Frame"), frame_);
   form->addRow(tr("Time"), time_);

@@ -20,7 +20,7 @@ bool isRejected(const StitchProject& project, std::size_t fixed, std::size_t mov
 }
 
 /// Two views that overlap at the graph's poses.
-struct Meeting {
+struct PairMeeting {
   std::size_t fixed = 0;
   std::size_t moving = 0;
   Overlap overlap;
@@ -29,8 +29,8 @@ struct Meeting {
 };
 
 /// All of them, of loaded views, in order of fixed, then moving.
-Result<std::vector<Meeting>> meetingsOf(const ChainRun& run, const Progress& progress) {
-  std::vector<Meeting> meetings;
+Result<std::vector<PairMeeting>> meetingsOf(const ChainRun& run, const Progress& progress) {
+  std::vector<PairMeeting> meetings;
   for (const std::size_t f : run.included)
     for (const std::size_t m : run.included) {
       if (f >= m || isRejected(run.project, f, m)) continue;
@@ -46,17 +46,17 @@ Result<std::vector<Meeting>> meetingsOf(const ChainRun& run, const Progress& pro
 }
 
 /// Each pair by itself, in the order of `meetings`.
-Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<Meeting>& meetings, Progress& progress) {
+Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<PairMeeting>& meetings, Progress& progress) {
   // Large ones first, so that no thread is left alone with one in the end.
   std::vector<std::size_t> order(meetings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return meetings[a].voxels > meetings[b].voxels; });
   std::vector<std::uint64_t> bytes;
-  for (const Meeting& meeting : meetings) bytes.push_back(meeting.bytes);
+  for (const PairMeeting& meeting : meetings) bytes.push_back(meeting.bytes);
   const int atOnce = besideEachOther_bytes(run, std::move(bytes)).pairs;
   std::vector<Bent> bent(meetings.size());
   const auto done = besideEachOther(meetings.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
-    const Meeting& each = meetings[order[n]];
+    const PairMeeting& each = meetings[order[n]];
     part.report("Bending " + run.project.volumes[each.fixed].name + " and " + run.project.volumes[each.moving].name, 0.0);
     auto made = bendPair(run, each.fixed, each.moving, each.overlap, run.threadsOfEach(atOnce), part);
     if (!made) return passOn(made.error());

@@ -54,7 +54,7 @@ Result<void> check(ImageView<const std::uint8_t> fixed, ImageView<const std::uin
   return {};
 }
 
-std::string percent(double value) {
+std::string wholePercent(double value) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%.2f", value);
   return text.data();
@@ -360,7 +360,7 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
       return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
                     std::string(common ? "The images agree as they lie, and no warp" : "No warp") +
                         " agrees better where it was not fitted: the displacement is left at zero (gain of correlation there " +
-                        percent(held->gain) + ", its error " + percent(held->error) + ").");
+                        wholePercent(held->gain) + ", its error " + wholePercent(held->error) + ").");
     }
     // Half of the evidence makes twice the noise: the best share of the motion found from all of it lies nearer to 1.
     const double keep = 2.0 * held->share / (1.0 + held->share);
@@ -375,8 +375,8 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
                                  coverable * static_cast<double>(judged.fixed.value.size()) / static_cast<double>(count));
     }
   }
-  const std::string figures = "(correlation " + percent(result.before.correlation) + " before, " + percent(result.after.correlation) +
-                              " after, " + percent(result.after.chance) + " by chance)";
+  const std::string figures = "(correlation " + wholePercent(result.before.correlation) + " before, " +
+                              wholePercent(result.after.correlation) + " after, " + wholePercent(result.after.chance) + " by chance)";
   if (result.after.correlation <= result.before.correlation || result.after.correlation <= result.after.chance) {
     nothing();
     const bool common = result.before.correlation > result.before.chance;

@@ -9,10 +9,10 @@ glm::dmat3 stepsOf(const Grid& grid) {
   return {grid.directions[0] * grid.spacing_mm.x, grid.directions[1] * grid.spacing_mm.y, grid.directions[2] * grid.spacing_mm.z};
 }
 
-using Coefficients = std::array<double, 27>;  // of Bernstein polynomials of degree 2 along each axis, x fastest
+using CellCoefficients = std::array<double, 27>;  // of Bernstein polynomials of degree 2 along each axis, x fastest
 
 /// From values at 0, 1/2, 1 along one axis to Bernstein coefficients: b1 = 2 f(1/2) - (f(0) + f(1)) / 2.
-void toBernstein(Coefficients& c, int stride, int a, int b) {
+void toBernstein(CellCoefficients& c, int stride, int a, int b) {
   for (int v = 0; v < 3; ++v) {
     for (int u = 0; u < 3; ++u) {
       double* at = c.data() + u * a + v * b;
@@ -21,7 +21,7 @@ void toBernstein(Coefficients& c, int stride, int a, int b) {
   }
 }
 
-Coefficients determinantOf(const CellCorners& corner, double scale) {
+CellCoefficients determinantOf(const CellCorners& corner, double scale) {
   // An edge vector along one axis is bilinear in the other two: here at 0, 1/2, 1 of each.
   std::array<glm::dvec3, 9> edge[3];
   constexpr int kStep[3] = {1, 2, 4};
@@ -34,7 +34,7 @@ Coefficients determinantOf(const CellCorners& corner, double scale) {
     edge[axis] = {e00, 0.5 * (e00 + e10), e10, 0.5 * (e00 + e01), 0.25 * ((e00 + e10) + (e01 + e11)), 0.5 * (e10 + e11),
                   e01, 0.5 * (e01 + e11), e11};
   }
-  Coefficients c;
+  CellCoefficients c;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t i = 0; i < 3; ++i)
@@ -48,8 +48,8 @@ Coefficients determinantOf(const CellCorners& corner, double scale) {
 }
 
 /// The coefficients on the lower or upper half along an axis (de Casteljau).
-Coefficients halfOf(const Coefficients& c, std::size_t stride, bool upper) {
-  Coefficients half;
+CellCoefficients halfOf(const CellCoefficients& c, std::size_t stride, bool upper) {
+  CellCoefficients half;
   for (std::size_t n = 0; n < 27; ++n) {
     if (n / stride % 3 != 0) continue;
     const double a = c[n], b = c[n + stride], d = c[n + 2 * stride];
@@ -64,7 +64,7 @@ Coefficients halfOf(const Coefficients& c, std::size_t stride, bool upper) {
 constexpr double kTolerance = 1e-9;
 constexpr int kDeepest = 14;  // halvings of each axis: beyond, the bound's distance is below the tolerance of any usable cell
 
-void closeIn(const Coefficients& c, int depth, CellExtremes& found) {
+void closeIn(const CellCoefficients& c, int depth, CellExtremes& found) {
   for (std::size_t k = 0; k < 27; k += 18) {
     for (std::size_t j = 0; j < 9; j += 6) {
       for (std::size_t i = 0; i < 3; i += 2) {
@@ -152,7 +152,7 @@ CellExtremes determinantExtremes(const CellCorners& corner, double scale, double
 }
 
 double determinantBound(const CellCorners& corner, double scale) {
-  const Coefficients c = determinantOf(corner, scale);
+  const CellCoefficients c = determinantOf(corner, scale);
   return *std::min_element(c.begin(), c.end());
 }
 

@@ -30,7 +30,7 @@ Alike alikeOf(const std::array<double, kMoments>& m) {
   return {ff > 1e-6 * m[0] && mm > 1e-6 * m[0] ? fm / std::sqrt(ff * mm) : -1.0, (ff + mm - 2.0 * fm) / m[0]};
 }
 
-struct Blocks {
+struct MotionBlocks {
   glm::ivec3 size{1};
   glm::ivec3 count{1};
   std::vector<glm::ivec3> shifts;  // samples; none first, then by length
@@ -41,8 +41,8 @@ struct Blocks {
   }
 };
 
-Blocks blocksOf(const LevelImage& image) {
-  Blocks blocks;
+MotionBlocks blocksOf(const LevelImage& image) {
+  MotionBlocks blocks;
   glm::ivec3 step, reach;
   for (int axis = 0; axis < 3; ++axis) {
     const double spacing = image.spacing_mm[axis];
@@ -63,7 +63,7 @@ Blocks blocksOf(const LevelImage& image) {
 }
 
 /// Which shift either half of each block of the line (j, k) names.
-void lookAlong(const LevelPair& pair, const Blocks& blocks, int j, int k, Told* told, float* length_mm) {
+void lookAlong(const LevelPair& pair, const MotionBlocks& blocks, int j, int k, Told* told, float* length_mm) {
   const LevelImage& fixed = pair.fixed();
   const glm::ivec3 dims = fixed.dims, size = blocks.size, low(0, j * size.y, k * size.z);
   const int stride = blocks.count.x * size.x;
@@ -148,7 +148,7 @@ bool lookForLeftMotion(const LevelPair& pair, const NodeGrid& nodes, int threads
   left = {};
   left.nodeShare.assign(nodes.count(), 0.0F);
   const LevelImage& fixed = pair.fixed();
-  const Blocks blocks = blocksOf(fixed);
+  const MotionBlocks blocks = blocksOf(fixed);
   const int all = blocks.count.x * blocks.count.y * blocks.count.z, every = (all + kBlocks - 1) / kBlocks;
   std::vector<Told> told(static_cast<std::size_t>(all), Told::notAsked);
   std::vector<float> length_mm(told.size(), 0.0F);

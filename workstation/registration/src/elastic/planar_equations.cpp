@@ -19,7 +19,7 @@ constexpr int kPadded = 12;             ///< pairs, filled up to whole vectors
 constexpr std::array<std::array<int, 4>, 4> kPairOf{{{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}}};
 
 /// Sums over the samples of one row that lie in one cell.
-struct RowSums {
+struct PlanarRowSums {
   std::array<std::array<float, kPadded>, kNumbers> pairs{};
   std::array<std::array<float, 4>, 3> right{};
 };
@@ -91,7 +91,7 @@ bool PlanarEquations::assemble(const Linearised& data, int threads, Progress& pr
       const std::size_t numbers = withBrightness_ ? kNumbers : 3, rights = withBrightness_ ? 3 : 2;
       for (int cellX = 0; cellX < x_.cells; ++cellX) {
         const int begin = x_.cellBegin[static_cast<std::size_t>(cellX)], end = x_.cellBegin[static_cast<std::size_t>(cellX) + 1];
-        RowSums row;
+        PlanarRowSums row;
         for (std::size_t k = 0; k < numbers; ++k) sumOver<kPadded>(pairs.data(), list(k), begin, end, row.pairs[k].data());
         for (std::size_t k = 0; k < rights; ++k) sumOver<4>(weights.data(), list(6 + k), begin, end, row.right[k].data());
         CellSums& cell = cells[static_cast<std::size_t>(cellX)];

@@ -10,7 +10,7 @@
 namespace ew::registration::graph {
 namespace {
 
-bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool allFinite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace
 
@@ -27,7 +27,7 @@ Result<void> checkGraph(std::span<const GraphNode> nodes, std::span<const GraphE
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (auto rigid = checkRigid(nodes[n].toWorld); !rigid)
       return failure(ErrorCode::notRigid, "The pose of " + nameOfNode(nodes, n) + " cannot be used: " + rigid.error().sentence);
-    if (!finite(nodes[n].priorCentre_mm))
+    if (!allFinite(nodes[n].priorCentre_mm))
       return failure(ErrorCode::badField, "The centre of the tracker's covariance of " + nameOfNode(nodes, n) + " is not a number.",
                      {{"field", "priorCentre_mm"}});
     if (nodes[n].prior)
@@ -45,7 +45,7 @@ Result<void> checkGraph(std::span<const GraphNode> nodes, std::span<const GraphE
     const std::string name = nameOfEdge(nodes, edge);
     if (auto rigid = checkRigid(edge.fixedToMoving); !rigid)
       return failure(ErrorCode::notRigid, "The transform of the pair " + name + " cannot be used: " + rigid.error().sentence);
-    if (!finite(edge.centre_mm) || !std::isfinite(edge.trust) || edge.trust < 0.0 || edge.trust > 1.0)
+    if (!allFinite(edge.centre_mm) || !std::isfinite(edge.trust) || edge.trust < 0.0 || edge.trust > 1.0)
       return failure(ErrorCode::badField, "The pair " + name + " has a centre that is not a number or a trust outside 0..1.",
                      {{"field", "edges"}});
     if (edge.covariance)

@@ -78,7 +78,7 @@ Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& movi
 }
 
 /// Weighted sums of one block, window or whole.
-struct Sums {
+struct QualitySums {
   double w = 0.0, f = 0.0, m = 0.0, ff = 0.0, mm = 0.0, fm = 0.0;
   std::size_t count = 0;
   void add(double weight, double fixed, double moved) {
@@ -126,7 +126,7 @@ double repetition(const ComparableImage& fixed, const Side& side) {
 }
 
 Agreement agreementOf(const ComparableImage& fixed, const ComparableImage& moving, const Side& side) {
-  Sums sums;
+  QualitySums sums;
   for (std::size_t n = 0; n < side.weight.size(); ++n)
     if (side.weight[n] > 0.0F)
       sums.add(static_cast<double>(side.weight[n]), static_cast<double>(fixed.value[n]), static_cast<double>(side.moved[n]));
@@ -162,7 +162,7 @@ double localCorrelation(const ComparableImage& fixed, const Side& side, double w
     for (int b = 0; b < blocks.count.y; ++b) {
       for (int a = 0; a < blocks.count.x; ++a) {
         const glm::ivec3 low = blocks.low({a, b, c}), high = blocks.high({a, b, c});
-        Sums sums;
+        QualitySums sums;
         for (int k = low.z; k < high.z; ++k)
           for (int j = low.y; j < high.y; ++j)
             for (int i = low.x; i < high.x; ++i) {
@@ -328,7 +328,7 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm
     PartOfProgress half(warping, after ? 0.5 : 0.0, after ? 1.0 : 0.5);
     const auto seen = warped(*movingVolume, after ? fixedToMoving : atStart, fixedGrid, options.threads, half);
     if (!seen) return passOn(seen.error());
-    Sums sums;
+    QualitySums sums;
     double squares = 0.0;
     for (int k = 0; k < fixedGrid.dims.z; ++k) {
       for (int j = 0; j < fixedGrid.dims.y; ++j) {
@@ -363,7 +363,7 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm
         const glm::dvec3 first(toImage * glm::dvec4(glm::dvec3(low) - 0.5, 1.0)), last(toImage * glm::dvec4(glm::dvec3(high) - 0.5, 1.0));
         const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(first - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
         const glm::ivec3 to = glm::clamp(glm::ivec3(glm::ceil(last - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
-        Sums sums;
+        QualitySums sums;
         for (int k = from.z; k < to.z; ++k)
           for (int j = from.y; j < to.y; ++j)
             for (int i = from.x; i < to.x; ++i) {

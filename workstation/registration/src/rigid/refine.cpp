@@ -24,11 +24,11 @@ double cellsAt(const Grid& grid, double voxel_mm) {
   return cells;
 }
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using NormalMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// In mm and mm at 50 mm lever.
-Matrix6 scaled(const std::array<double, 36>& normal) {
-  Matrix6 out;
+NormalMatrix scaled(const std::array<double, 36>& normal) {
+  NormalMatrix out;
   for (int r = 0; r < 6; ++r) {
     for (int c = 0; c < 6; ++c) out(r, c) = normal[6 * r + c] / ((r < 3 ? 1.0 : 50.0) * (c < 3 ? 1.0 : 50.0));
   }
@@ -185,8 +185,8 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
   result.centre_mm = centre;
   if (!sumOverPair(fixed, pair.packedMoving[last], result.fixedToMoving, centre, pass, threads, progress, sums, &blocks)) return false;
   result.residualRms = sums.residualRms();
-  const Matrix6 normal = scaled(sums.normal);
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(normal);
+  const NormalMatrix normal = scaled(sums.normal);
+  const Eigen::SelfAdjointEigenSolver<NormalMatrix> eigen(normal);
   const double least = eigen.eigenvalues()[0];
   const double most = eigen.eigenvalues()[5];
   result.conditioning = most > 0.0 ? std::max(0.0, least) / most : 0.0;
@@ -194,8 +194,8 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
     result.stop = StopReason::singular;
     return true;
   }
-  const Matrix6 inverse = normal.inverse() * sums.stiffness();
-  Matrix6 spread = Matrix6::Zero();
+  const NormalMatrix inverse = normal.inverse() * sums.stiffness();
+  NormalMatrix spread = NormalMatrix::Zero();
   int used = 0;
   for (const PoseSums& block : blocks) {
     if (block.count <= 0.0) continue;
@@ -206,7 +206,7 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
   }
   if (used > 8) {
     spread *= kUnseen * used / (used - 6);
-    const Matrix6 covariance = inverse * spread * inverse;
+    const NormalMatrix covariance = inverse * spread * inverse;
     PoseCovariance out{};
     for (int r = 0; r < 6; ++r) {
       for (int q = 0; q < 6; ++q) out[6 * r + q] = covariance(r, q) / ((r < 3 ? 1.0 : 50.0) * (q < 3 ? 1.0 : 50.0));
