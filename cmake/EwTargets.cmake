@@ -15,7 +15,7 @@ include(EwSanitizers)
 include(${CMAKE_CURRENT_LIST_DIR}/../workstation/sdk/cmake/EwKnownWords.cmake)
 
 # ew_join_sources(TARGET [APART SOURCES...]): several sources of a target are compiled as one (EW_UNITY of them), which reads their headers and
-# instantiates their templates once: a third of the time of a whole build. Left alone are sources that use a name of their neighbours for
+# instantiates their templates once. Left alone are sources that use a name of their neighbours for
 # something else (APART, said by whoever adds the target) and those that highway compiles once for each instruction set.
 function(ew_join_sources target)
   cmake_parse_arguments(arg "" "" "APART" ${ARGN})
