@@ -235,12 +235,12 @@ TEST_F(StitchDocumentTest, AfterEverythingIsUndoneNoRecoveryIsLeft) {
 
 TEST_F(StitchDocumentTest, NamesTheFilesThatDoNotGoAlongWhenAProjectIsTakenElsewhere) {
   StitchProject project = withVolumes({}, {volumeCalled("a"), volumeCalled("b")});
-  project.volumes[0].file = "/data/recordings/a.mha";
-  project.volumes[0].calibration = "/data/probe.xml";
-  EXPECT_EQ(filesElsewhere(project, "/work"), std::vector<std::filesystem::path>{"/data/b.mha"});
+  project.volumes[0].file = "/study/recordings/a.mha";
+  project.volumes[0].calibration = "/study/probe.xml";
+  EXPECT_EQ(filesElsewhere(project, "/study"), std::vector<std::filesystem::path>{"/data/b.mha"});
   EXPECT_EQ(filesElsewhere(project, "/").size(), 0u);
-  EXPECT_EQ(filesElsewhere(project, "/data/recordings").size(), 2u);
-  const std::string text = projectText(project, "/work");
+  EXPECT_EQ(filesElsewhere(project, "/study/recordings").size(), 2u);
+  const std::string text = projectText(project, "/study");
   EXPECT_NE(text.find("\"recordings/a.mha\""), std::string::npos) << text;
   EXPECT_NE(text.find("\"/data/b.mha\""), std::string::npos) << text;
 }
