@@ -54,6 +54,7 @@ SavingDialog::SavingDialog(Jobs& jobs, bool closes, QWidget* parent) : QDialog(p
     accept();
   });
   connect(&poll_, &QTimer::timeout, this, &SavingDialog::look);
+  connect(this, &QDialog::finished, &poll_, &QTimer::stop);  // what is decided stays decided; the timer may already be due
 }
 
 SavingDialog::Outcome SavingDialog::wait() {
@@ -61,7 +62,6 @@ SavingDialog::Outcome SavingDialog::wait() {
   look();
   poll_.start(50);
   exec();
-  poll_.stop();
   return outcome_;
 }
 
