@@ -45,6 +45,20 @@ TEST(ImportCommand, WhatIsMissingIsAskedForByTheNameOfItsOptionAndNothingIsWritt
   EXPECT_NE(run({"import", folder / "x.bin", "-o", folder / "x.mha", "--raw", "5x5:u8:0.5"}).status, 0);
 }
 
+TEST(ImportCommand, EverythingThatIsMissingIsAskedForAtOnce) {
+  const TemporaryFolder folder;
+  CineOf of;
+  of.pixels = ramp(144);
+  of.regions = {};
+  of.burnedIn = "YES";
+  writeText(folder / "a.dcm", cineFile(of));
+  const auto asked = run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha"});
+  EXPECT_EQ(asked.status, 1);
+  EXPECT_NE(asked.err.find("--pixel-mm"), std::string::npos) << asked.err;
+  EXPECT_NE(asked.err.find("It also asks for --region N, --blank X,Y,W,H or --keep-text."), std::string::npos) << asked.err;
+  EXPECT_EQ(run({"import", folder / "a.dcm", "-o", folder / "a.igs.mha", "--pixel-mm", "0.2", "--keep-text"}).status, 0);
+}
+
 TEST(ImportCommand, AnImportedCineIsReconstructedOnceSomebodySaysHowTheProbeMoved) {
   const TemporaryFolder folder;
   CineOf of;

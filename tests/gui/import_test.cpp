@@ -282,6 +282,51 @@ class ImportTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"))->isEnabled(),
                              static_cast<int>(ew::test::kPatience_ms));
   }
+
+  void whatTheDeviceSetSaysStandsInTheDialogUntilAPersonSaysOtherwise() {
+    const test::TempFolder folder;
+    Sequence sweep;
+    sweep.width = 20;
+    sweep.height = 16;
+    sweep.orientation = "MF";
+    sweep.imageType = "BRIGHTNESS";
+    for (int n = 0; n < 4; ++n) {
+      SequenceFrame frame;
+      glm::dmat4 probeToReference(1.0);
+      probeToReference[3] = glm::dvec4(0.0, 0.0, n, 1.0);
+      frame.transforms.push_back({"Probe", "Reference", probeToReference, PoseStatus::ok});
+      sweep.frames.push_back(frame);
+      sweep.pixels.insert(sweep.pixels.end(), 20 * 16, static_cast<std::uint8_t>(60 * n));
+    }
+    QVERIFY(writeSequence(sweep, folder / "sweep.igs.mha").has_value());
+    DeviceSet device;
+    device.transforms = {{"Image", "Probe", glm::dmat4(1.0), PoseStatus::ok}};
+    device.outputSpacing_mm = glm::dvec3(0.8);
+    device.interpolation = "NEAREST_NEIGHBOR";
+    device.compounding = "MAXIMUM";
+    QVERIFY(writeDeviceSet(device, folder / "device.xml").has_value());
+    QWidget parent;
+    Jobs jobs;
+    MessageBar messages(&parent);
+    ImportDialog dialog(QString::fromStdString((folder / "sweep.igs.mha").string()), jobs, messages, &parent);
+    dialog.show();
+    auto* spacing = dialog.findChild<QDoubleSpinBox*>(QStringLiteral("spacing"));
+    auto* interpolation = dialog.findChild<QComboBox*>(QStringLiteral("interpolation"));
+    auto* compounding = dialog.findChild<QComboBox*>(QStringLiteral("compounding"));
+    auto* calibration = dialog.findChild<QLineEdit*>(QStringLiteral("calibration"));
+    calibration->setText(QString::fromStdString((folder / "device.xml").string()));
+    const auto chosen = [](const QComboBox* box) { return box->currentData().toInt(); };
+    QTRY_COMPARE_WITH_TIMEOUT(chosen(compounding), static_cast<int>(Compounding::maximum), static_cast<int>(ew::test::kPatience_ms));
+    QCOMPARE(chosen(interpolation), static_cast<int>(Interpolation::nearest));
+    QCOMPARE(spacing->value(), 0.8);
+    compounding->setCurrentIndex(compounding->findData(static_cast<int>(Compounding::latest)));
+    Q_EMIT compounding->activated(compounding->currentIndex());
+    device.outputSpacing_mm = glm::dvec3(0.6);
+    QVERIFY(writeDeviceSet(device, folder / "second.xml").has_value());
+    calibration->setText(QString::fromStdString((folder / "second.xml").string()));
+    QTRY_COMPARE_WITH_TIMEOUT(spacing->value(), 0.6, static_cast<int>(ew::test::kPatience_ms));
+    QCOMPARE(chosen(compounding), static_cast<int>(Compounding::latest));
+  }
 };
 
 }  // namespace

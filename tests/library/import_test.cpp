@@ -162,9 +162,6 @@ TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
     const auto plan = planImport(written(sweep()), options, noProgress());
     ASSERT_TRUE(plan.has_value()) << plan.error();
     EXPECT_EQ(plan->reconstruct.compounding, expected) << word;
-    EXPECT_TRUE(std::any_of(plan->notes.begin(), plan->notes.end(), [word](const std::string& note) {
-      return note.find("Compounding \"" + std::string(word)) != std::string::npos;
-    }));
   }
   options = nearestAt(0.5, deviceSet("Compounding=\"Sometimes\""));
   options.compoundingFromCalibration = true;
@@ -230,6 +227,39 @@ TEST_F(ImportSweep, RefusesASpacingOfTheDeviceSetThatDiffersBetweenAxes) {
   const auto plan = planImport(written(sweep()), options, noProgress());
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, ErrorCode::badField);
+}
+
+TEST_F(ImportSweep, TakesTheSpacingAskedForWhenTheDeviceSetNamesNone) {
+  SweepImportOptions options = nearestAt(0.75, deviceSet(""));
+  options.spacingFromCalibration = true;
+  const auto plan = planImport(written(sweep()), options, noProgress());
+  ASSERT_TRUE(plan.has_value()) << plan.error();
+  EXPECT_EQ(plan->reconstruct.spacing_mm, 0.75);
+  EXPECT_TRUE(std::any_of(plan->notes.begin(), plan->notes.end(),
+                          [](const std::string& note) { return note.find("0.75 mm") != std::string::npos; }));
+}
+
+TEST_F(ImportSweep, RefusesASpacingThatMakesOneVoxelOfTheRecording) {
+  const auto plan = planImport(written(sweep()), nearestAt(1000.0, deviceSet("")), noProgress());
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().code, ErrorCode::badField);
+  EXPECT_NE(plan.error().sentence.find("finer spacing"), std::string::npos) << plan.error();
+}
+
+TEST_F(ImportSweep, NamesNoFigureThatNobodyCanAllow) {
+  const auto refused = importSweep(written(sweep()), nearestAt(1e-4, deviceSet("")), noProgress());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::tooLarge);
+  EXPECT_EQ(refused.error().sentence.find("17179869184"), std::string::npos) << refused.error();
+}
+
+TEST_F(ImportSweep, AsksForTheCalibrationBeforeItReadsThePixels) {
+  const fs::path file = written(sweep());
+  fs::resize_file(file, fs::file_size(file) - 8);  // reading the pixels would fail
+  ASSERT_EQ(planImport(file, nearestAt(0.5, deviceSet("")), noProgress()).error().code, ErrorCode::truncated);
+  const auto uncalibrated = planImport(file, nearestAt(0.5, {}), noProgress());
+  ASSERT_FALSE(uncalibrated.has_value());
+  EXPECT_EQ(uncalibrated.error().code, ErrorCode::missingCalibration);
 }
 
 TEST_F(ImportSweep, TurnsImagesRecordedMirroredAndUpsideDown) {

@@ -129,12 +129,15 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
   grid.origin_mm = extent.origin_mm;
   // Above 2^40 voxels the byte count below might not fit its type.
   const double voxels = extent.samples.x * extent.samples.y * extent.samples.z;
-  const bool countable = voxels <= std::ldexp(1.0, 40);
-  const std::uint64_t bytes = countable ? forecastBytes(grid, options) : std::numeric_limits<std::uint64_t>::max();
-  if (!countable || bytes > options.maxBytes)
+  if (voxels > std::ldexp(1.0, 40))
     return failure(ErrorCode::tooLarge,
-                   "The volume would have " + sizeOf(extent) + " voxels and need " + (countable ? gibibytes(bytes) : "more than 2048 GiB") +
-                       " of memory, more than the " + gibibytes(options.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
+                   "The volume would have " + sizeOf(extent) + " voxels and need more than 2048 GiB of memory; use a coarser spacing.",
+                   {{"dims", sizeOf(extent)}});
+  const std::uint64_t bytes = forecastBytes(grid, options);
+  if (bytes > options.maxBytes)
+    return failure(ErrorCode::tooLarge,
+                   "The volume would have " + sizeOf(extent) + " voxels and need " + gibibytes(bytes) + " of memory, more than the " +
+                       gibibytes(options.maxBytes) + " that a volume may take; use a coarser spacing.",
                    {{"dims", sizeOf(extent)}, {"bytes", std::to_string(bytes)}, {"maxBytes", std::to_string(options.maxBytes)}});
   return grid;
 }

@@ -3,7 +3,6 @@
 #include "ew/library/file_import.h"
 
 namespace ew::cli {
-namespace {
 
 std::string optionFor(const std::string& asked) {
   if (asked == "region") return "--region N";
@@ -20,8 +19,6 @@ std::string optionFor(const std::string& asked) {
   if (asked == "motor") return "--motor MOTOR.json, see resources/docs/acquisition.md";
   return {};
 }
-
-}  // namespace
 
 tl::unexpected<Error> withOption(Error error) {
   const std::string option = optionFor(askedFor(error));

@@ -91,6 +91,33 @@ json toJson(const Removed& removed) {
           {"cut_to", kept}};
 }
 
+/// The error with everything else that this file asks for, found by answering what it asks: nobody wants to be asked one thing at a time.
+tl::unexpected<Error> withAllQuestions(Error error, const std::string& file, ImportAnswers answers, Run& run) {
+  const std::string first = askedFor(error);
+  std::string further;
+  for (std::string asked = first; !asked.empty();) {
+    if (asked == "region") {
+      answers.region = 1;
+    } else if (asked == "pixel-mm") {
+      answers.pixel_mm = glm::dvec2(1.0);
+    } else if (asked == "colour") {
+      answers.colour = ColourRule::keepGrey;
+    } else if (asked == "blank") {
+      answers.keepText = true;
+    } else {
+      break;
+    }
+    const auto next = importFile(file, answers, run.progress);
+    const std::string question = next ? std::string() : askedFor(next.error());
+    if (question == asked) break;
+    if (!question.empty()) further += (further.empty() ? " It also asks for " : "; ") + optionFor(question);
+    asked = question;
+  }
+  auto told = withOption(std::move(error));
+  if (!further.empty()) told.value().sentence += further + ".";
+  return told;
+}
+
 Result<int> import(const ImportArguments& arguments, Run& run) {
   const auto answers = answersOf(arguments);
   if (!answers) return passOn(answers.error());
@@ -103,7 +130,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     const StepClock clock(run.report, "read");
     return importFile(arguments.file, *answers, reading);
   }();
-  if (!read) return withOption(read.error());
+  if (!read) return withAllQuestions(read.error(), arguments.file, *answers, run);
   for (const std::string& note : read->notes) run.remark(note);
   for (const std::string& sentence : sentencesOf(read->removed)) run.remark(sentence);
   run.report.details["kind"] = nameOf(read->kind);

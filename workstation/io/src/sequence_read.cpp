@@ -182,7 +182,8 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress&
   return {};
 }
 
-Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, const ReadLimits& limits,
+                                     const SequenceCheck& beforePixels) {
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   const std::string name = lowerCase(file.filename().string());
@@ -210,19 +211,22 @@ Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, c
   Sequence sequence;
   sequence.width = static_cast<int>(layout->width);
   sequence.height = static_cast<int>(layout->height);
-  sequence.notes = header->notes;
-  if (!asSequence) sequence.notes.push_back("The file does not say that it is a recording; each slice was taken for a frame.");
-  if (*pixels > 0) {
-    auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = "Reading frames"}, limits, progress, sequence.notes);
-    if (!grey) return passOn(grey.error());
-    sequence.pixels = *std::move(grey);
-  } else {
-    sequence.notes.push_back("The recording has poses but no images.");
-  }
   SequenceFrame untold;
   untold.imageStatus = PoseStatus::missing;
   sequence.frames.resize(static_cast<std::size_t>(layout->frames), untold);
   if (const auto taken = takeFields(*header, sequence, progress); !taken) return passOn(taken.error());
+  if (beforePixels)
+    if (const auto checked = beforePixels(sequence); !checked) return passOn(checked.error());
+  std::vector<std::string> notes = header->notes;
+  if (!asSequence) notes.push_back("The file does not say that it is a recording; each slice was taken for a frame.");
+  if (*pixels > 0) {
+    auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = "Reading frames"}, limits, progress, notes);
+    if (!grey) return passOn(grey.error());
+    sequence.pixels = *std::move(grey);
+  } else {
+    notes.push_back("The recording has poses but no images.");
+  }
+  sequence.notes.insert(sequence.notes.begin(), notes.begin(), notes.end());
   progress.report("Reading frames", 1.0);
   return sequence;
 }
@@ -242,9 +246,9 @@ Result<bool> isSequence(const fs::path& file) {
   return describesSequence(*header);
 }
 
-Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReadLimits& limits, const SequenceCheck& beforePixels) {
   try {
-    return readSequenceOrThrow(file, progress, limits);
+    return readSequenceOrThrow(file, progress, limits, beforePixels);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
                    "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",

@@ -83,8 +83,12 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
     case FileKind::volume:
       return fromVolume(file, answers, progress, limits);
     case FileKind::sweep:
-      return ask(ErrorCode::unsupported, "reconstruct",
-                 "'" + file.filename().string() + "' is a recorded sweep, not a volume; reconstruct it.", file);
+      return ask(
+          ErrorCode::unsupported, "reconstruct",
+          "'" + file.filename().string() +
+              "' is a recording already, so there is nothing to import; with the poses of a tracker, or a file that says how a motor "
+              "moved the probe, a volume can be made of it.",
+          file);
     case FileKind::dicomPictures:
       return fromCine(readDicomCine(file,
                                     {.region = answers.region,

@@ -23,7 +23,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
 Result<void> checkImages(const Sequence& sequence) {
-  if (sequence.width < 1 || sequence.height < 1 || sequence.pixels.empty())
+  if (sequence.width < 1 || sequence.height < 1)
     return failure(ErrorCode::unsupported,
                    "The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.");
   if (sequence.imageType.starts_with("RF"))
@@ -110,17 +110,16 @@ Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
   return stated;
 }
 
-Result<double> spacingOf(const DeviceSet& device) {
-  if (!device.outputSpacing_mm)
-    return failure(ErrorCode::badField, "The device set says no OutputSpacing; give the voxel spacing in mm.",
-                   {{"field", "OutputSpacing"}});
+Result<void> takeSpacing(const DeviceSet& device, ReconstructOptions& options) {
+  if (!device.outputSpacing_mm) return {};
   const glm::dvec3 spacing_mm = *device.outputSpacing_mm;
   if (spacing_mm.x != spacing_mm.y || spacing_mm.x != spacing_mm.z)
     return failure(ErrorCode::badField,
                    "The OutputSpacing of the device set differs between axes (" + textOf(spacing_mm.x) + ", " + textOf(spacing_mm.y) +
-                       ", " + textOf(spacing_mm.z) + " mm); give one voxel spacing in mm.",
+                       ", " + textOf(spacing_mm.z) + " mm), but voxels are cubes; choose their size yourself (--spacing).",
                    {{"field", "OutputSpacing"}});
-  return spacing_mm.x;
+  options.spacing_mm = spacing_mm.x;
+  return {};
 }
 
 Result<void> takeInterpolation(const DeviceSet& device, ReconstructOptions& options) {
@@ -168,9 +167,7 @@ Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, c
     if (auto clip = clipOf(*device, "device set", notes)) effective.clip = *clip;
   }
   if (options.spacingFromCalibration) {
-    const auto spacing_mm = spacingOf(*device);
-    if (!spacing_mm) return passOn(spacing_mm.error());
-    effective.spacing_mm = *spacing_mm;
+    if (const auto taken = takeSpacing(*device, effective); !taken) return passOn(taken.error());
   }
   if (options.interpolationFromCalibration) {
     if (const auto taken = takeInterpolation(*device, effective); !taken) return passOn(taken.error());
@@ -291,9 +288,15 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
     device = std::move(*read);
   }
   const DeviceSet* const calibration = device ? &*device : nullptr;
-  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes});
+  // Before minutes of reading: what the header says tells already whether images and a way into the world are there.
+  const auto usable = [&](const Sequence& described) -> Result<void> {
+    if (const auto checked = checkImages(described); !checked) return passOn(checked.error());
+    if (holdsScanLines(described)) return {};
+    const auto poses = acquiredPoses(described, calibration, options);
+    return poses ? Result<void>() : passOn(poses.error());
+  };
+  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes}, usable);
   if (!sequence) return passOn(sequence.error());
-  if (const auto checked = checkImages(*sequence); !checked) return passOn(checked.error());
   std::optional<Clip> sector;
   std::vector<std::string> notes, sectorNotes;
   if (holdsScanLines(*sequence)) {
@@ -336,6 +339,11 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
   const auto grid = gridFor(posedFrames(opened), unlimited);
   if (!grid) return passOn(grid.error());
+  if (grid->voxelCount() == 1)
+    return failure(ErrorCode::badField,
+                   "With voxels of " + textOf(plan.reconstruct.spacing_mm) +
+                       " mm the whole recording would be one voxel; use a finer spacing, or check the calibration for a wrong scale.",
+                   {{"field", "spacing"}});
   plan.grid = *grid;
   plan.frameBytes = opened.sequence.pixels.size();
   plan.confidence = options.confidence;
@@ -358,7 +366,7 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
     return failure(ErrorCode::tooLarge,
                    "The volume would have " + std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z) +
                        " voxels and need " + mebibytes(opened.plan.bytes) + " of memory with the frames, more than the " +
-                       mebibytes(opened.plan.reconstruct.maxBytes) + " allowed; use a coarser spacing or allow more memory.",
+                       mebibytes(opened.plan.reconstruct.maxBytes) + " that a volume may take; use a coarser spacing.",
                    {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
   const bool weighing = opened.plan.reconstruct.compounding == Compounding::weighted;
   PartOfProgress before(progress, 0.0, weighing ? 0.4 : 0.0), making(progress, weighing ? 0.4 : 0.0, 1.0);

@@ -19,6 +19,7 @@
 #include <initializer_list>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "ew/acquisition/fill_holes.h"
 #include "ew/core/numbers.h"
@@ -34,9 +35,8 @@ namespace ew::ui {
 /// What reading the sweep with the present calibration and frame has shown.
 struct ImportDialog::Seen {
   std::optional<ImportPlan> plan;
-  std::vector<std::string> frames;   ///< that can be reached from the image
-  std::optional<double> spacing_mm;  ///< that the device set asks for
-  GreyImage picture;                 ///< the first frame, turned as clips count it
+  std::vector<std::string> frames;  ///< that can be reached from the image
+  GreyImage picture;                ///< the first frame, turned as clips count it
 };
 
 namespace {
@@ -258,9 +258,11 @@ void ImportDialog::addMethodRows(QFormLayout& form) {
   spacing_ = numberBox("spacing", 0.05, 10.0, 0.1, 2, tr(" mm"));
   spacing_->setValue(ReconstructOptions{}.spacing_mm);
   interpolation_ = narrowChoice();
+  interpolation_->setObjectName(QStringLiteral("interpolation"));
   interpolation_->addItem(tr("linear: smoother, slower"), static_cast<int>(Interpolation::linear));
   interpolation_->addItem(tr("nearest: faster"), static_cast<int>(Interpolation::nearest));
   compounding_ = narrowChoice();
+  compounding_->setObjectName(QStringLiteral("compounding"));
   compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
   compounding_->addItem(tr("weighted by confidence: shadows count less"), static_cast<int>(Compounding::weighted));
   compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
@@ -291,12 +293,15 @@ void ImportDialog::addMethodRows(QFormLayout& form) {
   form.addRow(tr("Fill holes up to"), fill_);
   form.addRow(tr("Origin"), keepSource_);
   for (QLineEdit* line : {clip_, fan_}) connect(line, &QLineEdit::textChanged, this, [this] { soon_.start(); });
-  connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this] {
-    spacingChosen_ = true;
+  // What a person chooses the device set does not change any more; where it was what could not be used, it is read again.
+  const auto choose = [this](bool& chosen) {
+    const bool first = !std::exchange(chosen, true);
+    if (first && !seen_->plan) return soon_.start();
     showPlan();
-  });
-  connect(interpolation_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
-  connect(compounding_, qOverload<int>(&QComboBox::activated), this, &ImportDialog::showPlan);
+  };
+  connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this, choose] { choose(spacingChosen_); });
+  connect(interpolation_, qOverload<int>(&QComboBox::activated), this, [this, choose] { choose(interpolationChosen_); });
+  connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this, choose] { choose(compoundingChosen_); });
   connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
   connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
 }
@@ -373,7 +378,12 @@ Result<SweepImportOptions> ImportDialog::options() const {
 void ImportDialog::readAgain() {
   if (reading_ != 0) jobs_.cancel(reading_);
   reading_ = 0;
-  const auto asked = options();
+  auto asked = options();
+  if (asked) {
+    asked->spacingFromCalibration = !spacingChosen_;
+    asked->interpolationFromCalibration = !interpolationChosen_;
+    asked->compoundingFromCalibration = !compoundingChosen_;
+  }
   if (!asked) {
     seen_ = std::make_shared<Seen>();
     refuse(words(asked.error().sentence));
@@ -394,8 +404,6 @@ void ImportDialog::readAgain() {
           auto device = readDeviceSets(chosen.calibrations);
           if (!device) return passOn(device.error());
           calibration = std::move(device->transforms);
-          const auto spacing_mm = device->outputSpacing_mm;
-          if (spacing_mm && spacing_mm->x == spacing_mm->y && spacing_mm->x == spacing_mm->z) found->spacing_mm = spacing_mm->x;
         }
         auto opened = openSweep(sweep, chosen, progress);
         if (!opened) return passOn(opened.error());
@@ -431,9 +439,12 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
     return;
   }
   seen_ = found;
-  if (found->spacing_mm && !spacingChosen_) {
+  {
+    const ReconstructOptions& planned = found->plan->reconstruct;
     const QSignalBlocker quiet(spacing_);
-    spacing_->setValue(*found->spacing_mm);
+    spacing_->setValue(planned.spacing_mm);
+    interpolation_->setCurrentIndex(interpolation_->findData(static_cast<int>(planned.interpolation)));
+    compounding_->setCurrentIndex(compounding_->findData(static_cast<int>(planned.compounding)));
   }
   offerFrames(found->frames, tr("as the sweep suggests (%1)").arg(words(found->plan->toFrame)));
   picture_->setPicture(found->picture, {});

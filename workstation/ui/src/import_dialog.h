@@ -66,7 +66,9 @@ class ImportDialog final : public FormDialog {
   QDoubleSpinBox* axisBehindFace_ = nullptr;
   QComboBox* frame_ = nullptr;
   QDoubleSpinBox* spacing_ = nullptr;
-  bool spacingChosen_ = false;  ///< by a person: the device set does not change it any more
+  bool spacingChosen_ = false;  ///< by a person: the device set does not change it any more; the two below likewise
+  bool interpolationChosen_ = false;
+  bool compoundingChosen_ = false;
   QComboBox* interpolation_ = nullptr;
   QComboBox* compounding_ = nullptr;
   QDoubleSpinBox* fill_ = nullptr;

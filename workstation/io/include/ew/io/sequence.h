@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -55,10 +56,14 @@ struct Sequence {
 /// @error as readSequence
 [[nodiscard]] Result<bool> isSequence(const std::filesystem::path& file);
 
-/// Reads .igs.mha, .seq.mha, .mha, .mhd + raw, .igs.nrrd, .seq.nrrd, .nrrd.
-/// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported, cancelled
+/// Whether a sequence whose pixels are not read yet is worth reading.
+using SequenceCheck = std::function<Result<void>(const Sequence&)>;
+
+/// Reads .igs.mha, .seq.mha, .mha, .mhd + raw, .igs.nrrd, .seq.nrrd, .nrrd. `beforePixels`, when given, sees what the header says and may
+/// refuse before the pixels are read.
+/// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported, cancelled; those of `beforePixels`
 [[nodiscard]] Result<Sequence> readSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                            const ReadLimits& limits = {});
+                                            const ReadLimits& limits = {}, const SequenceCheck& beforePixels = {});
 
 /// Writes .igs.mha (compressed), complete or not at all.
 [[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const std::filesystem::path& file, Progress& progress = noProgress());
