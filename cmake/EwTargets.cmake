@@ -131,6 +131,7 @@ function(ew_add_gui_test name)
   # QtTest ends a function after five minutes unless it is told otherwise.
   # Graphics drivers and input methods are unloaded before leaks are looked for, so theirs cannot be told apart by name.
   string(REPLACE "ASAN_OPTIONS=" "ASAN_OPTIONS=detect_leaks=0:" environment "${EW_TEST_ENVIRONMENT}")
-  set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${timeout_s} RESOURCE_LOCK display
+  # One at a time, for there is one display; begun first, so that the other cores have the rest to do meanwhile.
+  set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${timeout_s} RESOURCE_LOCK display COST 1000
     ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp;QTEST_FUNCTION_TIMEOUT=${timeout_s}000;${environment}")
 endfunction()

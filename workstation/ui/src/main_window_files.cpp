@@ -30,6 +30,12 @@ namespace {
 constexpr int kRecentFiles = 6;
 constexpr int kKeepAfter_ms = 400;  // a crash takes no more than this; typing writes no file a letter
 
+// Topics of messages: of two about saving the same thing only the later one is true.
+const QString kSavingCase = QStringLiteral("save case");
+const QString kSavingVolume = QStringLiteral("save volume");
+const QString kSavingPicture = QStringLiteral("save picture");
+const QString kKeeping = QStringLiteral("keep edits");
+
 /// A case that another program or window has saved meanwhile.
 enum class Keep { nothing, elsewhere, theirs, ours };
 
@@ -215,7 +221,8 @@ void MainWindow::keepEdits() {
   Parts& p = *parts_;
   if (!p.document.hasUnsavedChanges()) return p.keptEdits.forget();
   const auto kept = p.keptEdits.keep(*p.document.current(), p.document.asRead().value_or(Fingerprint{}));
-  if (!kept) p.messages->showError(kept.error());
+  if (kept) return p.messages->forget(kKeeping);
+  p.messages->showError(kept.error(), kKeeping);
 }
 
 void MainWindow::offerKeptEdits() { offerKeptEditsOf({}); }
@@ -282,7 +289,8 @@ void MainWindow::save(bool elsewhere) {
 
 bool MainWindow::saveCase(bool elsewhere) {
   const auto saved = elsewhere ? saveCaseCopy({}) : saveCaseInPlace();
-  if (!saved && saved.error().code != ErrorCode::cancelled) parts_->messages->showError(saved.error());
+  if (saved && !elsewhere) parts_->messages->forget(kSavingCase);
+  if (!saved && saved.error().code != ErrorCode::cancelled) parts_->messages->showError(saved.error(), kSavingCase);
   return saved.has_value();
 }
 
@@ -335,7 +343,7 @@ Result<void> MainWindow::saveCaseCopy(const QString& why) {
   const std::filesystem::path folder = dialog.folder();
   if (auto saved = document.save(folder); !saved) return saved;
   remember(wordsOf(folder));
-  parts_->messages->showNote(tr("Saved in %1.").arg(wordsOf(folder)));
+  parts_->messages->showNote(tr("Saved in %1.").arg(wordsOf(folder)), kSavingCase);
   return {};
 }
 
@@ -439,11 +447,12 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
           auto& unsaved = parts_->made;
           unsaved.erase(std::remove_if(unsaved.begin(), unsaved.end(), [&](const MadeVolume& each) { return each.volume == volume; }),
                         unsaved.end());
-          parts_->messages->showNote(covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside)
-                                             : tr("Saved to %1.").arg(file));
+          parts_->messages->showNote(
+              covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside) : tr("Saved to %1.").arg(file),
+              kSavingVolume);
           showTitle();
         } else if (outcome.error().code != ErrorCode::cancelled) {
-          parts_->messages->showError(outcome.error());
+          parts_->messages->showError(outcome.error(), kSavingVolume);
         }
       },
       Jobs::Kind::saving);
@@ -466,9 +475,9 @@ void MainWindow::savePicture() {
                       outputs.staged(pathOf(file)));
   });
   if (written) {
-    parts_->messages->showNote(tr("Saved to %1.").arg(file));
+    parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);
   } else {
-    parts_->messages->showError(written.error());
+    parts_->messages->showError(written.error(), kSavingPicture);
   }
 }
 
