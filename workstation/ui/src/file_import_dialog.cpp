@@ -432,7 +432,10 @@ void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
   import_->setEnabled(false);
   jobs_.start(
       tr("Writing %1").arg(QFileInfo(target).fileName()),
-      [made, target](Progress& progress) { return writeSequence(made->pictures->sequence, pathOf(target), progress); },
+      [made, file = pathOf(target)](Progress& progress) {
+        return saveTogether(
+            {file}, [&](const OutputSet& outputs) { return writeSequence(made->pictures->sequence, outputs.staged(file), progress); });
+      },
       [here = QPointer<FileImportDialog>(this), messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
         if (FileImportDialog* const dialog = here.data(); dialog != nullptr) {
           dialog->import_->setEnabled(true);
