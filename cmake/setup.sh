@@ -60,7 +60,7 @@ ew_build() {
   shift
   local targets=()
   [ $# -eq 0 ] || targets=(--target "$@")
-  export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
+  export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
   if [ ! -f "build/$preset/build.ninja" ]; then
     local log
     log=$(mktemp)

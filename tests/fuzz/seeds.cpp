@@ -1,16 +1,11 @@
 // Writes a small starting corpus, one folder per reader, from the writers that the tests use.
-#include <gdcmDataElement.h>
-#include <gdcmJPEG2000Codec.h>
-#include <gdcmJPEGCodec.h>
-#include <gdcmJPEGLSCodec.h>
-#include <gdcmSequenceOfFragments.h>
-
 #include <iostream>
 
 #include "dicom_files.h"
 #include "ew/io/image_file.h"
 #include "ew/io/sequence.h"
 #include "kretz_files.h"
+#include "packed_pictures.h"
 
 namespace {
 using namespace ew::test;
@@ -19,24 +14,6 @@ namespace fs = std::filesystem;
 void put(const fs::path& folder, const std::string& name, const std::string& bytes) {
   fs::create_directories(folder);
   std::ofstream(folder / name, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
-template <class Codec>
-std::string packed(const std::string& picture, unsigned columns, unsigned rows, int samples) {
-  Codec codec;
-  const std::array<unsigned, 3> dims{columns, rows, 1};
-  codec.SetNumberOfDimensions(2);
-  codec.SetDimensions(dims.data());
-  codec.SetPlanarConfiguration(0);
-  codec.SetPhotometricInterpretation(
-      gdcm::PhotometricInterpretation(samples == 3 ? gdcm::PhotometricInterpretation::RGB : gdcm::PhotometricInterpretation::MONOCHROME2));
-  codec.SetPixelFormat(gdcm::PixelFormat(static_cast<unsigned short>(samples), 8, 8, 7, 0));
-  gdcm::DataElement in(gdcm::Tag(0x7fe0, 0x0010)), out;
-  in.SetByteValue(picture.data(), gdcm::VL(static_cast<std::uint32_t>(picture.size())));
-  if (!codec.Code(in, out)) return {};
-  const gdcm::SequenceOfFragments* const all = out.GetSequenceOfFragments();
-  const gdcm::ByteValue* const bytes = all != nullptr ? all->GetFragment(0).GetByteValue() : out.GetByteValue();
-  return bytes == nullptr ? std::string() : std::string(bytes->GetPointer(), bytes->GetLength());
 }
 
 void dicom(const fs::path& folder) {
@@ -71,13 +48,13 @@ void dicom(const fs::path& folder) {
     const std::string picture = ramp(256u * static_cast<std::size_t>(samples));
     const std::string s = std::to_string(samples);
     cine.syntax = kJpegLossless;
-    cine.packed = {packed<gdcm::JPEGCodec>(picture, 16, 16, samples)};
+    cine.packed = {packedBy<gdcm::JPEGCodec>(picture, 16, 16, samples, 8)};
     put(folder, "jpeg-" + s, cineFile(cine));
     cine.syntax = kJpegLs;
-    cine.packed = {packed<gdcm::JPEGLSCodec>(picture, 16, 16, samples)};
+    cine.packed = {packedBy<gdcm::JPEGLSCodec>(picture, 16, 16, samples, 8)};
     put(folder, "jpegls-" + s, cineFile(cine));
     cine.syntax = kJpeg2000;
-    cine.packed = {packed<gdcm::JPEG2000Codec>(picture, 16, 16, samples)};
+    cine.packed = {packedBy<gdcm::JPEG2000Codec>(picture, 16, 16, samples, 8)};
     put(folder, "j2k-" + s, cineFile(cine));
   }
   cine = {};
@@ -186,7 +163,7 @@ void others(const fs::path& folder) {
   put(folder / "raw", "u8", "4x3x2:u8:0.5\n" + ramp(24));
   put(folder / "raw", "i16", "4x3x2:i16be:0.5,0.5,1.2:3\n" + ramp(60));
   put(folder / "raw", "f64", "1x1x2:f64:1e-3:0\n" + ramp(16));
-  put(folder / "picture", "jpeg", packed<gdcm::JPEGCodec>(ramp(256), 16, 16, 1));
+  put(folder / "picture", "jpeg", packedBy<gdcm::JPEGCodec>(ramp(256), 16, 16, 1, 8));
   put(folder / "picture", "pgm", "P5\n# note\n4 3\n255\n" + ramp(12));
   const ew::GreyImage picture(8, 8, 77);
   static_cast<void>(ew::writeImage(viewOf(picture), 1.0, folder / "picture" / "a.png"));

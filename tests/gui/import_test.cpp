@@ -12,6 +12,7 @@
 #include <array>
 #include <cstring>
 
+#include "even_sweep.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
 #include "file_import_dialog.h"
@@ -255,19 +256,7 @@ class ImportTest : public QObject {
 
   void theFramesThatCanBeReachedAreOfferedWhenTheSuggestedOneCannot() {
     const test::TempFolder folder;
-    Sequence sweep;
-    sweep.width = 20;
-    sweep.height = 16;
-    sweep.orientation = "MF";
-    sweep.imageType = "BRIGHTNESS";
-    for (int n = 0; n < 4; ++n) {
-      SequenceFrame frame;
-      glm::dmat4 imageToBed(1.0);
-      imageToBed[3] = glm::dvec4(0.0, 0.0, n, 1.0);
-      frame.transforms.push_back({"Image", "Bed", imageToBed, PoseStatus::ok});
-      sweep.frames.push_back(frame);
-      sweep.pixels.insert(sweep.pixels.end(), 20 * 16, std::uint8_t{90});
-    }
+    const Sequence sweep = test::evenSweep({.from = "Image", .to = "Bed"}, [](int, int) { return 90; });
     const auto file = folder / "bed.igs.mha";
     QVERIFY(writeSequence(sweep, file).has_value());
     QWidget parent;
@@ -285,19 +274,7 @@ class ImportTest : public QObject {
 
   void whatTheDeviceSetSaysStandsInTheDialogUntilAPersonSaysOtherwise() {
     const test::TempFolder folder;
-    Sequence sweep;
-    sweep.width = 20;
-    sweep.height = 16;
-    sweep.orientation = "MF";
-    sweep.imageType = "BRIGHTNESS";
-    for (int n = 0; n < 4; ++n) {
-      SequenceFrame frame;
-      glm::dmat4 probeToReference(1.0);
-      probeToReference[3] = glm::dvec4(0.0, 0.0, n, 1.0);
-      frame.transforms.push_back({"Probe", "Reference", probeToReference, PoseStatus::ok});
-      sweep.frames.push_back(frame);
-      sweep.pixels.insert(sweep.pixels.end(), 20 * 16, static_cast<std::uint8_t>(60 * n));
-    }
+    const Sequence sweep = test::evenSweep({}, [](int n, int) { return 60 * n; });
     QVERIFY(writeSequence(sweep, folder / "sweep.igs.mha").has_value());
     DeviceSet device;
     device.transforms = {{"Image", "Probe", glm::dmat4(1.0), PoseStatus::ok}};

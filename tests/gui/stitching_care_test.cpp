@@ -34,20 +34,7 @@ class StitchingCareTest : public StitchingFixture {
 
   /// A sweep whose frames say where the probe was, and not where the pixels lie on it.
   [[nodiscard]] QString writeUncalibrated(const QString& name) const {
-    Sequence sweep;
-    sweep.width = 40;
-    sweep.height = 30;
-    sweep.orientation = "MF";
-    sweep.imageType = "BRIGHTNESS";
-    for (int n = 0; n < 24; ++n) {
-      SequenceFrame frame;
-      frame.time_s = n * 0.1;
-      glm::dmat4 probeToReference(1.0);
-      probeToReference[3] = glm::dvec4(0.0, 0.0, n, 1.0);
-      frame.transforms.push_back({"Probe", "Reference", probeToReference, PoseStatus::ok});
-      sweep.frames.push_back(frame);
-      for (int p = 0; p < 40 * 30; ++p) sweep.pixels.push_back(static_cast<std::uint8_t>(40 + (p * 7 + n * 13) % 150));
-    }
+    const Sequence sweep = test::evenSweep({40, 30, 24, "Probe", "Reference"}, [](int n, int p) { return 40 + (p * 7 + n * 13) % 150; });
     const QString file = files_.path(name);
     return writeSequence(sweep, file.toStdString()) ? file : QString();
   }

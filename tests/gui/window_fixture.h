@@ -16,6 +16,7 @@
 
 #include "case_document.h"
 #include "console_panel.h"
+#include "even_sweep.h"
 #include "ew/core/volume.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/sequence.h"
@@ -71,20 +72,7 @@ class Files {
 
   /// A sweep of 24 frames of 40 x 30 pixels, 1 mm each, 1 mm apart, with one grey level a frame.
   [[nodiscard]] QString writeSweep(const QString& name) const {
-    Sequence sweep;
-    sweep.width = 40;
-    sweep.height = 30;
-    sweep.orientation = "MF";
-    sweep.imageType = "BRIGHTNESS";
-    for (int n = 0; n < 24; ++n) {
-      SequenceFrame frame;
-      frame.time_s = n * 0.1;
-      glm::dmat4 imageToReference(1.0);
-      imageToReference[3] = glm::dvec4(0.0, 0.0, n, 1.0);
-      frame.transforms.push_back({"Image", "Reference", imageToReference, PoseStatus::ok});
-      sweep.frames.push_back(frame);
-      sweep.pixels.insert(sweep.pixels.end(), 40 * 30, static_cast<std::uint8_t>(40 + 8 * n));
-    }
+    const Sequence sweep = test::evenSweep({40, 30, 24, "Image", "Reference"}, [](int n, int) { return 40 + 8 * n; });
     const QString file = path(name);
     return writeSequence(sweep, file.toStdString()) ? file : QString();
   }

@@ -27,6 +27,16 @@ void takeOutOfCase(const fs::path& caseFolder, const std::string& name) {
   if (fs::is_empty(caseFolder / "volumes", ignored)) fs::remove(caseFolder / "volumes", ignored);
 }
 
+/// Asks a question whose other answer is to cancel. @return true: with `answer`
+bool isAnswered(QMessageBox& question, QPushButton* answer, const char* name) {
+  answer->setObjectName(QLatin1String(name));
+  auto* cancel = question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(cancel);
+  question.setEscapeButton(cancel);
+  question.exec();
+  return question.clickedButton() == answer;
+}
+
 }  // namespace
 
 void StitchSession::showResult() {
@@ -152,13 +162,7 @@ bool StitchSession::mayReplace(const fs::path& folder, const QStringList& names)
   question.setIcon(QMessageBox::NoIcon);
   question.setText(tr("%1 lies in %2 already and was not saved there by this program. Replace it?", nullptr)
                        .arg(names.join(QStringLiteral(", ")), words(folder.string())));
-  auto* replace = question.addButton(tr("Replace"), QMessageBox::DestructiveRole);
-  replace->setObjectName(QStringLiteral("replaceFiles"));
-  auto* cancel = question.addButton(QMessageBox::Cancel);
-  question.setDefaultButton(cancel);
-  question.setEscapeButton(cancel);
-  question.exec();
-  return question.clickedButton() == replace;
+  return isAnswered(question, question.addButton(tr("Replace"), QMessageBox::DestructiveRole), "replaceFiles");
 }
 
 bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
@@ -170,13 +174,7 @@ bool StitchSession::mayDropTargets(const CaseWithVolume& next) {
       tr("What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.")
           .arg(tr("%n targets", nullptr, static_cast<int>(next.targets)),
                tr("%n measurements", nullptr, static_cast<int>(next.measurements))));
-  auto* replace = question.addButton(tr("Replace the volume"), QMessageBox::AcceptRole);
-  replace->setObjectName(QStringLiteral("dropTargets"));
-  auto* cancel = question.addButton(QMessageBox::Cancel);
-  question.setDefaultButton(cancel);
-  question.setEscapeButton(cancel);
-  question.exec();
-  return question.clickedButton() == replace;
+  return isAnswered(question, question.addButton(tr("Replace the volume"), QMessageBox::AcceptRole), "dropTargets");
 }
 
 }  // namespace ew::stitching

@@ -37,15 +37,15 @@ int writtenSamplesOf(const Probe& probe, const SweepRecipe& recipe) {
   return 1 + std::max(1, static_cast<int>(std::lround(std::min(depth_mm / apart_mm, 1e6))));
 }
 
-std::string textOf(std::initializer_list<double> numbers) {
+std::string listOf(std::initializer_list<double> numbers) {
   std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : " ") + ew::textOf(number);
+  for (const double number : numbers) text += (text.empty() ? "" : " ") + textOf(number);
   return text;
 }
 
-std::string textOf(const glm::dmat4& matrix) {
+std::string listOf(const glm::dmat4& matrix) {
   std::string text;
-  for (const double number : rowsOf(matrix)) text += (text.empty() ? "" : " ") + ew::textOf(number);
+  for (const double number : rowsOf(matrix)) text += (text.empty() ? "" : " ") + textOf(number);
   return text;
 }
 
@@ -53,10 +53,9 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
   const double depth_mm = depthOf(probe, recipe);
   if (!(depth_mm >= probe.minDepth_mm && depth_mm <= probe.maxDepth_mm))
     return failure(ErrorCode::badField,
-                   "The sweep asks for a depth of " + ew::textOf(depth_mm) + " mm, but " + probe.id + " sees from " +
-                       ew::textOf(probe.minDepth_mm) + " to " + ew::textOf(probe.maxDepth_mm) +
-                       " mm; change machine.depth_mm or the probe.",
-                   {{"field", "machine.depth_mm"}, {"found", ew::textOf(depth_mm)}});
+                   "The sweep asks for a depth of " + textOf(depth_mm) + " mm, but " + probe.id + " sees from " +
+                       textOf(probe.minDepth_mm) + " to " + textOf(probe.maxDepth_mm) + " mm; change machine.depth_mm or the probe.",
+                   {{"field", "machine.depth_mm"}, {"found", textOf(depth_mm)}});
   if (recipe.frames < 1 || !(recipe.framesPerSecond > 0.0))
     return failure(ErrorCode::badField, "The sweep has no frames or no frame rate; give at least one frame and a rate above 0.",
                    {{"field", "frames"}});
@@ -92,24 +91,24 @@ void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& t
   add("ProbeName", probe.id);
   if (recipe.kind != SweepKind::freehand) {
     add(fields::kMotorKind, recipe.kind == SweepKind::parallel ? "PARALLEL" : recipe.kind == SweepKind::fan ? "FAN" : "ROTATIONAL");
-    if (recipe.kind == SweepKind::fan) add(fields::kMotorAxisBehindFace, ew::textOf(recipe.axisBehindFace_mm));
-    add(fields::kMotorStart, textOf(trajectory.start().matrix));
+    if (recipe.kind == SweepKind::fan) add(fields::kMotorAxisBehindFace, textOf(recipe.axisBehindFace_mm));
+    add(fields::kMotorStart, listOf(trajectory.start().matrix));
   }
   if (!recipe.scanLines) return;
   if (isSector(probe.kind)) {
     add(fields::kTransducerGeometry, "CURVILINEAR");
-    add(fields::kRadiusStart, ew::textOf(probe.radius_mm));
-    add(fields::kRadiusStop, ew::textOf(probe.radius_mm + picture.depth_mm));
-    add(fields::kThetaStart, ew::textOf(-probe.halfAngle_rad * kRad_deg));
-    add(fields::kThetaStop, ew::textOf(probe.halfAngle_rad * kRad_deg));
+    add(fields::kRadiusStart, textOf(probe.radius_mm));
+    add(fields::kRadiusStop, textOf(probe.radius_mm + picture.depth_mm));
+    add(fields::kThetaStart, textOf(-probe.halfAngle_rad * kRad_deg));
+    add(fields::kThetaStop, textOf(probe.halfAngle_rad * kRad_deg));
   } else {
     add(fields::kTransducerGeometry, "LINEAR");
-    add(fields::kImagingDepth, ew::textOf(picture.depth_mm));
-    add(fields::kTransducerWidth, ew::textOf(probe.width_mm));
+    add(fields::kImagingDepth, textOf(picture.depth_mm));
+    add(fields::kTransducerWidth, textOf(probe.width_mm));
   }
-  add(fields::kOutputSpacing, textOf({picture.pixel_mm, picture.pixel_mm}));
+  add(fields::kOutputSpacing, listOf({picture.pixel_mm, picture.pixel_mm}));
   add(fields::kOutputSize, std::to_string(picture.width) + " " + std::to_string(picture.height));
-  add(fields::kTransducerCentre, textOf({picture.face_px.x, picture.face_px.y}));
+  add(fields::kTransducerCentre, listOf({picture.face_px.x, picture.face_px.y}));
 }
 
 DeviceSet deviceSetOf(const Probe& probe, const DisplayGeometry& picture, const glm::dmat4& writtenImageToProbe) {
@@ -135,13 +134,13 @@ DeviceSet deviceSetOf(const Probe& probe, const DisplayGeometry& picture, const 
 /// The sector in the recording itself, for whoever has no device set beside it.
 void describeClip(const DeviceSet& set, Sequence& sequence) {
   const auto add = [&](std::string_view name, std::string value) { sequence.otherFields.emplace_back(name, std::move(value)); };
-  add(fields::kClipOrigin, textOf({set.clipOrigin_px->x, set.clipOrigin_px->y}));
-  add(fields::kClipSize, textOf({set.clipSize_px->x, set.clipSize_px->y}));
+  add(fields::kClipOrigin, listOf({set.clipOrigin_px->x, set.clipOrigin_px->y}));
+  add(fields::kClipSize, listOf({set.clipSize_px->x, set.clipSize_px->y}));
   if (!set.fanAngles_deg) return;
-  add(fields::kFanAngles, textOf({set.fanAngles_deg->x, set.fanAngles_deg->y}));
-  add(fields::kFanOrigin, textOf({set.fanOrigin_px->x, set.fanOrigin_px->y}));
-  add(fields::kFanRadiusStart, ew::textOf(*set.fanRadiusStart_px));
-  add(fields::kFanRadiusStop, ew::textOf(*set.fanRadiusStop_px));
+  add(fields::kFanAngles, listOf({set.fanAngles_deg->x, set.fanAngles_deg->y}));
+  add(fields::kFanOrigin, listOf({set.fanOrigin_px->x, set.fanOrigin_px->y}));
+  add(fields::kFanRadiusStart, textOf(*set.fanRadiusStart_px));
+  add(fields::kFanRadiusStop, textOf(*set.fanRadiusStop_px));
 }
 
 SequenceFrame frameOf(const Patient& patient, const SweepRecipe& recipe, const Trajectory& trajectory, const Pose& tracked,
@@ -150,7 +149,7 @@ SequenceFrame frameOf(const Patient& patient, const SweepRecipe& recipe, const T
   frame.time_s = tracked.time_s;
   frame.transforms.push_back({"Probe", "Reference", tracked.probeToWorld.matrix, tracked.status});
   frame.transforms.push_back({"Image", "Probe", writtenImageToProbe, PoseStatus::ok});
-  const auto add = [&](std::string_view name, double value) { frame.otherFields.emplace_back(name, ew::textOf(value)); };
+  const auto add = [&](std::string_view name, double value) { frame.otherFields.emplace_back(name, textOf(value)); };
   add("UnfilteredTimestamp", unfilteredTime_s);
   if (recipe.ecg) add(fields::kEcg, ecgAt_mv(patient, tracked.time_s));
   if (recipe.respiration) add(fields::kRespiration, stateAt(patient, tracked.time_s).breath);

@@ -9,6 +9,7 @@
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
 #include "joiner.h"
+#include "seam_measure.h"
 
 namespace ew::stitching {
 namespace {
@@ -17,7 +18,6 @@ constexpr int kLooksPerSide = 4;       // a cell is looked at in so many places 
 constexpr double kFewestLooks = 24.0;  // of 64
 constexpr double kClippedShare = 0.02;
 constexpr double kTrustedShare = 0.5;
-constexpr double kDbPerGrey = 60.0 / 255.0;
 
 /// What a view shows in a cube of the world.
 struct Cell {

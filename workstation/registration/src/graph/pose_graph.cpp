@@ -144,11 +144,11 @@ struct Search {
   Progress& progress;
   std::vector<Rigid> poses = {};
   Fit fit = {};
-  Descent last = {};
+  PoseDescent last = {};
   int iterations = 0;
 
   /// @return false when it was stopped
-  bool take(Descent descent) {
+  bool take(PoseDescent descent) {
     iterations += descent.iterations;
     last = std::move(descent);
     return !last.cancelled;

@@ -44,7 +44,7 @@ void keepCeresQuiet() {
 }
 
 /// From the normal equations at the solution.
-void addCovariances(ceres::Problem& problem, const std::vector<Place>& places, const std::vector<bool>& held, Descent& descent) {
+void addCovariances(ceres::Problem& problem, const std::vector<Place>& places, const std::vector<bool>& held, PoseDescent& descent) {
   const std::size_t n = places.size() - 1;
   ceres::Problem::EvaluateOptions what;
   what.apply_loss_function = true;
@@ -93,7 +93,7 @@ void addCovariances(ceres::Problem& problem, const std::vector<Place>& places, c
 /// Descends from `poses` to where the sum of losses is least.
 /// @param fit  of what is believed, with its own covariance; null: of all joints, with the tolerance of the search
 void descend(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, int iterations, bool wantCovariance, Progress& progress,
-             std::vector<Rigid>& poses, Descent& descent) {
+             std::vector<Rigid>& poses, PoseDescent& descent) {
   const std::size_t n = joints.nodes.size();
   std::vector<Place> places(n + 1);
   for (std::size_t i = 0; i <= n; ++i) places[i] = {.turn = poses[i].turn, .at = poses[i](joints.centre[i]), .centre = joints.centre[i]};
@@ -184,9 +184,9 @@ void descend(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, in
 
 }  // namespace
 
-Descent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress) {
+PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress) {
   keepCeresQuiet();
-  Descent descent;
+  PoseDescent descent;
   GradedLoss loss;
   for (const double m : {16.0, 4.0, 1.0, 0.5}) {
     loss.m = m;
@@ -196,9 +196,9 @@ Descent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& p
   return descent;
 }
 
-Descent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses, Progress& progress) {
+PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses, Progress& progress) {
   keepCeresQuiet();
-  Descent descent;
+  PoseDescent descent;
   ceres::CauchyLoss loss(joints.options.lossScale * std::sqrt(6.0));
   descend(joints, &fit, loss, joints.options.iterations, wantCovariance, progress, poses, descent);
   return descent;

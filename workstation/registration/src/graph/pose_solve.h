@@ -9,7 +9,7 @@
 namespace ew::registration::graph {
 
 /// What a solve came to beside the poses.
-struct Descent {
+struct PoseDescent {
   bool cancelled = false;
   StopReason stop = StopReason::notRun;  ///< of the last solve
   int iterations = 0;                    ///< of all solves
@@ -25,9 +25,10 @@ struct Fit {
 
 /// Descends over all joints with a loss that is made less and less convex (Geman and McClure), so that wrong joints lose their pull.
 /// @param poses one per node, the world's last; the start, then the answer
-[[nodiscard]] Descent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress);
+[[nodiscard]] PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress);
 
 /// Descends over what is believed, weighted by covariances, with a Cauchy loss.
-[[nodiscard]] Descent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses, Progress& progress);
+[[nodiscard]] PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses,
+                                   Progress& progress);
 
 }  // namespace ew::registration::graph

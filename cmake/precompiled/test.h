@@ -1,0 +1,4 @@
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "library.h"

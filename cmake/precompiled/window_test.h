@@ -1,0 +1,3 @@
+#include <QTest>
+
+#include "window.h"
