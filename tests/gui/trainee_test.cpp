@@ -97,16 +97,17 @@ class TraineeTest : public WindowFixture {
   void theCaseStandsBelowTheBodyAndKeepsItsFindingsUntilAsked() {
     auto* info = find<CaseInfo>("caseInfo");
     QVERIFY(info != nullptr && info->isVisible());
+    QVERIFY2(find<QWidget>("caseInfoHead")->height() + 1 == info->headHeight_px(), "the line to fold it is as high as it is meant");
     for (const char* words : {"Test Person", "female", "40 years", "To be looked at.", "two years ago", "Nothing found.", "long axis"}) {
       QVERIFY2(says(QLatin1String(words)), words);
     }
     for (const char* words : {"bright front", "Solitary", "the stone"}) QVERIFY2(!says(QLatin1String(words)), words);
     QTest::mouseClick(find<QPushButton>("showFindings"), Qt::LeftButton);
-    QVERIFY(waitUntil([this] { return says(QStringLiteral("Solitary stone.")); }, 2000));
+    QVERIFY(waitUntil([this] { return says(QStringLiteral("Solitary stone.")); }));
     QVERIFY(says(QStringLiteral("the stone")) && says(QStringLiteral("One stone with a bright front.")));
     // Another case begins without findings, and so does this one when it is opened again.
     QVERIFY(openCase(files_.writeCase(QStringLiteral("other"))));
-    QVERIFY(waitUntil([this] { return says(QStringLiteral("None.")); }, 2000));
+    QVERIFY(waitUntil([this] { return says(QStringLiteral("None.")); }));
     QVERIFY(!says(QStringLiteral("Solitary")) && !says(QStringLiteral("Healthy.")));
   }
 
@@ -115,12 +116,12 @@ class TraineeTest : public WindowFixture {
     QVERIFY(box != nullptr && !box->isChecked());
     box->click();
     QTest::mouseClick(find<QPushButton>("showFindings"), Qt::LeftButton);
-    QVERIFY(waitUntil([this] { return says(QStringLiteral("Solitary stone.")); }, 2000));
+    QVERIFY(waitUntil([this] { return says(QStringLiteral("Solitary stone.")); }));
     QVERIFY(find<QCheckBox>("caseInfoItem")->isChecked());
     auto* info = find<CaseInfo>("caseInfo");
     const int open_px = info->height();
     QTest::mouseClick(find<QPushButton>("caseInfoHead"), Qt::LeftButton);
-    QVERIFY(waitUntil([info, open_px] { return info->height() < open_px / 2; }, 2000));
+    QVERIFY(waitUntil([info, open_px] { return info->height() < open_px / 2; }));
     window_.reset();
     showWindowWithCase(writeTold());
     QVERIFY(!find<CaseInfo>("caseInfo")->isOpen());

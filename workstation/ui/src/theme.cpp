@@ -181,7 +181,7 @@ QPushButton[fold="true"]:hover, QPushButton[fold="true"]:checked { background: t
 QPushButton[fold="true"]:focus { color: @accent; }
 #caseInfo, #caseInfoBody { background: @panel; }
 #caseInfo { border-top: 1px solid @line; }
-#caseInfoHead { padding: 0 12px; font-weight: 600; color: @text; }
+#caseInfoHead { padding: 0 12px; min-height: 36px; font-weight: 600; color: @text; }
 QGroupBox { border: 0; border-top: 1px solid @line; margin-top: 16px; padding-top: 8px; }
 QGroupBox::title { subcontrol-origin: margin; color: @quiet; padding-right: 8px; }
 QCheckBox::indicator, QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid @quiet; background: @ground; }
