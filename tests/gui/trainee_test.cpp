@@ -281,7 +281,8 @@ class TraineeTest : public WindowFixture {
     QVERIFY(window_->scanView().isVisible());
     window_->showStartPage();
     Q_EMIT find<StartPage>("startPage")->caseChosen(QString::fromStdString(window_->document().current()->folder.string()));
-    QVERIFY(window_->scanView().isVisible() && window_->isSettled());
+    QVERIFY(window_->scanView().isVisible());
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));  // the page's pictures may still be loading
     QVERIFY(session().subject()->volume == volume && session().hold() == moved);
   }
 
