@@ -151,5 +151,5 @@ function(ew_add_gui_test name)
   string(REPLACE "ASAN_OPTIONS=" "ASAN_OPTIONS=detect_leaks=0:" environment "${EW_TEST_ENVIRONMENT}")
   # One at a time, for there is one display; begun first, so that the other cores have the rest to do meanwhile.
   set_tests_properties(gui_${name} PROPERTIES LABELS gui TIMEOUT ${timeout_s} RESOURCE_LOCK display COST 1000
-    ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp;QTEST_FUNCTION_TIMEOUT=${timeout_s}000;${environment}")
+    ENVIRONMENT "QT_QPA_PLATFORM=xcb;LP_NUM_THREADS=1;XDG_RUNTIME_DIR=/tmp;ECHOWEAVE_CACHE=${CMAKE_BINARY_DIR}/tests/cache;QTEST_FUNCTION_TIMEOUT=${timeout_s}000;${environment}")
 endfunction()

@@ -353,6 +353,7 @@ class TraineeTest : public WindowFixture {
   }
 
   void aThumbnailIsKeptUntilTheCaseChanges() {
+    const QByteArray cache = qgetenv("ECHOWEAVE_CACHE");
     qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache")).toUtf8());
     const QString folder = files_.writeCase(QStringLiteral("kept"));
     const auto opened = loadCase(folder.toStdString());
@@ -368,7 +369,7 @@ class TraineeTest : public WindowFixture {
     edited.history = "A longer history than before.";
     QVERIFY(saveCase(edited, folder.toStdString()).has_value());
     QVERIFY2(keptThumbnail(edited, picture.size()).isNull(), "the case is not what was painted");
-    qunsetenv("ECHOWEAVE_CACHE");
+    cache.isNull() ? qunsetenv("ECHOWEAVE_CACHE") : qputenv("ECHOWEAVE_CACHE", cache);
   }
 
   void figuresAreWrittenAsTheLanguageDoes() {
