@@ -115,7 +115,7 @@ class EveryCaseTest : public WindowFixture {
   void openAndLook(std::size_t index, const QString& after) {
     const Expected& expected = expected_[index];
     window_->open(folders_[index]);
-    const QString title = QString::fromStdString(expected.opened.title);
+    const QString title = QString::fromStdString(titleForTrainees(expected.opened));
     const QString what = title + QStringLiteral(" after ") + after;
     QVERIFY2(waitUntil(
                  [&] {
