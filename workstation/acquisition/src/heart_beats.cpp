@@ -131,7 +131,8 @@ double spreadBetween(const std::vector<double>& band, const std::vector<std::siz
 
 double shareAtTheRails(const std::vector<double>& values) {
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  const auto rails = std::count_if(values.begin(), values.end(), [&](double v) { return v == *lowest || v == *highest; });
+  const auto rails =
+      std::count_if(values.begin(), values.end(), [low = *lowest, high = *highest](double v) { return v == low || v == high; });
   return static_cast<double>(rails) / static_cast<double>(values.size());
 }
 

@@ -270,7 +270,8 @@ std::optional<glm::dvec3> furthest(const Solid& solid, const glm::dvec3& directi
   const Bounds box = solid.bounds();
   const glm::dvec3 centre = 0.5 * (box.lowest_mm + box.highest_mm);
   const double radius = 0.5 * glm::distance(box.lowest_mm, box.highest_mm);
-  const auto [u, v] = squareTo(direction);
+  const auto square = squareTo(direction);
+  const glm::dvec3 &u = square.first, &v = square.second;
   // How far along the direction a line parallel to it leaves the solid; a line that misses it leaves it nowhere.
   const auto leaves = [&](double a, double b) {
     const glm::dvec3 base = centre + u * a + v * b;
