@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 
 #include "ew/core/output_set.h"
@@ -75,10 +76,11 @@ Result<ResultFiles> ResultFiles::look(const fs::path& folder, const std::vector<
   for (const char* name : kNames) {
     auto seen = seenAt(folder / name, known, progress);
     if (!seen) return passOn(seen.error());
-    seen->isOwn = (name == kProvenance && isProvenanceOwn) || std::any_of(known.begin(), known.end(), [&](const ResultFile& file) {
-                    if (file.name != name || seen->content.empty() || file.bytes != seen->bytes) return false;
-                    return file.content == seen->content || (file.changed_ns != 0 && file.changed_ns == seen->changed_ns);
-                  });
+    seen->isOwn =
+        (std::string_view(name) == kProvenance && isProvenanceOwn) || std::any_of(known.begin(), known.end(), [&](const ResultFile& file) {
+          if (file.name != name || seen->content.empty() || file.bytes != seen->bytes) return false;
+          return file.content == seen->content || (file.changed_ns != 0 && file.changed_ns == seen->changed_ns);
+        });
     found.seen_[name] = std::move(*seen);
   }
   return found;
