@@ -216,7 +216,6 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
   // What this run did not measure stays on the page.
   std::ostringstream before;
   if (std::ifstream old(folder / kPage, std::ios::binary); old) before << old.rdbuf();
-  if (auto announced = run.output(folder / kPage); !announced) return announced;
   if (auto written = writeFileSafely(run.outputs.staged(folder / kPage),
                                      benchPage("EchoWeave: accuracy and time", introduction, sections, before.str()));
       !written)
@@ -228,8 +227,11 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
 enum class Bench { slicing, frame, reconstruct, registration, stitch, all };
 
 Result<int> bench(Bench what, const BenchArguments& arguments, Run& run) {
-  if (!arguments.html.empty())
+  if (!arguments.html.empty()) {
     if (auto writable = run.outputs.announceFolder(arguments.html); !writable) return passOn(writable.error());
+    // Before the first measurement: a page that comes to lie there meanwhile is somebody else's.
+    if (auto announced = run.output(std::filesystem::path(arguments.html) / kPage); !announced) return passOn(announced.error());
+  }
   if (!arguments.paper.empty())
     if (auto writable = run.outputs.announceFolder(arguments.paper); !writable) return passOn(writable.error());
   std::vector<BenchSection> sections;
