@@ -222,6 +222,45 @@ TEST(OutputSet, FoldersMadeForThemAreGoneWhenNothingCameOfItAndStayWithWhatCame)
   EXPECT_FALSE(outputs.announceFolder(folder / "new" / "deep" / "a.txt"));
 }
 
+TEST(OutputSet, WhatComesToLieInAnAnnouncedFolderIsSomebodyElses) {
+  const Folder folder;
+  folder.write(folder / "old.txt", "old");
+  OutputSet outputs;
+  ASSERT_TRUE(outputs.announceFolder(folder.path()));
+  folder.write(folder / "late.txt", "somebody's");
+  const auto late = outputs.announce(folder / "late.txt");
+  EXPECT_EQ(codeOf(late), ErrorCode::notWritable);
+  EXPECT_NE(late.error().sentence.find("somebody else"), std::string::npos) << late.error();
+  ASSERT_TRUE(outputs.announce(folder / "old.txt"));
+  folder.write(outputs.staged(folder / "old.txt"), "new");
+  ASSERT_TRUE(outputs.commit());
+  EXPECT_EQ(bytesOfFile(folder / "old.txt"), "new");
+  EXPECT_EQ(bytesOfFile(folder / "late.txt"), "somebody's");
+  EXPECT_TRUE(outputs.announce(folder / "late.txt")) << "the next piece of work has seen it";
+}
+
+TEST(OutputSet, WhenWhatBelongsToThemFailsAllIsTakenBack) {
+  const Folder folder;
+  folder.write(folder / "a.txt", "old");
+  const auto commit = [&](bool works) {
+    OutputSet outputs;
+    EXPECT_TRUE(outputs.announce(folder / "a.txt"));
+    EXPECT_TRUE(outputs.announce(folder / (works ? "c.txt" : "b.txt")));
+    folder.write(outputs.staged(folder / "a.txt"), "new");
+    folder.write(outputs.staged(folder / (works ? "c.txt" : "b.txt")), "new");
+    return outputs.commit([&]() -> Result<void> {
+      EXPECT_EQ(bytesOfFile(folder / "a.txt"), "new") << "in place before";
+      if (works) return {};
+      return failure(ErrorCode::notWritable, "No.");
+    });
+  };
+  EXPECT_EQ(codeOf(commit(false)), ErrorCode::notWritable);
+  EXPECT_EQ(folder.names(), Names{"a.txt"});
+  EXPECT_EQ(bytesOfFile(folder / "a.txt"), "old");
+  EXPECT_TRUE(commit(true));
+  EXPECT_EQ(folder.sorted(), (Names{"a.txt", "c.txt"}));
+}
+
 TEST(OutputSet, AWholeFolderTakesThePlaceOfNothingOrOfAnEmptyOne) {
   const Folder folder;
   fs::create_directory(folder / "empty");

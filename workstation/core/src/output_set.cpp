@@ -47,6 +47,12 @@ tl::unexpected<Error> notWritable(const fs::path& file, const std::string& reaso
                  {{"file", file.string()}, {"reason", reason}});
 }
 
+tl::unexpected<Error> isSomebodyElses(const fs::path& file) {
+  return failure(ErrorCode::notWritable,
+                 "\"" + file.string() + "\" was made by somebody else in the meantime and is left as it is; choose another name.",
+                 {{"file", file.string()}});
+}
+
 tl::unexpected<Error> wrongUsage(const fs::path& file, const std::string& what) {
   return failure(ErrorCode::badUsage, "The output '" + file.string() + "' " + what, {{"file", file.string()}});
 }
@@ -120,6 +126,7 @@ void OutputSet::clear() {
   for (auto folder = madeFolders_.rbegin(); folder != madeFolders_.rend(); ++folder) fs::remove(*folder, ignored);  // only an empty one
   asides_.clear();
   madeFolders_.clear();
+  listed_.clear();
   outputs_.clear();
 }
 
@@ -148,6 +155,11 @@ Result<fs::path> OutputSet::asideOf(const fs::path& folder, const fs::path& want
   return notWritable(wanted, "no free name beside it");
 }
 
+bool OutputSet::cameMeanwhile(const fs::path& file) const {
+  return std::any_of(listed_.begin(), listed_.end(),
+                     [&](const Listed& seen) { return sameFile(seen.folder, folderOf(file)) && !seen.names.contains(file.filename()); });
+}
+
 Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& target) {
   for (const auto& input : inputs_)
     if (sameFile(given, input)) return wrongUsage(given, "is also an input; give it another name.");
@@ -158,6 +170,7 @@ Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& targe
   const auto status = fs::status(target, problem);
   if (status.type() == fs::file_type::none) return notWritable(given, problem.message());  // a name too long, a folder nobody may look into
   const bool existed = fs::exists(fs::symlink_status(target, problem));
+  if (late_ == LateFile::refuse && existed && cameMeanwhile(given)) return isSomebodyElses(given);
   if (fs::is_directory(status)) return notWritable(given, "it is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status))  // renaming over a device would replace the device
     return notWritable(given, "it is not a regular file");
@@ -205,8 +218,14 @@ Result<void> OutputSet::announceFolder(const fs::path& folder) {
     if (problem) return notWritable(folder, problem.message());
   }
   if (!fs::is_directory(folder, problem)) return notWritable(folder, "it is not a folder");
+  Listed seen{.folder = folder, .names = {}};
+  for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
+    seen.names.insert(at->path().filename());
+  if (problem) return notWritable(folder, problem.message());
   const auto aside = asideOf(folder, folder);
-  return aside ? Result<void>() : Result<void>(passOn(aside.error()));
+  if (!aside) return passOn(aside.error());
+  listed_.push_back(std::move(seen));
+  return {};
 }
 
 Result<void> OutputSet::announceNewFolder(const fs::path& folder) {
@@ -277,10 +296,7 @@ Result<void> OutputSet::putInPlace(Output& output) {
     number = ::rename(output.staged.c_str(), output.target.c_str()) == 0 ? 0 : errno;
   else
     number = renameToFreeName(output.staged, output.target);
-  if (number == EEXIST)
-    return failure(ErrorCode::notWritable,
-                   "\"" + output.given.string() + "\" was made by somebody else in the meantime and is left as it is; choose another name.",
-                   {{"file", output.given.string()}});
+  if (number == EEXIST) return isSomebodyElses(output.given);
   if (number != 0) return notWritable(output.given, reasonOf(number));
   output.inPlace = true;
   return {};
@@ -306,7 +322,7 @@ bool OutputSet::takeBack() {
   return whole;
 }
 
-Result<void> OutputSet::commit() {
+Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
   std::error_code problem;
   std::vector<Output*> written;
   for (auto& output : outputs_)
@@ -317,7 +333,7 @@ Result<void> OutputSet::commit() {
       fs::permissions(output->staged, before.permissions(), problem);
   }
   const auto all = [&]() -> Result<void> {
-    if (written.size() > 1)  // one alone needs no way back
+    if (written.size() > 1 || last)  // one alone needs no way back
       for (Output* output : written)
         if (output->existedBefore || late_ == LateFile::replace)
           if (auto kept = keepEarlier(*output); !kept) return kept;
@@ -326,7 +342,7 @@ Result<void> OutputSet::commit() {
       if (output->namesSamples && !output->earlier.empty()) fs::remove(output->target, problem);
     for (Output* output : written)
       if (auto put = putInPlace(*output); !put) return put;
-    return {};
+    return last ? last() : Result<void>();
   }();
   if (!all) {
     if (takeBack()) return all;

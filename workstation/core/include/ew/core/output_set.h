@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,11 +47,12 @@ class OutputSet {
 
   /// Announces a file and, of X.mhd, X.raw with it. A symbolic link is followed: what it points to is replaced, the link stays.
   /// @param endings the ones the writer knows, separated by blanks (".mha .mhd"); empty: any
-  /// @error notWritable (no such folder, a folder or a device of that name, no permission: found by trying), badUsage (ending, an input,
-  /// twice the same)
+  /// @error notWritable (no such folder, a folder or a device of that name, no permission: found by trying; somebody else's since
+  /// announceFolder), badUsage (ending, an input, twice the same)
   [[nodiscard]] Result<void> announce(const std::filesystem::path& file, std::string_view endings = {});
 
-  /// Makes a folder for outputs when it is not there, with those above it. When nothing was put into it, it is gone again in the end.
+  /// Makes a folder for outputs when it is not there, with those above it. When nothing was put into it, it is gone again in the end. What
+  /// comes to lie in it from now on is somebody else's: an output announced later under such a name is refused.
   /// @error notWritable
   [[nodiscard]] Result<void> announceFolder(const std::filesystem::path& folder);
 
@@ -69,8 +72,9 @@ class OutputSet {
 
   /// Puts everything written so far in place, on the medium first, all or nothing: when one file cannot be put in place those before it are
   /// taken back. A file that is replaced keeps its permissions. Afterwards the set is empty but for its inputs.
-  /// @error notWritable
-  [[nodiscard]] Result<void> commit();
+  /// @param last what belongs to it and is done by somebody else, when everything is in place; its failure takes everything back
+  /// @error notWritable; of `last`
+  [[nodiscard]] Result<void> commit(const std::function<Result<void>()>& last = {});
 
  private:
   struct Output {
@@ -83,11 +87,16 @@ class OutputSet {
     bool isFolder = false;
     bool inPlace = false;
   };
+  struct Listed {
+    std::filesystem::path folder;
+    std::set<std::filesystem::path> names;  // that were there when it was announced
+  };
   struct Aside {
     std::filesystem::path folder;
     std::filesystem::path path;
   };
   [[nodiscard]] Result<std::filesystem::path> asideOf(const std::filesystem::path& folder, const std::filesystem::path& wanted);
+  [[nodiscard]] bool cameMeanwhile(const std::filesystem::path& file) const;
   [[nodiscard]] Result<void> announceOne(const std::filesystem::path& given, const std::filesystem::path& target);
   [[nodiscard]] Result<void> keepEarlier(Output& output);
   [[nodiscard]] Result<void> putInPlace(Output& output);
@@ -99,6 +108,7 @@ class OutputSet {
   std::vector<std::filesystem::path> inputs_;
   std::vector<Aside> asides_;
   std::vector<std::filesystem::path> madeFolders_;
+  std::vector<Listed> listed_;
 };
 
 /// Removes what killed programs left aside in a folder that belongs to this program alone, such as a cache. What a program that still runs
