@@ -60,11 +60,12 @@ TEST(PluginsCommand, ACommandOfAPluginThatCannotBeLoadedSaysWhy) {
 
 TEST(PluginsCommand, ACommandThatThrowsIsOneSentenceThatNamesThePlugin) {
   for (const auto& [kind, command, why] :
-       {std::tuple{"callbacks", "throw-number", "stopped unexpectedly"}, std::tuple{"callbacks", "throw-memory", "not enough memory"},
+       {std::tuple{"callbacks", "throw-number", "stopped unexpectedly"},
+        std::tuple{"callbacks", "throw-at-the-end", "stopped unexpectedly"}, std::tuple{"callbacks", "throw-memory", "not enough memory"},
         std::tuple{"late", "throw-number", "changed its mind"}, std::tuple{"late_number", "throw-number", "could not start"}}) {
     const TemporaryFolder folder;
     const EnvironmentValue searched("ECHOWEAVE_PLUGINS", folder.path().string());
-    writeManifest(folder, "odd", {{"capabilities", {"command:throw-number", "command:throw-memory"}}});
+    writeManifest(folder, "odd", {{"capabilities", {"command:throw-number", "command:throw-memory", "command:throw-at-the-end"}}});
     std::filesystem::copy_file(std::string(EW_ODD_PLUGIN_DIR "/odd_") + kind + ".so", folder.path() / "odd/odd.so",
                                std::filesystem::copy_options::overwrite_existing);
     const auto outcome = run({command, "--report", folder / "r.json"});

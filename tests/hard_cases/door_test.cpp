@@ -131,7 +131,7 @@ TEST(HardCasesDoor, ExceptionsOfCommandsAreErrorsThatNameThePlugin) {
   plugins.openAll(host);
   ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
   static_cast<void>(host.told());
-  ASSERT_EQ(host.commandsKept().size(), 2u);
+  ASSERT_EQ(host.commandsKept().size(), 3u);
   const auto number = host.commandsKept()[0].run({}, noProgress());
   ASSERT_FALSE(number);
   EXPECT_EQ(number.error().code, ErrorCode::internal);
@@ -140,6 +140,11 @@ TEST(HardCasesDoor, ExceptionsOfCommandsAreErrorsThatNameThePlugin) {
   ASSERT_FALSE(memory);
   EXPECT_EQ(memory.error().code, ErrorCode::tooLarge);
   expectOneSentence({memory.error().sentence}, "not enough memory");
+  const auto atTheEnd = host.commandsKept()[2].run({}, noProgress());
+  ASSERT_TRUE(atTheEnd) << atTheEnd.error();
+  const auto put = atTheEnd->putInPlace();
+  ASSERT_FALSE(put);
+  expectOneSentence({put.error().sentence}, "throw-at-the-end");
   EXPECT_TRUE(host.told().empty()) << "the error says it, nobody else";
 }
 

@@ -58,6 +58,12 @@ class Odd final : public ew::sdk::Plugin {
                         [this](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> { fail(alive_, ""); });
     host.commands().add("throw-memory", "throw-memory",
                         [](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> { throw std::bad_alloc(); });
+    host.commands().add("throw-at-the-end", "throw-at-the-end",
+                        [this](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> {
+                          Commands::Outcome outcome;
+                          outcome.putInPlace = [this]() -> ew::Result<void> { fail(alive_, ""); };
+                          return outcome;
+                        });
     ticket_ = host.cases().onChanged([this] { fail(alive_, ""); });
     host.jobs().startSaving(
         "Odd work", [this](ew::Progress&) -> ew::Result<void> { fail(alive_, ""); },

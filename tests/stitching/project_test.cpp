@@ -355,7 +355,12 @@ class StitchCommand : public testing::Test {
     place[3] = 4.0;
     writeText(folder / "p.json", json{{"volumes", {{{"file", "a.mha"}}, {{"file", "b.mha"}, {"to_world", place}}}}}.dump());
   }
-  Result<sdk::Commands::Outcome> run(const std::vector<std::string>& args) { return runStitchCommand(args, volumes, files, noProgress()); }
+  Result<sdk::Commands::Outcome> run(const std::vector<std::string>& args) {
+    auto outcome = runStitchCommand(args, volumes, files, noProgress());
+    if (outcome && outcome->putInPlace)
+      if (auto put = outcome->putInPlace(); !put) return passOn(put.error());
+    return outcome;
+  }
   std::size_t entriesOf(const std::filesystem::path& where) const {
     std::size_t entries = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(where)) ++entries;
@@ -398,6 +403,18 @@ TEST_F(StitchCommand, LeavesNoHalfResultWhenWritingFails) {
   volumes.writesLeft = 1000;
   ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
   EXPECT_NE(textOf(folder / "out/provenance.json"), before);
+}
+
+TEST_F(StitchCommand, AResultWaitsUntilItIsPutInPlaceAndIsNotMadeAgain) {
+  const std::string out = (folder / "out").string();
+  {
+    const auto outcome = runStitchCommand({(folder / "p.json").string(), "-o", out}, volumes, files, noProgress());
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_EQ(entriesOf(out), 1u) << "the folder of the steps";
+  }
+  volumes.writesLeft = 0;
+  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
+  EXPECT_EQ(entriesOf(out), 5u);
 }
 
 TEST_F(StitchCommand, NeverWritesOverItsInputsNorOverAForeignResult) {

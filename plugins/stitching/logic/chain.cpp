@@ -88,8 +88,9 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     if (!seen) return passOn(seen.error());
     resultFiles = std::move(*seen);
   }
-  auto store = StepStore::open(folder, files);
-  if (!store) return passOn(store.error());
+  auto opened = StepStore::open(folder, files);
+  if (!opened) return passOn(opened.error());
+  const auto store = std::make_shared<StepStore>(std::move(*opened));
   ChainRun run(project, folder, options, volumes, files, *store);
   run.resultFiles = std::move(resultFiles);
   for (std::size_t n = 0; n < kSteps.size() && kSteps[n] <= options.until; ++n) {
@@ -97,12 +98,15 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     PartOfProgress part(progress, kShares[n], kShares[n + 1]);
     const Clock clock;
     if (auto done = kBodies[n](run, part); !done) return passOn(done.error());
+    if (run.result && !options.putInPlaceLater)
+      if (auto put = putInPlace(*run.result, *store); !put) return passOn(put.error());
     StepOutcome& outcome = run.state.steps[n];
     outcome.done = true;
     outcome.seconds = clock.seconds();
     if (!outcome.reused) giveBackFreedMemory();
     if (options.onStep) options.onStep(outcome);
   }
+  if (run.result && options.putInPlaceLater) run.state.putInPlace = [store, result = *run.result] { return putInPlace(result, *store); };
   if (options.until == Step::volume) run.state.pruned_bytes = store->prune(options.keepBytes);
   if (options.keepVolumes) {
     for (std::size_t v = 0; v < run.inputs.size(); ++v) {

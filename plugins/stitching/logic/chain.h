@@ -84,6 +84,7 @@ struct ChainState {
   std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
+  std::function<Result<void>()> putInPlace;                           ///< with ChainOptions::putInPlaceLater: moves the result to these
   std::uint64_t pruned_bytes = 0;                                     ///< of results of earlier runs, taken away (ChainOptions::keepBytes)
   registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
   std::string reason;
@@ -96,6 +97,8 @@ struct ChainOptions {
   bool keepVolumes = true;  ///< false: ChainState::volumes stays empty when nothing had to be made from them
   /// The folder is the program's own: nobody else's files can lie there, so that nothing is asked about what does.
   bool isFolderOwn = false;
+  /// The finished result waits in `folder`/steps for ChainState::putInPlace, so that what belongs to it can come first or not at all.
+  bool putInPlaceLater = false;
   /// Results of more voxels are written block by block, uncompressed; the voxels do not depend on it.
   std::uint64_t streamAbove_voxels = 1ull << 28;
   /// Results of earlier runs that a finished run did not use may take so much of the disk, the last used the longest: an edit that is taken

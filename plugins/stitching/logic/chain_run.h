@@ -32,9 +32,10 @@ struct ChainRun {
   std::vector<Candidate> candidates;  ///< after reconstruct
   Keys keys;                          ///< after reconstruct
   ChainState state;
-  std::vector<Decision> decisions;    ///< after rigid: one per state.pairs
-  std::vector<std::size_t> included;  ///< after graph: volumes that go into the result
-  SeamMap seams;                      ///< after seam: views counted among `included`
+  std::vector<Decision> decisions;      ///< after rigid: one per state.pairs
+  std::vector<std::size_t> included;    ///< after graph: volumes that go into the result
+  SeamMap seams;                        ///< after seam: views counted among `included`
+  std::optional<WaitingResult> result;  ///< after volume
 
   [[nodiscard]] StepOutcome& outcomeOf(Step step) { return state.steps[static_cast<std::size_t>(step)]; }
   /// To the world, as the graph has it.

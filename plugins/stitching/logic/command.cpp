@@ -139,9 +139,11 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   auto project = parseProject(*text, fs::path(projectFile).parent_path(), files);
   if (!project) return passOn(project.error());
   options.keepVolumes = false;
+  options.putInPlaceLater = true;
   auto state = runChain(*project, folder, options, volumes, files, progress);
   if (!state) return passOn(state.error());
   sdk::Commands::Outcome outcome;
+  outcome.putInPlace = std::move(state->putInPlace);
   for (const auto& file : {state->volume, state->coverage, state->source, state->provenance})
     if (!file.empty()) outcome.outputs.push_back(file.string());
   tellQuality(*state, outcome);

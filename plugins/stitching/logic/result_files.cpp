@@ -9,6 +9,7 @@
 
 #include "ew/core/output_set.h"
 #include "logic/chain.h"
+#include "logic/chain_inputs.h"
 #include "logic/content_key.h"
 #include "logic/value_json.h"
 
@@ -148,6 +149,19 @@ Result<void> ResultFiles::publish(const Waiting& waiting, const Waiting& aside, 
     in.push_back(name);
   }
   for (const char* name : kNames) fs::remove_all(aside(name), error);  // also what a killed run left of it
+  return {};
+}
+
+fs::path waitingFile(const StepStore& store, const std::string& key, const char* name) {
+  return store.fileOf(nameOf(Step::volume), key, name);
+}
+
+Result<void> putInPlace(const WaitingResult& result, const StepStore& store) {
+  const auto waiting = [&](const char* name) { return waitingFile(store, result.key, name); };
+  const auto aside = [&](const char* name) { return waitingFile(store, result.key, (std::string("earlier-") + name).c_str()); };
+  if (auto moved = result.files.publish(waiting, aside, result.mayReplaceForeign); !moved) return moved;
+  store.removeAllBut(nameOf(Step::volume), {result.key});
+  store.removeAllBut(ChainInputs::kStep, result.sweeps);
   return {};
 }
 

@@ -70,6 +70,21 @@ class ResultFiles {
   std::map<std::string, Seen> seen_;
 };
 
+/// A finished result that lies in the store under its key.
+struct WaitingResult {
+  ResultFiles files;
+  std::string key;
+  bool mayReplaceForeign = false;
+  std::vector<std::string> sweeps;  ///< keys of those the project names
+};
+
+/// Where a file of a result waits in the store.
+[[nodiscard]] std::filesystem::path waitingFile(const StepStore& store, const std::string& key, const char* name);
+
+/// Moves a result to its names, and takes what it leaves behind: results before it, and sweeps the project no longer names. A result that
+/// was half moved goes on. @error as ResultFiles::publish
+[[nodiscard]] Result<void> putInPlace(const WaitingResult& result, const StepStore& store);
+
 /// Nothing that the project reads would be written over or cleared away by its results in `folder`.
 /// @error badUsage, naming the file
 [[nodiscard]] Result<void> checkNoInputIsOutput(const StitchProject& project, const std::filesystem::path& folder);

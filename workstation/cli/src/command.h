@@ -52,6 +52,8 @@ class Run {
   std::string stoppedSentence = "Stopped as asked; nothing was written.";
   /// The command has put its outputs in place itself: there is nothing left that could be stopped.
   bool isPublished = false;
+  /// Outputs that somebody else puts in place, after those of `outputs` and with them: all or none. Empty: there are none.
+  std::function<Result<void>()> putInPlace;
 
   /// Prints the collected lines.
   void tellWhatWasDone();

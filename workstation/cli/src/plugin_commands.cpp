@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <ostream>
+#include <utility>
 
 #include "ew/door/door.h"
 #include "ew/door/headless_host.h"
@@ -30,16 +32,23 @@ std::vector<std::string> existingFiles(const std::vector<std::string>& words) {
   return files;
 }
 
-Result<int> runPluginCommand(const std::string& name, const std::vector<std::string>& words, bool help, Run& run) {
-  door::HeadlessHost host(run.progress);
+/// The plugins, and what one of them left to be called: gone before its code is.
+struct Loaded {
+  explicit Loaded(Progress& progress) : host(progress) {}
+  door::HeadlessHost host;
   door::PluginList plugins;
+  std::function<Result<void>()> putInPlace;
+};
+
+Result<int> runPluginCommand(const std::string& name, const std::vector<std::string>& words, bool help, Run& run) {
+  const auto loaded = std::make_shared<Loaded>(run.progress);
   {
     const StepClock clock(run.report, "load plugins");
-    plugins.openAll(host);
+    loaded->plugins.openAll(loaded->host);
   }
-  const auto* command = host.find(name);
+  const auto* command = loaded->host.find(name);
   if (!command) {
-    for (const auto& plugin : plugins.states())
+    for (const auto& plugin : loaded->plugins.states())
       if (brings(plugin, name) && !plugin.sentence.empty())
         return failure(ErrorCode::notFound, "The plugin that brings '" + name + "' cannot be used: " + plugin.sentence,
                        {{"plugin", plugin.title()}});
@@ -57,14 +66,19 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   const auto readable = existingFiles(words);
   for (const auto& file : readable)
     if (auto kept = run.protect(file); !kept) return passOn(kept.error());
-  run.stoppedSentence.clear();  // a plugin puts its files in place itself, and may keep what was finished
+  const std::string stopped = std::exchange(run.stoppedSentence, {});  // while it runs, a plugin says itself what it kept
   run.report.options["arguments"] = words;
-  const auto outcome = [&] {
+  auto outcome = [&] {
     const StepClock clock(run.report, name);
     return command->run(words, run.progress);
   }();
   if (!outcome) return passOn(outcome.error());
-  run.isPublished = true;
+  run.isPublished = !outcome->putInPlace;
+  if (outcome->putInPlace) {
+    run.stoppedSentence = stopped;
+    loaded->putInPlace = std::move(outcome->putInPlace);
+    run.putInPlace = [loaded] { return loaded->putInPlace(); };
+  }
   for (const auto& file : readable)
     if (std::find(outcome->outputs.begin(), outcome->outputs.end(), file) == outcome->outputs.end()) run.report.inputs.push_back(file);
   run.report.outputs = outcome->outputs;

@@ -94,7 +94,7 @@ Result<int> execute(const Selection& selection, Run& run) {
     const std::string text = run.report.toJson().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (auto written = writeFileSafely(run.outputs.staged(selection.reportFile), text); !written) return passOn(written.error());
   }
-  if (auto committed = run.outputs.commit(); !committed) return passOn(committed.error());
+  if (auto committed = run.outputs.commit(run.putInPlace); !committed) return passOn(committed.error());
   run.progress.clear();
   run.tellWhatWasDone();
   return status;

@@ -18,9 +18,7 @@ using nlohmann::ordered_json;
 constexpr std::array kVolumes = {ResultFiles::kNames[0], ResultFiles::kNames[1], ResultFiles::kNames[2]};
 constexpr const char* kProvenance = ResultFiles::kProvenance;
 
-fs::path waiting(const ChainRun& run, const std::string& key, const char* name) {
-  return run.store.fileOf(nameOf(Step::volume), key, name);
-}
+fs::path waiting(const ChainRun& run, const std::string& key, const char* name) { return waitingFile(run.store, key, name); }
 
 /// As waiting(), of one result.
 ResultFiles::Waiting allWaiting(const ChainRun& run, const std::string& key) {
@@ -77,23 +75,15 @@ Result<JoinReport> makeResult(ChainRun& run, const std::string& key, Progress& p
   return report;
 }
 
-/// Moves a finished result to its names; a run that finds it half moved goes on.
-Result<void> publish(ChainRun& run, const std::string& key) {
-  const auto aside = [&](const char* name) { return waiting(run, key, (std::string("earlier-") + name).c_str()); };
-  if (auto moved = run.resultFiles->publish(allWaiting(run, key), aside, run.options.isFolderOwn); !moved) return moved;
+/// What is left to do with a finished result, and where it will be.
+void leaveToPutInPlace(ChainRun& run, const std::string& key) {
+  std::vector<std::string> sweeps = {run.keys[Step::reconstruct]};
+  for (std::size_t v = 0; v < run.inputs.size(); ++v) sweeps.push_back(run.inputs[v].key);
+  run.result = {*run.resultFiles, key, run.options.isFolderOwn, std::move(sweeps)};
   run.state.volume = run.folder / kVolumes[0];
   run.state.coverage = run.folder / kVolumes[1];
   run.state.source = run.folder / kVolumes[2];
   run.state.provenance = run.folder / kProvenance;
-  return {};
-}
-
-/// Takes what a finished result leaves behind: results before it, and sweeps the project no longer names.
-void clearBehind(const ChainRun& run) {
-  run.store.removeAllBut(nameOf(Step::volume), {run.keys[Step::volume]});
-  std::vector<std::string> sweeps = {run.keys[Step::reconstruct]};
-  for (std::size_t v = 0; v < run.inputs.size(); ++v) sweeps.push_back(run.inputs[v].key);
-  run.store.removeAllBut(ChainInputs::kStep, sweeps);
 }
 
 }  // namespace
@@ -124,7 +114,8 @@ Result<void> volumeStep(ChainRun& run, Progress& progress) {
     if (report) {
       run.outcomeOf(Step::volume).reused = true;
       run.state.report = std::move(*report);
-      return publish(run, key);
+      leaveToPutInPlace(run, key);
+      return {};
     }
   }
   auto report = makeResult(run, key, progress);
@@ -139,8 +130,7 @@ Result<void> volumeStep(ChainRun& run, Progress& progress) {
   ordered_json data = {{"report", jsonOf(*run.state.report)}, {"results", jsonOf(*all)}};
   if (progress.cancelRequested()) return cancelledChain();
   if (auto kept = run.store.keep(step, key, std::move(data)); !kept) return kept;
-  if (auto moved = publish(run, key); !moved) return moved;
-  clearBehind(run);
+  leaveToPutInPlace(run, key);
   return {};
 }
 

@@ -175,7 +175,12 @@ class PluginCommands final : public sdk::Commands {
   void add(const std::string& name, const std::string& usage, Run run) override {
     calls_->whenMade([this, name, usage, run = std::move(run)] {
       inner_.add(name, usage, [calls = calls_, name, run](const std::vector<std::string>& args, Progress& progress) {
-        return calls->callForError(PluginMoment::command, name, [&] { return run(args, progress); });
+        auto outcome = calls->callForError(PluginMoment::command, name, [&] { return run(args, progress); });
+        if (outcome && outcome->putInPlace)
+          outcome->putInPlace = [calls, name, put = std::move(outcome->putInPlace)] {
+            return calls->callForError(PluginMoment::command, name, put);
+          };
+        return outcome;
       });
     });
   }

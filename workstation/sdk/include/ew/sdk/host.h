@@ -200,7 +200,7 @@ class Commands {
  public:
   virtual ~Commands();
   struct Outcome {
-    std::vector<std::string> outputs;                     ///< files written
+    std::vector<std::string> outputs;                     ///< files written, or put in place by `putInPlace`
     std::vector<std::pair<std::string, double>> quality;  ///< figures by name, unit in the name: for the report
     /// "aligned", "not aligned" or "cannot tell", where the command judges: in the report, and what is not "aligned" ends the program with
     /// exit status 3 after the sentence `reason`. Everything was done and written all the same.
@@ -208,6 +208,9 @@ class Commands {
     std::string reason = {};
     std::vector<std::pair<std::string, double>> steps = {};  ///< seconds by name, in the order they ran: for the report
     std::vector<std::string> notes = {};                     ///< what the user should know, a sentence each; told as remarks
+    /// Moves the outputs to their names, all or none. The host calls it at the very end, when its own files (the report) lie in place, and
+    /// takes those back when it fails; not called when the command is stopped before. Empty: the outputs are in place.
+    std::function<Result<void>()> putInPlace = {};
   };
   /// @param usage one line, and after an empty line what else `--help` should say; `args` are the words after the name without --report and
   /// --quiet, which the host handles
