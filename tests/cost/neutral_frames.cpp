@@ -67,7 +67,7 @@ void countPlan(const Volume& volume, const Knobs& knobs) {
   maker.configure(convexProbe(), knobs, {}, volume.grid, kWidth, kHeight);
   const Pose pose = posed();
   count([&] { maker.make(volume.view(), pose); });
-  std::printf("picture %u\n", sumOf(maker.make(volume.view(), pose)));
+  std::printf("picture %u\n", sumOf(maker.make(volume.view(), pose).grey));
 }
 
 void countSlice(const Volume& volume, const Knobs& knobs) {

@@ -80,7 +80,7 @@ TEST(HardPlan, SettingsThatAreNoNumbersOrBeyondEveryLimitGiveThePictureOfTheNear
     usable.configure(convexProbe(), limited(knobs), limited(scene), volume.grid, 90, 80, true);
     for (int n = 0; n < 3; ++n) {
       input.time_s = n == 1 ? value : 0.1 * n;
-      const auto a = asked.make(input), b = usable.make(input);
+      const auto a = asked.make(input).grey, b = usable.make(input).grey;
       ASSERT_TRUE(std::equal(a.data, a.data + 90 * 80, b.data)) << value;
     }
     EXPECT_EQ(asked.plan(), usable.plan());
@@ -99,7 +99,7 @@ TEST(HardPlan, OnePixelPicturesAndTwoLineProbesRunEveryEffect) {
       Knobs knobs{.edgeEnhancement = 1.0, .persistence = 0.5, .mode = DisplayMode::both};
       FrameMaker maker(threads);
       maker.configure(probe, knobs, sceneWithEverything(), volume.grid, width, height);
-      const auto picture = maker.make(input);
+      const auto picture = maker.make(input).grey;
       EXPECT_EQ(picture.width, width);
       EXPECT_EQ(picture.height, height);
     }

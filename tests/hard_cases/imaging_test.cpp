@@ -275,10 +275,10 @@ TEST(HardGeometry, PosesThatAreMirroredScaledOrNotFiniteGiveABlackFrameAndAreNam
   for (const glm::dmat4& matrix : {mirrored, zero, nan, sheared}) {
     Pose pose;
     pose.probeToWorld.matrix = glm::translate(glm::dmat4(1.0), glm::dvec3(80.0));
-    const auto good = maker.make(volume.view(), pose);
+    const auto good = maker.make(volume.view(), pose).grey;
     EXPECT_EQ(good.at(25, 25), 90);
     pose.probeToWorld.matrix = matrix;
-    const auto picture = maker.make(volume.view(), pose);
+    const auto picture = maker.make(volume.view(), pose).grey;
     EXPECT_TRUE(std::all_of(picture.data, picture.data + 2500, [](std::uint8_t v) { return v == 0; }));
     EXPECT_EQ(maker.lastStatus(), PoseStatus::invalid);
   }
@@ -399,7 +399,7 @@ TEST(HardTables, KnobsThatChangeEveryFrameGiveEachFrameItsOwnTable) {
     Knobs knobs;
     knobs.gain = (n % 40) / 10.0;
     maker.configure(Probe{}, knobs, {}, volume.grid, 60, 60);
-    ASSERT_EQ(maker.make(volume.view(), pose).at(30, 30), std::min(255L, std::lround(knobs.gain * 100.0)));
+    ASSERT_EQ(maker.make(volume.view(), pose).grey.at(30, 30), std::min(255L, std::lround(knobs.gain * 100.0)));
   }
 }
 

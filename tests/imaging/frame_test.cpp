@@ -172,7 +172,7 @@ TEST(FrameMaker, ShowsTheVolumeInsideTheFanAndBlackOutside) {
   FrameMaker maker;
   maker.configure(convexProbe(), {}, {}, volume.grid, 320, 280);
   const Pose pose = poseAt({3.0, -55.0, 4.0}, 0.3);
-  const auto picture = maker.make(volume.view(), pose);
+  const auto picture = maker.make(volume.view(), pose).grey;
   EXPECT_EQ(maker.lastStatus(), PoseStatus::ok);
   GreyImage whole(320, 280);
   SliceScratch scratch;
@@ -198,8 +198,8 @@ TEST(FrameMaker, AppliesEquationFiveAtTheDepthOfEachRow) {
   FrameMaker plain, amplified;
   plain.configure(convexProbe(), neutral, {}, volume.grid, 200, 220);
   amplified.configure(convexProbe(), turned, {}, volume.grid, 200, 220);
-  const auto before = plain.make(volume.view(), poseAt({0, -58, 0}));
-  const auto after = amplified.make(volume.view(), poseAt({0, -58, 0}));
+  const auto before = plain.make(volume.view(), poseAt({0, -58, 0})).grey;
+  const auto after = amplified.make(volume.view(), poseAt({0, -58, 0})).grey;
   for (int y = 0; y < before.height; ++y)
     for (int x = 0; x < before.width; ++x) {
       const double depth = (plain.geometry().imageToProbe() * Point<frame::Image>{{x, y, 0}}).at.y / plain.geometry().depth_mm;
@@ -228,7 +228,7 @@ TEST(FrameMaker, ShowsTheBrightSideWhereTheMarkerIs) {
   for (const bool markerLeft : {true, false}) {
     FrameMaker maker;
     maker.configure(linearProbe(), {.markerLeft = markerLeft}, {}, grid, 101, 90);
-    const auto picture = maker.make(volume.view(), poseAt({0, -50, 0}));
+    const auto picture = maker.make(volume.view(), poseAt({0, -50, 0})).grey;
     EXPECT_EQ(picture.at(35, 45), markerLeft ? 200 : 50);
     EXPECT_EQ(picture.at(65, 45), markerLeft ? 50 : 200);
   }
@@ -241,8 +241,8 @@ TEST(FrameMaker, MirrorsThePictureWhenTheMarkerChangesSides) {
   straight.configure(linearProbe(), knobs, {}, volume.grid, 101, 90);
   knobs.markerLeft = false;
   mirrored.configure(linearProbe(), knobs, {}, volume.grid, 101, 90);
-  const auto a = straight.make(volume.view(), poseAt({0, -50, 0}, 0.2));
-  const auto b = mirrored.make(volume.view(), poseAt({0, -50, 0}, 0.2));
+  const auto a = straight.make(volume.view(), poseAt({0, -50, 0}, 0.2)).grey;
+  const auto b = mirrored.make(volume.view(), poseAt({0, -50, 0}, 0.2)).grey;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) ASSERT_NEAR(a.at(x, y), b.at(a.width - 1 - x, y), 1);
 }
@@ -253,7 +253,7 @@ TEST(FrameMaker, GivesABlackPictureAndTheReasonForAPoseThatCannotBeUsed) {
   maker.configure(convexProbe(), {}, {}, volume.grid, 64, 64);
   const auto isBlack = [&](const Pose& pose) {
     maker.make(volume.view(), poseAt({0, -50, 0}));
-    const auto picture = maker.make(volume.view(), pose);
+    const auto picture = maker.make(volume.view(), pose).grey;
     return std::all_of(picture.data, picture.data + 64 * 64, [](std::uint8_t v) { return v == 0; });
   };
   Pose pose = poseAt({0, -50, 0});
@@ -326,8 +326,8 @@ TEST(FrameMaker, ThatWasReconfiguredGivesTheSamePixelsAsANewOne) {
     used.configure(probe, knobs, scene, volume.grid, width, 100);
     fresh.configure(probe, knobs, scene, volume.grid, width, 100);
     const Pose pose = poseAt({0, -50, 0}, 0.1 * trial);
-    const auto a = used.make(volume.view(), pose);
-    const auto b = fresh.make(volume.view(), pose);
+    const auto a = used.make(volume.view(), pose).grey;
+    const auto b = fresh.make(volume.view(), pose).grey;
     ASSERT_TRUE(std::equal(a.data, a.data + width * 100, b.data)) << "trial " << trial;
     ASSERT_EQ(used.plan(), fresh.plan());
   }

@@ -33,7 +33,7 @@ TEST(TurnedProbe, SeesTheMirroredPictureToThePixel) {
           turned.probeToWorld.matrix[0] = -pose.probeToWorld.matrix[0];
           turned.probeToWorld.matrix[2] = -pose.probeToWorld.matrix[2];
           const auto copied = [&](const Pose& at) {
-            const ImageView<const std::uint8_t> seen = maker.make(volume.view(), at);
+            const ImageView<const std::uint8_t> seen = maker.make(volume.view(), at).grey;
             GreyImage copy(seen.width, seen.height);
             for (int y = 0; y < seen.height; ++y) std::copy_n(seen.row(y), seen.width, viewOf(copy).row(y));
             return copy;
@@ -66,7 +66,7 @@ TEST(TurnedProbe, SeesTheMirroredPictureAlsoThroughItsBeams) {
     maker.configure(testing::probeOf(kind), {}, scene, volume.grid, 300, 240);
     ASSERT_TRUE(maker.plan().onBeams);
     const auto copied = [&](const Pose& at) {
-      const ImageView<const std::uint8_t> seen = maker.make(volume.view(), at);
+      const ImageView<const std::uint8_t> seen = maker.make(volume.view(), at).grey;
       GreyImage copy(seen.width, seen.height);
       for (int y = 0; y < seen.height; ++y) std::copy_n(seen.row(y), seen.width, viewOf(copy).row(y));
       return copy;

@@ -139,7 +139,7 @@ TEST(Persistence, OfAFrameForgetsWhatCameBeforeItWasTurnedOffOrThePoseWasLost) {
   FrameMaker maker;
   const auto shown = [&](const Volume& volume, double persistence, const Pose& at) {
     maker.configure(Probe{}, {.persistence = persistence}, {}, volume.grid, 60, 60);
-    return static_cast<int>(maker.make(volume.view(), at).at(30, 30));
+    return static_cast<int>(maker.make(volume.view(), at).grey.at(30, 30));
   };
   EXPECT_EQ(shown(bright, 0.5, pose), 200);
   EXPECT_EQ(shown(dark, 0.5, pose), 110) << "what came before stays";

@@ -204,7 +204,7 @@ TEST(ToneTable, BehindAPictureIsEquationFiveAndTheToneAtEveryPixelOfTheFanAndBla
   maker.configure(probe, {}, {}, volume.grid, 240, 260);
   Pose pose;
   pose.probeToWorld.matrix = glm::translate(glm::dmat4(1.0), {80.0, 20.0, 70.0});
-  const auto echo = maker.make(volume.view(), pose);
+  const auto echo = maker.make(volume.view(), pose).grey;
 
   const Sliders dgc = {0.4, 0.6, 1.2, 2.0, 1.0, 0.3, 0.8, 1.5};
   for (const GreyMap map : kMaps) {

@@ -116,7 +116,7 @@ GreyImage pictureOf(const Probe& probe, const Knobs& knobs, const Scene& scene, 
                     int height = 220) {
   FrameMaker maker;
   maker.configure(probe, knobs, scene, volume.grid, width, height);
-  return copyOf(maker.make(volume.view(), pose));
+  return copyOf(maker.make(volume.view(), pose).grey);
 }
 
 TEST(WholeFrame, RunsEveryStepAndTimesIt) {
@@ -140,7 +140,7 @@ TEST(WholeFrame, EveryEffectChangesThePicture) {
     FrameMaker maker;
     maker.configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, true);
     for (int n = 0; n < 3; ++n) maker.make(body.input(poseAt({3.0 * n, -58, 0}), n));
-    return copyOf(maker.make(body.input(poseAt({9.0, -58, 0}), 3)));
+    return copyOf(maker.make(body.input(poseAt({9.0, -58, 0}), 3)).grey);
   };
   const GreyImage all = pictureWith(everyKnob(), everyEffect());
   const auto without = [&](const char* what, auto change) {
@@ -182,9 +182,9 @@ TEST(WholeFrame, IsTheSameOnOneTwoAndEightThreads) {
         for (FrameMaker* maker : {&one, &two, &eight}) maker->configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, true);
         for (int n = 0; n < 4; ++n) {
           const FrameInput input = body.input(poseAt({2.0 * n, -58, 1}, 0.3 * n), n);
-          const GreyImage expected = copyOf(one.make(input));
-          ASSERT_EQ(copyOf(two.make(input)), expected) << "two threads, frame " << n;
-          ASSERT_EQ(copyOf(eight.make(input)), expected) << "eight threads, frame " << n;
+          const GreyImage expected = copyOf(one.make(input).grey);
+          ASSERT_EQ(copyOf(two.make(input).grey), expected) << "two threads, frame " << n;
+          ASSERT_EQ(copyOf(eight.make(input).grey), expected) << "eight threads, frame " << n;
           ASSERT_EQ(copyOf(two.strip()), copyOf(one.strip()));
         }
       }
@@ -278,7 +278,7 @@ TEST(WholeFrame, ReconfiguredGivesTheSamePixelsAsANewOne) {
     fresh.configure(probe, knobs, scene, body.echo.grid, width, 100, hasLabels);
     FrameInput input = body.input(poseAt({0, -55, 0}, 0.1 * trial), trial);
     if (maybe()) input.gaps_mm = {};
-    ASSERT_EQ(copyOf(used.make(input)), copyOf(fresh.make(input))) << "trial " << trial;
+    ASSERT_EQ(copyOf(used.make(input).grey), copyOf(fresh.make(input).grey)) << "trial " << trial;
     ASSERT_EQ(used.plan(), fresh.plan());
     ASSERT_EQ(copyOf(used.strip()), copyOf(fresh.strip())) << "trial " << trial;
   }
@@ -329,7 +329,7 @@ TEST(WholeFrame, IsMirroredExactlyWhenTheProbeTurnsByHalfATurn) {
         half.probeToWorld.matrix[2] *= -1.0;
         FrameInput input = body.input(half);
         input.gaps_mm = mirroredGaps;
-        const GreyImage a = copyOf(straight.make(body.input(pose))), b = copyOf(turned.make(input));
+        const GreyImage a = copyOf(straight.make(body.input(pose)).grey), b = copyOf(turned.make(input).grey);
         int apart = 0;
         for (int y = 0; y < a.height; ++y)
           for (int x = 0; x < a.width; ++x) apart += viewOf(a).at(x, y) != viewOf(b).at(a.width - 1 - x, y);
@@ -404,7 +404,7 @@ TEST(WholeFrame, OfAPoseThatCannotBeUsedIsBlackWithEveryEffectOn) {
   maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, true);
   const auto sum = [&](const Pose& pose) {
     maker.make(body.input(poseAt({0, -55, 0})));
-    const auto picture = maker.make(body.input(pose));
+    const auto picture = maker.make(body.input(pose)).grey;
     int total = 0;
     for (int y = 0; y < picture.height; ++y)
       for (int x = 0; x < picture.width; ++x) total += picture.at(x, y);
@@ -437,7 +437,7 @@ TEST(WholeFrame, SurvivesGapsTimesAndVolumesThatAreNone) {
   input.labels = {};
   maker.make(input);
   input.echo = {};
-  const auto picture = maker.make(input);
+  const auto picture = maker.make(input).grey;
   EXPECT_EQ(maker.lastStatus(), PoseStatus::ok);
   EXPECT_EQ(picture.width, 120);
 }
@@ -452,11 +452,11 @@ TEST(WholeFrame, GoesByGreyLevelWhereAFrameComesWithoutItsLabels) {
   maker.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, true);
   byGrey.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, false);
   FrameInput input = body.input(poseAt({0, -55, 0}));
-  const GreyImage byTissue = copyOf(maker.make(input));
+  const GreyImage byTissue = copyOf(maker.make(input).grey);
   input.labels = {};
-  const GreyImage expected = copyOf(byGrey.make(input));
+  const GreyImage expected = copyOf(byGrey.make(input).grey);
   EXPECT_NE(byTissue.pixels, expected.pixels);
-  EXPECT_EQ(copyOf(maker.make(input)).pixels, expected.pixels);
+  EXPECT_EQ(copyOf(maker.make(input).grey).pixels, expected.pixels);
 }
 
 TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
@@ -478,7 +478,7 @@ TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
       input.time_s = n / 30.0;
       maker.make(input);
     }
-    const auto picture = maker.make(input);
+    const auto picture = maker.make(input).grey;
     const auto strip = maker.strip();
     ASSERT_EQ(strip.width, 200);
     ASSERT_EQ(strip.height, 160);

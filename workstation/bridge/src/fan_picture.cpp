@@ -26,6 +26,11 @@ namespace {
 
 constexpr double kFloor = 30.0;  // of 255, in the edge's colour: what black is shown as
 
+glm::ivec3 levelAt(const Picture& picture, int x, int y) {
+  const Rgb grey(picture.grey.row(y)[x]);
+  return picture.hasColour() ? over(picture.colour.row(y)[x], grey) : grey;
+}
+
 bool isInside(const std::vector<glm::dvec2>& outline, const glm::dvec2& p) {
   bool inside = false;
   for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++) {
@@ -170,12 +175,12 @@ void FanPicture::updateFrame() {
   frameMesh_->Modified();
 }
 
-void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
-  if (picture.width < 1 || picture.height < 1) return clearPicture();
+void FanPicture::setPicture(const Picture& picture, const DisplayGeometry& geometry) {
+  if (picture.width() < 1 || picture.height() < 1) return clearPicture();
   const bool sameGeometry = hasPicture_ && geometry == geometry_;
-  const int step = picture.width > kTextureLimit_px && picture.height > 1 ? 2 : 1;
-  const int width = picture.width / step;
-  const int height = picture.height / step;
+  const int step = picture.width() > kTextureLimit_px && picture.height() > 1 ? 2 : 1;
+  const int width = picture.width() / step;
+  const int height = picture.height() / step;
   int dims[3];
   pixels_->GetDimensions(dims);
   if (dims[0] != width || dims[1] != height || pixels_->GetScalarType() != VTK_UNSIGNED_CHAR) {
@@ -185,18 +190,14 @@ void FanPicture::setPicture(ImageView<const std::uint8_t> picture, const Display
   auto* out = static_cast<unsigned char*>(pixels_->GetScalarPointer());
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      int grey = 0;
-      if (step == 1)
-        grey = picture.row(y)[x];
-      else {
-        const std::uint8_t* upper = picture.row(2 * y) + 2 * x;
-        const std::uint8_t* lower = picture.row(2 * y + 1) + 2 * x;
-        grey = (upper[0] + upper[1] + lower[0] + lower[1] + 2) / 4;
-      }
+      const glm::ivec3 level = step == 1 ? levelAt(picture, x, y)
+                                         : (levelAt(picture, 2 * x, 2 * y) + levelAt(picture, 2 * x + 1, 2 * y) +
+                                            levelAt(picture, 2 * x, 2 * y + 1) + levelAt(picture, 2 * x + 1, 2 * y + 1) + 2) /
+                                               4;
       // Black on a dark ground would be a hole: the floor of the pane is a trace of its edge's colour.
       for (int c = 0; c < 3; ++c) {
         const int floor = static_cast<int>(kFloor * accent_[c]);
-        *out++ = static_cast<unsigned char>(floor + grey * (255 - floor) / 255);
+        *out++ = static_cast<unsigned char>(floor + level[c] * (255 - floor) / 255);
       }
     }
   pixels_->Modified();

@@ -29,7 +29,7 @@ class FanPicture {
   void addTo(vtkRenderer& renderer);
   void setOutline(const Probe& probe, double depth_mm, const Knobs& knobs);
   /// A picture wider than kTextureLimit_px is halved: the pane is never that large on the screen.
-  void setPicture(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry);
+  void setPicture(const Picture& picture, const DisplayGeometry& geometry);
   void clearPicture();
   void setAccent(const glm::dvec3& accent);
   void setVisible(bool visible);

@@ -358,9 +358,7 @@ void Scene3D::setProbeVisible(bool visible) {
   parts_->updateVisibility();
 }
 
-void Scene3D::setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
-  parts_->fan.setPicture(picture, geometry);
-}
+void Scene3D::setFanImage(const Picture& picture, const DisplayGeometry& geometry) { parts_->fan.setPicture(picture, geometry); }
 
 void Scene3D::clearFanImage() { parts_->fan.clearPicture(); }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace ew {
 namespace {
@@ -53,6 +55,18 @@ std::string textOf(double value) {
   std::array<char, 32> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+}
+
+double factorGiving(double product, double factor) {
+  const double middle = product / factor;
+  double below = middle, above = middle;
+  for (int n = 0; n < 4; ++n) {
+    if (below * factor == product) return below;
+    if (above * factor == product) return above;
+    below = std::nextafter(below, -std::numeric_limits<double>::infinity());
+    above = std::nextafter(above, std::numeric_limits<double>::infinity());
+  }
+  return middle;
 }
 
 }  // namespace ew

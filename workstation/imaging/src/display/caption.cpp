@@ -75,15 +75,17 @@ std::vector<std::string> wrapped(std::string_view words, std::size_t lettersPerL
   return lines;
 }
 
-void fill(ImageView<std::uint8_t> picture, int left, int top, int size, std::uint8_t grey, bool onlyDarken) {
+template <class Pixel>
+void fill(ImageView<Pixel> picture, int left, int top, int size, std::uint8_t grey, bool onlyDarken) {
   for (int y = std::max(0, top); y < std::min(picture.height, top + size); ++y)
     for (int x = std::max(0, left); x < std::min(picture.width, left + size); ++x) {
       auto& pixel = picture.at(x, y);
-      pixel = onlyDarken ? std::min(pixel, grey) : grey;
+      pixel = onlyDarken ? glm::min(pixel, Pixel(grey)) : Pixel(grey);
     }
 }
 
-void drawLine(ImageView<std::uint8_t> picture, const std::string& line, int left, int top, int scale, bool rim) {
+template <class Pixel>
+void drawLine(ImageView<Pixel> picture, const std::string& line, int left, int top, int scale, bool rim) {
   for (std::size_t n = 0; n < line.size(); ++n) {
     const auto glyph = std::find_if(kGlyphs.begin(), kGlyphs.end(), [&](const Glyph& g) { return g.letter == line[n]; });
     if (glyph == kGlyphs.end()) continue;
@@ -100,9 +102,8 @@ void drawLine(ImageView<std::uint8_t> picture, const std::string& line, int left
   }
 }
 
-}  // namespace
-
-void burnCaption(ImageView<std::uint8_t> picture, std::string_view words) {
+template <class Pixel>
+void burn(ImageView<Pixel> picture, std::string_view words) {
   const int scale = picture.width >= kLargePicture_px ? 2 : 1;
   const int room = std::max(1, (picture.width - 2 * kMargin_px) / (kAdvance * scale));
   const auto lines = wrapped(words, static_cast<std::size_t>(room));
@@ -116,5 +117,10 @@ void burnCaption(ImageView<std::uint8_t> picture, std::string_view words) {
     }
   }
 }
+
+}  // namespace
+
+void burnCaption(ImageView<std::uint8_t> picture, std::string_view words) { burn(picture, words); }
+void burnCaption(ImageView<Rgb> picture, std::string_view words) { burn(picture, words); }
 
 }  // namespace ew

@@ -96,7 +96,7 @@ struct Bench {
       for (int n = 0; n <= options.repeats; ++n) {
         if (progress.cancelRequested()) return -1.0;
         const auto begin = std::chrono::steady_clock::now();
-        const ImageView<const std::uint8_t> picture = maker.make(input);
+        const ImageView<const std::uint8_t> picture = maker.make(input).grey;
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         if (maker.lastStatus() != PoseStatus::ok) return -1.0;
         if (n > 0) times_ms.push_back(took.count());

@@ -89,8 +89,8 @@ void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& 
                            bool hasLabels, const Pan& pan) {
   parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan);
 }
-ImageView<const std::uint8_t> FrameMaker::make(const FrameInput& input) { return parts_->make(input); }
-ImageView<const std::uint8_t> FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+Picture FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
+Picture FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
   FrameInput input;
   input.echo = volume;
   input.pose = pose;

@@ -19,18 +19,7 @@ using nlohmann::json;
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestList = 256;
 
-/// The number of degrees that gives exactly this angle when read, if there is one.
-double degreesOf(double angle_rad) {
-  const double middle = angle_rad / kRadPerDegree;
-  double below = middle, above = middle;
-  for (int n = 0; n < 4; ++n) {
-    if (below * kRadPerDegree == angle_rad) return below;
-    if (above * kRadPerDegree == angle_rad) return above;
-    below = std::nextafter(below, -1e9);
-    above = std::nextafter(above, 1e9);
-  }
-  return middle;
-}
+double degreesGiving(double angle_rad) { return factorGiving(angle_rad, kRadPerDegree); }
 
 std::string rangeWords(double lowest, double highest) { return "a number from " + textOf(lowest) + " to " + textOf(highest); }
 std::string withMeaning(std::string range, const char* meaning) { return range + " (" + meaning + ")"; }
@@ -266,7 +255,7 @@ class Writer {
 
   void number(const char* key, double T::*field, double, double, const char*) { object[key] = setting_.*field; }
   void numberOrZero(const char* key, double T::*field, double, double, const char*) { object[key] = setting_.*field; }
-  void angle(const char* key, double T::*field, double, double) { object[key] = degreesOf(setting_.*field); }
+  void angle(const char* key, double T::*field, double, double) { object[key] = degreesGiving(setting_.*field); }
   void count(const char* key, int T::*field, int, int) { object[key] = setting_.*field; }
   void oddCount(const char* key, int T::*field, int, int) { object[key] = setting_.*field; }
   template <std::size_t N>

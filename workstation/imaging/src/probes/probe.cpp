@@ -12,6 +12,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/nesting.h"
 #include "ew/core/numbers.h"
+#include "ew/imaging/settings_json.h"
 #include "sound.h"
 
 namespace ew {
@@ -167,21 +168,21 @@ Result<json> readObject(const std::filesystem::path& file) {
 
 }  // namespace
 
-Result<Probe> readProbe(const std::filesystem::path& file) {
-  const auto object = readObject(file);
-  if (!object) return passOn(object.error());
-  const std::string name = file.string();
-  FieldReader fields(*object, name);
+Result<Probe> probeFromJson(const json& object, const std::string& id, const std::string& where) {
+  if (!object.is_object())
+    return failure(ErrorCode::badHeader, "The probe file " + where + " is not a JSON object; compare it with a shipped probe.",
+                   {{"file", where}});
+  FieldReader fields(object, where);
 
   const int version = fields.wholeNumber("format", 1, 1000000);
   if (!fields.complaint() && version > kFormatVersion)
     return failure(ErrorCode::newerFormat,
-                   "The probe file " + name + " has format " + std::to_string(version) + ", this program reads up to " +
+                   "The probe file " + where + " has format " + std::to_string(version) + ", this program reads up to " +
                        std::to_string(kFormatVersion) + "; update EchoWeave.",
-                   {{"file", name}, {"found", std::to_string(version)}, {"known", std::to_string(kFormatVersion)}});
+                   {{"file", where}, {"found", std::to_string(version)}, {"known", std::to_string(kFormatVersion)}});
 
   Probe probe;
-  probe.id = file.stem().string();
+  probe.id = id;
   probe.name = fields.text("name");
   const std::string kind = fields.text("kind");
   const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&kind](const auto& named) { return named.first == kind; });
@@ -207,11 +208,42 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
   probe.elevationalFocus_mm = fields.number("elevational_focus_mm", 1.0, 1000.0, 0.5 * probe.defaultDepth_mm);
   probe.elevationalAperture_mm = fields.number("elevational_aperture_mm", 0.5, 100.0, usualElevationalAperture_mm(probe));
   probe.nearField_mm = fields.number("near_field_mm", 0.0, 20.0, probe.nearField_mm);
-  for (const auto& item : object->items())
+  for (const auto& item : object.items())
     if (!hasField(probe.kind, item.key()))
       fields.complain(item.key(), "a value", "left out, because a probe of the kind \"" + kind + "\" has no such field");
   if (fields.complaint()) return passOn(*fields.complaint());
   return probe;
+}
+
+Result<Probe> readProbe(const std::filesystem::path& file) {
+  const auto object = readObject(file);
+  if (!object) return passOn(object.error());
+  return probeFromJson(*object, file.stem().string(), file.string());
+}
+
+json toJson(const Probe& probe) {
+  json object = {{"format", kFormatVersion},
+                 {"name", probe.name},
+                 {"kind", std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.second == probe.kind; })->first},
+                 {"lines", probe.lines},
+                 {"carrier_hz", probe.carrier_hz},
+                 {"aperture_mm", probe.aperture_mm},
+                 {"min_depth_mm", probe.minDepth_mm},
+                 {"max_depth_mm", probe.maxDepth_mm},
+                 {"default_depth_mm", probe.defaultDepth_mm},
+                 {"elevational_thickness_mm", probe.elevationalThickness_mm},
+                 {"elevational_focus_mm", probe.elevationalFocus_mm},
+                 {"elevational_aperture_mm", probe.elevationalAperture_mm},
+                 {"near_field_mm", probe.nearField_mm}};
+  if (!probe.carriers_hz.empty()) object["carriers_hz"] = probe.carriers_hz;
+  const std::pair<const char*, double> ofSome[] = {{"width_mm", probe.width_mm},
+                                                   {"radius_mm", probe.radius_mm},
+                                                   {"opening_deg", factorGiving(probe.halfAngle_rad, 0.5 * kDegree_rad)},
+                                                   {"max_steering_deg", factorGiving(probe.maxSteering_rad, kDegree_rad)},
+                                                   {"trapezoid_deg", factorGiving(probe.trapezoidHalfAngle_rad, kDegree_rad)}};
+  for (const auto& [field, value] : ofSome)
+    if (hasField(probe.kind, field)) object[field] = value;
+  return object;
 }
 
 double faceLength_mm(const Probe& probe) {

@@ -64,7 +64,7 @@ class Scene3D {
   void setPose(const Pose& pose);  ///< one that is not ok hides probe and fan
   void setProbeVisible(bool visible);
   /// The live picture, drawn inside the fan's outline where it belongs; copied.
-  void setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry);
+  void setFanImage(const Picture& picture, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
   /// Corners of the drawn fan in the world, in the order of fanOutline_mm; empty while it is hidden.
   [[nodiscard]] std::vector<glm::dvec3> fanCorners_mm() const;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "ew/core/contract.h"
@@ -50,5 +51,7 @@ ImageView<const T> viewOf(const Image<T>& image) {
 }
 
 using GreyImage = Image<std::uint8_t>;
+using Rgb = glm::u8vec3;
+using RgbImage = Image<Rgb>;
 
 }  // namespace ew

@@ -19,4 +19,8 @@ namespace ew {
 /// The shortest text that parses back to the same double, in the C locale.
 [[nodiscard]] std::string textOf(double value);
 
+/// The number that times `factor` gives exactly `product`, if there is one close by, else the quotient: an angle that was read in degrees
+/// is written as the degrees that give it again.
+[[nodiscard]] double factorGiving(double product, double factor);
+
 }  // namespace ew

@@ -17,5 +17,6 @@ inline constexpr int kCaptionMinHeight_px = 64;
 /// a dark rim so that they can be read on any ground; on two or more lines when the picture is narrow, larger on a large one. Nothing else
 /// in the picture changes.
 void burnCaption(ImageView<std::uint8_t> picture, std::string_view words);
+void burnCaption(ImageView<Rgb> picture, std::string_view words);
 
 }  // namespace ew

@@ -11,6 +11,7 @@
 #include "ew/core/volume.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/knobs.h"
+#include "ew/imaging/picture.h"
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
@@ -91,11 +92,11 @@ class FrameMaker {
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
                  bool hasLabels = false, const Pan& pan = {});
 
-  /// The picture for one pose: 0 outside the fan and outside the volume. The view stays valid until the next call.
+  /// The picture for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.
-  ImageView<const std::uint8_t> make(const FrameInput& input);
+  Picture make(const FrameInput& input);
   /// The same with everything touching, no labels, frame number 0.
-  ImageView<const std::uint8_t> make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
+  Picture make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
 
   /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const;

@@ -5,6 +5,7 @@
 
 #include "ew/core/result.h"
 #include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
 
 namespace ew {
@@ -26,6 +27,12 @@ namespace ew {
 /// Gain and DGC, what else differs from the default, and every effect and tissue that is there.
 /// @param unknown what sceneFromJson did not know: put back where it was, if its effect or tissue is still there
 [[nodiscard]] nlohmann::json toJson(const Scene& scene, const nlohmann::json* unknown = nullptr);
+
+/// A probe as its file has it. @param id of the probe: a file's is its name without ending @param where how sentences call the file
+/// @error badHeader (not an object), badField (name, value found, value expected), newerFormat
+[[nodiscard]] Result<Probe> probeFromJson(const nlohmann::json& object, const std::string& id, const std::string& where);
+/// Without the id: probeFromJson(toJson(p), p.id, where) == p for a probe that was read from a file.
+[[nodiscard]] nlohmann::json toJson(const Probe& probe);
 
 /// Everything that a knobs file or a scene file may hold, one line a key with what it may be: what help texts show.
 [[nodiscard]] std::string knobsManual();
