@@ -1,4 +1,4 @@
-# Every outside library the project builds with. All of them are Debian 12 packages (resources/packages.txt names them).
+# Every outside library the project builds with. All of them are Debian 12 packages (resources/packages names them).
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Ceres 2.1 REQUIRED)
@@ -25,6 +25,15 @@ target_include_directories(ew_gdcm SYSTEM INTERFACE ${EW_GDCM_INCLUDE})
 foreach(part gdcmMSFF gdcmDSED gdcmCommon)
   find_library(EW_${part} ${part} REQUIRED)
   target_link_libraries(ew_gdcm INTERFACE ${EW_${part}})
+endforeach()
+# Of OpenCV the parts that are needed, by name: its package file asks for all of them.
+find_path(EW_OPENCV_INCLUDE opencv2/videoio.hpp PATH_SUFFIXES opencv4 REQUIRED)
+add_library(ew_opencv_video INTERFACE)
+add_library(ew::opencv_video ALIAS ew_opencv_video)
+target_include_directories(ew_opencv_video SYSTEM INTERFACE ${EW_OPENCV_INCLUDE})
+foreach(part opencv_videoio opencv_core)
+  find_library(EW_${part} ${part} REQUIRED)
+  target_link_libraries(ew_opencv_video INTERFACE ${EW_${part}})
 endforeach()
 find_package(benchmark REQUIRED)
 if(EW_BUILD_TESTS)

@@ -20,15 +20,19 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestPng = 256u << 20;
 constexpr std::uint64_t kMostPixels = 1ull << 28;
 
-Result<void> writePng(const GreyImage& picture, const fs::path& file) {
+template <class Pixel>
+constexpr int kChannels = sizeof(Pixel);
+
+template <class Pixel>
+Result<void> writePng(const Image<Pixel>& picture, const fs::path& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(picture.width);
   png.height = static_cast<png_uint_32>(picture.height);
-  png.format = PNG_FORMAT_GRAY;
+  png.format = kChannels<Pixel> == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), picture.width, nullptr) == 0)
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), picture.width * kChannels<Pixel>, nullptr) == 0)
     return failure(ErrorCode::internal, quoted(file) + " could not be packed as PNG; try another size.",
                    {{"file", file.string()}, {"reason", png.message}});
   bytes.resize(size);
@@ -53,9 +57,8 @@ Result<GreyImage> readPng(const fs::path& file) {
   return picture;
 }
 
-}  // namespace
-
-Result<void> writeImage(ImageView<const std::uint8_t> image, double pixel_mm, const fs::path& file) {
+template <class Pixel>
+Result<void> writePixels(ImageView<const Pixel> image, double pixel_mm, const fs::path& file) {
   const std::string ending = lowerCase(file.extension().string());
   if (ending != ".png" && ending != ".mha")
     return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .png or .mha.",
@@ -63,19 +66,29 @@ Result<void> writeImage(ImageView<const std::uint8_t> image, double pixel_mm, co
   EW_EXPECTS(image.width > 0 && image.height > 0);
   if (image.width <= 0 || image.height <= 0)
     return failure(ErrorCode::internal, "The picture has no pixels, so " + quoted(file) + " was not written.");
-  GreyImage packed(image.width, image.height);
-  for (int y = 0; y < image.height; ++y)
-    std::copy_n(image.row(y), image.width, packed.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width);
+  Image<Pixel> packed(image.width, image.height);
+  for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, viewOf(packed).row(y));
   if (ending == ".png") return writePng(packed, file);
   EW_EXPECTS(pixel_mm > 0.0);
   MetaText text{.sizes = {static_cast<std::uint64_t>(image.width), static_cast<std::uint64_t>(image.height)},
                 .geometry = {},
                 .kinds = {},
                 .samples = true,
+                .channels = kChannels<Pixel>,
                 .fields = {}};
   text.geometry.spacing_mm = glm::dvec3(pixel_mm);
-  return writeMetaFile(file, text, packed.pixels, false, "Writing picture", noProgress());
+  const std::span<const std::uint8_t> samples(reinterpret_cast<const std::uint8_t*>(packed.pixels.data()),
+                                              packed.pixels.size() * sizeof(Pixel));
+  return writeMetaFile(file, text, samples, false, "Writing picture", noProgress());
 }
+
+}  // namespace
+
+Result<void> writeImage(ImageView<const std::uint8_t> image, double pixel_mm, const fs::path& file) {
+  return writePixels(image, pixel_mm, file);
+}
+
+Result<void> writeImage(ImageView<const Rgb> image, double pixel_mm, const fs::path& file) { return writePixels(image, pixel_mm, file); }
 
 Result<GreyImage> readImage(const fs::path& file) try {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());

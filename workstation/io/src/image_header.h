@@ -40,13 +40,15 @@ struct ImageHeader {
   std::vector<std::string> kinds;    ///< of the axes in `sizes`; empty when the file says nothing
   double slope = 1.0;                ///< value = slope * stored + intercept
   double intercept = 0.0;
-  Fields fields;  ///< everything that is not about storage and place, in file order
+  Fields fields;           ///< everything that is not about storage and place, in file order
+  bool endsEarly = false;  ///< the last lines are missing, or a part of one
   std::vector<std::string> notes;
 };
 
 /// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported
 [[nodiscard]] Result<ImageHeader> readImageHeader(const std::filesystem::path& file);
-[[nodiscard]] Result<ImageHeader> readMetaHeader(const std::filesystem::path& file);
+/// @param mayEndEarly of a file without samples: whether a header that breaks off is taken as far as it goes
+[[nodiscard]] Result<ImageHeader> readMetaHeader(const std::filesystem::path& file, bool mayEndEarly = false);
 [[nodiscard]] Result<ImageHeader> readNrrdHeader(const std::filesystem::path& file);
 [[nodiscard]] Result<ImageHeader> readNiftiHeader(const std::filesystem::path& file);
 

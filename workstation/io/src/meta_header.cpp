@@ -177,7 +177,7 @@ Result<void> takeDataFile(MetaDraft& draft, const std::string& name, std::uint64
 
 }  // namespace
 
-Result<ImageHeader> readMetaHeader(const fs::path& file) {
+Result<ImageHeader> readMetaHeader(const fs::path& file, bool mayEndEarly) {
   LineReader lines(file);
   MetaDraft draft;
   draft.header.file = file;
@@ -189,6 +189,7 @@ Result<ImageHeader> readMetaHeader(const fs::path& file) {
     if (!*line) break;
     if (trimmed(**line).empty()) continue;
     const auto equals = (*line)->find('=');
+    if (equals == std::string::npos && mayEndEarly && anyKnown) break;  // a line that was being written
     if (equals == std::string::npos)
       return failure(ErrorCode::badHeader, quoted(file) + " is not a MetaImage: a header line has no \"=\"; check what kind of file it is.",
                      {{"file", file.string()}});
@@ -201,7 +202,8 @@ Result<ImageHeader> readMetaHeader(const fs::path& file) {
     anyKnown = true;
     if (const auto taken = take(draft, key, value); !taken) return passOn(taken.error());
   }
-  if (!dataFile)
+  draft.header.endsEarly = !dataFile;
+  if (!dataFile && !(mayEndEarly && productOf(draft.header.sizes) == std::optional<std::uint64_t>(0)))
     return failure(anyKnown ? ErrorCode::truncated : ErrorCode::badHeader,
                    "The header of " + quoted(file) + " ends before it says where the samples are (ElementDataFile); get the file again.",
                    {{"file", file.string()}});

@@ -47,6 +47,7 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
   for (const std::uint64_t size : meta.sizes) sizes += " " + std::to_string(size);
   text += "DimSize =" + sizes + "\n";
   if (!meta.kinds.empty()) text += "Kinds = " + meta.kinds + "\n";
+  if (meta.channels > 1) text += "ElementNumberOfChannels = " + std::to_string(meta.channels) + "\n";
   text += std::string("ElementType = ") +
           (!meta.samples ? "MET_OTHER"
            : meta.real   ? "MET_FLOAT"

@@ -20,6 +20,7 @@ struct MetaText {
   bool samples = true;  ///< false for MET_OTHER
   bool wide = false;    ///< samples of 16 bits without sign, low byte first
   bool real = false;    ///< samples of 32 bits, floating point, low byte first
+  int channels = 1;     ///< samples of each pixel, one after another
   std::vector<std::pair<std::string, std::string>> fields;
 };
 

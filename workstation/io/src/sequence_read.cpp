@@ -182,9 +182,25 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress&
   return {};
 }
 
-Result<Sequence> readSequenceOrThrow(const fs::path& file, Progress& progress, const ReadLimits& limits,
-                                     const SequenceCheck& beforePixels) {
-  auto header = readImageHeader(file);
+/// Of a header that breaks off: the last frame that something is said of may be half of one and goes, with what is said of it.
+Result<void> dropLastFrame(ImageHeader& header) {
+  std::uint64_t last = 0;
+  for (const auto& [key, value] : header.fields)
+    if (const auto frame = frameKey(key)) last = std::max(last, frame->frame);
+  if (last == 0)
+    return failure(ErrorCode::truncated, quoted(header.file) + " ends before its first frame is whole; nothing of it can be used.",
+                   {{"file", header.file.string()}});
+  std::erase_if(header.fields, [&](const auto& field) {
+    const auto frame = frameKey(field.first);
+    return frame && frame->frame == last;
+  });
+  header.sizes.back() = last;
+  header.notes.push_back("The end of " + quoted(header.file) + " is missing; the " + std::to_string(last) + " frames before it were read.");
+  return {};
+}
+
+Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& file, Progress& progress, const ReadLimits& limits,
+                            const SequenceCheck& beforePixels) {
   if (!header) return passOn(header.error());
   const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
@@ -248,12 +264,26 @@ Result<bool> isSequence(const fs::path& file) {
 
 Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReadLimits& limits, const SequenceCheck& beforePixels) {
   try {
-    return readSequenceOrThrow(file, progress, limits, beforePixels);
+    return sequenceOf(readImageHeader(file), file, progress, limits, beforePixels);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
                    "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",
                    {{"file", file.string()}});
   }
+}
+
+Result<Sequence> readPoseSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) try {
+  if (const auto status = checkIsFile(file); !status) return passOn(status.error());
+  auto header = readMetaHeader(file, true);
+  if (header && productOf(header->sizes) != std::optional<std::uint64_t>(0))
+    return failure(ErrorCode::unsupported, quoted(file) + " holds images, not poses alone; open it as a sweep.", {{"file", file.string()}});
+  if (header && header->endsEarly)
+    if (auto dropped = dropLastFrame(*header); !dropped) return passOn(dropped.error());
+  return sequenceOf(header, file, progress, limits, {});
+} catch (const std::bad_alloc&) {
+  return failure(ErrorCode::tooLarge,
+                 "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",
+                 {{"file", file.string()}});
 }
 
 }  // namespace ew

@@ -65,6 +65,12 @@ using SequenceCheck = std::function<Result<void>(const Sequence&)>;
 [[nodiscard]] Result<Sequence> readSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
                                             const ReadLimits& limits = {}, const SequenceCheck& beforePixels = {});
 
+/// Reads a recording of poses without pixels. Where its end is missing, because a disk was full or a program ended in the middle, the
+/// frames that are whole are read, and a note says so: the last one begun may lack fields and is left out.
+/// @error as readSequence; unsupported when there are pixels
+[[nodiscard]] Result<Sequence> readPoseSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                                const ReadLimits& limits = {});
+
 /// Writes .igs.mha (compressed), complete or not at all.
 [[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const std::filesystem::path& file, Progress& progress = noProgress());
 

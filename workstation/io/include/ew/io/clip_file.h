@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "ew/core/image.h"
+#include "ew/core/result.h"
+
+namespace ew {
+
+/// Writes a film, image after image at an even rate: .avi (Motion JPEG, which every player reads) or .mp4 (MPEG-4 part 2). A film that is
+/// not finished is of no use: whoever stops removes the file.
+class ClipWriter {
+ public:
+  /// @param width_px, height_px of every image; an odd size is cut by one pixel, because players ask for even ones
+  /// @error unsupported (ending), notWritable, badField (smaller than 2 x 2)
+  [[nodiscard]] static Result<ClipWriter> open(const std::filesystem::path& file, int width_px, int height_px, double rate_hz);
+  ~ClipWriter();
+  ClipWriter(ClipWriter&&) noexcept;
+  ClipWriter& operator=(ClipWriter&&) noexcept;
+
+  /// Expects an image of the size that was named. @error notWritable
+  [[nodiscard]] Result<void> add(const RgbImage& image);
+  /// @error notWritable when the file is not there or is empty (the disk was full)
+  [[nodiscard]] Result<void> finish();
+
+ private:
+  struct Parts;
+  explicit ClipWriter(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The endings a film may have, for help and file dialogs: ".avi .mp4".
+inline constexpr const char* kClipEndings = ".avi .mp4";
+[[nodiscard]] bool isClipFile(const std::filesystem::path& file);
+
+}  // namespace ew

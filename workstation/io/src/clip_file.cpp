@@ -1,0 +1,114 @@
+#include "ew/io/clip_file.h"
+
+#include <dlfcn.h>
+
+#include <array>
+#include <utility>
+
+#include "ew/core/contract.h"
+#include "image_header.h"
+#include "video_module.h"
+
+namespace ew {
+namespace {
+using namespace detail;
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> notWritten(const fs::path& file, const std::string& reason) {
+  return failure(ErrorCode::notWritable,
+                 quoted(file) + " could not be written: " + reason + "; check the folder and the free space, or write .avi.",
+                 {{"file", file.string()}, {"reason", reason}});
+}
+
+/// The functions of the module, loaded once and never unloaded.
+struct Video {
+  EwClipOpen* open = nullptr;
+  EwClipAdd* add = nullptr;
+  EwClipClose* close = nullptr;
+};
+
+Result<Video> loadVideo() {
+  std::error_code ignored;
+  const fs::path installed = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../lib/echoweave/libew_video.so";
+  const fs::path file = fs::exists(installed, ignored) ? installed : fs::path(EW_VIDEO_MODULE);
+  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  Video video;
+  if (module != nullptr) {
+    video.open = reinterpret_cast<EwClipOpen*>(dlsym(module, "ewClipOpen"));
+    video.add = reinterpret_cast<EwClipAdd*>(dlsym(module, "ewClipAdd"));
+    video.close = reinterpret_cast<EwClipClose*>(dlsym(module, "ewClipClose"));
+  }
+  if (video.open == nullptr || video.add == nullptr || video.close == nullptr) {
+    const char* const reason = dlerror();
+    return failure(ErrorCode::unsupported, "Films cannot be written, because a part of the program is missing; install EchoWeave again.",
+                   {{"file", file.string()}, {"reason", reason == nullptr ? "" : reason}});
+  }
+  return video;
+}
+
+const Result<Video>& video() {
+  static const Result<Video> loaded = loadVideo();
+  return loaded;
+}
+
+constexpr std::size_t kReasonRoom = 256;
+
+}  // namespace
+
+struct ClipWriter::Parts {
+  fs::path file;
+  int width_px = 0, height_px = 0;
+  EwClip* clip = nullptr;
+
+  void close() {
+    if (clip != nullptr) (*video()->close)(std::exchange(clip, nullptr));
+  }
+  ~Parts() { close(); }
+};
+
+ClipWriter::ClipWriter(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+ClipWriter::~ClipWriter() = default;
+ClipWriter::ClipWriter(ClipWriter&&) noexcept = default;
+ClipWriter& ClipWriter::operator=(ClipWriter&&) noexcept = default;
+
+bool isClipFile(const fs::path& file) { return file.extension() == ".avi" || file.extension() == ".mp4"; }
+
+Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int height_px, double rate_hz) {
+  EW_EXPECTS(rate_hz > 0.0);
+  if (!isClipFile(file))
+    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .avi or .mp4.",
+                   {{"file", file.string()}});
+  if (width_px < 2 || height_px < 2)
+    return failure(
+        ErrorCode::badField,
+        "A film of " + std::to_string(width_px) + " x " + std::to_string(height_px) + " pixels cannot be made; give at least 2x2.",
+        {{"file", file.string()}});
+  if (!video()) return passOn(video().error());
+  std::array<char, kReasonRoom> why{};
+  EwClip* const clip = (*video()->open)(file.c_str(), width_px, height_px, rate_hz, why.data(), why.size());
+  if (clip == nullptr) return notWritten(file, why.data());
+  auto parts = std::make_unique<Parts>();
+  parts->file = file;
+  parts->width_px = width_px;
+  parts->height_px = height_px;
+  parts->clip = clip;
+  return ClipWriter(std::move(parts));
+}
+
+Result<void> ClipWriter::add(const RgbImage& image) {
+  EW_EXPECTS(parts_->clip != nullptr && image.width == parts_->width_px && image.height == parts_->height_px);
+  std::array<char, kReasonRoom> why{};
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
+  if (!(*video()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, why.data());
+  return {};
+}
+
+Result<void> ClipWriter::finish() {
+  parts_->close();
+  std::error_code problem;
+  const auto size = fs::file_size(parts_->file, problem);
+  if (problem || size == 0) return notWritten(parts_->file, problem ? problem.message() : "it is empty");
+  return {};
+}
+
+}  // namespace ew

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+
+/// What the module `ew_video` offers. It links OpenCV's video, and with it more than two hundred libraries: a program loads it when it
+/// meets a film, not when it starts. Every function catches what is thrown; `why` gets a sentence's end, in at most `room` bytes with the
+/// NUL.
+extern "C" {
+using EwClip = struct EwClipParts;
+/// @return null when the film cannot be begun
+using EwClipOpen = EwClip*(const char* file, int width_px, int height_px, double rate_hz, char* why, std::size_t room);
+/// @param rgb width_px x height_px pixels of three bytes, row after row. @return whether it was written
+using EwClipAdd = bool(EwClip* clip, const unsigned char* rgb, char* why, std::size_t room);
+/// Ends the film and forgets it.
+using EwClipClose = void(EwClip* clip);
+}
