@@ -110,6 +110,21 @@ void volumes(const fs::path& folder) {
   const std::string nrrd =
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 3 2\nspace: left-posterior-superior\n"
       "space directions: (1,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\nendian: little\nencoding: ";
+  put(folder / "recording", "two",
+      "ObjectType = Image\nNDims = 3\nDimSize = 0 0 2\nKinds = domain domain list\nElementType = MET_OTHER\nEchoWeaveRecording = 1\n"
+      "EchoWeaveSubject = {\"case\":\"a\",\"title\":\"A\"}\nEchoWeaveImageSize = 320 240\n"
+      "Seq_Frame0000_ProbeToWorldTransform = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nSeq_Frame0000_ProbeToWorldTransformStatus = OK\n"
+      "Seq_Frame0000_Timestamp = 1\nSeq_Frame0000_ImageNumber = 1\nSeq_Frame0000_SkinGaps = 0 1.5 3\n"
+      "Seq_Frame0000_Events = "
+      "[{\"time_s\":1,\"probe_id\":\"p\",\"probe\":{\"format\":1,\"name\":\"P\",\"kind\":\"linear\",\"width_mm\":40,\"lines\":64,"
+      "\"carrier_hz\":5e6,\"elevational_thickness_mm\":2,\"min_depth_mm\":20,\"max_depth_mm\":80,\"default_depth_mm\":60}},"
+      "{\"time_s\":1,\"settings\":{\"gain\":1.2},\"pan_mm\":[1,2]},{\"time_s\":1,\"scene\":{\"focus\":true}},{\"time_s\":1,\"frozen\":"
+      "false},"
+      "{\"time_s\":1,\"note\":\"mark\",\"what\":null}]\n"
+      "Seq_Frame0001_ProbeToWorldTransform = 1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1\nSeq_Frame0001_ProbeToWorldTransformStatus = OK\n"
+      "Seq_Frame0001_Timestamp = 1.5\nSeq_Frame0001_ImageNumber = 2\nSeq_Frame0001_Events000 = [{\"time_s\":1.2,\nSeq_Frame0001_Events001 "
+      "= "
+      "\"frozen\":true}]\nElementDataFile = LOCAL\n");
   put(folder / "nrrd", "raw", nrrd + "raw\n\n" + ramp(24));
   put(folder / "nrrd", "gzip", nrrd + "gzip\n\n" + deflated(ramp(24), true));
   put(folder / "nrrd", "text", nrrd + "ascii\n\n1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24\n");

@@ -1,0 +1,92 @@
+#include "ew/scanning/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "io/files.h"
+#include "scanning/small_scan.h"
+
+namespace ew::replay_test {
+namespace {
+
+constexpr glm::ivec2 kSize_px{120, 90};
+
+std::uint64_t hashOf(const Picture& picture) {
+  std::uint64_t hash = 1469598103934665603U;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) hash = (hash ^ picture.grey.row(y)[x]) * 1099511628211U;
+  return hash;
+}
+
+/// Of every 30th image, made one after another.
+std::vector<std::uint64_t> hashesOf(const ScanLog& log, int threads) {
+  Replay replay(log, test::waveSubject(), threads);
+  std::vector<std::uint64_t> hashes;
+  for (std::size_t n = 0; n < log.frameCount(); ++n) {
+    const Picture picture = replay.make(n, kSize_px.x, kSize_px.y);
+    if (n % 30 == 0) hashes.push_back(hashOf(picture));
+  }
+  return hashes;
+}
+
+}  // namespace
+
+/// 60 s at 30 images a second with 500 changes of settings and more: what was seen, three replays and two numbers of threads.
+TEST(Replay, GivesThePixelsThatWereSeenEveryTimeAndWithEveryNumberOfThreads) {
+  constexpr int kFrames = 1800;
+  ScanRecording recording;
+  Scanner live(2);
+  live.show(test::waveSubject());
+  std::vector<std::uint64_t> seen;
+  for (int n = 0; n < kFrames; ++n) {
+    const ScanState state = test::movingState(n);
+    const Picture picture = live.make(state, kSize_px.x, kSize_px.y);
+    if (n % 30 == 0) seen.push_back(hashOf(picture));
+    recording.log.addFrame(state);
+  }
+  const auto& events = recording.log.events();
+  const auto settings =
+      std::count_if(events.begin(), events.end(), [](const ScanEvent& event) { return !std::holds_alternative<FrameMade>(event.what); });
+  ASSERT_GE(settings, 450) << "as many as a restless hand makes";
+  ASSERT_GT(std::set(seen.begin(), seen.end()).size(), 55U) << "the images differ";
+  test::TempFolder folder;
+  ASSERT_TRUE(writeRecording(recording, folder / "r.seq.mha"));
+  const auto read = readRecording(folder / "r.seq.mha");
+  ASSERT_TRUE(read) << read.error();
+  for (const int threads : {1, 2, 1}) EXPECT_EQ(hashesOf(read->log, threads), seen) << threads << " threads";
+}
+
+TEST(Replay, AfterAJumpDiffersByAGreyLevelAtMost) {
+  ScanLog log;
+  for (int n = 0; n < 260; ++n) log.addFrame(test::movingState(n));
+  Replay straight(log, test::waveSubject()), jumping(log, test::waveSubject());
+  std::vector<GreyImage> expected;
+  for (std::size_t n = 0; n < log.frameCount(); ++n) {
+    const Picture picture = straight.make(n, kSize_px.x, kSize_px.y);
+    expected.emplace_back(kSize_px.x, kSize_px.y);
+    for (int y = 0; y < kSize_px.y; ++y) std::copy_n(picture.grey.row(y), kSize_px.x, viewOf(expected.back()).row(y));
+  }
+  for (const std::size_t n : {40U, 10U, 41U, 120U, 119U, 240U, 0U, 259U}) {
+    const Picture picture = jumping.make(n, kSize_px.x, kSize_px.y);
+    int worst = 0;
+    for (int y = 0; y < kSize_px.y; ++y)
+      for (int x = 0; x < kSize_px.x; ++x)
+        worst = std::max(worst, std::abs(int{picture.grey.row(y)[x]} - int{viewOf(expected[n]).row(y)[x]}));
+    EXPECT_LE(worst, 1) << n;
+    if (test::movingState(static_cast<int>(n)).knobs.persistence == 0.0) {
+      EXPECT_EQ(worst, 0) << n;
+    }
+  }
+}
+
+TEST(Replay, KnowsHowManyImagesStillShow) {
+  ScanLog log;
+  for (int n = 0; n < 260; ++n) log.addFrame(test::movingState(n));
+  EXPECT_EQ(Replay::history(log, 120), 8U) << "0.4 to the 7th is less than half of a grey level of 255, and one more";
+  EXPECT_EQ(Replay::history(log, 3), 3U);
+  EXPECT_EQ(Replay::history(log, 70), 0U);
+  EXPECT_EQ(Replay::history(log, 240), 120U) << "four seconds of M-mode";
+}
+
+}  // namespace ew::replay_test

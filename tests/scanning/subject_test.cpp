@@ -1,0 +1,82 @@
+#include "ew/scanning/scanner.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scanning/small_scan.h"
+
+namespace ew::subject_test {
+
+TEST(ScanVoxels, SmallVolumesAreScannedAsTheyLieAndLargeOnesFromBricks) {
+  const auto small = ScanVoxels::of(test::waves());
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->bricks(), nullptr);
+  const auto large = ScanVoxels::of(test::waves(330));
+  ASSERT_TRUE(large);
+  EXPECT_NE(large->bricks(), nullptr);
+}
+
+TEST(ScanVoxels, BricksShowTheSamePixelsUnlessTheyZoomOut) {
+  const auto volume = test::waves(80);
+  const auto bricked = ScanVoxels::inBricks(volume, 1);
+  ASSERT_TRUE(bricked);
+  for (const Quality quality : {Quality::weave, Quality::linear, Quality::cubic}) {
+    ScanState state = test::movingState(60);
+    state.knobs.quality = quality;
+    Scanner plain, fromBricks;
+    plain.show(subjectOf(ScanVoxels::asStored(volume), "plain"));
+    fromBricks.show(subjectOf(*bricked, "bricks"));
+    const Picture a = plain.make(state, 200, 160), b = fromBricks.make(state, 200, 160);
+    for (int y = 0; y < 160; ++y) ASSERT_TRUE(std::equal(a.grey.row(y), a.grey.row(y) + 200, b.grey.row(y))) << y;
+  }
+}
+
+TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
+  ScanSubject subject = test::waveSubject();
+  subject.labels = subject.voxels.volume();
+  subject.placedLabels = subject.placedGrid;
+  ScanState state = test::movingState(60);
+  state.scene.noise.reset();
+  Scanner scanner;
+  scanner.show(subject);
+  GreyImage before(120, 90);
+  const Picture first = scanner.make(state, 120, 90);
+  for (int y = 0; y < 90; ++y) std::copy_n(first.grey.row(y), 120, viewOf(before).row(y));
+  const glm::dmat4 away = glm::translate(glm::dmat4(1.0), {128.0, -64.0, 32.0});
+  scanner.place(away);
+  EXPECT_EQ(scanner.subject()->placedLabels, scanner.subject()->placedGrid);
+  state.pose.probeToWorld.matrix = away * state.pose.probeToWorld.matrix;
+  const Picture moved = scanner.make(state, 120, 90);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x) ASSERT_NEAR(moved.grey.row(y)[x], viewOf(before).row(y)[x], 1) << x << ' ' << y;
+  EXPECT_TRUE(scanner.seesVolume(state.pose));
+  state.pose.probeToWorld.matrix[3].x += 500.0;
+  EXPECT_FALSE(scanner.seesVolume(state.pose));
+  state.pose.status = PoseStatus::invalid;
+  EXPECT_FALSE(scanner.seesVolume(state.pose));
+}
+
+TEST(ScanSubject, TheFirstStateIsTheCasesProbeAtItsStart) {
+  ScanSubject subject = test::waveSubject();
+  const Probe other = test::smallProbe();
+  Probe wanted = other;
+  wanted.id = "wanted";
+  auto state = firstState(subject, {other, wanted});
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->probe.id, "small") << "any probe";
+  EXPECT_EQ(glm::dvec3(state->pose.probeToWorld.matrix[3]).y, boundsOf(subject.placedGrid).lowest_mm.y + Hold().press_mm);
+  subject.probes = {"wanted", "small"};
+  subject.startPose = test::movingState(3).pose;
+  subject.scene.focus.emplace();
+  state = firstState(subject, {other, wanted});
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->probe.id, "wanted");
+  EXPECT_EQ(state->pose, *subject.startPose);
+  EXPECT_EQ(state->scene, subject.scene);
+  EXPECT_EQ(state->knobs, Knobs());
+  subject.probes = {"none"};
+  EXPECT_FALSE(firstState(subject, {other, wanted}));
+}
+
+}  // namespace ew::subject_test

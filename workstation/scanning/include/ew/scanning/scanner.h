@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ew/imaging/frame.h"
+#include "ew/scanning/state.h"
+#include "ew/scanning/subject.h"
+
+namespace ew {
+
+/// Pictures until persistence shows less than half a grey level of what was there before.
+[[nodiscard]] std::size_t framesToSettle(double persistence);
+
+/// Makes the pictures of one subject, one after another. No window, no clock, no thread of its own.
+class Scanner {
+ public:
+  /// @param threads that work on one picture; 0: one per processor. Pictures do not depend on it.
+  explicit Scanner(int threads = 1) : maker_(threads) {}
+
+  /// What is scanned from now on; earlier pictures are forgotten.
+  void show(ScanSubject subject);
+  void clear();
+  /// Earlier pictures no longer show in later ones: persistence and M-mode start afresh.
+  void forget() { maker_.forget(); }
+  [[nodiscard]] const std::optional<ScanSubject>& subject() const { return subject_; }
+  /// The subject as it is edited: title, scene, place. Voxels and labels stay those of show().
+  void setTitle(std::string title);
+  void setScene(Scene scene);
+  void place(const glm::dmat4& ownToWorld);
+
+  /// Tables for a state, made now rather than with the next picture.
+  void prepare(const ScanState& state, int width_px, int height_px);
+  /// The picture of a state; its views stay valid until the next one. Expects a subject.
+  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture.
+  Picture make(const ScanState& state, int width_px, int height_px);
+  /// Whether any part of the fan of the last picture, seen from `pose`, lies within the voxels.
+  [[nodiscard]] bool seesVolume(const Pose& pose) const;
+
+  /// Of the last picture.
+  [[nodiscard]] const DisplayGeometry& geometry() const { return maker_.geometry(); }
+  [[nodiscard]] const Plan& plan() const { return maker_.plan(); }
+  [[nodiscard]] const Spans& spans() const { return maker_.spans(); }
+  [[nodiscard]] const std::vector<StepTime>& lastTimes() const { return maker_.lastTimes(); }
+  /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
+  [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
+  [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
+
+ private:
+  FrameMaker maker_;
+  std::optional<ScanSubject> subject_;
+};
+
+}  // namespace ew

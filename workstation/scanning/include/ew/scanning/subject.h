@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/core/pose.h"
+#include "ew/core/progress.h"
+#include "ew/core/result.h"
+#include "ew/core/volume.h"
+#include "ew/imaging/scene.h"
+#include "ew/imaging/slice_source.h"
+#include "ew/io/mapped_volume.h"
+#include "ew/library/case.h"
+#include "ew/scanning/state.h"
+
+namespace ew {
+struct Provenance;
+
+/// Voxels to scan, in the layout that slicing reads fastest. Copies share them; nobody changes them.
+class ScanVoxels {
+ public:
+  ScanVoxels() = default;
+  /// Bricks are made beside the volume where they make slices faster and at least half of the free memory stays free (decision 0013).
+  /// @error cancelled
+  [[nodiscard]] static Result<ScanVoxels> of(std::shared_ptr<const Volume> volume, Progress& progress = noProgress());
+  /// The volume as it lies: for a few slices that are not worth the bricks.
+  [[nodiscard]] static ScanVoxels asStored(std::shared_ptr<const Volume> volume);
+  /// Bricks in `levels` resolutions, whatever they cost. @error as bricksOf
+  [[nodiscard]] static Result<ScanVoxels> inBricks(std::shared_ptr<const Volume> volume, int levels, Progress& progress = noProgress());
+  /// Voxels that stay in their file.
+  [[nodiscard]] static ScanVoxels of(std::shared_ptr<const MappedVolume> mapped);
+
+  [[nodiscard]] bool empty() const { return volume_ == nullptr && mapped_ == nullptr; }
+  /// The grid of the voxels' own, before anybody placed them.
+  [[nodiscard]] const Grid& grid() const;
+  /// @param placed where they lie now, of the same dims as grid()
+  /// @param pixel_mm of the picture: zooming out may read a coarser level; 0: the finest whatever the picture
+  [[nodiscard]] SliceSource source(const Grid& placed, double pixel_mm) const;
+  /// Null when they stay in their file.
+  [[nodiscard]] const std::shared_ptr<const Volume>& volume() const { return volume_; }
+  /// Null when they are sliced as they lie.
+  [[nodiscard]] const std::shared_ptr<const BrickedVolume>& bricks() const { return bricks_; }
+  /// @error notReadable when a file they stay in was changed since
+  [[nodiscard]] Result<void> unchanged() const;
+
+ private:
+  std::shared_ptr<const Volume> volume_;
+  std::shared_ptr<const BrickedVolume> bricks_;
+  std::shared_ptr<const MappedVolume> mapped_;
+};
+
+/// What is scanned: voxels, where they lie, and what is known of them. A value that is cheap to copy: voxels are shared, and placing it
+/// elsewhere changes grids alone. Window, command line, cards and tests scan this and nothing else, so that they show the same.
+struct ScanSubject {
+  std::string title;  ///< as a trainee may read it
+  ScanVoxels voxels;
+  Grid placedGrid;                                         ///< where they lie; of the dims of their own grid
+  std::shared_ptr<const Volume> labels = nullptr;          ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
+  Grid placedLabels = {};                                  ///< where the labels lie
+  Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
+  std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
+  std::optional<Pose> startPose = {};                      ///< where whoever scans begins
+  std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
+
+  /// Moves voxels and labels to where `ownToWorld` (rigid, mm) takes the grids of their own.
+  void place(const glm::dmat4& ownToWorld);
+};
+
+/// How the scan of a subject begins: its first probe, its start pose, the settings neutral, the effects of its scene, everything touching.
+/// Without a start pose the probe stands across the middle of the front of its voxels.
+/// @param probes there are
+/// @return empty when the subject's first probe is not among them
+[[nodiscard]] std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes);
+
+/// A volume that belongs to no case, where its own coordinates say.
+[[nodiscard]] ScanSubject subjectOf(ScanVoxels voxels, std::string title);
+
+/// What a case's manifest names, read once. Title, placement, scene and probes may be edited afterwards: subjectOf takes them from the
+/// case.
+struct CaseContents {
+  ScanVoxels voxels;
+  std::shared_ptr<const Volume> labels;  ///< null when the case has none
+  std::vector<TissueAcoustics> tissues;  ///< of the labels, as the recipe has them
+  glm::dmat4 fileToWorld{1.0};           ///< the grids are placed with it
+  std::vector<std::string> notes;
+};
+/// @error as loadCaseVolume; cancelled
+[[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});
+
+/// Where a case as it stands puts the grids of its contents.
+[[nodiscard]] glm::dmat4 ownToWorldOf(const Case& edited, const CaseContents& contents);
+
+/// A case as it stands, with contents read from it, perhaps before it was edited.
+[[nodiscard]] ScanSubject subjectOf(const Case& edited, const CaseContents& contents);
+
+}  // namespace ew

@@ -1,0 +1,62 @@
+#include "ew/scanning/picture_file.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "ew/imaging/caption.h"
+#include "ew/io/image_file.h"
+
+namespace ew {
+namespace {
+
+bool carriesWords(const std::filesystem::path& file) { return file.extension() != ".mha"; }
+
+GreyImage copyOf(ImageView<const std::uint8_t> view) {
+  GreyImage copy(view.width, view.height);
+  for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), view.width, viewOf(copy).row(y));
+  return copy;
+}
+
+}  // namespace
+
+Result<void> checkRoomForWarning(int width_px, int height_px, const std::filesystem::path& file) {
+  if (!carriesWords(file) || (width_px >= kCaptionMinWidth_px && height_px >= kCaptionMinHeight_px)) return {};
+  return failure(ErrorCode::badField,
+                 "A picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
+                     " pixels is too small for the words it must carry; give at least " + std::to_string(kCaptionMinWidth_px) + "x" +
+                     std::to_string(kCaptionMinHeight_px) + ", or write .mha.",
+                 {{"file", file.string()}});
+}
+
+Result<void> writePicture(const Picture& picture, double pixel_mm, const std::filesystem::path& file) {
+  if (picture.hasColour()) return writePicture(composed(picture), pixel_mm, file);
+  if (auto fits = checkRoomForWarning(picture.width(), picture.height(), file); !fits) return fits;
+  if (!carriesWords(file)) return writeImage(picture.grey, pixel_mm, file);
+  GreyImage marked = copyOf(picture.grey);
+  burnCaption(viewOf(marked), kNotForDiagnosis);
+  return writeImage(viewOf(std::as_const(marked)), pixel_mm, file);
+}
+
+Result<void> writePicture(const RgbImage& picture, double pixel_mm, const std::filesystem::path& file) {
+  if (auto fits = checkRoomForWarning(picture.width, picture.height, file); !fits) return fits;
+  if (!carriesWords(file)) return writeImage(viewOf(picture), pixel_mm, file);
+  RgbImage marked = picture;
+  burnCaption(viewOf(marked), kNotForDiagnosis);
+  return writeImage(viewOf(std::as_const(marked)), pixel_mm, file);
+}
+
+Result<PictureClip> PictureClip::open(const std::filesystem::path& file, int width_px, int height_px, double rate_hz) {
+  if (auto fits = checkRoomForWarning(width_px, height_px, file); !fits) return passOn(fits.error());
+  auto clip = ClipWriter::open(file, width_px, height_px, rate_hz);
+  if (!clip) return passOn(clip.error());
+  return PictureClip(std::move(*clip));
+}
+
+Result<void> PictureClip::add(const Picture& picture) {
+  RgbImage marked = composed(picture);
+  burnCaption(viewOf(marked), kNotForDiagnosis);
+  return clip_.add(marked);
+}
+
+}  // namespace ew

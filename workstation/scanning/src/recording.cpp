@@ -1,0 +1,250 @@
+#include "ew/scanning/recording.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "ew/core/nesting.h"
+#include "ew/core/numbers.h"
+#include "ew/core/version.h"
+#include "ew/imaging/settings_json.h"
+#include "ew/io/sequence.h"
+
+namespace ew {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char* kFormatField = "EchoWeaveRecording";
+constexpr const char* kProgramField = "EchoWeaveVersion";
+constexpr const char* kSubjectField = "EchoWeaveSubject";
+constexpr const char* kSizeField = "EchoWeaveImageSize";
+constexpr const char* kNumberField = "ImageNumber";
+constexpr const char* kGapsField = "SkinGaps";
+constexpr const char* kEventsField = "Events";
+constexpr std::size_t kLongestValue = 900;  // with its key a line that readers with buffers of 1000 characters take whole
+constexpr std::size_t kMostGaps = 4096;
+constexpr std::size_t kLongestEvents = 16u << 20;
+
+std::string numbered(const char* key, std::size_t n) {
+  std::string number = std::to_string(n);
+  number.insert(0, 3 - std::min<std::size_t>(3, number.size()), '0');
+  return key + number;
+}
+
+/// A long value goes into several fields, cut where no blank would stand at the end of one: readers trim them.
+void addText(Fields& fields, const char* key, const std::string& text) {
+  if (text.size() <= kLongestValue) {
+    fields.emplace_back(key, text);
+    return;
+  }
+  std::size_t n = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t length = std::min(kLongestValue, text.size() - at);
+    while (length > 1 && at + length < text.size() && (text[at + length - 1] == ' ' || text[at + length] == ' ')) --length;
+    fields.emplace_back(numbered(key, n++), text.substr(at, length));
+    at += length;
+  }
+}
+
+std::string valueOf(const Fields& fields, const std::string& key) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == key; });
+  return found == fields.end() ? std::string() : found->second;
+}
+
+std::string joinedText(const Fields& fields, const char* key) {
+  std::string text = valueOf(fields, key);
+  for (std::size_t n = 0; text.size() < kLongestEvents; ++n) {
+    const std::string piece = valueOf(fields, numbered(key, n));
+    if (piece.empty()) break;
+    text += piece;
+  }
+  return text;
+}
+
+json jsonOf(const ScanEvent& event) {
+  json object = {{"time_s", event.time_s}};
+  if (const auto* chosen = std::get_if<ProbeChosen>(&event.what)) {
+    object["probe"] = toJson(chosen->probe);
+    object["probe_id"] = chosen->probe.id;
+  } else if (const auto* settings = std::get_if<SettingsChanged>(&event.what)) {
+    object["settings"] = toJson(settings->knobs);
+    if (!(settings->pan == Pan{})) object["pan_mm"] = {settings->pan.lateral_mm, settings->pan.axial_mm};
+  } else if (const auto* scene = std::get_if<SceneChanged>(&event.what)) {
+    object["scene"] = toJson(scene->scene);
+  } else if (const auto* freeze = std::get_if<FreezeChanged>(&event.what)) {
+    object["frozen"] = freeze->isFrozen;
+  } else if (const auto* note = std::get_if<Note>(&event.what)) {
+    object["note"] = note->kind;
+    object["what"] = note->what;
+  }
+  return object;
+}
+
+tl::unexpected<Error> badEvent(const fs::path& file, const std::string& where, const std::string& expected) {
+  return failure(ErrorCode::badField, "The recording '" + file.string() + "' has something else in " + where + " than " + expected + ".",
+                 {{"file", file.string()}, {"field", where}, {"expected", expected}});
+}
+
+Result<ScanEvent> eventOf(const json& object, const fs::path& file, const std::string& where) {
+  const auto numberAt = [](const json& value) { return value.is_number() ? std::optional(value.get<double>()) : std::nullopt; };
+  const auto time_s = object.is_object() && object.contains("time_s") ? numberAt(object["time_s"]) : std::nullopt;
+  if (!time_s) return badEvent(file, where, "an event with its time_s");
+  if (object.contains("probe")) {
+    const json& id = object.value("probe_id", json());
+    auto probe = probeFromJson(object["probe"], id.is_string() ? id.get<std::string>() : std::string(), where + " of " + file.string());
+    if (!probe) return passOn(probe.error());
+    return ScanEvent{*time_s, ProbeChosen{std::move(*probe)}};
+  }
+  if (object.contains("settings")) {
+    auto knobs = knobsFromJson(object["settings"], where + " of " + file.string());
+    if (!knobs) return passOn(knobs.error());
+    SettingsChanged settings{*knobs, {}};
+    if (object.contains("pan_mm")) {
+      const json& pan = object["pan_mm"];
+      const auto lateral_mm = pan.is_array() && pan.size() == 2 ? numberAt(pan[0]) : std::nullopt;
+      const auto axial_mm = pan.is_array() && pan.size() == 2 ? numberAt(pan[1]) : std::nullopt;
+      if (!lateral_mm || !axial_mm) return badEvent(file, where + ", pan_mm", "two numbers");
+      settings.pan = {*lateral_mm, *axial_mm};
+    }
+    return ScanEvent{*time_s, std::move(settings)};
+  }
+  if (object.contains("scene")) {
+    auto scene = sceneFromJson(object["scene"], where + " of " + file.string());
+    if (!scene) return passOn(scene.error());
+    return ScanEvent{*time_s, SceneChanged{std::move(*scene)}};
+  }
+  if (object.contains("frozen")) {
+    if (!object["frozen"].is_boolean()) return badEvent(file, where + ", frozen", "true or false");
+    return ScanEvent{*time_s, FreezeChanged{object["frozen"].get<bool>()}};
+  }
+  if (!object.contains("note") || !object["note"].is_string()) return badEvent(file, where, "an event that this program knows");
+  return ScanEvent{*time_s, Note{object["note"].get<std::string>(), object.value("what", json())}};
+}
+
+Result<void> takeEvents(const SequenceFrame& frame, const fs::path& file, const std::string& where, ScanLog& log) {
+  const std::string text = joinedText(frame.otherFields, kEventsField);
+  if (text.empty()) return {};
+  const json events = nestsDeeperThan(text) ? json() : json::parse(text, nullptr, false);
+  if (!events.is_array()) return badEvent(file, where, "a list of events");
+  for (const json& object : events) {
+    auto event = eventOf(object, file, where);
+    if (!event) return passOn(event.error());
+    log.add(std::move(*event));
+  }
+  return {};
+}
+
+Result<void> takeFrame(const SequenceFrame& frame, const fs::path& file, const std::string& where, ScanLog& log) {
+  if (auto taken = takeEvents(frame, file, where, log); !taken) return taken;
+  const std::string number = valueOf(frame.otherFields, kNumberField);
+  if (number.empty()) return {};  // holds the last events alone
+  FrameMade made;
+  const auto parsed = parseIntegers(number);
+  if (!parsed || parsed->size() != 1 || parsed->front() < 0) return badEvent(file, where + ", " + kNumberField, "a whole number");
+  made.number = static_cast<std::uint64_t>(parsed->front());
+  const auto pose = std::find_if(frame.transforms.begin(), frame.transforms.end(),
+                                 [](const NamedTransform& t) { return t.from == "Probe" && t.to == "World"; });
+  if (pose == frame.transforms.end() || !frame.time_s) return badEvent(file, where, "a ProbeToWorldTransform and a Timestamp");
+  made.pose.probeToWorld.matrix = pose->matrix;
+  made.pose.status = pose->status;
+  if (const std::string gaps = valueOf(frame.otherFields, kGapsField); !gaps.empty()) {
+    const auto numbers = parseNumbers(gaps);
+    if (!numbers || numbers->size() > kMostGaps) return badEvent(file, where + ", " + kGapsField, "distances in mm");
+    for (const double gap_mm : *numbers) made.gaps_mm.push_back(static_cast<float>(gap_mm));
+  }
+  log.add({*frame.time_s, std::move(made)});
+  return {};
+}
+
+SequenceFrame frameOf(const ScanEvent& event, const FrameMade& made, json& events) {
+  SequenceFrame frame;
+  frame.time_s = event.time_s;
+  frame.imageStatus = PoseStatus::missing;
+  frame.transforms.push_back({"Probe", "World", made.pose.probeToWorld.matrix, made.pose.status});
+  frame.otherFields.emplace_back(kNumberField, std::to_string(made.number));
+  if (!made.gaps_mm.empty()) {
+    std::string gaps;
+    for (const float gap_mm : made.gaps_mm) gaps += (gaps.empty() ? "" : " ") + textOf(static_cast<double>(gap_mm));
+    addText(frame.otherFields, kGapsField, gaps);
+  }
+  if (!events.empty()) addText(frame.otherFields, kEventsField, events.dump(-1, ' ', true));
+  events = json::array();
+  return frame;
+}
+
+}  // namespace
+
+Result<void> writeRecording(const ScanRecording& recording, const fs::path& file, Progress& progress) {
+  if (recording.log.frameCount() == 0)
+    return failure(ErrorCode::badField, "The recording holds no image, so '" + file.string() + "' was not written; scan while it runs.",
+                   {{"file", file.string()}});
+  Sequence sequence;
+  sequence.otherFields = {{kFormatField, std::to_string(kRecordingFormat)}, {kProgramField, kVersion}};
+  addText(sequence.otherFields, kSubjectField, json{{"case", recording.caseId}, {"title", recording.title}}.dump(-1, ' ', true));
+  sequence.otherFields.emplace_back(kSizeField, std::to_string(recording.size_px.x) + " " + std::to_string(recording.size_px.y));
+  json events = json::array();
+  for (const ScanEvent& event : recording.log.events()) {
+    if (const auto* made = std::get_if<FrameMade>(&event.what))
+      sequence.frames.push_back(frameOf(event, *made, events));
+    else
+      events.push_back(jsonOf(event));
+  }
+  if (!events.empty()) {
+    // What happened after the last image: a frame without one, whose pose nobody may use.
+    SequenceFrame last;
+    last.time_s = recording.log.end_s();
+    last.imageStatus = PoseStatus::missing;
+    last.transforms.push_back({"Probe", "World", sequence.frames.back().transforms.front().matrix, PoseStatus::invalid});
+    addText(last.otherFields, kEventsField, events.dump(-1, ' ', true));
+    sequence.frames.push_back(std::move(last));
+  }
+  return writeSequence(sequence, file, progress);
+}
+
+Result<ScanRecording> readRecording(const fs::path& file, Progress& progress) {
+  auto sequence = readPoseSequence(file, progress);
+  if (!sequence) return passOn(sequence.error());
+  const auto format = parseIntegers(valueOf(sequence->otherFields, kFormatField));
+  if (!format || format->size() != 1)
+    return failure(ErrorCode::unsupported,
+                   "'" + file.string() + "' holds poses, but is no recording of a scan made here; open it as a sweep's tracking instead.",
+                   {{"file", file.string()}});
+  if (format->front() > kRecordingFormat)
+    return failure(ErrorCode::newerFormat,
+                   "The recording '" + file.string() + "' has format " + std::to_string(format->front()) + ", this program reads up to " +
+                       std::to_string(kRecordingFormat) + "; update EchoWeave.",
+                   {{"file", file.string()}, {"found", std::to_string(format->front())}, {"known", std::to_string(kRecordingFormat)}});
+  ScanRecording recording;
+  recording.notes = std::move(sequence->notes);
+  std::erase_if(recording.notes, [](const std::string& note) { return note == "The recording has poses but no images."; });
+  const json subject = json::parse(joinedText(sequence->otherFields, kSubjectField), nullptr, false);
+  if (subject.is_object()) {
+    if (const auto found = subject.find("case"); found != subject.end() && found->is_string()) recording.caseId = found->get<std::string>();
+    if (const auto found = subject.find("title"); found != subject.end() && found->is_string()) recording.title = found->get<std::string>();
+  }
+  const auto size = parseIntegers(valueOf(sequence->otherFields, kSizeField));
+  if (!size || size->size() != 2 || std::any_of(size->begin(), size->end(), [](long long n) { return n < 1 || n > 8192; }))
+    return badEvent(file, kSizeField, "two sizes from 1 to 8192");
+  recording.size_px = {static_cast<int>(size->front()), static_cast<int>(size->back())};
+  for (std::size_t n = 0; n < sequence->frames.size(); ++n) {
+    if (n % 256 == 0 && progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was changed.");
+    if (auto taken = takeFrame(sequence->frames[n], file, "frame " + std::to_string(n), recording.log); !taken)
+      return passOn(taken.error());
+  }
+  if (recording.log.frameCount() == 0)
+    return failure(ErrorCode::badField, "The recording '" + file.string() + "' holds no image; record the scan again.",
+                   {{"file", file.string()}});
+  return recording;
+}
+
+Result<bool> isRecording(const fs::path& file) {
+  const auto sequence = readPoseSequence(file);
+  if (!sequence && sequence.error().code == ErrorCode::unsupported) return false;
+  if (!sequence) return passOn(sequence.error());
+  return !valueOf(sequence->otherFields, kFormatField).empty();
+}
+
+}  // namespace ew

@@ -1,0 +1,75 @@
+#include "ew/scanning/scanner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ew/core/contract.h"
+
+namespace ew {
+
+std::size_t framesToSettle(double persistence) {
+  constexpr double kMost = 0.95;
+  return persistence > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(std::log(0.5 / 255.0) / std::log(std::min(persistence, kMost)))) : 0;
+}
+
+void Scanner::show(ScanSubject subject) {
+  subject_ = std::move(subject);
+  maker_.forget();
+}
+
+void Scanner::clear() {
+  subject_.reset();
+  maker_.forget();
+}
+
+void Scanner::setTitle(std::string title) {
+  if (subject_) subject_->title = std::move(title);
+}
+
+void Scanner::setScene(Scene scene) {
+  if (subject_) subject_->scene = std::move(scene);
+}
+
+void Scanner::place(const glm::dmat4& ownToWorld) {
+  if (subject_) subject_->place(ownToWorld);
+}
+
+void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
+  EW_EXPECTS(subject_.has_value());
+  maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr,
+                   state.pan);
+}
+
+Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
+  prepare(state, width_px, height_px);
+  FrameInput input;
+  // Zooming out, a weave undersamples as the paper's does; the better qualities read a coarser level.
+  input.echo = subject_->voxels.source(subject_->placedGrid, state.knobs.quality == Quality::weave ? 0.0 : geometry().pixel_mm);
+  if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
+  input.pose = state.pose;
+  input.gaps_mm = state.gaps_mm;
+  input.time_s = state.time_s;
+  input.number = state.number;
+  return maker_.make(input);
+}
+
+bool Scanner::seesVolume(const Pose& pose) const {
+  if (!subject_ || pose.status != PoseStatus::ok || geometry().width == 0) return false;
+  const Grid& grid = subject_->placedGrid;
+  const glm::dmat4 imageToVoxel = (grid.worldToVoxel() * pose.probeToWorld * geometry().imageToProbe()).matrix;
+  const Spans& fan = spans();
+  constexpr int kEvery_px = 8;
+  for (std::size_t y = 0; y < fan.size(); y += kEvery_px) {
+    for (const RowSpan& run : fan[y]) {
+      for (int x = run.begin; x < run.end; x += kEvery_px) {
+        const glm::dvec3 p_voxel(imageToVoxel * glm::dvec4(x, y, 0.0, 1.0));
+        if (glm::all(glm::greaterThanEqual(p_voxel, glm::dvec3(-0.5))) && glm::all(glm::lessThan(p_voxel, glm::dvec3(grid.dims) - 0.5)))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace ew

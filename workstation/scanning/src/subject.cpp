@@ -1,0 +1,126 @@
+#include "ew/scanning/subject.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ew/core/contract.h"
+#include "ew/tracking/hand.h"
+
+namespace ew {
+namespace {
+
+constexpr int kLevels = 4;  // the coarsest an eighth as fine as the volume
+
+/// Whether bricks make slices faster and at least half of the free memory stays free.
+bool bricksPay(const Volume& volume) {
+  if (!worthBricking(volume.grid.dims)) return false;
+  const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return static_cast<double>(bricksForecast_bytes(volume.grid.dims, kLevels)) <= 0.5 * free_bytes;
+}
+
+}  // namespace
+
+ScanVoxels ScanVoxels::asStored(std::shared_ptr<const Volume> volume) {
+  EW_EXPECTS(volume != nullptr);
+  ScanVoxels voxels;
+  voxels.volume_ = std::move(volume);
+  return voxels;
+}
+
+Result<ScanVoxels> ScanVoxels::inBricks(std::shared_ptr<const Volume> volume, int levels, Progress& progress) {
+  ScanVoxels voxels = asStored(std::move(volume));
+  auto bricks = bricksOf(voxels.volume_->view(), levels, 0, progress);
+  if (!bricks) return passOn(bricks.error());
+  voxels.bricks_ = std::make_shared<const BrickedVolume>(std::move(*bricks));
+  return voxels;
+}
+
+Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress& progress) {
+  EW_EXPECTS(volume != nullptr);
+  if (!bricksPay(*volume)) return asStored(std::move(volume));
+  auto bricked = inBricks(volume, kLevels, progress);
+  if (bricked || bricked.error().code == ErrorCode::cancelled) return bricked;
+  return asStored(std::move(volume));  // memory ran out after all
+}
+
+ScanVoxels ScanVoxels::of(std::shared_ptr<const MappedVolume> mapped) {
+  EW_EXPECTS(mapped != nullptr);
+  ScanVoxels voxels;
+  voxels.mapped_ = std::move(mapped);
+  return voxels;
+}
+
+const Grid& ScanVoxels::grid() const {
+  EW_EXPECTS(!empty());
+  return mapped_ ? mapped_->grid() : volume_->grid;
+}
+
+SliceSource ScanVoxels::source(const Grid& placed, double pixel_mm) const {
+  EW_EXPECTS(!empty() && placed.dims == grid().dims);
+  if (bricks_) return bricks_->sourceFor(placed, pixel_mm);
+  return VolumeView<const std::uint8_t>{mapped_ ? mapped_->view().data : volume_->echo.data(), placed};
+}
+
+Result<void> ScanVoxels::unchanged() const { return mapped_ ? mapped_->unchanged() : Result<void>(); }
+
+void ScanSubject::place(const glm::dmat4& ownToWorld) {
+  placedGrid = placed(voxels.grid(), ownToWorld);
+  if (labels) placedLabels = placed(labels->grid, ownToWorld);
+}
+
+std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes) {
+  const auto probe =
+      std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return subject.probes.empty() || p.id == subject.probes.front(); });
+  if (probe == probes.end()) return std::nullopt;
+  ScanState state;
+  state.probe = *probe;
+  state.scene = subject.scene;
+  if (subject.startPose) {
+    state.pose = *subject.startPose;
+  } else {
+    const Bounds bounds = boundsOf(subject.placedGrid);
+    Hold hold;
+    hold.contact.point_mm = (bounds.lowest_mm + bounds.highest_mm) / 2.0;
+    hold.contact.point_mm.y = bounds.lowest_mm.y;
+    hold.contact.outward = {0.0, -1.0, 0.0};
+    state.pose = poseOf(hold);
+  }
+  return state;
+}
+
+ScanSubject subjectOf(ScanVoxels voxels, std::string title) {
+  ScanSubject subject;
+  subject.title = std::move(title);
+  subject.placedGrid = voxels.grid();
+  subject.voxels = std::move(voxels);
+  return subject;
+}
+
+Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options) {
+  PartOfProgress reading(progress, 0.0, 0.95), bricking(progress, 0.95, 1.0);
+  auto echo = loadCaseVolume(opened, reading, options);
+  if (!echo) return passOn(echo.error());
+  auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(echo->volume)), bricking);
+  if (!voxels) return passOn(voxels.error());
+  CaseContents contents{std::move(*voxels), nullptr, std::move(echo->tissues), opened.volume.fileToWorld, std::move(echo->notes)};
+  if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
+  return contents;
+}
+
+glm::dmat4 ownToWorldOf(const Case& edited, const CaseContents& contents) {
+  return edited.volume.fileToWorld * glm::inverse(contents.fileToWorld);
+}
+
+ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
+  ScanSubject subject = subjectOf(contents.voxels, titleForTrainees(edited));
+  subject.labels = contents.labels;
+  subject.scene = sceneWithTissues(edited.scene, contents.tissues);
+  subject.probes = edited.probes;
+  subject.startPose = edited.startPose;
+  subject.place(ownToWorldOf(edited, contents));
+  return subject;
+}
+
+}  // namespace ew
