@@ -15,6 +15,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/imaging/scan_conversion.h"
 #include "ew/library/case.h"
+#include "ew/scanning/scanner.h"
 #include "report.h"
 
 namespace ew {
@@ -39,7 +40,7 @@ struct FrameSetting {
   Knobs knobs;
   Scene scene;
   std::function<const std::uint8_t*(const Pose&)> frame;
-  std::shared_ptr<FrameMaker> maker;
+  std::shared_ptr<Scanner> scanner;  ///< null: a peer, or bare beams
 
   std::vector<double> cpu_us;  ///< mean of each repetition
   std::vector<double> wall_us;
@@ -123,22 +124,26 @@ std::vector<TissueAcoustics> benchTissues() {
           {.label = 2, .name = "fluid", .attenuation_dbPerCmMhz = 0.0}};
 }
 
-/// Frames of a FrameMaker of its own, so that settings can take turns without making tables anew.
+/// Frames of a Scanner of its own, so that settings can take turns without making tables anew.
 void addFrames(std::vector<FrameSetting>& settings, const World& world, FrameSetting setting, bool withLabels = false,
                bool withGaps = false) {
-  setting.maker = std::make_shared<FrameMaker>(setting.threads);
+  const auto shared = [](const Volume& volume) { return std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume); };
   if (withLabels) setting.scene.tissues = benchTissues();
-  setting.maker->configure(world.probe, setting.knobs, setting.scene, world.volume.grid, world.options.width_px, world.options.height_px,
-                           withLabels);
-  setting.frame = [maker = setting.maker, &world, withLabels, withGaps, number = std::uint64_t{0}](const Pose& pose) mutable {
-    FrameInput input;
-    input.echo = SliceSource(world.volume.view());
-    if (withLabels) input.labels = SliceSource(world.labels.view());
-    input.pose = pose;
-    if (withGaps) input.gaps_mm = world.gaps_mm;
-    input.number = ++number;
-    input.time_s = static_cast<double>(number) / 30.0;
-    return static_cast<const std::uint8_t*>(maker->make(input).row(0));
+  ScanSubject subject = subjectOf(ScanVoxels::asStored(shared(world.volume)), setting.method);
+  if (withLabels) {
+    subject.labels = shared(world.labels);
+    subject.placedLabels = world.volume.grid;
+  }
+  ScanState state{.probe = world.probe, .knobs = setting.knobs, .pan = {}, .scene = setting.scene, .pose = {}};
+  if (withGaps) state.gaps_mm = world.gaps_mm;
+  setting.scanner = std::make_shared<Scanner>(setting.threads);
+  setting.scanner->show(std::move(subject));
+  const glm::ivec2 size_px(world.options.width_px, world.options.height_px);
+  setting.scanner->prepare(state, size_px.x, size_px.y);
+  setting.frame = [scanner = setting.scanner, state, size_px](const Pose& pose) mutable {
+    state.pose = pose;
+    state.time_s = static_cast<double>(++state.number) / 30.0;
+    return static_cast<const std::uint8_t*>(scanner->make(state, size_px.x, size_px.y).grey.row(0));
   };
   settings.push_back(std::move(setting));
 }
@@ -379,8 +384,8 @@ bool timeSettings(std::vector<FrameSetting>& settings, const World& world, Progr
       const double startWall_s = now_s(), startCpu_s = threadTime_s();
       for (const Pose& pose : world.poses) {
         setting.frame(pose);
-        if (setting.maker)
-          for (const StepTime& time : setting.maker->lastTimes()) setting.steps_us[nameOf(time.kind)].push_back(time.measured_us);
+        if (setting.scanner)
+          for (const StepTime& time : setting.scanner->lastTimes()) setting.steps_us[nameOf(time.kind)].push_back(time.measured_us);
       }
       const double frames = static_cast<double>(world.poses.size());
       setting.cpu_us.push_back(1e6 * (threadTime_s() - startCpu_s) / frames);
@@ -404,9 +409,9 @@ void addToReport(const std::vector<FrameSetting>& settings, const World& world, 
     json row = {
         {"name", setting.name},       {"group", setting.group},    {"method", setting.method}, {"peer", setting.peer},
         {"threads", setting.threads}, {"volume_side", world.side}, {"median_us", time_us},     {"wall_us", medianOf(setting.wall_us)}};
-    if (setting.maker) {
+    if (setting.scanner) {
       std::ostringstream plan;
-      plan << setting.maker->plan();
+      plan << setting.scanner->plan();
       row["plan"] = plan.str();
     }
     if (peer_us > 0.0) row["of_peer"] = time_us / peer_us;

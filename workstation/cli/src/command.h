@@ -87,6 +87,7 @@ void addReconstruct(CLI::App& root, Selection& selection);
 void addRegister(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
+void addReplay(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
 void addPlugins(CLI::App& root, Selection& selection);

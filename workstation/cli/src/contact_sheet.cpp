@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ew/imaging/caption.h"
+#include "ew/scanning/scanner.h"
 
 namespace ew::cli {
 namespace {
@@ -17,7 +18,7 @@ constexpr int kWarning_px = 30;  // below all
 
 struct Tile {
   std::string name;
-  GreyImage picture;
+  RgbImage picture;
 };
 
 /// One tile's setting: the console, the scene, and what happens before the picture is taken.
@@ -48,26 +49,22 @@ Pose rocked(const Pose& pose, double angle_deg) {
   return turned;
 }
 
-GreyImage pictureOf(const SheetSource& source, const Setting& setting, const glm::ivec2& size_px) {
-  FrameMaker maker;
-  const bool withLabels = setting.withLabels && !source.labels.empty();
-  maker.configure(setting.probe, setting.knobs, setting.scene, source.echo.grid, size_px.x, size_px.y, withLabels);
-  ImageView<const std::uint8_t> shown;
+RgbImage pictureOf(const SheetSource& source, const Setting& setting, const glm::ivec2& size_px) {
+  Scanner scanner;
+  ScanSubject subject = source.subject;
+  if (!setting.withLabels) subject.labels = nullptr;
+  scanner.show(std::move(subject));
+  ScanState state{
+      .probe = setting.probe, .knobs = setting.knobs, .pan = {}, .scene = setting.scene, .pose = {}, .gaps_mm = setting.gaps_mm};
+  Picture shown;
   for (int n = 0; n < setting.frames; ++n) {
-    FrameInput input;
-    input.echo = source.echo;
-    if (withLabels) input.labels = source.labels;
-    input.pose = slid(setting.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
-    input.gaps_mm = setting.gaps_mm;
-    input.number = static_cast<std::uint64_t>(n) + 1;
-    input.time_s = n * setting.secondsPerFrame;
-    shown = maker.make(input);
+    state.pose = slid(setting.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
+    state.number = static_cast<std::uint64_t>(n);
+    state.time_s = n * setting.secondsPerFrame;
+    shown = scanner.make(state, size_px.x, size_px.y);
   }
-  if (setting.showsStrip) shown = maker.strip();
-  GreyImage picture(size_px.x, size_px.y);
-  for (int y = 0; y < std::min(size_px.y, shown.height); ++y)
-    std::copy_n(shown.row(y), std::min(size_px.x, shown.width), viewOf(picture).row(y));
-  return picture;
+  if (setting.showsStrip) shown = {scanner.strip()};
+  return composed(shown);
 }
 
 /// In the small letters that captions have.
@@ -76,27 +73,26 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-GreyImage arranged(const std::vector<Tile>& tiles, const glm::ivec2& tile_px) {
+RgbImage arranged(const std::vector<Tile>& tiles, const glm::ivec2& tile_px) {
   const int rows = (static_cast<int>(tiles.size()) + kColumns - 1) / kColumns;
-  GreyImage sheet(kColumns * tile_px.x, rows * (tile_px.y + kName_px) + kWarning_px);
+  RgbImage sheet(kColumns * tile_px.x, rows * (tile_px.y + kName_px) + kWarning_px);
   for (std::size_t n = 0; n < tiles.size(); ++n) {
     const int left = static_cast<int>(n % kColumns) * tile_px.x, top = static_cast<int>(n / kColumns) * (tile_px.y + kName_px);
-    const GreyImage& picture = tiles[n].picture;
+    const RgbImage& picture = tiles[n].picture;
     for (int y = 0; y < picture.height; ++y) std::copy_n(viewOf(picture).row(y), picture.width, viewOf(sheet).row(top + y) + left);
-    ImageView<std::uint8_t> below{viewOf(sheet).row(top + tile_px.y) + left, tile_px.x, kName_px, sheet.width};
+    const ImageView<Rgb> below{viewOf(sheet).row(top + tile_px.y) + left, tile_px.x, kName_px, sheet.width};
     burnCaption(below, tiles[n].name);
   }
-  burnCaption(viewOf(sheet), kNotForDiagnosis);
   return sheet;
 }
 
 }  // namespace
 
-GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
+RgbImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
   std::vector<Tile> tiles;
   Setting plain{.probe = source.probe, .pose = source.pose, .knobs = {}, .scene = {}};
-  plain.scene.recordedDynamicRange_db = source.scene.recordedDynamicRange_db;
-  plain.scene.tissues = source.scene.tissues;
+  plain.scene.recordedDynamicRange_db = source.subject.scene.recordedDynamicRange_db;
+  plain.scene.tissues = source.subject.scene.tissues;
   const auto add = [&](std::string name, const Setting& setting) {
     tiles.push_back({lowerCase(std::move(name)), pictureOf(source, setting, tile_px)});
   };
@@ -169,13 +165,13 @@ GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
         s.secondsPerFrame = s.knobs.mSweep_s / 90.0;
         s.showsStrip = true;
       });
-  pair("nothing on", "as the case asks", nothing, [&](Setting& s) { s.scene = source.scene; });
+  pair("nothing on", "as the case asks", nothing, [&](Setting& s) { s.scene = source.subject.scene; });
   pair(
       "everything, weave", "everything, cubic",
       [&](Setting& s) {
         s.scene = sceneWithEverything();
-        s.scene.recordedDynamicRange_db = source.scene.recordedDynamicRange_db;
-        s.scene.tissues = source.scene.tissues;
+        s.scene.recordedDynamicRange_db = source.subject.scene.recordedDynamicRange_db;
+        s.scene.tissues = source.subject.scene.tissues;
         s.knobs.quality = Quality::weave;
       },
       [](Setting& s) { s.knobs.quality = Quality::cubic; });
@@ -183,7 +179,7 @@ GreyImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
   for (const Probe& probe : source.probes) {
     Setting setting = plain;
     setting.probe = probe;
-    setting.scene = source.scene;
+    setting.scene = source.subject.scene;
     add(probe.id, setting);
     if (probe.maxSteering_rad > 0.0) {
       setting.knobs.steering_rad = probe.maxSteering_rad;

@@ -6,11 +6,10 @@
 #include "command.h"
 #include "contact_sheet.h"
 #include "ew/core/numbers.h"
-#include "ew/imaging/caption.h"
-#include "ew/imaging/frame.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
-#include "ew/io/image_file.h"
+#include "ew/scanning/picture_file.h"
+#include "ew/scanning/scanner.h"
 #include "knobs_file.h"
 #include "volume_input.h"
 
@@ -58,27 +57,19 @@ Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string
 /// Frames made only to be timed: the first frame of a program meets cold memory and says little.
 constexpr int kWarmFrames = 15;
 
-/// What is scanned: a volume, or a case with what it says about probes, poses, effects and tissues.
-struct Subject {
-  std::optional<Case> opened;
-  InputVolume volume;
-  std::optional<Volume> labels;
-  std::vector<std::string> probes;
-  std::optional<Pose> startPose;
-  Scene scene;
+/// What is to be scanned, as far as it is known before voxels are read (which may take long).
+struct Wanted {
+  std::optional<Case> opened;  ///< empty: a volume that belongs to no case
+  std::optional<Scene> scene;  ///< in place of the case's
 };
 
-/// What a case's manifest says, before its volume is read (which may take long).
-Result<Subject> nameSubject(const ScanArguments& arguments, Run& run) {
-  Subject subject;
+Result<Wanted> readWanted(const ScanArguments& arguments, Run& run) {
+  Wanted wanted;
   if (meansCase(arguments.source)) {
     auto found = findCase(arguments.source);
     if (!found) return passOn(found.error());
-    subject.opened = std::move(*found);
-    if (auto kept = run.protect(subject.opened->folder / "case.json"); !kept) return passOn(kept.error());
-    subject.probes = subject.opened->probes;
-    subject.startPose = subject.opened->startPose;
-    subject.scene = subject.opened->scene;
+    wanted.opened = std::move(*found);
+    if (auto kept = run.protect(wanted.opened->folder / "case.json"); !kept) return passOn(kept.error());
   } else if (auto kept = run.protect(arguments.source); !kept) {
     return passOn(kept.error());
   }
@@ -86,31 +77,31 @@ Result<Subject> nameSubject(const ScanArguments& arguments, Run& run) {
     if (auto kept = run.input(arguments.scene); !kept) return passOn(kept.error());
     auto read = readScene(arguments.scene);
     if (!read) return passOn(read.error());
-    subject.scene = std::move(*read);
+    wanted.scene = std::move(*read);
+    if (wanted.opened) wanted.opened->scene = *wanted.scene;
   }
+  return wanted;
+}
+
+Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wanted, Run& run) {
+  if (wanted.opened) {
+    auto contents = readCaseContents(run, *wanted.opened);
+    if (!contents) return passOn(contents.error());
+    return subjectOf(*wanted.opened, *contents);
+  }
+  auto voxels = openInputVoxels(run, arguments.source, arguments.map);
+  if (voxels && voxels->volume()) voxels = ScanVoxels::of(voxels->volume(), run.progress);
+  if (!voxels) return passOn(voxels.error());
+  ScanSubject subject = subjectOf(std::move(*voxels), arguments.source);
+  if (wanted.scene) subject.scene = *wanted.scene;
   return subject;
 }
 
-Result<void> readSubject(const ScanArguments& arguments, Run& run, Subject& subject) {
-  if (!subject.opened) {
-    auto volume = openInputVolume(run, arguments.source, arguments.map);
-    if (!volume) return passOn(volume.error());
-    subject.volume = std::move(*volume);
-    return {};
-  }
-  auto echo = readCaseEcho(run, *subject.opened);
-  if (!echo) return passOn(echo.error());
-  subject.volume.volume = std::move(echo->volume);
-  subject.labels = std::move(echo->labels);
-  subject.scene = sceneWithTissues(subject.scene, echo->tissues);
-  return {};
-}
-
-Result<std::vector<Pose>> posesFor(const ScanArguments& arguments, const Subject& subject, Run& run) {
+Result<std::vector<Pose>> posesFor(const ScanArguments& arguments, const Wanted& wanted, Run& run) {
   if (!arguments.pose.empty()) return readPoses(run, arguments.pose);
-  if (subject.startPose) return std::vector<Pose>{*subject.startPose};
-  return failure(ErrorCode::badUsage, subject.opened ? "The case has no start pose; say where the probe is with --pose."
-                                                     : "Say where the probe is with --pose: 16 numbers, or a file with one pose a line.");
+  if (wanted.opened && wanted.opened->startPose) return std::vector<Pose>{*wanted.opened->startPose};
+  return failure(ErrorCode::badUsage, wanted.opened ? "The case has no start pose; say where the probe is with --pose."
+                                                    : "Say where the probe is with --pose: 16 numbers, or a file with one pose a line.");
 }
 
 /// Gaps between skin and face at evenly spread points of the face; empty when everything touches.
@@ -137,41 +128,39 @@ Result<std::vector<float>> gapsOf(const std::vector<std::string>& parts) {
   return gaps_mm;
 }
 
-/// Frames of one subject, one after another on one clock.
-class Scanner {
+/// Pictures of one subject, one after another on one clock, each timed.
+class TimedScanner {
  public:
-  Scanner(const ScanArguments& arguments, const Subject& subject, std::vector<float> gaps_mm, Run& run)
-      : subject_(subject), gaps_mm_(std::move(gaps_mm)), rate_hz_(arguments.rate_hz), run_(run), maker(arguments.threads) {}
+  TimedScanner(const ScanArguments& arguments, ScanSubject subject, ScanState state, Run& run)
+      : scanner(arguments.threads), state_(std::move(state)), size_px_(arguments.size_px), rate_hz_(arguments.rate_hz), run_(run) {
+    scanner.show(std::move(subject));
+    const StepClock clock(run_.report, "configure");
+    scanner.prepare(state_, size_px_.x, size_px_.y);
+  }
 
-  ImageView<const std::uint8_t> make(const Pose& pose, bool isTimed = true) {
-    FrameInput input;
-    input.echo = subject_.volume.view();
-    if (subject_.labels) input.labels = subject_.labels->view();
-    input.pose = pose;
-    input.gaps_mm = gaps_mm_;
-    input.time_s = static_cast<double>(frames_) / rate_hz_;
-    input.number = frames_++;
+  Picture make(const Pose& pose, bool isTimed = true) {
+    state_.pose = pose;
+    state_.time_s = static_cast<double>(state_.number) / rate_hz_;
     const auto start = std::chrono::steady_clock::now();
-    const auto frame = maker.make(input);
+    const auto picture = scanner.make(state_, size_px_.x, size_px_.y);
     const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    ++state_.number;
     if (isTimed) {
       run_.report.addStep("frame", took_us);
       latency.add(took_us);
     }
-    for (const auto& time : maker.lastTimes()) run_.report.addStep(nameOf(time.kind), time.measured_us);
-    return frame;
+    for (const auto& time : scanner.lastTimes()) run_.report.addStep(nameOf(time.kind), time.measured_us);
+    return picture;
   }
 
+  Scanner scanner;
+  LatencyHistogram latency;
+
  private:
-  const Subject& subject_;
-  std::vector<float> gaps_mm_;
+  ScanState state_;
+  glm::ivec2 size_px_;
   double rate_hz_;
   Run& run_;
-  std::uint64_t frames_ = 0;
-
- public:
-  FrameMaker maker;
-  LatencyHistogram latency;
 };
 
 bool isLit(ImageView<const std::uint8_t> frame) {
@@ -180,18 +169,15 @@ bool isLit(ImageView<const std::uint8_t> frame) {
   return false;
 }
 
-Result<void> write(Run& run, const std::filesystem::path& file, ImageView<const std::uint8_t> frame, double pixel_mm) {
+Result<void> write(Run& run, const std::filesystem::path& file, const Picture& picture, double pixel_mm) {
   const StepClock clock(run.report, "write");
-  GreyImage picture(frame.width, frame.height);
-  for (int y = 0; y < frame.height; ++y) std::copy(frame.row(y), frame.row(y) + frame.width, viewOf(picture).row(y));
-  if (file.extension() != ".mha") burnCaption(viewOf(picture), kNotForDiagnosis);
-  return writeImage(viewOf(std::as_const(picture)), pixel_mm, run.outputs.staged(file));
+  return writePicture(picture, pixel_mm, run.outputs.staged(file));
 }
 
-void printPlan(std::ostream& out, const FrameMaker& maker, const Report& report) {
-  const auto& geometry = maker.geometry();
+void printPlan(std::ostream& out, const Scanner& scanner, const Report& report) {
+  const auto& geometry = scanner.geometry();
   out << "Plan for " << geometry.width << " x " << geometry.height << " pixels of " << rounded(geometry.pixel_mm, 3) << " mm, depth "
-      << rounded(geometry.depth_mm, 0) << " mm, sampled on " << (maker.plan().onBeams ? "beams" : "the display's pixels") << ":\n";
+      << rounded(geometry.depth_mm, 0) << " mm, sampled on " << (scanner.plan().onBeams ? "beams" : "the display's pixels") << ":\n";
   double estimated_us = 0.0, measured_us = 0.0;
   const auto line = [&](std::string name, double estimate_us, double measure_us) {
     std::string estimate = rounded(estimate_us, 0), measure = rounded(measure_us, 0);
@@ -200,7 +186,7 @@ void printPlan(std::ostream& out, const FrameMaker& maker, const Report& report)
     measure.insert(0, 8 - std::min<std::size_t>(8, measure.size()), ' ');
     out << "  " << name << estimate << " us estimated" << measure << " us measured\n";
   };
-  for (const auto& step : maker.plan().steps) {
+  for (const auto& step : scanner.plan().steps) {
     const double median = report.median_us(nameOf(step.kind));
     line(nameOf(step.kind), step.estimated_us, median);
     estimated_us += step.estimated_us;
@@ -219,23 +205,17 @@ Result<void> checkContactSheet(const ScanArguments& arguments, Run& run) {
   return run.output(arguments.contactSheet, ".png");
 }
 
-Result<int> makeContactSheet(const ScanArguments& arguments, const Subject& subject, const Probe& probe, const std::vector<Pose>& poses,
+Result<int> makeContactSheet(const ScanArguments& arguments, const ScanSubject& subject, const Probe& probe, const std::vector<Pose>& poses,
                              Run& run) {
   const auto resources = resourceFolder();
   if (!resources) return passOn(resources.error());
   auto probes = readProbes(*resources / "probes");
   if (!probes) return passOn(probes.error());
-  SheetSource source{.echo = subject.volume.view(),
-                     .labels = {},
-                     .scene = subject.scene,
-                     .probe = probe,
-                     .probes = std::move(*probes),
-                     .pose = poses.front(),
-                     .interfacePose = poses.back()};
-  if (subject.labels) source.labels = subject.labels->view();
+  const SheetSource source{
+      .subject = subject, .probe = probe, .probes = std::move(*probes), .pose = poses.front(), .interfacePose = poses.back()};
   run.progress.report("Making the contact sheet", kShareOfReading);
-  const GreyImage sheet = contactSheet(source, arguments.size_px);
-  if (auto written = writeImage(viewOf(sheet), 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
+  const RgbImage sheet = contactSheet(source, arguments.size_px);
+  if (auto written = writePicture(sheet, 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
   run.say("Wrote a contact sheet of " + std::to_string(sheet.width) + " x " + std::to_string(sheet.height) + " pixels.");
   return kDone;
 }
@@ -248,12 +228,9 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (!writes && arguments.repeat == 0 && !arguments.plan && !isSheet)
     return failure(ErrorCode::badUsage,
                    "Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.");
-  if (writes && std::filesystem::path(arguments.output).extension() != ".mha" &&
-      (arguments.size_px.x < kCaptionMinWidth_px || arguments.size_px.y < kCaptionMinHeight_px))
-    return failure(ErrorCode::badUsage,
-                   "A picture of " + std::to_string(arguments.size_px.x) + " x " + std::to_string(arguments.size_px.y) +
-                       " pixels is too small for the words it must carry; give at least " + std::to_string(kCaptionMinWidth_px) + "x" +
-                       std::to_string(kCaptionMinHeight_px) + ", or write .mha.");
+  if (writes)
+    if (auto fits = checkRoomForWarning(arguments.size_px.x, arguments.size_px.y, arguments.output); !fits)
+      return failure(ErrorCode::badUsage, fits.error().sentence);
   Knobs knobs;
   if (!arguments.knobs.empty()) {
     if (auto kept = run.input(arguments.knobs); !kept) return passOn(kept.error());
@@ -261,18 +238,19 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
     if (!read) return passOn(read.error());
     knobs = *read;
   }
-  auto subject = nameSubject(arguments, run);
-  if (!subject) return passOn(subject.error());
+  const auto wanted = readWanted(arguments, run);
+  if (!wanted) return passOn(wanted.error());
   if (std::filesystem::path(arguments.probe).extension() == ".json")
     if (auto kept = run.protect(arguments.probe); !kept) return passOn(kept.error());
-  const auto probe = findProbe(arguments.probe, subject->probes);
+  const auto probe = findProbe(arguments.probe, wanted->opened ? wanted->opened->probes : std::vector<std::string>());
   if (!probe) return passOn(probe.error());
   if (auto fits = checkDepth(knobs, *probe); !fits) return passOn(fits.error());
-  const auto poses = posesFor(arguments, *subject, run);
+  const auto poses = posesFor(arguments, *wanted, run);
   if (!poses) return passOn(poses.error());
   auto gaps_mm = gapsOf(arguments.offSkin);
   if (!gaps_mm) return passOn(gaps_mm.error());
-  if (!gaps_mm->empty() && !subject->scene.contact)
+  const bool hasContact = wanted->opened ? wanted->opened->scene.contact.has_value() : wanted->scene && wanted->scene->contact;
+  if (!gaps_mm->empty() && !hasContact)
     run.remark("Nothing shows that a part of the face is off the skin, because the scene has no contact effect; give one with --scene.");
 
   const bool writesStrip = knobs.mode == DisplayMode::mMode;
@@ -280,7 +258,8 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (writes)
     for (std::size_t n = 0; n < outputs; ++n)
       if (auto announced = run.output(numbered(arguments.output, n, outputs), ".png .mha"); !announced) return passOn(announced.error());
-  if (auto read = readSubject(arguments, run, *subject); !read) return passOn(read.error());
+  auto subject = readSubject(arguments, *wanted, run);
+  if (!subject) return passOn(subject.error());
   if (isSheet) return makeContactSheet(arguments, *subject, *probe, *poses, run);
 
   run.report.options = {{"probe", probe->id},
@@ -293,16 +272,14 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
                         {"threads", arguments.threads},
                         {"rate_hz", arguments.rate_hz},
                         {"off_skin", arguments.offSkin},
-                        {"mapped", subject->volume.mapped.has_value()}};
-  Scanner scanner(arguments, *subject, std::move(*gaps_mm), run);
-  const FrameMaker& maker = scanner.maker;
-  {
-    const StepClock clock(run.report, "configure");
-    scanner.maker.configure(*probe, knobs, subject->scene, subject->volume.grid(), arguments.size_px.x, arguments.size_px.y,
-                            subject->labels.has_value());
-  }
-  run.report.options["pixel_mm"] = maker.geometry().pixel_mm;
-  run.report.options["depth_mm"] = maker.geometry().depth_mm;
+                        {"mapped", subject->voxels.volume() == nullptr}};
+  const ScanVoxels voxels = subject->voxels;
+  const Scene scene = subject->scene;
+  TimedScanner timed(arguments, std::move(*subject),
+                     {.probe = *probe, .knobs = knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = std::move(*gaps_mm)}, run);
+  const Scanner& scanner = timed.scanner;
+  run.report.options["pixel_mm"] = scanner.geometry().pixel_mm;
+  run.report.options["depth_mm"] = scanner.geometry().depth_mm;
   const int rounds = std::max(1, arguments.repeat);
   const double total = static_cast<double>(rounds) * static_cast<double>(poses->size());
   double done = 0.0;
@@ -310,37 +287,37 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   for (int round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < poses->size(); ++n) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
-      if (auto whole = subject->volume.unchanged(); !whole) return passOn(whole.error());
-      const auto frame = scanner.make((*poses)[n]);
+      if (auto whole = voxels.unchanged(); !whole) return passOn(whole.error());
+      const auto frame = timed.make((*poses)[n]);
       if (round == 0) {
-        if (isLit(frame))
+        if (isLit(frame.grey))
           ++litPictures;
         else
           run.remark("The picture of pose " + std::to_string(n + 1) + " is black; the probe looks past the volume or the gain is 0.");
       }
       if (writes && !writesStrip)
-        if (auto written = write(run, numbered(arguments.output, n, outputs), frame, maker.geometry().pixel_mm); !written)
+        if (auto written = write(run, numbered(arguments.output, n, outputs), frame, scanner.geometry().pixel_mm); !written)
           return passOn(written.error());
       run.progress.report("Scanning", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
   if (writes && writesStrip)
-    if (auto written = write(run, numbered(arguments.output, 0, 1), maker.strip(), maker.geometry().pixel_mm); !written)
+    if (auto written = write(run, numbered(arguments.output, 0, 1), {scanner.strip()}, scanner.geometry().pixel_mm); !written)
       return passOn(written.error());
   run.report.quality = {{"pictures_not_black", litPictures},
-                        {"pose_to_picture_p50_us", scanner.latency.quantile_us(0.5)},
-                        {"pose_to_picture_p95_us", scanner.latency.quantile_us(0.95)},
-                        {"pose_to_picture_p99_us", scanner.latency.quantile_us(0.99)},
-                        {"pose_to_picture_max_us", scanner.latency.max_us()},
-                        {"pose_to_picture_count", scanner.latency.count()}};
+                        {"pose_to_picture_p50_us", timed.latency.quantile_us(0.5)},
+                        {"pose_to_picture_p95_us", timed.latency.quantile_us(0.95)},
+                        {"pose_to_picture_p99_us", timed.latency.quantile_us(0.99)},
+                        {"pose_to_picture_max_us", timed.latency.max_us()},
+                        {"pose_to_picture_count", timed.latency.count()}};
   if (arguments.plan && arguments.repeat == 0)
-    for (int n = 0; n < kWarmFrames; ++n) scanner.make(poses->front(), false);
+    for (int n = 0; n < kWarmFrames; ++n) timed.make(poses->front(), false);
   run.report.details["plan"] = nlohmann::json::array();
-  for (const auto& step : maker.plan().steps)
+  for (const auto& step : scanner.plan().steps)
     run.report.details["plan"].push_back(
         {{"name", nameOf(step.kind)}, {"estimated_us", step.estimated_us}, {"measured_us", run.report.median_us(nameOf(step.kind))}});
-  run.report.details["on_beams"] = maker.plan().onBeams;
+  run.report.details["on_beams"] = scanner.plan().onBeams;
   run.progress.clear();
-  if (arguments.plan) printPlan(run.out(), maker, run.report);
+  if (arguments.plan) printPlan(run.out(), scanner, run.report);
   if (writes)
     run.say(writesStrip ? "Wrote the strip of " + counted(poses->size(), "beam") + ", probe " + probe->name + "."
                         : "Wrote " + counted(poses->size(), "scan") + ", probe " + probe->name + ".");

@@ -59,7 +59,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
       if (auto announced = run.output(numbered(arguments.output, n, poses->size()), ".png .mha"); !announced)
         return passOn(announced.error());
 
-  const auto volume = openInputVolume(run, arguments.volume, arguments.map);
+  const auto volume = openInputVoxels(run, arguments.volume, arguments.map);
   if (!volume) return passOn(volume.error());
   const auto& spacing_mm = volume->grid().spacing_mm;
   const double pixel_mm = arguments.pixel_mm.value_or(std::min({spacing_mm.x, spacing_mm.y, spacing_mm.z}));
@@ -72,7 +72,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
                         {"pixel_mm", pixel_mm},
                         {"quality", arguments.quality},
                         {"repeat", arguments.repeat},
-                        {"mapped", volume->mapped.has_value()}};
+                        {"mapped", volume->volume() == nullptr}};
 
   GreyImage picture(arguments.size_px.x, arguments.size_px.y);
   SliceScratch scratch;
@@ -86,7 +86,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
       const auto imageToVoxel = worldToVoxel * (*poses)[n].probeToWorld * imageToProbe;
       {
         const StepClock clock(run.report, "slice");
-        slice(quality, volume->view(), imageToVoxel, viewOf(picture), scratch);
+        slice(quality, volume->source(volume->grid(), 0.0), imageToVoxel, viewOf(picture), scratch);
       }
       if (round == 0) {
         const double inside = shareInside(volume->grid(), imageToVoxel, arguments.size_px);

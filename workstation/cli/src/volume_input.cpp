@@ -18,11 +18,11 @@ Result<Volume> readInputVolume(Run& run, const fs::path& file) {
   return std::move(loaded->volume);
 }
 
-Result<InputVolume> openInputVolume(Run& run, const fs::path& file, bool map) {
+Result<ScanVoxels> openInputVoxels(Run& run, const fs::path& file, bool map) {
   if (!map && mappableBytes(file) < kMapFrom_bytes) {
     auto read = readInputVolume(run, file);
     if (!read) return passOn(read.error());
-    return InputVolume{std::move(*read), std::nullopt};
+    return ScanVoxels::asStored(std::make_shared<const Volume>(std::move(*read)));
   }
   if (auto kept = run.input(file); !kept) return passOn(kept.error());
   auto mapped = [&] {
@@ -31,7 +31,7 @@ Result<InputVolume> openInputVolume(Run& run, const fs::path& file, bool map) {
   }();
   if (!mapped) return passOn(mapped.error());
   for (const auto& note : mapped->notes()) run.remark(note);
-  return InputVolume{{}, std::move(*mapped)};
+  return ScanVoxels::of(std::make_shared<const MappedVolume>(std::move(*mapped)));
 }
 
 Result<std::vector<Pose>> readPoses(Run& run, const std::string& argument) {
@@ -65,16 +65,16 @@ Result<Case> findCase(const std::string& caseOrId) {
                  {{"case", caseOrId}});
 }
 
-Result<CaseEcho> readCaseEcho(Run& run, const Case& opened) {
+Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
   if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
-  auto echo = [&] {
+  auto contents = [&] {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);
-    return loadCaseVolume(opened, reading);
+    return readContents(opened, reading);
   }();
-  if (!echo) return passOn(echo.error());
-  for (const auto& note : echo->notes) run.remark(note);
-  return echo;
+  if (!contents) return passOn(contents.error());
+  for (const auto& note : contents->notes) run.remark(note);
+  return contents;
 }
 
 }  // namespace ew::cli

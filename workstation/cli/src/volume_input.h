@@ -5,8 +5,8 @@
 #include "command.h"
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
-#include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
+#include "ew/scanning/subject.h"
 
 namespace ew::cli {
 
@@ -19,19 +19,10 @@ inline constexpr double kShareOfReading = 0.8;
 /// From this size on an uncompressed volume stays in its file and is read by the page.
 inline constexpr std::uint64_t kMapFrom_bytes = 1ull << 30;
 
-/// A volume to look at, in memory or in its file.
-struct InputVolume {
-  Volume volume;                       ///< empty when it is mapped
-  std::optional<MappedVolume> mapped;  ///< when it stays in its file
-  [[nodiscard]] VolumeView<const std::uint8_t> view() const { return mapped ? mapped->view() : volume.view(); }
-  [[nodiscard]] const Grid& grid() const { return mapped ? mapped->grid() : volume.grid; }
-  /// @error notReadable when a mapped file was changed since
-  [[nodiscard]] Result<void> unchanged() const { return mapped ? mapped->unchanged() : Result<void>(); }
-};
-
-/// As readInputVolume; an uncompressed file is mapped when it is large, or when `map` asks for it.
+/// As readInputVolume, to be sliced; an uncompressed file stays where it is when it is large, or when `map` asks
+/// for it.
 /// @error as readVolume, as mapVolume when `map`
-[[nodiscard]] Result<InputVolume> openInputVolume(Run& run, const std::filesystem::path& file, bool map);
+[[nodiscard]] Result<ScanVoxels> openInputVoxels(Run& run, const std::filesystem::path& file, bool map);
 
 /// A case by folder, by case.json, or by the id of a shipped case.
 /// @error as loadCase; notFound names the shipped ids
@@ -43,7 +34,7 @@ struct InputVolume {
 /// True when `argument` can only mean a case: a folder, a .json file, or a word that is no file.
 [[nodiscard]] bool meansCase(const std::string& argument);
 
-/// The case's echo and labels placed in the world, made first when they have to be; timed, notes told as remarks.
-[[nodiscard]] Result<CaseEcho> readCaseEcho(Run& run, const Case& opened);
+/// What a case's manifest names, made first when it has to be; timed, notes told as remarks.
+[[nodiscard]] Result<CaseContents> readCaseContents(Run& run, const Case& opened);
 
 }  // namespace ew::cli
