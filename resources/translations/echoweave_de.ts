@@ -5019,6 +5019,61 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>This volume does not say which frame a voxel came from; one that is made here from a sweep does</source>
         <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt; eines, das hier aus einem Schwenk entsteht, sagt es</translation>
     </message>
+    <message>
+        <source>record, end recording</source>
+        <translation>aufzeichnen, Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>mark this moment of a recording</source>
+        <translation>diesen Augenblick der Aufzeichnung markieren</translation>
+    </message>
+    <message>
+        <source>A recording is shown. Close it (Escape) to move the probe yourself.</source>
+        <translation>Eine Aufzeichnung wird gezeigt. Schließen Sie sie (Esc), um den Schallkopf selbst zu bewegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Auf&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Mark this moment</source>
+        <translation>Diesen Augenblick markieren</translation>
+    </message>
+    <message>
+        <source>Save recording as…</source>
+        <translation>Aufzeichnung speichern unter …</translation>
+    </message>
+    <message>
+        <source>The recording is kept until another one begins. Play it below, or save it (%1).</source>
+        <translation>Die Aufzeichnung bleibt, bis eine andere beginnt. Spielen Sie sie unten ab oder speichern Sie sie (%1).</translation>
+    </message>
+    <message>
+        <source>End &amp;recording</source>
+        <translation>Aufzeichnung be&amp;enden</translation>
+    </message>
+    <message>
+        <source>The recording of &apos;%1&apos; is not saved.</source>
+        <translation>Die Aufzeichnung von „%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Sequences of poses (*.seq.mha *.mha)</source>
+        <translation>Folgen von Lagen (*.seq.mha *.mha)</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of &apos;%2&apos;. Open what was scanned first, then the recording.</source>
+        <translation>%1 ist eine Aufzeichnung von „%2“. Öffnen Sie zuerst, was geschallt wurde, dann die Aufzeichnung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is open; %n notes say how it was read.</source>
+        <translation>
+            <numerusform>%1 ist geöffnet; eine Anmerkung sagt, wie gelesen wurde.</numerusform>
+            <numerusform>%1 ist geöffnet; %n Anmerkungen sagen, wie gelesen wurde.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::MessageBar</name>
@@ -5652,6 +5707,56 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>what it said</source>
         <translation>was sie ergab</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::ReplayBar</name>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Close the recording and scan on (Escape)</source>
+        <translation>Aufzeichnung schließen und weiter schallen (Esc)</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ew::ui::TimeLine</name>
+    <message>
+        <source>Time line of the recording</source>
+        <translation>Zeitleiste der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Click or drag to another moment (arrows: a second, with Shift five; Home and End)</source>
+        <translation>Klicken oder ziehen Sie zu einem anderen Augenblick (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
     </message>
 </context>
 </TS>

@@ -68,7 +68,7 @@ class ConsoleTest : public WindowFixture {
     linear.trapezoidHalfAngle_rad = glm::radians(10.0);
     std::vector<Probe> all = session().probes();
     all.push_back(linear);
-    Subject subject = *session().subject();
+    ScanSubject subject = *session().subject();
     for (const Probe& probe : all) subject.probes.push_back(probe.id);
     session().setProbes(all);
     session().show(subject);
@@ -341,12 +341,12 @@ class ConsoleTest : public WindowFixture {
   }
 
   void theBricksOfAVolumeShowTheVolumesOwnPixels() {
-    const Subject plain = *session().subject();
-    QVERIFY2(plain.bricks == nullptr, "a small volume is sliced as it lies");
-    auto made = bricksOf(plain.volume->view(), 1, 0, noProgress());
+    const ScanSubject plain = *session().subject();
+    QVERIFY2(plain.voxels.bricks() == nullptr, "a small volume is sliced as it lies");
+    auto made = ScanVoxels::inBricks(plain.voxels.volume(), 1);
     QVERIFY(made.has_value());
-    Subject bricked = plain;
-    bricked.bricks = std::make_shared<const BrickedVolume>(std::move(*made));
+    ScanSubject bricked = plain;
+    bricked.voxels = *made;
     for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
       if (!find<QPushButton>(quality)->isChecked()) press(quality);
       session().show(bricked);
@@ -359,12 +359,12 @@ class ConsoleTest : public WindowFixture {
   }
 
   void zoomingOutReadsACoarserLevelUnlessTheQualityIsWeave() {
-    const Subject plain = *session().subject();
-    auto made = bricksOf(plain.volume->view(), 4, 0, noProgress());
+    const ScanSubject plain = *session().subject();
+    auto made = ScanVoxels::inBricks(plain.voxels.volume(), 4);
     QVERIFY(made.has_value());
-    Subject bricked = plain;
-    bricked.bricks = std::make_shared<const BrickedVolume>(std::move(*made));
-    const auto shown = [this](const Subject& subject, const char* quality, int width, int height) {
+    ScanSubject bricked = plain;
+    bricked.voxels = *made;
+    const auto shown = [this](const ScanSubject& subject, const char* quality, int width, int height) {
       if (!find<QPushButton>(quality)->isChecked()) press(quality);
       session().show(subject);
       session().setPictureSize(width, height);

@@ -1,12 +1,15 @@
 // Every case after every other one in one window: what is scanned afterwards is the second case and nothing of the first.
 // With EW_OPEN_SHIPPED_CASES=1 the same with the cases that are shipped, as far as they are prepared.
 #include <QLabel>
+#include <QProcess>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "ew/core/progress.h"
+#include "ew/io/image_file.h"
 #include "ew/library/case.h"
 #include "library/small_case.h"
+#include "thumbnails.h"
 #include "window_fixture.h"
 
 namespace ew::ui::testing {
@@ -127,10 +130,11 @@ class EveryCaseTest : public WindowFixture {
     QVERIFY2(!window_->messages().isError(), qPrintable(what + QStringLiteral(": ") + window_->messages().text()));
     const auto& subject = session().subject();
     QVERIFY(subject.has_value());
-    QVERIFY2(subject->title == title, qPrintable(what));
+    QVERIFY2(subject->title == title.toStdString(), qPrintable(what));
     QVERIFY2(window_->windowTitle().startsWith(title), qPrintable(what));
     QVERIFY2(find<QLabel>("title")->text() == title, qPrintable(what));
-    QVERIFY2(subject->volume->grid == expected.echo.volume.grid && subject->volume->echo == expected.echo.volume.echo, qPrintable(what));
+    QVERIFY2(subject->voxels.volume()->grid == expected.echo.volume.grid && subject->voxels.volume()->echo == expected.echo.volume.echo,
+             qPrintable(what));
     QVERIFY2(subject->placedGrid == expected.echo.volume.grid, qPrintable(what));
     QVERIFY2((subject->labels != nullptr) == expected.echo.labels.has_value(), qPrintable(what));
     if (subject->labels) {
@@ -173,6 +177,64 @@ class EveryCaseTest : public WindowFixture {
       if (QTest::currentTestFailed()) return;
       expected_[index].picture = pixelsOf(session());
       window_.reset();
+    }
+  }
+
+  /// One state of one case looks the same in the window, on its card, from the command and in its contact sheet.
+  void windowCardCommandAndContactSheetShowTheSamePixels() {
+    constexpr int kWidth = 320, kHeight = 240;
+    const QStringList size{QStringLiteral("--size"), QStringLiteral("%1x%2").arg(kWidth).arg(kHeight)};
+    const auto resources = resourceFolder();
+    QVERIFY(resources.has_value());
+    const auto probes = readProbes(*resources / "probes");
+    QVERIFY(probes.has_value());
+    const auto rowsOf = [](const GreyImage& image, int left, int top) {
+      std::vector<std::uint8_t> pixels;
+      for (int y = top; y < top + kHeight; ++y)
+        pixels.insert(pixels.end(), viewOf(image).row(y) + left, viewOf(image).row(y) + left + kWidth);
+      return pixels;
+    };
+    showEmptyWindow();
+    for (std::size_t index = 0; index < folders_.size(); ++index) {
+      openAndLook(index, QStringLiteral("others"));
+      if (QTest::currentTestFailed()) return;
+      const QString what = QString::fromStdString(expected_[index].opened.id);
+      const ScanSubject subject = *session().subject();
+      auto state = firstState(subject, *probes);
+      QVERIFY2(state.has_value(), qPrintable(what));
+      session().setPictureSize(kWidth, kHeight);
+      session().play(*state);
+      session().makePictureNow();
+      const std::vector<std::uint8_t> inWindow = pixelsOf(session());
+      QCOMPARE(inWindow.size(), std::size_t{kWidth * kHeight});
+      QVERIFY2(std::any_of(inWindow.begin(), inWindow.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
+      session().play({});
+
+      const QImage card = thumbnailOf(subject, *probes, {kWidth, kHeight});
+      for (int y = 0; y < kHeight; ++y)
+        QVERIFY2(std::equal(card.constScanLine(y), card.constScanLine(y) + kWidth, inWindow.data() + std::ptrdiff_t{y} * kWidth),
+                 qPrintable(what));
+
+      // The command takes its pose from the words when the case has no start of its own.
+      QStringList pose;
+      for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) pose << QString::number(state->pose.probeToWorld.matrix[column][row], 'g', 17);
+      const QStringList words =
+          QStringList{QStringLiteral("scan"), folders_[index], QStringLiteral("--pose=") + pose.join(QLatin1Char(' '))} + size;
+      const QString image = files_.path(QStringLiteral("command.mha")), sheet = files_.path(QStringLiteral("sheet.png"));
+      QCOMPARE(QProcess::execute(QStringLiteral(EW_PROGRAM), words + QStringList{QStringLiteral("-o"), image}), 0);
+      const auto fromCommand = readImage(image.toStdString());
+      QVERIFY2(fromCommand.has_value(), qPrintable(what));
+      QVERIFY2(fromCommand->pixels == inWindow, qPrintable(what + QStringLiteral(": the command shows something else")));
+
+      QCOMPARE(QProcess::execute(QStringLiteral(EW_PROGRAM), words + QStringList{QStringLiteral("--contact-sheet"), sheet}), 0);
+      const auto tiles = readImage(sheet.toStdString());
+      QVERIFY2(tiles.has_value(), qPrintable(what));
+      constexpr int kName = 18;
+      bool found = false;
+      for (int top = 0; top + kHeight <= tiles->height && !found; top += kHeight + kName)
+        for (int left = 0; left + kWidth <= tiles->width && !found; left += kWidth) found = rowsOf(*tiles, left, top) == inWindow;
+      QVERIFY2(found, qPrintable(what + QStringLiteral(": no tile shows the case as it asks")));
     }
   }
 

@@ -97,7 +97,7 @@ class ImportTest : public QObject {
     MessageBar messages(&parent);
     QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::raw, QString(), jobs, messages, &parent);
     std::shared_ptr<const Volume> made;
-    connect(dialog, &FileImportDialog::imported, [&](const std::shared_ptr<const ew::Volume>& volume, const QString&) { made = volume; });
+    connect(dialog, &FileImportDialog::imported, [&](const ew::ScanVoxels& voxels, const QString&) { made = voxels.volume(); });
     dialog->show();
     QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("rawDim0"))->value(), 1);  // nothing is filled in beforehand
     auto* guess = dialog->findChild<QComboBox*>(QStringLiteral("rawGuess"));
@@ -191,7 +191,7 @@ class ImportTest : public QObject {
     MessageBar messages(&parent);
     QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::volume, {}, jobs, messages, &parent);
     std::shared_ptr<const Volume> made;
-    connect(dialog, &FileImportDialog::imported, [&](const std::shared_ptr<const ew::Volume>& volume, const QString&) { made = volume; });
+    connect(dialog, &FileImportDialog::imported, [&](const ew::ScanVoxels& voxels, const QString&) { made = voxels.volume(); });
     dialog->show();
     auto* number = dialog->findChild<QSpinBox*>(QStringLiteral("timeStep"));
     QTRY_COMPARE_WITH_TIMEOUT(number->maximum(), 7, static_cast<int>(ew::test::kPatience_ms));
@@ -226,9 +226,7 @@ class ImportTest : public QObject {
     QPointer<ImportDialog> dialog = new ImportDialog(QString::fromStdString(file.string()), jobs, messages, &parent);
     std::shared_ptr<const Volume> made;
     connect(dialog, &ImportDialog::imported,
-            [&](const std::shared_ptr<const ew::Volume>& volume, const QString&, const std::shared_ptr<const ew::Provenance>&) {
-              made = volume;
-            });
+            [&](const ew::ScanVoxels& voxels, const QString&, const std::shared_ptr<const ew::Provenance>&) { made = voxels.volume(); });
     dialog->show();
     auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
     auto* notes = dialog->findChild<QLabel*>(QStringLiteral("importNotes"));

@@ -52,7 +52,7 @@ class JourneysTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
     const QString folder = writeCaseCalled(QStringLiteral("second"));
     Q_EMIT find<StartPage>("startPage")->caseChosen(folder);
-    QVERIFY(waitUntil([this] { return session().subject()->title == QLatin1String("second"); }));
+    QVERIFY(waitUntil([this] { return session().subject()->title == "second"; }));
     QVERIFY2(find<QLabel>("title")->text() == QLatin1String("second"), qPrintable(find<QLabel>("title")->text()));
   }
 
@@ -65,7 +65,7 @@ class JourneysTest : public WindowFixture {
       window_->open(again ? second : third);
       QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
       QTest::qWait(20);
-      QCOMPARE(session().subject()->title, again ? QStringLiteral("second") : QStringLiteral("third"));
+      QCOMPARE(session().subject()->title, std::string(again ? "second" : "third"));
     }
   }
 

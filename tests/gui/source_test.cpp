@@ -51,7 +51,8 @@ class SourceTest : public WindowFixture {
     import->findChild<QDoubleSpinBox*>(QStringLiteral("spacing"))->setValue(1.0);  // a pixel for every voxel
     QTest::mouseClick(make, Qt::LeftButton);
     const QString title = QFileInfo(sweep).fileName();
-    if (!waitUntil([&] { return session().subject() && session().subject()->title == title && window_->isSettled(); })) return false;
+    if (!waitUntil([&] { return session().subject() && session().subject()->title == title.toStdString() && window_->isSettled(); }))
+      return false;
     QApplication::setActiveWindow(window_.get());
     window_->scanView().setFocus();
     return true;
@@ -72,14 +73,14 @@ class SourceTest : public WindowFixture {
     double x_px = 0.0, y_px = 0.0;
   };
   [[nodiscard]] std::vector<Spot> spots() const {
-    const Subject& subject = *session().subject();
+    const ScanSubject& subject = *session().subject();
     const auto pictureToWorld = session().picturePose().probeToWorld * session().geometry().imageToProbe();
     std::vector<Spot> found;
     for (int y = 4; y < session().geometry().height; y += 16) {
       for (const RowSpan& run : session().spans()[static_cast<std::size_t>(y)]) {
         for (int x = run.begin + 2; x < run.end - 2; x += 24) {
           const auto at = pictureToWorld * Point<frame::Image>{{x, y, 0.0}};
-          const glm::dvec3 recorded = (subject.volume->grid.voxelToWorld() * (subject.placedGrid.worldToVoxel() * at)).at;
+          const glm::dvec3 recorded = (subject.voxels.volume()->grid.voxelToWorld() * (subject.placedGrid.worldToVoxel() * at)).at;
           const double nearest = std::round(recorded.z);
           // Near a frame's plane and off the middle between two voxels, where rounding decides.
           if (recorded.x < 1.0 || recorded.x > 38.0 || recorded.y < 1.0 || recorded.y > 28.0 || recorded.z < 1.0 || recorded.z > 22.0 ||

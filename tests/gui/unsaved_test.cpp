@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "answers.h"
 #include "ew/library/case.h"
 #include "ew/library/kept_edits.h"
 #include "library/small_case.h"
@@ -27,53 +28,6 @@ namespace ew::ui::testing {
 namespace {
 
 constexpr int kPatience_ms = 300000;
-
-/// Answers dialogs by their names as they come, each once, and remembers which came.
-class Answers final : public QObject {
- public:
-  using Answer = std::function<void(QWidget&)>;
-
-  explicit Answers(std::map<QString, Answer> known) : known_(std::move(known)) {
-    connect(&poll_, &QTimer::timeout, this, [this] {
-      QWidget* modal = QApplication::activeModalWidget();
-      if (modal == nullptr || modal == answered_ || modal->objectName() == QLatin1String("importDialog")) return;
-      const QString name = qobject_cast<QFileDialog*>(modal) != nullptr ? QStringLiteral("fileDialog") : modal->objectName();
-      asked << name;
-      texts << (qobject_cast<QMessageBox*>(modal) != nullptr ? qobject_cast<QMessageBox*>(modal)->text() : QString());
-      answered_ = modal;
-      const auto found = known_.find(name);
-      if (found != known_.end()) {
-        found->second(*modal);
-      } else {
-        qobject_cast<QDialog*>(modal)->reject();
-      }
-    });
-    poll_.start(10);
-  }
-
-  QStringList asked, texts;
-
- private:
-  QTimer poll_;
-  QPointer<QWidget> answered_;
-  std::map<QString, Answer> known_;
-};
-
-Answers::Answer press(QMessageBox::StandardButton which) {
-  return [which](QWidget& dialog) { qobject_cast<QMessageBox*>(&dialog)->button(which)->click(); };
-}
-
-Answers::Answer press(const char* name) {
-  return [name = QString::fromLatin1(name)](QWidget& dialog) { dialog.findChild<QPushButton*>(name)->click(); };
-}
-
-/// Types a name into a file dialog as a user does.
-Answers::Answer type(const QString& file) {
-  return [file](QWidget& dialog) {
-    dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
-    QMetaObject::invokeMethod(&dialog, "accept");
-  };
-}
 
 std::string textOf(const QString& file) { return test::textOf(file.toStdString()); }
 
@@ -141,7 +95,7 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return make->isEnabled(); }, kPatience_ms));
     make->click();
   }
-  [[nodiscard]] bool shows(const QString& title) const { return session().subject() && session().subject()->title == title; }
+  [[nodiscard]] bool shows(const QString& title) const { return session().subject() && session().subject()->title == title.toStdString(); }
 
  private Q_SLOTS:
   void init() {
@@ -445,15 +399,16 @@ class UnsavedTest : public WindowFixture {
     other.grid.origin_mm = {-40.0, -110.0, -70.0};
     other.echo.assign(other.grid.voxelCount(), 77);
     QVERIFY(writeVolume(other, folder_.toStdString() + "/other.mha").has_value());
-    const auto before = session().subject()->volume;
+    const auto before = session().subject()->voxels.volume();
     json manifest = document().manifest();
     manifest["volume"]["file"] = "other.mha";
     manifest["volume"]["file_to_world"][3] = 9.0;
     QVERIFY(document().edit(manifest, "Take over a volume", "").has_value());
     editTitle("moved on");  // meanwhile
-    QVERIFY(waitUntil([&] { return session().subject() && session().subject()->volume->grid.dims == other.grid.dims; }, kPatience_ms));
+    QVERIFY(
+        waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->grid.dims == other.grid.dims; }, kPatience_ms));
     QVERIFY(waitForRest());
-    QVERIFY(session().subject()->volume->echo == other.echo);
+    QVERIFY(session().subject()->voxels.volume()->echo == other.echo);
     QCOMPARE(session().subject()->placedGrid.origin_mm.x, -31.0);
     QVERIFY(shows(QStringLiteral("moved on")));
     QVERIFY(session().subject()->scene.gainAndDgc);
@@ -462,7 +417,7 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(document().edit(manifest, "Move the volume", "x").has_value());
     QCOMPARE(session().subject()->placedGrid.origin_mm.x, -36.0);
     while (document().history().canUndo()) document().history().undo();
-    QVERIFY(waitUntil([&] { return session().subject() && session().subject()->volume->echo == before->echo; }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->echo == before->echo; }, kPatience_ms));
     QVERIFY(waitForRest());
     QVERIFY(shows(QStringLiteral("first")));
     QVERIFY(session().subject()->placedGrid == before->grid);

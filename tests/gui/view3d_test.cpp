@@ -65,6 +65,7 @@ class View3DTest : public QObject {
  private:
   std::shared_ptr<const bridge::Mannequin> body_;
   std::unique_ptr<ui::View3D> view_;
+  HandOnSkin held_;
   std::unique_ptr<ui::HandInput> hand_;
   std::unique_ptr<QWidget> scan_;
 
@@ -89,17 +90,22 @@ class View3DTest : public QObject {
     }
     view_->setMannequin(body_);
     view_->setDarkTheme(true);
-    hand_ = std::make_unique<ui::HandInput>();
+    held_ = {};
+    hand_ = std::make_unique<ui::HandInput>(held_);
     scan_ = std::make_unique<QWidget>();
     hand_->watch(view_.get());
     hand_->watch(scan_.get(), [] { return 0.5; });
     view_->setProbe(convex(), 160.0);
-    connect(hand_.get(), &ui::HandInput::holdChanged, view_.get(), [this](const Hold& hold) { view_->setPose(poseOf(hold)); });
+    connect(hand_.get(), &ui::HandInput::moved, view_.get(), [this](const Hold& hold) {
+      held_.setHold(hold);
+      view_->setPose(poseOf(hold));
+    });
     Hold hold;
     const auto front = view_->skin()->hit({0.0, -900.0, 0.0}, {0.0, 1.0, 0.0});
     QVERIFY(front.has_value());
     hold.contact = *front;
-    hand_->setHold(hold);
+    held_.setHold(hold);
+    hand_->setStartHold(hold);
     view_->setPose(poseOf(hold));
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get(), 240000));
@@ -123,7 +129,7 @@ class View3DTest : public QObject {
 
   void theFanHasTheCornersOfThePose() {
     Hold hold = turned(hand_->hold(), 0.7, 0.2, -0.4);
-    hand_->setHold(hold);
+    held_.setHold(hold);
     view_->setPose(poseOf(hold));
     const auto outline_mm = fanOutline_mm(convex(), {}, 160.0);
     const auto corners_mm = view_->scene().fanCorners_mm();
@@ -139,7 +145,7 @@ class View3DTest : public QObject {
     GreyImage white(300, 320, 255);
     Knobs knobs;
     knobs.depth_mm = 160.0;
-    view_->setFanImage(viewOf(std::as_const(white)), fitDisplay(convex(), knobs, 300, 320));
+    view_->setFanImage({viewOf(std::as_const(white))}, fitDisplay(convex(), knobs, 300, 320));
     settle();
     const QImage with = view_->grab().toImage();
     QVERIFY2(countPixels(with, isAccent) > 100, "the fan's edge in the accent colour");
@@ -163,7 +169,7 @@ class View3DTest : public QObject {
     const auto isWhite = [](const QColor& c) { return c.red() > 245 && c.green() > 245 && c.blue() > 245; };
     const auto shown = [&](double zoom) {
       knobs.zoom = zoom;
-      view_->setFanImage(viewOf(std::as_const(white)), fitDisplay(convex(), knobs, 300, 320));
+      view_->setFanImage({viewOf(std::as_const(white))}, fitDisplay(convex(), knobs, 300, 320));
       settle();
       return view_->grab().toImage();
     };
@@ -200,7 +206,7 @@ class View3DTest : public QObject {
   void draggingTheContactMovesItOverTheSkinUnderThePointer() {
     view_->showFrom(bridge::CameraPreset::front);
     settle();
-    QSignalSpy changed(hand_.get(), &ui::HandInput::holdChanged);
+    QSignalSpy changed(hand_.get(), &ui::HandInput::moved);
     const QPoint from = contactPixel();
     const QPoint to = from + QPoint(45, 70);
     drag(view_->canvas(), from, to);
@@ -216,7 +222,7 @@ class View3DTest : public QObject {
     double largest_mm = 0.0;
     double farthestOff_mm = 0.0;
     glm::dvec3 last = hand_->hold().contact.point_mm;
-    connect(hand_.get(), &ui::HandInput::holdChanged, this, [&](const Hold& hold) {
+    connect(hand_.get(), &ui::HandInput::moved, this, [&](const Hold& hold) {
       largest_mm = std::max(largest_mm, glm::distance(hold.contact.point_mm, last));
       farthestOff_mm = std::max(farthestOff_mm, offSkin_mm());
       last = hold.contact.point_mm;

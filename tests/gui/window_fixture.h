@@ -93,7 +93,7 @@ inline bool waitUntil(const std::function<bool()>& ready, double patience_ms = t
 }
 
 inline std::vector<std::uint8_t> pixelsOf(const Session& session) {
-  const ImageView<const std::uint8_t> picture = session.picture();
+  const ImageView<const std::uint8_t> picture = session.picture().grey;
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < picture.height; ++y) pixels.insert(pixels.end(), picture.row(y), picture.row(y) + picture.width);
   return pixels;

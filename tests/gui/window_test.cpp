@@ -19,6 +19,7 @@
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/effects/gain.h"
 #include "ew/library/case.h"
+#include "ew/scanning/contact.h"
 #include "window_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -175,7 +176,7 @@ class WindowTest : public WindowFixture {
     manifest["volume"]["file_to_world"][3] = 7.0;
     QVERIFY(document.edit(manifest, "Move the volume", "place").has_value());
     QTest::qWait(20);
-    const glm::dvec3 own_mm = session().subject()->volume->grid.origin_mm;
+    const glm::dvec3 own_mm = session().subject()->voxels.volume()->grid.origin_mm;
     for (const bool inBody : {false, true}) {
       const QString file = files_.path(inBody ? QStringLiteral("body.mha") : QStringLiteral("own.mha"));
       QTimer answer;
@@ -199,7 +200,7 @@ class WindowTest : public WindowFixture {
       QVERIFY(saved.has_value());
       const glm::dvec3 expected_mm = own_mm + glm::dvec3(inBody ? 7.0 : 0.0, 0.0, 0.0);
       QVERIFY(glm::distance(saved->volume.grid.origin_mm, expected_mm) < 1e-6);
-      QVERIFY(saved->volume.echo == session().subject()->volume->echo);
+      QVERIFY(saved->volume.echo == session().subject()->voxels.volume()->echo);
     }
     document.history().undo();
   }
@@ -303,8 +304,8 @@ class WindowTest : public WindowFixture {
     auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
     QVERIFY2(waitUntil([&] { return make->isEnabled(); }), qPrintable(dialog->findChild<QLabel*>(QStringLiteral("importNotes"))->text()));
     QTest::mouseClick(make, Qt::LeftButton);
-    QVERIFY(waitUntil([this] { return session().subject() && session().subject()->title == QLatin1String("dropped.igs.mha"); }));
-    const Volume& volume = *session().subject()->volume;
+    QVERIFY(waitUntil([this] { return session().subject() && session().subject()->title == "dropped.igs.mha"; }));
+    const Volume& volume = *session().subject()->voxels.volume();
     QCOMPARE(volume.grid.dims.x, 79);  // 39 mm in steps of 0.5 mm
     QCOMPARE(volume.grid.dims.z, 47);
     // On the plane of frame 12 lies frame 12's grey level.

@@ -145,23 +145,24 @@ void CostPanel::cancel() {
 }
 
 void CostPanel::measure() {
-  if (isMeasuring() || !session_.subject() || session_.picture().width == 0) return;
+  if (isMeasuring() || !session_.subject() || session_.picture().isEmpty()) return;
   problem_.clear();
   answer_->clear();
   auto result = std::make_shared<CostOfAccuracy>();
-  const Subject& subject = *session_.subject();
-  const ImageView<const std::uint8_t> picture = session_.picture();
-  about_ = tr("%1, %2 x %3 pixels, %4").arg(words(session_.probe().name)).arg(picture.width).arg(picture.height).arg(subject.title);
+  const ScanSubject& subject = *session_.subject();
+  const Picture& picture = session_.picture();
+  about_ =
+      tr("%1, %2 x %3 pixels, %4").arg(words(session_.probe().name)).arg(picture.width()).arg(picture.height()).arg(words(subject.title));
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),
-      [result, volume = subject.volume, bricks = subject.bricks, grid = subject.placedGrid, probe = session_.probe(),
-       knobs = session_.knobs(), scene = session_.scene(), pose = session_.pose(), width = picture.width,
-       height = picture.height](Progress& progress) -> Result<void> {
+      [result, voxels = subject.voxels, grid = subject.placedGrid, probe = session_.probe(), knobs = session_.knobs(),
+       scene = session_.scene(), pose = session_.pose(), width = picture.width(),
+       height = picture.height()](Progress& progress) -> Result<void> {
         CostOptions options;
-        options.bricks = bricks.get();
+        options.bricks = voxels.bricks().get();
         options.threads = 0;  // as the window makes its own frames
-        const SliceSource echo = VolumeView<const std::uint8_t>{volume->echo.data(), grid};
+        const SliceSource echo = VolumeView<const std::uint8_t>{voxels.volume()->echo.data(), grid};
         auto measured = measureCostOfAccuracy(echo, probe, knobs, scene, pose, width, height, options, progress);
         if (!measured) return passOn(measured.error());
         *result = std::move(*measured);

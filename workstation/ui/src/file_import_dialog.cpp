@@ -382,19 +382,30 @@ Result<ImportAnswers> FileImportDialog::answers() const {
 
 void FileImportDialog::refuse(const QString& why) { say(why, true); }
 
+/// What a file became: a volume ready to be scanned, or pictures without a place.
+struct FileImportDialog::Made {
+  ImportedFile file;
+  ScanVoxels voxels;  ///< empty: the pictures are no volume
+};
+
 void FileImportDialog::start() {
   const auto given = answers();
   if (!given) return refuse(words(given.error().sentence));
   if (job_ != 0) jobs_.cancel(job_);
   import_->setEnabled(false);
-  auto made = std::make_shared<ImportedFile>();
+  auto made = std::make_shared<Made>();
   const QPointer<FileImportDialog> here(this);
   job_ = jobs_.start(
       tr("Importing %1").arg(QFileInfo(file_).fileName()),
       [made, file = pathOf(file_), chosen = *given](Progress& progress) -> Result<void> {
-        auto read = importFile(file, chosen, progress);
+        PartOfProgress most(progress, 0.0, 0.95), rest(progress, 0.95, 1.0);
+        auto read = importFile(file, chosen, most);
         if (!read) return passOn(read.error());
-        *made = std::move(*read);
+        made->file = std::move(*read);
+        if (!made->file.volume) return {};
+        auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(*made->file.volume)), rest);
+        if (!voxels) return passOn(voxels.error());
+        made->voxels = std::move(*voxels);
         return {};
       },
       [here, made](const Result<void>& outcome) {
@@ -409,19 +420,19 @@ void FileImportDialog::start() {
       });
 }
 
-void FileImportDialog::take(const std::shared_ptr<ImportedFile>& made) {
-  std::vector<std::string> notes = made->notes;
-  for (std::string& sentence : sentencesOf(made->removed)) notes.push_back(std::move(sentence));
+void FileImportDialog::take(const std::shared_ptr<Made>& made) {
+  std::vector<std::string> notes = made->file.notes;
+  for (std::string& sentence : sentencesOf(made->file.removed)) notes.push_back(std::move(sentence));
   messages_.forgetWhatIsPast();
   messages_.showNotes(tr("%1 was imported; %n notes say what was decided and left out.", nullptr, static_cast<int>(notes.size()))
                           .arg(QFileInfo(file_).fileName()),
                       notes, QStringLiteral("open"));
-  if (!made->volume) return saveSequence(made);
-  Q_EMIT imported(std::make_shared<const Volume>(std::move(*made->volume)), QFileInfo(file_).fileName());
+  if (made->voxels.empty()) return saveSequence(made);
+  Q_EMIT imported(made->voxels, QFileInfo(file_).fileName());
   close();
 }
 
-void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
+void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
   // Pictures without a place are no volume: they are kept as a sequence, and how the probe moved is asked next.
   const QFileInfo info(file_);
   const QString target = askSaveFile(this, {tr("Save the pictures as a sequence"),
@@ -434,7 +445,7 @@ void FileImportDialog::saveSequence(const std::shared_ptr<ImportedFile>& made) {
       tr("Writing %1").arg(QFileInfo(target).fileName()),
       [made, file = pathOf(target)](Progress& progress) {
         return saveTogether(
-            {file}, [&](const OutputSet& outputs) { return writeSequence(made->pictures->sequence, outputs.staged(file), progress); });
+            {file}, [&](const OutputSet& outputs) { return writeSequence(made->file.pictures->sequence, outputs.staged(file), progress); });
       },
       [here = QPointer<FileImportDialog>(this), messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
         if (FileImportDialog* const dialog = here.data(); dialog != nullptr) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "ew/core/volume.h"
 #include "ew/library/file_import.h"
+#include "ew/scanning/subject.h"
 #include "form_dialog.h"
 
 class QCheckBox;
@@ -36,7 +36,7 @@ class FileImportDialog final : public FormDialog {
   ~FileImportDialog() override;
 
  Q_SIGNALS:
-  void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title);
+  void imported(const ew::ScanVoxels& voxels, const QString& title);
   /// Pictures without a place were kept as a sequence: how the probe moved is the next question.
   void sequenceSaved(const QString& file);
 
@@ -53,8 +53,9 @@ class FileImportDialog final : public FormDialog {
   void takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome);
   void refuse(const QString& why);
   void start();
-  void take(const std::shared_ptr<ImportedFile>& made);
-  void saveSequence(const std::shared_ptr<ImportedFile>& made);
+  struct Made;
+  void take(const std::shared_ptr<Made>& made);
+  void saveSequence(const std::shared_ptr<Made>& made);
   [[nodiscard]] Result<std::vector<PixelRect>> blanked() const;
   [[nodiscard]] Result<ImportAnswers> answers() const;
   [[nodiscard]] RawLayout rawLayout() const;

@@ -37,16 +37,19 @@ struct HandInput::State {
   QPointer<View3D> view;
   QPointer<QWidget> scan;
   std::function<double()> lateralPerPixel_mm;
-  Hold hold;
+  explicit State(const HandOnSkin& held) : hand(held), start(held.hold()) {}
+
+  const HandOnSkin& hand;
   Hold start;
-  bool hasStart = false;
   bool enabled = true;
   Drag drag = Drag::none;
   QPointF last;        ///< pointer at the last event of this drag
   QPointF grabOffset;  ///< from the pointer to the pixel of the contact, so that grabbing the housing does not move it
 };
 
-HandInput::HandInput(QObject* parent) : QObject(parent), state_(std::make_unique<State>()) { qRegisterMetaType<ew::Hold>("ew::Hold"); }
+HandInput::HandInput(const HandOnSkin& hand, QObject* parent) : QObject(parent), state_(std::make_unique<State>(hand)) {
+  qRegisterMetaType<ew::Hold>("ew::Hold");
+}
 
 HandInput::~HandInput() = default;
 
@@ -66,17 +69,11 @@ void HandInput::watch(QWidget* scanView, std::function<double()> lateralPerPixel
   }
 }
 
-const Hold& HandInput::hold() const { return state_->hold; }
+const Hold& HandInput::hold() const { return state_->hand.hold(); }
 
-void HandInput::setHold(const Hold& hold) {
-  state_->hold = hold;
-  if (!state_->hasStart) setStartHold(hold);
-}
+void HandInput::setStartHold(const Hold& hold) { state_->start = hold; }
 
-void HandInput::setStartHold(const Hold& hold) {
-  state_->start = hold;
-  state_->hasStart = true;
-}
+bool HandInput::isEnabled() const { return state_->enabled; }
 
 void HandInput::setEnabled(bool enabled) {
   state_->enabled = enabled;
@@ -84,23 +81,22 @@ void HandInput::setEnabled(bool enabled) {
 }
 
 void HandInput::change(const Hold& hold) {
-  if (hold == state_->hold) return;
+  if (hold == this->hold()) return;
   if (!state_->enabled) {
     Q_EMIT refused();
     return;
   }
-  state_->hold = hold;
-  Q_EMIT holdChanged(hold);
+  Q_EMIT moved(hold);
 }
 
 void HandInput::slide(double alongLateral_mm, double alongElevational_mm) {
-  if (state_->view != nullptr) change(slid(state_->hold, *state_->view->skin(), alongLateral_mm, alongElevational_mm));
+  if (state_->view != nullptr) change(slid(hold(), *state_->view->skin(), alongLateral_mm, alongElevational_mm));
 }
 
 void HandInput::slideOnScreen(glm::dvec2 direction, double length_mm) {
   if (state_->view == nullptr) return;
   const bridge::Scene3D& scene = state_->view->scene();
-  const glm::dmat4 upright = uprightPoseOf(state_->hold).probeToWorld.matrix;
+  const glm::dmat4 upright = uprightPoseOf(hold()).probeToWorld.matrix;
   const glm::dvec3 wanted = direction.x * scene.cameraRight() + direction.y * scene.cameraUp();
   glm::dvec2 along(glm::dot(wanted, glm::dvec3(upright[0])), glm::dot(wanted, glm::dvec3(upright[2])));
   // Seen edge on, the skin has no such direction; then the keys act along the probe's own axes.
@@ -113,17 +109,17 @@ void HandInput::dragInView(const QPointF& at) {
   View3D& view = *state_->view;
   const QPointF target = at + state_->grabOffset;
   const bridge::Ray ray = view.rayAt(target);
-  const glm::dvec3 from_mm = state_->hold.contact.point_mm;
+  const glm::dvec3 from_mm = hold().contact.point_mm;
   const auto skin = view.skin();
   const auto hit = skin->hit(ray.from_mm, ray.direction);
   const double moved_mm = std::hypot(at.x() - state_->last.x(), at.y() - state_->last.y()) * view.canvas()->devicePixelRatioF() *
                           view.scene().mmPerPixelAt(from_mm);
   // A hit far beyond what the pointer moved lies on another part of the body, seen past the edge of this one.
-  if (hit && glm::distance(hit->point_mm, from_mm) < 40.0 + 4.0 * moved_mm) return change(movedTo(state_->hold, *hit));
+  if (hit && glm::distance(hit->point_mm, from_mm) < 40.0 + 4.0 * moved_mm) return change(movedTo(hold(), *hit));
   // Off the body: the skin nearest to the line of sight, where that passes the probe.
   const double along_mm = glm::dot(from_mm - ray.from_mm, ray.direction);
   const Skin::Contact rim = skin->nearest(ray.from_mm + along_mm * ray.direction);
-  if (glm::distance(rim.point_mm, from_mm) < 40.0 + 4.0 * moved_mm) change(movedTo(state_->hold, rim));
+  if (glm::distance(rim.point_mm, from_mm) < 40.0 + 4.0 * moved_mm) change(movedTo(hold(), rim));
 }
 
 bool HandInput::pressInView(const QMouseEvent& event) {
@@ -135,7 +131,7 @@ bool HandInput::pressInView(const QMouseEvent& event) {
         Q_EMIT refused();
         return true;
       }
-      const QPointF contact = view.pixelOf(state_->hold.contact.point_mm);
+      const QPointF contact = view.pixelOf(hold().contact.point_mm);
       const QPointF toContact = contact - event.localPos();
       constexpr double kNear_px = 24.0;
       if (view.isProbeAt(event.pos()) || std::hypot(toContact.x(), toContact.y()) < kNear_px) {
@@ -144,7 +140,7 @@ bool HandInput::pressInView(const QMouseEvent& event) {
       } else if (const auto hit = view.contactAt(event.pos())) {
         state_->grabOffset = QPointF();
         state_->drag = State::Drag::probe3d;
-        change(movedTo(state_->hold, *hit));
+        change(movedTo(hold(), *hit));
       }
       return true;
     }
@@ -256,11 +252,11 @@ bool HandInput::turnByWheel(const QWheelEvent& event) {
   const double notches = notchesOf(event);
   if (notches == 0.0) return false;
   if (event.modifiers() & Qt::ControlModifier)
-    change(turned(state_->hold, notches * kNotchTurn_rad, 0.0, 0.0));
+    change(turned(hold(), notches * kNotchTurn_rad, 0.0, 0.0));
   else if (event.modifiers() & Qt::ShiftModifier)
-    change(turned(state_->hold, 0.0, notches * kNotchTip_rad, 0.0));
+    change(turned(hold(), 0.0, notches * kNotchTip_rad, 0.0));
   else
-    change(turned(state_->hold, 0.0, 0.0, notches * kNotchTip_rad));
+    change(turned(hold(), 0.0, 0.0, notches * kNotchTip_rad));
   return true;
 }
 
@@ -287,26 +283,26 @@ bool HandInput::handleKey(const QKeyEvent& key, const QWidget* where) {
       arrow(0.0, -1.0);
       break;
     case Qt::Key_Q:
-      change(turned(state_->hold, -kKeyTurn_rad, 0.0, 0.0));
+      change(turned(hold(), -kKeyTurn_rad, 0.0, 0.0));
       break;
     case Qt::Key_E:
-      change(turned(state_->hold, kKeyTurn_rad, 0.0, 0.0));
+      change(turned(hold(), kKeyTurn_rad, 0.0, 0.0));
       break;
     case Qt::Key_A:
-      change(turned(state_->hold, 0.0, -kKeyTurn_rad, 0.0));
+      change(turned(hold(), 0.0, -kKeyTurn_rad, 0.0));
       break;
     case Qt::Key_D:
-      change(turned(state_->hold, 0.0, kKeyTurn_rad, 0.0));
+      change(turned(hold(), 0.0, kKeyTurn_rad, 0.0));
       break;
     case Qt::Key_W:
-      change(turned(state_->hold, 0.0, 0.0, kKeyTurn_rad));
+      change(turned(hold(), 0.0, 0.0, kKeyTurn_rad));
       break;
     case Qt::Key_S:
-      change(turned(state_->hold, 0.0, 0.0, -kKeyTurn_rad));
+      change(turned(hold(), 0.0, 0.0, -kKeyTurn_rad));
       break;
     case Qt::Key_Home: {
       Hold home = state_->start;
-      home.press_mm = state_->hold.press_mm;  // the probe may have been changed since
+      home.press_mm = hold().press_mm;  // the probe may have been changed since
       change(home);
       break;
     }

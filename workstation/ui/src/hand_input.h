@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "ew/tracking/hand.h"
+#include "ew/tracking/pose_source.h"
 
 class QMouseEvent;
 class QWheelEvent;
@@ -15,7 +15,8 @@ namespace ew::ui {
 
 class View3D;
 
-/// The mouse and the keyboard as a hand on the probe. Watches the 3D view and the scan view, changes the hold and says so.
+/// The mouse and the keyboard move the hand. Watches the 3D view and the scan view and says how the probe is to be held from now on; who
+/// owns the hand holds it so.
 ///   3D view    left drag on probe or body: slide, the contact follows the pointer; click elsewhere on the skin: put it there
 ///              right drag: orbit; middle drag: pan; Ctrl or Alt + right drag, or pinch: zoom
 ///   scan view  left drag: slide along lateral and elevational
@@ -26,7 +27,7 @@ class HandInput : public QObject {
   Q_OBJECT
 
  public:
-  explicit HandInput(QObject* parent = nullptr);
+  explicit HandInput(const HandOnSkin& hand, QObject* parent = nullptr);
   ~HandInput() override;
 
   /// Watches the 3D view; its skin is the one the probe slides on, in both views.
@@ -36,17 +37,16 @@ class HandInput : public QObject {
   void watch(QWidget* scanView, std::function<double()> lateralPerPixel_mm);
 
   [[nodiscard]] const Hold& hold() const;
-  /// Sets without a signal: for undo, replay, a case that opens.
-  void setHold(const Hold& hold);
-  /// Where Home goes; the first hold set is the start until this is called.
+  /// Where Home goes.
   void setStartHold(const Hold& hold);
   void setEnabled(bool enabled);
+  [[nodiscard]] bool isEnabled() const;
 
   /// Acts on a key as described above. @return whether the key was one of these
   bool handleKey(const QKeyEvent& key, const QWidget* where = nullptr);
 
  Q_SIGNALS:
-  void holdChanged(const ew::Hold& hold);
+  void moved(const ew::Hold& hold);
   void refused();  ///< somebody tried to move the probe while it is disabled
 
  protected:

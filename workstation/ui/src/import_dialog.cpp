@@ -517,7 +517,7 @@ void ImportDialog::start() {
   const auto asked = options();
   if (!asked) return refuse(words(asked.error().sentence));
   struct Made {
-    std::shared_ptr<const Volume> volume;
+    ScanVoxels voxels;
     std::shared_ptr<const Provenance> provenance;
   };
   auto made = std::make_shared<Made>();
@@ -526,17 +526,22 @@ void ImportDialog::start() {
   jobs_.start(
       tr("Making a volume from %1").arg(title),
       [made, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
-        if (chosen.reconstruct.keepSource) {
-          auto traced = importTracedSweep(sweep, chosen, progress);
-          if (!traced) return passOn(traced.error());
-          made->volume = std::make_shared<const Volume>(std::move(traced->imported.reconstruction.volume));
-          made->provenance = std::make_shared<const Provenance>(std::move(traced->provenance));
+        PartOfProgress most(progress, 0.0, 0.95), rest(progress, 0.95, 1.0);
+        const auto take = [&](Volume& volume) -> Result<void> {
+          auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(volume)), rest);
+          if (!voxels) return passOn(voxels.error());
+          made->voxels = std::move(*voxels);
           return {};
+        };
+        if (chosen.reconstruct.keepSource) {
+          auto traced = importTracedSweep(sweep, chosen, most);
+          if (!traced) return passOn(traced.error());
+          made->provenance = std::make_shared<const Provenance>(std::move(traced->provenance));
+          return take(traced->imported.reconstruction.volume);
         }
-        auto result = importSweep(sweep, chosen, progress);
+        auto result = importSweep(sweep, chosen, most);
         if (!result) return passOn(result.error());
-        made->volume = std::make_shared<const Volume>(std::move(result->reconstruction.volume));
-        return {};
+        return take(result->reconstruction.volume);
       },
       [here = QPointer<ImportDialog>(this), made, title, messages = QPointer<MessageBar>(&messages_)](const Result<void>& outcome) {
         const bool failed = !outcome && outcome.error().code != ErrorCode::cancelled;
@@ -554,7 +559,7 @@ void ImportDialog::start() {
         }
         if (outcome) {
           dialog->messages_.forgetWhatIsPast();
-          Q_EMIT dialog->imported(made->volume, title, made->provenance);
+          Q_EMIT dialog->imported(made->voxels, title, made->provenance);
         }
         dialog->close();
       });

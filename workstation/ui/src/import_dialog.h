@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "ew/core/volume.h"
 #include "ew/library/voxel_source.h"
+#include "ew/scanning/subject.h"
 #include "form_dialog.h"
 
 class QCheckBox;
@@ -33,8 +33,7 @@ class ImportDialog final : public FormDialog {
 
  Q_SIGNALS:
   /// The volume in the coordinates of the chosen frame, with coverage. @param provenance null when it was not to be kept
-  void imported(const std::shared_ptr<const ew::Volume>& volume, const QString& title,
-                const std::shared_ptr<const ew::Provenance>& provenance);
+  void imported(const ew::ScanVoxels& voxels, const QString& title, const std::shared_ptr<const ew::Provenance>& provenance);
 
  private:
   struct Seen;

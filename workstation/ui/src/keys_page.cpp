@@ -27,6 +27,8 @@ std::vector<Group> keysOfTheScan() {
             {keysOf("Home"), MainWindow::tr("back to the start")}}},
           {MainWindow::tr("Image"),
            {{keysOf("Space | F"), MainWindow::tr("freeze")},
+            {keysOf("Ctrl+R"), MainWindow::tr("record, end recording")},
+            {keysOf("K"), MainWindow::tr("mark this moment of a recording")},
             {keysOf("PgUp | PgDown"), MainWindow::tr("depth")},
             {keysOf("Ctrl+Up | Ctrl+Down"), MainWindow::tr("gain")},
             {keysOf("Ctrl+0"), MainWindow::tr("reset DGC")},

@@ -114,6 +114,7 @@ void MainWindow::makeViews() {
   p.scanView = new ScanView(p.session);
   p.console = new ConsolePanel(p.session);
   p.console->setFixedWidth(kConsoleWidth_px);
+  p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
   p.panels = new QTabWidget;
   p.panels->setObjectName(QStringLiteral("authorPanel"));
@@ -159,6 +160,7 @@ void MainWindow::makeViews() {
   p.pages->addWidget(p.startPage);
   rows->addWidget(p.topBar);
   rows->addWidget(p.pages, 1);
+  rows->addWidget(p.replayBar);
   rows->addWidget(p.status);
 
   p.messages = new MessageBar(p.central);
@@ -191,11 +193,22 @@ void MainWindow::connectParts() {
     showTitle();
   });
   connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) {
-    parts_->hand.setEnabled(!frozen);
     parts_->freezeAction->setChecked(frozen);
+    showRecordingState();
   });
-  connect(&p.hand, &HandInput::refused, this,
-          [this] { parts_->scanView->say(tr("The image is frozen, and the probe with it. Space or F lets both move again.")); });
+  connect(&p.hand, &HandInput::refused, this, [this] {
+    parts_->scanView->say(parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+                                                      : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
+  });
+  connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);
+  connect(&p.session, &Session::holdChanged, this, [this] {
+    if (parts_->hand.isEnabled() == (parts_->session.isFrozen() || parts_->session.isPlaying())) showRecordingState();
+  });
+  connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
+  connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);
+  connect(p.replayBar, &ReplayBar::closeAsked, this, [this] {
+    if (mayLeaveRecording({})) closeRecording();
+  });
   connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
   connect(p.messages, &MessageBar::rearranged, this, [this] {
     parts_->central->layout()->activate();
@@ -220,6 +233,7 @@ void MainWindow::connectParts() {
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
     if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
     parts_->status->setIdle(parts_->pages->currentWidget() == parts_->startPage);
+    parts_->replayBar->setVisible(parts_->replayBar->recording() && parts_->pages->currentWidget() == parts_->workspacePage);
     showStage();
     placeOverlays();
     showTitle();
@@ -239,6 +253,7 @@ void MainWindow::connectParts() {
     remember(path);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
     parts_->scanView->setFocus();
+    if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
     if (parts_->restoring) return restoreKeptEdits();
     if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
   });
@@ -252,6 +267,7 @@ void MainWindow::connectParts() {
   });
   connect(p.opener, &Opener::ended, this, [this] {
     parts_->dropsEdits = false;
+    parts_->waitingRecording = {};
     parts_->restoring.reset();  // what could not be opened keeps its edits
     if (std::exchange(parts_->preparing, {}).isEmpty()) return;
     parts_->preparation.resume();
@@ -266,25 +282,28 @@ void MainWindow::connectParts() {
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
     auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
     connect(dialog, &ImportDialog::imported, this,
-            [this, path](const std::shared_ptr<const Volume>& volume, const QString& title,
-                         const std::shared_ptr<const Provenance>& provenance) {
-              takeMade({path, title, volume, provenance});
+            [this, path](const ScanVoxels& voxels, const QString& title, const std::shared_ptr<const Provenance>& provenance) {
+              takeMade({path, title, voxels, provenance});
             });
     dialog->open();
   });
+  connect(p.opener, &Opener::recordingOpened, this, &MainWindow::takeRecording);
   connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {
     auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
-    connect(dialog, &FileImportDialog::imported, this, [this, path](const std::shared_ptr<const Volume>& volume, const QString& title) {
-      if (mayReplaceShown(title)) showMade({path, title, volume, nullptr});
+    connect(dialog, &FileImportDialog::imported, this, [this, path](const ScanVoxels& voxels, const QString& title) {
+      if (mayReplaceShown(title)) showMade({path, title, voxels, nullptr});
     });
     connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
     dialog->open();
   });
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
-    if (!mayLeaveShownVolume(title)) return;
-    forgetShownVolume();
-    parts_->opener->showVolume(volume, title, true);
-    parts_->pages->setCurrentWidget(parts_->workspacePage);
+    parts_->opener->openVolume(volume, title, [this, title] {
+      if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title)) return false;
+      forgetShownVolume();
+      closeRecording();
+      parts_->pages->setCurrentWidget(parts_->workspacePage);
+      return true;
+    });
   });
   connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
@@ -304,7 +323,7 @@ void MainWindow::connectParts() {
 
 void MainWindow::showPicture() {
   Parts& p = *parts_;
-  if (!p.session.subject() || p.session.picture().width == 0) return;
+  if (!p.session.subject() || p.session.picture().isEmpty()) return;
   p.view3d->setProbe(p.session.pictureProbe(), p.session.geometry().depth_mm, p.session.pictureKnobs());
   p.view3d->setPose(p.session.picturePose());
   p.view3d->setFanImage(p.session.picture(), p.session.geometry());
@@ -356,7 +375,7 @@ void MainWindow::fillStartPage() {
   parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
   parts_->shownCases = found.cases;
   showRecent();
-  parts_->startPage->setOpenCase(parts_->session.subject() ? parts_->session.subject()->title : QString());
+  parts_->startPage->setOpenCase(parts_->session.subject() ? words(parts_->session.subject()->title) : QString());
   showPreparation();
   prepareThumbnails();
   showTitle();
@@ -495,6 +514,10 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     backToWork();
     return;
   }
+  if (event->key() == Qt::Key_Escape && parts_->replayBar->recording() && parts_->pages->currentWidget() == parts_->workspacePage) {
+    if (mayLeaveRecording({})) closeRecording();
+    return;
+  }
   if (event->key() == Qt::Key_Escape && parts_->viewColumns->isScanOnly()) {
     setScanOnly(false);
     return;
@@ -510,7 +533,7 @@ bool MainWindow::isSettled() const {
   const Parts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
   if (p.pages->currentWidget() == p.startPage || p.staged) return true;
-  return p.session.subject() && p.session.picture().width > 0;
+  return p.session.subject() && !p.session.picture().isEmpty();
 }
 
 Session& MainWindow::session() { return parts_->session; }
@@ -521,5 +544,7 @@ ScanView& MainWindow::scanView() { return *parts_->scanView; }
 View3D& MainWindow::view3d() { return *parts_->view3d; }
 HandInput& MainWindow::hand() { return parts_->hand; }
 ConsolePanel& MainWindow::console() { return *parts_->console; }
+Recorder& MainWindow::recorder() { return parts_->recorder; }
+ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 
 }  // namespace ew::ui

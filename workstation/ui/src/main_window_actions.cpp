@@ -133,9 +133,17 @@ void MainWindow::makeActions() {
 
   QMenu* scan = p.scanMenu = bar.addMenu(tr("&Scan"));
   scan->setToolTipsVisible(true);
-  p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)},
-                       [this] { parts_->session.setFrozen(!parts_->session.isFrozen()); });
+  p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)}, [this] {
+    ReplayBar& replay = *parts_->replayBar;
+    if (!replay.recording()) return parts_->session.setFrozen(!parts_->session.isFrozen());
+    replay.setPlaying(!replay.isPlaying());
+    parts_->freezeAction->setChecked(false);
+  });
   p.freezeAction->setCheckable(true);
+  p.recordAction = add(scan, tr("&Record"), {keys("Ctrl+R")}, [this] { toggleRecording(); });
+  p.recordAction->setCheckable(true);
+  p.markAction = add(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
+  p.saveRecordingAction = add(scan, tr("Save recording as…"), {keys("Ctrl+Shift+R")}, [this] { saveRecording(); });
   p.sourceAction = add(scan, tr("Where does this &come from?"), {keys("I")}, [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
       parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
@@ -243,7 +251,7 @@ void MainWindow::showCost() {
 void MainWindow::showSource(const QPoint& pixel) {
   Parts& p = *parts_;
   const auto& subject = p.session.subject();
-  if (!subject || p.session.picture().width == 0) return;
+  if (!subject || p.session.picture().isEmpty()) return;
   SourceDialog* dialog = p.source.data();
   if (dialog == nullptr) {
     dialog = new SourceDialog(p.jobs, this);
@@ -270,7 +278,7 @@ void MainWindow::showSource(const QPoint& pixel) {
   } else if (subject->provenance) {
     const Point<frame::World> at_world =
         pointShownAt(p.session.geometry(), p.session.picturePose(), {static_cast<double>(pixel.x()), static_cast<double>(pixel.y())});
-    dialog->showSource(subject->provenance, voxelSourceAt(*subject->provenance, *subject->volume, subject->placedGrid, at_world));
+    dialog->showSource(subject->provenance, voxelSourceAt(*subject->provenance, *subject->voxels.volume(), subject->placedGrid, at_world));
   } else {
     dialog->showNone(
         tr("This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open "
@@ -287,7 +295,7 @@ void MainWindow::showTitle() {
   const auto& opened = p.document.current();
   const auto& subject = p.session.subject();
   const bool showsCase = opened && p.opener->showsCase();
-  QString title = subject ? subject->title : QString();
+  QString title = subject ? words(subject->title) : QString();
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
   if (showsCase) {
@@ -311,6 +319,7 @@ void MainWindow::showTitle() {
   p.saveAsAction->setEnabled(document != nullptr || opened.has_value());
   p.saveVolumeAction->setEnabled(subject.has_value());
   p.savePictureAction->setEnabled(subject.has_value());
+  p.recordAction->setEnabled(subject.has_value());
   const MadeVolume* waiting = waitingMadeVolume();
   p.madeVolumeAction->setVisible(waiting != nullptr);
   if (waiting != nullptr) p.madeVolumeAction->setText(tr("Show the volume made from %1").arg(waiting->title));
@@ -338,6 +347,7 @@ void MainWindow::refreshTheme() {
   parts_->caseInfo->refreshIcons();
   parts_->console->refreshIcons();
   parts_->scanView->refreshIcons();
+  parts_->replayBar->refreshIcons();
   parts_->messages->refreshIcons();
 }
 
@@ -387,9 +397,9 @@ void MainWindow::prepareThumbnails() {
         if (!probes) return passOn(probes.error());
         for (const Case& shown : missing) {
           if (progress.cancelRequested()) break;
-          auto echo = loadCaseVolume(shown, progress);
-          if (!echo) continue;
-          pictures->emplace_back(shown.id, thumbnailOf(shown, echo->volume, *probes, size));
+          auto contents = readContents(shown, progress);
+          if (!contents) continue;
+          pictures->emplace_back(shown.id, thumbnailOf(subjectOf(shown, *contents), *probes, size));
           keepThumbnail(shown, pictures->back().second);
         }
         return {};

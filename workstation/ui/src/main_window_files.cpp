@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "case_folder_dialog.h"
-#include "ew/io/image_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/preparation.h"
 #include "main_window_parts.h"
@@ -112,8 +111,9 @@ void MainWindow::showRecent() {
 }
 
 bool MainWindow::mayReplaceShown(const QString& next) {
-  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next)) return false;
+  if (!mayLeaveCase(next) || !mayLeaveShownVolume(next) || !mayLeaveRecording(next)) return false;
   forgetShownVolume();
+  closeRecording();
   return true;
 }
 
@@ -148,7 +148,7 @@ bool MainWindow::mayLeaveVolume(const MadeVolume& made, const QString& next) {
 const MadeVolume* MainWindow::shownMadeVolume() const {
   const auto& subject = parts_->session.subject();
   const auto found = std::find_if(parts_->made.begin(), parts_->made.end(),
-                                  [&](const MadeVolume& made) { return subject && made.volume == subject->volume; });
+                                  [&](const MadeVolume& made) { return subject && made.voxels.volume() == subject->voxels.volume(); });
   return found == parts_->made.end() ? nullptr : &*found;
 }
 
@@ -171,7 +171,7 @@ void MainWindow::takeMade(const MadeVolume& made) {
 
 void MainWindow::showMade(const MadeVolume& made) {
   parts_->document.close();
-  parts_->opener->showVolume(made.volume, made.title, false, nullptr, made.provenance);
+  parts_->opener->showVolume(made.voxels, made.title, false, made.provenance);
   Q_EMIT parts_->opener->opened(made.path);
 }
 
@@ -194,6 +194,7 @@ bool MainWindow::mayClose() {
   const std::vector<MadeVolume> unsaved = parts_->made;
   for (const MadeVolume& made : unsaved)
     if (!mayLeaveVolume(made, {})) return false;
+  if (!mayLeaveRecording({})) return false;
   const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
   return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }
@@ -410,18 +411,19 @@ std::optional<bool> askWhetherPlaced(QWidget* parent) {
 
 void MainWindow::saveShownVolume() {
   const auto& subject = parts_->session.subject();
-  if (subject) saveVolume({{}, subject->title, subject->volume, nullptr});
+  if (subject) saveVolume({{}, words(subject->title), subject->voxels, nullptr});
 }
 
 bool MainWindow::saveVolume(const MadeVolume& made) {
   std::optional<Grid> there;
   const auto& subject = parts_->session.subject();
-  if (subject && subject->volume == made.volume && !(subject->placedGrid == made.volume->grid)) {
+  const std::shared_ptr<const Volume> volume = made.voxels.volume();
+  if (subject && subject->voxels.volume() == volume && !(subject->placedGrid == volume->grid)) {
     const auto isPlaced = askWhetherPlaced(this);
     if (!isPlaced) return false;
     if (*isPlaced) there = subject->placedGrid;
   }
-  const bool covered = !made.volume->coverage.empty();
+  const bool covered = !volume->coverage.empty();
   const QString file = askSaveFile(this, {tr("Save the volume"),
                                           QFileInfo(made.title).completeBaseName() + QStringLiteral(".mha"),
                                           tr("MetaImage (*.mha *.mhd)"),
@@ -433,20 +435,18 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
   const QString beside = coverageBeside(file);
   parts_->jobs.start(
       tr("Saving %1").arg(QFileInfo(file).fileName()),
-      [shown = made.volume, there, file](Progress& progress) -> Result<void> {
-        std::shared_ptr<const Volume> volume = shown;
-        if (there) {
-          auto moved = std::make_shared<Volume>(*shown);
-          moved->grid = *there;
-          volume = std::move(moved);
-        }
-        return writeWithCoverage(*volume, file, progress);
+      [volume, there, file](Progress& progress) -> Result<void> {
+        if (!there) return writeWithCoverage(*volume, file, progress);
+        Volume moved = *volume;
+        moved.grid = *there;
+        return writeWithCoverage(moved, file, progress);
       },
-      [this, volume = made.volume, file, beside, covered](const Result<void>& outcome) {
+      [this, volume, file, beside, covered](const Result<void>& outcome) {
         if (outcome) {
           auto& unsaved = parts_->made;
-          unsaved.erase(std::remove_if(unsaved.begin(), unsaved.end(), [&](const MadeVolume& each) { return each.volume == volume; }),
-                        unsaved.end());
+          unsaved.erase(
+              std::remove_if(unsaved.begin(), unsaved.end(), [&](const MadeVolume& each) { return each.voxels.volume() == volume; }),
+              unsaved.end());
           parts_->messages->showNote(
               covered ? tr("Saved to %1, and which voxels were measured to %2.").arg(file, beside) : tr("Saved to %1.").arg(file),
               kSavingVolume);
@@ -460,19 +460,14 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
 }
 
 void MainWindow::savePicture() {
-  if (parts_->session.picture().width == 0) return;
+  if (parts_->session.picture().isEmpty()) return;
   const QString file = askSaveFile(this, {tr("Save the picture"),
                                           tr("scan") + QStringLiteral(".png"),
                                           tr("Pictures (*.png *.mha)"),
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
-  // Picture files are looked at and need their words; a MetaImage is measured and holds the pixels alone.
-  const bool isMeasured = QFileInfo(file).suffix() == QLatin1String("mha");
-  const QImage saved = isMeasured ? QImage() : ew::ui::savedPicture(parts_->session, QDateTime::currentDateTime());
-  const ImageView<const std::uint8_t> annotated{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()};
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
-    return writeImage(isMeasured ? parts_->session.picture() : annotated, parts_->session.geometry().pixel_mm,
-                      outputs.staged(pathOf(file)));
+    return writeShownPicture(parts_->session, QDateTime::currentDateTime(), outputs.staged(pathOf(file)));
   });
   if (written) {
     parts_->messages->showNote(tr("Saved to %1.").arg(file), kSavingPicture);

@@ -22,6 +22,8 @@
 #include "jobs.h"
 #include "message_bar.h"
 #include "opener.h"
+#include "recorder.h"
+#include "replay_bar.h"
 #include "scan_pan.h"
 #include "scan_view.h"
 #include "session.h"
@@ -41,7 +43,7 @@ namespace ew::ui {
 struct MadeVolume {
   QString path;   ///< of what it was made from
   QString title;  ///< for people
-  std::shared_ptr<const Volume> volume;
+  ScanVoxels voxels;
   std::shared_ptr<const Provenance> provenance;  ///< may be null
 };
 
@@ -61,7 +63,13 @@ struct MainWindow::Parts {
   std::optional<KeptEdits::Left> restoring;        ///< edits that are taken over once their case is open
   bool dropsEdits = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QString preparing;                               ///< the case that is opened and has to be made first
-  HandInput hand;
+  HandInput hand{session.hand()};
+  Recorder recorder{session};
+  bool isRecordingSaved = true;  ///< of the replay bar
+  struct {
+    QString path;
+    std::shared_ptr<const ScanRecording> recording;
+  } waitingRecording;  ///< for its case, which is being opened
 
   QWidget* central = nullptr;
   TopBar* topBar = nullptr;
@@ -82,6 +90,7 @@ struct MainWindow::Parts {
   ScanView* scanView = nullptr;
   SourcePicker* sourcePicker = nullptr;
   ConsolePanel* console = nullptr;
+  ReplayBar* replayBar = nullptr;
   StatusLine* status = nullptr;
   MessageBar* messages = nullptr;
   JobCards* cards = nullptr;
@@ -108,6 +117,9 @@ struct MainWindow::Parts {
   QAction* lightAction = nullptr;
   QMenu* scanMenu = nullptr;
   QAction* freezeAction = nullptr;
+  QAction* recordAction = nullptr;
+  QAction* markAction = nullptr;
+  QAction* saveRecordingAction = nullptr;
   QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
   QMenu* recentMenu = nullptr;

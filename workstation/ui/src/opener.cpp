@@ -1,7 +1,5 @@
 #include "opener.h"
 
-#include <unistd.h>
-
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
+#include "ew/scanning/contact.h"
 #include "hand_input.h"
 #include "message_bar.h"
 #include "recent_files.h"
@@ -34,20 +33,6 @@ Result<std::shared_ptr<const bridge::Mannequin>> readMannequin(const fs::path& f
   auto loaded = bridge::loadMannequin(file, {}, progress);
   if (!loaded) return passOn(loaded.error());
   return std::make_shared<const bridge::Mannequin>(std::move(*loaded));
-}
-
-/// The voxels in bricks, where that makes slices faster and at least half of the free memory stays free; null where not: slicing then reads
-/// the volume as it is.
-/// @error cancelled
-Result<std::shared_ptr<const BrickedVolume>> bricksWhereThereIsRoom(const Volume& volume, Progress& progress) {
-  if (!worthBricking(volume.grid.dims)) return nullptr;
-  const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  constexpr int kLevels = 4;  // the coarsest an eighth as fine as the volume
-  if (static_cast<double>(bricksForecast_bytes(volume.grid.dims, kLevels)) > 0.5 * free_bytes) return nullptr;
-  auto bricks = bricksOf(volume.view(), kLevels, 0, progress);
-  if (bricks) return std::make_shared<const BrickedVolume>(std::move(*bricks));
-  if (bricks.error().code == ErrorCode::cancelled) return passOn(bricks.error());
-  return nullptr;
 }
 
 /// NIfTI files often carry a geometry that means nothing: then the spacing is asked for.
@@ -83,16 +68,6 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 
 }  // namespace
 
-/// What the open case is scanned as.
-struct Opener::Contents {
-  Sources sources;
-  glm::dmat4 fileToWorld{1.0};  ///< the grids of the volumes are placed with it
-  std::shared_ptr<const Volume> volume;
-  std::shared_ptr<const BrickedVolume> bricks;
-  std::shared_ptr<const Volume> labels;  ///< null when the case has none
-  std::vector<TissueAcoustics> tissues;  ///< of the labels, as the recipe has them
-};
-
 /// What the job that loads a case hands over to the window's thread.
 struct Opener::Loading {
   std::optional<Case> opened;
@@ -100,15 +75,14 @@ struct Opener::Loading {
   Contents contents;
   std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
   fs::path mannequinFile;
-  std::vector<std::string> notes;
 };
 
 /// What the job that looks at any other file hands over.
 struct Opener::Image {
-  std::shared_ptr<const Volume> volume;
-  std::shared_ptr<const BrickedVolume> bricks;
+  ScanVoxels voxels;
   std::vector<std::string> notes;
   bool isSweep = false;
+  std::shared_ptr<const ScanRecording> recording;  ///< null: the file is none
   FileKind kind = FileKind::volume;
   bool asks = false;
   std::string question;
@@ -122,11 +96,10 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
     if (!startTaken_) {
       takeStart();
     } else if (session_.subject()) {
-      showHold(movedTo(session_.hold(), view_.skin()->nearest(session_.hold().contact.point_mm)));
+      session_.setHold(movedTo(session_.hold(), view_.skin()->nearest(session_.hold().contact.point_mm)));
     }
   });
-  connect(&hand_, &HandInput::holdChanged, &session_, &Session::setHold);
-  connect(&session_, &Session::holdChanged, this, [this] { hand_.setHold(session_.hold()); });  // another probe is pressed on otherwise
+  connect(&hand_, &HandInput::moved, &session_, &Session::setHold);
 }
 
 void Opener::loadDefaultMannequin() {
@@ -234,20 +207,10 @@ Result<void> Opener::load(Loading& into, const fs::path& presentMannequin, Progr
   const Case& opened = *into.opened;
   auto body = mannequinFileOf(opened);
   if (!body) return passOn(body.error());
-  PartOfProgress most(progress, 0.0, 0.85);
-  auto echo = loadCaseVolume(opened, most);
-  if (!echo) return passOn(echo.error());
-  into.notes = std::move(echo->notes);
-  Contents& contents = into.contents;
-  contents.sources = sourcesOf(opened);
-  contents.fileToWorld = opened.volume.fileToWorld;
-  contents.volume = std::make_shared<const Volume>(std::move(echo->volume));
-  if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
-  contents.tissues = std::move(echo->tissues);
-  PartOfProgress next(progress, 0.85, 0.9);
-  auto bricks = bricksWhereThereIsRoom(*contents.volume, next);
-  if (!bricks) return passOn(bricks.error());
-  contents.bricks = std::move(*bricks);
+  PartOfProgress most(progress, 0.0, 0.9);
+  auto read = readContents(opened, most);
+  if (!read) return passOn(read.error());
+  into.contents = {sourcesOf(opened), std::move(*read)};
   if (*body != presentMannequin) {
     PartOfProgress rest(progress, 0.9, 1.0);
     auto mannequin = readMannequin(*body, rest);
@@ -261,7 +224,7 @@ Result<void> Opener::load(Loading& into, const fs::path& presentMannequin, Progr
 void Opener::takeContents(Loading& loaded) {
   // Until its volume is shown the session holds that of another case, which this one must not move.
   showsCase_ = false;
-  contents_ = std::make_shared<const Contents>(std::move(loaded.contents));
+  contents_ = std::move(loaded.contents);
   refused_.reset();
   mannequinFile_ = loaded.mannequinFile;
   showMannequin(loaded.mannequin);
@@ -284,7 +247,7 @@ void Opener::openCase(const QString& path) {
         takeContents(*loaded);
         document_.open(*loaded->opened, loaded->asRead);
         showCaseVolume();
-        tellOpened(path, loaded->notes);
+        tellOpened(path, contents_->read.notes);
         Q_EMIT opened(path);
       });
   if (const auto chosen = loadCase(pathOf(path)); chosen && caseNeedsPreparation(*chosen)) Q_EMIT preparing(path);
@@ -304,7 +267,7 @@ void Opener::reloadCase(const Case& edited) {
         if (!now || !(sourcesOf(*now) == loaded->contents.sources)) return;
         takeContents(*loaded);
         showCaseVolume();
-        tellOpened(path, loaded->notes);
+        tellOpened(path, contents_->read.notes);
       },
       [this, wanted] {
         // Nothing is scanned rather than what the case does not hold any more; "Scan the case's volume" tries again.
@@ -317,11 +280,6 @@ void Opener::reloadCase(const Case& edited) {
   if (caseNeedsPreparation(edited)) Q_EMIT preparing(path);
 }
 
-glm::dmat4 Opener::loadedToNow() const {
-  const auto& opened = document_.current();
-  return opened && contents_ ? opened->volume.fileToWorld * glm::inverse(contents_->fileToWorld) : glm::dmat4(1.0);
-}
-
 void Opener::showCaseVolume() {
   const auto& opened = document_.current();
   if (!opened || !contents_) return;
@@ -331,18 +289,8 @@ void Opener::showCaseVolume() {
     return;
   }
   showsCase_ = true;
-  Subject subject;
-  subject.title = words(titleForTrainees(*opened));
-  subject.volume = contents_->volume;
-  subject.placedGrid = placed(contents_->volume->grid, loadedToNow());
-  subject.bricks = contents_->bricks;
-  subject.labels = contents_->labels;
-  if (contents_->labels) subject.placedLabels = placed(contents_->labels->grid, loadedToNow());
-  subject.scene = sceneWithTissues(opened->scene, contents_->tissues);
-  subject.probes = opened->probes;
-  startPose_ = opened->startPose;
   startTaken_ = false;
-  session_.show(std::move(subject));
+  session_.show(subjectOf(*opened, contents_->read));
   takeStart();
 }
 
@@ -355,13 +303,19 @@ void Opener::openImage(const QString& path) {
         if (!kind) return passOn(kind.error());
         loaded->kind = *kind;
         loaded->isSweep = *kind == FileKind::sweep;
+        if (loaded->isSweep && isRecording(pathOf(path)).value_or(false)) {
+          auto recording = readRecording(pathOf(path), progress);
+          if (!recording) return passOn(recording.error());
+          loaded->recording = std::make_shared<const ScanRecording>(std::move(*recording));
+        }
         if (loaded->isSweep) return {};
         PartOfProgress most(progress, 0.0, 0.9);
+        std::shared_ptr<const Volume> read;
         if (*kind == FileKind::volume && !isNifti(path)) {
           auto volume = readVolume(pathOf(path), most);
           if (!volume) return passOn(volume.error());
           loaded->notes = std::move(volume->notes);
-          loaded->volume = std::make_shared<const Volume>(std::move(volume->volume));
+          read = std::make_shared<const Volume>(std::move(volume->volume));
         } else {
           auto made = importFile(pathOf(path), {}, most);
           if (!made && askedFor(made.error()).empty()) return passOn(made.error());
@@ -370,15 +324,19 @@ void Opener::openImage(const QString& path) {
           if (loaded->asks) return {};
           loaded->notes = std::move(made->notes);
           for (std::string& sentence : sentencesOf(made->removed)) loaded->notes.push_back(std::move(sentence));
-          loaded->volume = std::make_shared<const Volume>(std::move(*made->volume));
+          read = std::make_shared<const Volume>(std::move(*made->volume));
         }
         PartOfProgress rest(progress, 0.9, 1.0);
-        auto bricks = bricksWhereThereIsRoom(*loaded->volume, rest);
-        if (!bricks) return passOn(bricks.error());
-        loaded->bricks = std::move(*bricks);
+        auto voxels = ScanVoxels::of(std::move(read), rest);
+        if (!voxels) return passOn(voxels.error());
+        loaded->voxels = std::move(*voxels);
         return {};
       },
       [this, loaded, path] {
+        if (loaded->recording) {
+          Q_EMIT recordingOpened(path, loaded->recording);
+          return;
+        }
         if (loaded->isSweep) {
           Q_EMIT sweepChosen(path);
           return;
@@ -390,34 +348,49 @@ void Opener::openImage(const QString& path) {
         if (!mayReplace_(QFileInfo(path).fileName())) return;
         messages_.forgetWhatIsPast();
         document_.close();
-        showVolume(loaded->volume, QFileInfo(path).fileName(), false, loaded->bricks);
+        showVolume(loaded->voxels, QFileInfo(path).fileName(), false);
         tellOpened(path, loaded->notes);
         Q_EMIT opened(path);
       });
 }
 
-void Opener::showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
-                        std::shared_ptr<const BrickedVolume> bricks, std::shared_ptr<const Provenance> provenance) {
-  if (auto usable = checkGrid(volume->grid); !usable) {
+void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance) {
+  const Grid& own = voxels.grid();
+  if (auto usable = checkGrid(own); !usable) {
     messages_.showError(usable.error());
     return;
   }
-  Subject subject;
-  subject.title = title;
-  subject.placedGrid = inMiddleOfTrunk(volume->grid, *view_.skin());
+  ScanSubject subject = subjectOf(voxels, title.toStdString());
+  subject.placedGrid = inMiddleOfTrunk(own, *view_.skin());
   if (keepPlace) {
-    const glm::dvec3 centre_mm = centreOf(volume->grid);
+    const glm::dvec3 centre_mm = centreOf(own);
     const Skin::Contact nearest = view_.skin()->nearest(centre_mm);
-    if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = volume->grid;
+    if (glm::dot(centre_mm - nearest.point_mm, nearest.outward) < 0.0) subject.placedGrid = own;
   }
-  subject.volume = std::move(volume);
-  subject.bricks = std::move(bricks);
   subject.provenance = std::move(provenance);
   showsCase_ = false;
-  startPose_.reset();
   startTaken_ = false;
   session_.show(std::move(subject));
   takeStart();
+}
+
+void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow) {
+  if (!worthBricking(volume->grid.dims)) {
+    if (mayShow()) showVolume(ScanVoxels::asStored(std::move(volume)), title, true);
+    return;
+  }
+  auto voxels = std::make_shared<ScanVoxels>();
+  startOpening(
+      title,
+      [voxels, volume = std::move(volume)](Progress& progress) -> Result<void> {
+        auto made = ScanVoxels::of(volume, progress);
+        if (!made) return passOn(made.error());
+        *voxels = std::move(*made);
+        return {};
+      },
+      [this, voxels, title, mayShow = std::move(mayShow)] {
+        if (mayShow()) showVolume(*voxels, title, true);
+      });
 }
 
 void Opener::followDocument() {
@@ -442,9 +415,9 @@ void Opener::followDocument() {
     if (!showsCase_) showCaseVolume();
   }
   if (!showsCase_) return;
-  session_.setTitle(words(titleForTrainees(*opened)));
-  session_.setCaseScene(sceneWithTissues(opened->scene, contents_->tissues));
-  session_.place(loadedToNow());
+  session_.setTitle(titleForTrainees(*opened));
+  session_.setCaseScene(sceneWithTissues(opened->scene, contents_->read.tissues));
+  session_.place(ownToWorldOf(*opened, contents_->read));
 }
 
 void Opener::takeStart() {
@@ -452,8 +425,8 @@ void Opener::takeStart() {
   const std::shared_ptr<const Skin> skin = view_.skin();
   session_.setSkin(skin);
   Hold hold;
-  if (startPose_) {
-    hold = holdFor(*startPose_, *skin);
+  if (const auto& start = session_.subject()->startPose) {
+    hold = holdFor(*start, *skin);
   } else {
     hold.contact = skinInFrontOf(*skin, centreOf(session_.subject()->placedGrid));
     hold.press_mm = usualPress_mm(session_.probe());
@@ -461,11 +434,6 @@ void Opener::takeStart() {
   // Before the mannequin is there the skin is a rough ellipsoid: the start is taken again when it comes.
   startTaken_ = view_.scene().mannequin() != nullptr;
   hand_.setStartHold(hold);
-  showHold(hold);
-}
-
-void Opener::showHold(const Hold& hold) {
-  hand_.setHold(hold);
   session_.setHold(hold);
 }
 

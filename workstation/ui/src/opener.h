@@ -9,6 +9,8 @@
 #include "case_document.h"
 #include "ew/bridge/mannequin.h"
 #include "ew/library/file_import.h"
+#include "ew/scanning/recording.h"
+#include "ew/scanning/subject.h"
 #include "jobs.h"
 #include "session.h"
 
@@ -36,14 +38,15 @@ class Opener final : public QObject {
   void open(const QString& path);
   void loadDefaultMannequin();
   /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
-  /// @param bricks of the same voxels, or null
   /// @param provenance of the same voxels, or null
-  void showVolume(std::shared_ptr<const Volume> volume, const QString& title, bool keepPlace,
-                  std::shared_ptr<const BrickedVolume> bricks = nullptr, std::shared_ptr<const Provenance> provenance = nullptr);
+  void showVolume(const ScanVoxels& voxels, const QString& title, bool keepPlace, std::shared_ptr<const Provenance> provenance = nullptr);
+  /// The same of a volume that somebody made, where its own coordinates say if that lies in the body; a large one is first made ready in a
+  /// job. @param mayShow asked when it is about to take the place of what is shown
+  void openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow);
   /// Back to the volume of the open case.
   void showCaseVolume();
   [[nodiscard]] bool showsCase() const { return showsCase_; }
-  [[nodiscard]] bool hasCaseVolume() const { return contents_ != nullptr; }
+  [[nodiscard]] bool hasCaseVolume() const { return contents_.has_value(); }
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
 
  Q_SIGNALS:
@@ -53,12 +56,13 @@ class Opener final : public QObject {
   void sweepChosen(const QString& path);  ///< a sweep needs answers before it becomes a volume
   /// A file of another kind leaves something open, or holds pictures that are no volume.
   void answersNeeded(const QString& path, ew::FileKind kind, const QString& question);
+  /// A file is a recorded scan. Nothing was replaced.
+  void recordingOpened(const QString& path, std::shared_ptr<const ew::ScanRecording> recording);
   void failed(const Error& error);
 
  private:
   struct Image;
   struct Loading;
-  struct Contents;
   /// What decides which voxels a case shows and in which body. Everything else, the placement too, is edited without loading again.
   struct Sources {
     CaseVolume volume;  ///< not placed
@@ -66,6 +70,11 @@ class Opener final : public QObject {
     bool operator==(const Sources&) const = default;
   };
   [[nodiscard]] static Sources sourcesOf(const Case& opened);
+  /// What the open case is scanned as.
+  struct Contents {
+    Sources sources;
+    CaseContents read;
+  };
   void openCase(const QString& path);
   void openImage(const QString& path);
   /// Loads what the open case names since it was edited.
@@ -79,10 +88,7 @@ class Opener final : public QObject {
   void tellOpened(const QString& path, const std::vector<std::string>& notes);
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
-  /// From where the contents were placed when they were loaded to where the case has them now.
-  [[nodiscard]] glm::dmat4 loadedToNow() const;
   void takeStart();
-  void showHold(const Hold& hold);
 
   Session& session_;
   CaseDocument& document_;
@@ -91,11 +97,10 @@ class Opener final : public QObject {
   View3D& view_;
   HandInput& hand_;
   std::function<bool(const QString& next)> mayReplace_ = [](const QString&) { return true; };
-  std::shared_ptr<const Contents> contents_;  ///< of the open case; null without one
-  std::optional<Sources> reloading_;          ///< what the open case is being loaded for again
-  std::optional<Sources> refused_;            ///< that could not be loaded: not tried again until they change or are asked for
-  std::filesystem::path mannequinFile_;       ///< of the body that is shown or on its way
-  std::optional<Pose> startPose_;
+  std::optional<Contents> contents_;     ///< of the open case; empty without one
+  std::optional<Sources> reloading_;     ///< what the open case is being loaded for again
+  std::optional<Sources> refused_;       ///< that could not be loaded: not tried again until they change or are asked for
+  std::filesystem::path mannequinFile_;  ///< of the body that is shown or on its way
   bool showsCase_ = false;
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there
   QString openingPath_;      ///< what is being opened; empty: nothing

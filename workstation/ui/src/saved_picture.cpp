@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/imaging/caption.h"
+#include "ew/scanning/picture_file.h"
 #include "ew/ui/main_window.h"
 #include "figures.h"
+#include "picture_image.h"
 #include "session.h"
 #include "theme.h"
 #include "words.h"
@@ -48,11 +49,11 @@ void paintScale(QPainter& painter, const DisplayGeometry& geometry, const QRect&
 }  // namespace
 
 QImage savedPicture(const Session& session, const QDateTime& at) {
-  const ImageView<const std::uint8_t> shown = session.picture();
-  if (!session.subject() || shown.width == 0) return {};
-  QImage saved(std::max(kLeast_px, shown.width + kScale_px), kHead_px + shown.height + kFoot_px, QImage::Format_Grayscale8);
+  if (!session.subject() || session.picture().isEmpty()) return {};
+  const QImage shown = imageOf(session.picture());
+  QImage saved(std::max(kLeast_px, shown.width() + kScale_px), kHead_px + shown.height() + kFoot_px, shown.format());
   saved.fill(Qt::black);
-  const QRect picture((saved.width() - kScale_px - shown.width) / 2, kHead_px, shown.width, shown.height);
+  const QRect picture((saved.width() - kScale_px - shown.width()) / 2, kHead_px, shown.width(), shown.height());
   QPainter painter(&saved);
   painter.setFont(smallFont());
   painter.setPen(kWords);
@@ -62,14 +63,27 @@ QImage savedPicture(const Session& session, const QDateTime& at) {
   };
   const QString when = QLocale().toString(at, QLocale::ShortFormat);
   const int when_px = painter.fontMetrics().horizontalAdvance(when) + 24;
-  line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(session.subject()->title, Qt::ElideRight, saved.width() - 24 - when_px));
+  line(0, Qt::AlignLeft, painter.fontMetrics().elidedText(words(session.subject()->title), Qt::ElideRight, saved.width() - 24 - when_px));
   line(0, Qt::AlignRight, when);
   line(1, Qt::AlignLeft, settingsOf(session));
   paintScale(painter, session.geometry(), picture);
   painter.end();
-  for (int y = 0; y < shown.height; ++y) std::copy_n(shown.row(y), shown.width, saved.scanLine(kHead_px + y) + picture.left());
-  burnCaption({saved.bits(), saved.width(), saved.height(), saved.bytesPerLine()}, kNotForDiagnosis);
+  const int pixel_bytes = shown.depth() / 8;
+  for (int y = 0; y < shown.height(); ++y)
+    std::copy_n(shown.scanLine(y), pixel_bytes * shown.width(), saved.scanLine(kHead_px + y) + pixel_bytes * picture.left());
   return saved;
+}
+
+Result<void> writeShownPicture(const Session& session, const QDateTime& at, const std::filesystem::path& file) {
+  const double pixel_mm = session.geometry().pixel_mm;
+  if (file.extension() == ".mha") return writePicture(session.picture(), pixel_mm, file);
+  const QImage saved = savedPicture(session, at);
+  if (saved.format() == QImage::Format_Grayscale8)
+    return writePicture(Picture{{saved.constBits(), saved.width(), saved.height(), saved.bytesPerLine()}}, pixel_mm, file);
+  RgbImage colours(saved.width(), saved.height());
+  for (int y = 0; y < saved.height(); ++y)
+    std::copy_n(reinterpret_cast<const Rgb*>(saved.constScanLine(y)), saved.width(), viewOf(colours).row(y));
+  return writePicture(colours, pixel_mm, file);
 }
 
 }  // namespace ew::ui

@@ -14,7 +14,7 @@ ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(se
   showCursor();
 }
 
-bool ScanPan::pans() const { return session_.subject() && !session_.isFrozen() && session_.knobs().zoom > 1.0; }
+bool ScanPan::pans() const { return session_.subject() && !session_.isFrozen() && !session_.isPlaying() && session_.knobs().zoom > 1.0; }
 
 void ScanPan::showCursor() {
   if (panning_) return;

@@ -10,6 +10,7 @@
 #include "ew/imaging/beam_grid.h"
 #include "figures.h"
 #include "focus_scale.h"
+#include "picture_image.h"
 #include "theme.h"
 #include "words.h"
 
@@ -170,8 +171,8 @@ void ScanView::arrange() {
 void ScanView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  const ImageView<const std::uint8_t> picture = session_.picture();
-  if (picture.width == 0 || !session_.subject()) {
+  const Picture& picture = session_.picture();
+  if (picture.isEmpty() || !session_.subject()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
@@ -179,7 +180,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     return;
   }
   if (mode() != DisplayMode::mMode) {
-    QImage image(picture.data, picture.width, picture.height, static_cast<int>(picture.stride), QImage::Format_Grayscale8);
+    QImage image = imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
   }
@@ -191,6 +192,7 @@ void ScanView::paintEvent(QPaintEvent*) {
   if (mode() == DisplayMode::both) paintMLine(painter);
   paintWords(painter);
   if (session_.isFrozen()) paintFrozen(painter);
+  if (recorded_s_) paintRecording(painter);
   if (!said_.isEmpty()) return paintSaid(painter);
   if (mode() != DisplayMode::mMode && isBesideVolume()) {
     painter.setFont(textFont());
@@ -203,7 +205,7 @@ void ScanView::paintEvent(QPaintEvent*) {
 
 bool ScanView::isBesideVolume() const {
   // A picture with a single echo in it needs no question; most do. Noise is no echo.
-  const ImageView<const std::uint8_t> picture = session_.picture();
+  const ImageView<const std::uint8_t> picture = session_.picture().grey;
   if (!session_.pictureScene().noise) {
     for (int y = 0; y < picture.height; ++y) {
       if (std::any_of(picture.row(y), picture.row(y) + picture.width, [](std::uint8_t grey) { return grey != 0; })) return false;
@@ -303,7 +305,7 @@ void ScanView::paintStrip(QPainter& painter) {
   painter.setPen(QPen(theme.line, 1.0));
   painter.drawLine(box.left(), box.top() - 8, box.right(), box.top() - 8);
   if (strip.width > 0) {
-    QImage image(strip.data, strip.width, strip.height, static_cast<int>(strip.stride), QImage::Format_Grayscale8);
+    QImage image = imageOf(strip);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(box.topLeft(), image);
     const double x = box.left() + session_.stripCursor() / devicePixelRatioF();
@@ -330,7 +332,7 @@ void ScanView::paintWords(QPainter& painter) {
   painter.setFont(smallFont());
   painter.setPen(theme.quiet);
   const QFontMetrics metrics = painter.fontMetrics();
-  const int right = session_.isFrozen() ? width() - 144 : width() - 24;
+  const int right = session_.isFrozen() ? width() - 144 : width() - (recorded_s_ ? 96 : 24);
   painter.drawText(QRect(20, 8, right - 20, 24), Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(words(session_.pictureProbe().name), Qt::ElideRight, right - 20));
   const Knobs& knobs = session_.pictureKnobs();
@@ -341,7 +343,7 @@ void ScanView::paintWords(QPainter& painter) {
   drawFigures(painter, QRect(20, height() - 32, width() - 100, 24), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = width() - 100 - figuresWidth_px(metrics, line) - 48;
-  if (underMouse() && !session_.isFrozen() && hint_px >= kHint_px) {
+  if (underMouse() && !session_.isFrozen() && !session_.isPlaying() && hint_px >= kHint_px) {
     painter.drawText(QRect(width() - 80 - hint_px, height() - 32, hint_px, 24), Qt::AlignRight | Qt::AlignVCenter,
                      knobs.zoom > 1.0 ? tr("drag: move the detail") : tr("drag: slide the probe"));
   }
@@ -361,6 +363,33 @@ void ScanView::paintFrozen(QPainter& painter) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(theme.onAccent);
   painter.drawText(badge, Qt::AlignCenter, word);
+}
+
+void ScanView::setControlsEnabled(bool enabled) {
+  dgc_->setEnabled(enabled);
+  scale_->setEnabled(enabled);
+}
+
+void ScanView::setRecording(std::optional<double> length_s) {
+  if (length_s == recorded_s_) return;
+  recorded_s_ = length_s;
+  update();
+}
+
+void ScanView::paintRecording(QPainter& painter) {
+  const Theme theme = scanTheme();
+  painter.setFont(smallFont());
+  const int whole_s = static_cast<int>(*recorded_s_);
+  const QString length = QStringLiteral("%1:%2").arg(whole_s / 60).arg(whole_s % 60, 2, 10, QLatin1Char('0'));
+  const int length_px = figuresWidth_px(painter.fontMetrics(), length);
+  const int top = session_.isFrozen() ? 40 : 8;  // below the word "Frozen" when it is there
+  const int left = width() - 24 - length_px;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.danger);
+  painter.drawEllipse(QPointF(left - 14.0, top + 12.0), 6.0, 6.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(theme.text);
+  drawFigures(painter, QRect(left, top, length_px + 8, 24), Qt::AlignLeft, length);
 }
 
 void ScanView::paintSaid(QPainter& painter) {

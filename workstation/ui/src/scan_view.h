@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 
 #include "session.h"
 
@@ -33,6 +34,10 @@ class ScanView final : public QWidget {
   /// A sentence over the picture for a few seconds.
   void say(const QString& sentence);
   [[nodiscard]] QString said() const { return said_; }
+  /// Sliders and marks on the image that change settings.
+  void setControlsEnabled(bool enabled);
+  /// A red dot and how long the recording is by now; empty: none is made.
+  void setRecording(std::optional<double> length_s);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -55,6 +60,7 @@ class ScanView final : public QWidget {
   void paintWords(QPainter& painter);
   void paintFrozen(QPainter& painter);
   void paintSaid(QPainter& painter);
+  void paintRecording(QPainter& painter);
 
   Session& session_;
   DgcColumn* dgc_ = nullptr;
@@ -67,6 +73,7 @@ class ScanView final : public QWidget {
     bool operator==(const Fitted&) const = default;
   };
   Fitted fitted_;  ///< what the margins were fitted to
+  std::optional<double> recorded_s_;
   QString said_;
   QTimer saidLong_;
 };

@@ -41,8 +41,8 @@ void SourcePicker::setAsking(bool asking) {
   if (asking && !session_.subject()) asking = false;
   if (asking != asking_) {
     asking_ = asking;
-    const ImageView<const std::uint8_t> picture = session_.picture();
-    cross_ = mark_.value_or(QPoint(picture.width / 2, picture.height / 2));
+    const Picture& picture = session_.picture();
+    cross_ = mark_.value_or(QPoint(picture.width() / 2, picture.height() / 2));
     showOrHide();
     if (asking) {
       setFocus(Qt::OtherFocusReason);
@@ -130,9 +130,9 @@ void SourcePicker::keyPressEvent(QKeyEvent* event) {
     default:
       return event->ignore();
   }
-  const ImageView<const std::uint8_t> picture = session_.picture();
-  cross_ = {std::clamp(cross_.x() + by.x(), 0, std::max(0, picture.width - 1)),
-            std::clamp(cross_.y() + by.y(), 0, std::max(0, picture.height - 1))};
+  const Picture& picture = session_.picture();
+  cross_ = {std::clamp(cross_.x() + by.x(), 0, std::max(0, picture.width() - 1)),
+            std::clamp(cross_.y() + by.y(), 0, std::max(0, picture.height() - 1))};
   update();
 }
 

@@ -321,25 +321,4 @@ void StartPage::arrange() {
   }
 }
 
-QImage thumbnailOf(const Case& shown, const Volume& volume, const std::vector<Probe>& probes, const QSize& size) {
-  const auto probe =
-      std::find_if(probes.begin(), probes.end(), [&](const Probe& p) { return shown.probes.empty() || p.id == shown.probes.front(); });
-  if (probe == probes.end()) return {};
-  Pose pose;
-  if (shown.startPose) {
-    pose = *shown.startPose;
-  } else {
-    const Bounds bounds = boundsOf(volume.grid);
-    Hold hold;
-    hold.contact.point_mm = (bounds.lowest_mm + bounds.highest_mm) / 2.0;
-    hold.contact.point_mm.y = bounds.lowest_mm.y;
-    hold.contact.outward = {0.0, -1.0, 0.0};
-    pose = poseOf(hold);
-  }
-  FrameMaker maker;
-  maker.configure(*probe, {}, shown.scene, volume.grid, size.width(), size.height());
-  const ImageView<const std::uint8_t> picture = maker.make(volume.view(), pose);
-  return QImage(picture.data, picture.width, picture.height, static_cast<int>(picture.stride), QImage::Format_Grayscale8).copy();
-}
-
 }  // namespace ew::ui

@@ -56,9 +56,4 @@ class StartPage final : public QWidget {
   int columns_ = 0;
 };
 
-/// What a case's own start shows: its volume scanned by its first probe from its start pose, the console neutral. A case without a start
-/// pose is scanned across the middle of its volume's front. Null when the case's probe is not among `probes`.
-/// @param volume the case's, in place
-[[nodiscard]] QImage thumbnailOf(const Case& shown, const Volume& volume, const std::vector<Probe>& probes, const QSize& size);
-
 }  // namespace ew::ui

@@ -73,9 +73,9 @@ QLabel[quiet="true"] { color: @quiet; }
 QLabel[heading="true"] { font-weight: 600; }
 QToolTip { color: @text; background: @raised; border: 1px solid @line; padding: 4px 8px; }
 
-#topBar, #statusLine { background: @panel; }
+#topBar, #statusLine, #replayBar { background: @panel; }
 #topBar { border-bottom: 1px solid @line; }
-#statusLine { border-top: 1px solid @line; }
+#statusLine, #replayBar { border-top: 1px solid @line; }
 #brand { font-weight: 700; }
 #console { background: @panel; border-left: 1px solid @line; }
 #authorColumn { background: @panel; border-right: 1px solid @line; }

@@ -9,6 +9,8 @@
 
 #include "ew/core/version.h"
 #include "ew/library/case.h"
+#include "ew/scanning/scanner.h"
+#include "picture_image.h"
 #include "words.h"
 
 namespace ew::ui {
@@ -24,7 +26,8 @@ QString stemOf(const Case& shown) {
 }
 
 QString fileOf(const Case& shown, const QSize& size) {
-  QStringList parts{QLatin1String(kVersion), QStringLiteral("%1x%2").arg(size.width()).arg(size.height())};
+  // 2: as it is scanned, with labels and their tissues.
+  QStringList parts{QLatin1String(kVersion), QStringLiteral("2"), QStringLiteral("%1x%2").arg(size.width()).arg(size.height())};
   QDirIterator files(wordsOf(shown.folder), QDir::Files, QDirIterator::Subdirectories);
   while (files.hasNext()) {
     files.next();
@@ -41,7 +44,7 @@ QString fileOf(const Case& shown, const QSize& size) {
 QImage keptThumbnail(const Case& shown, const QSize& size) {
   QImage kept;
   if (!kept.load(folder().filePath(fileOf(shown, size)), "PNG") || kept.size() != size) return {};
-  return kept.convertToFormat(QImage::Format_Grayscale8);
+  return kept;
 }
 
 void keepThumbnail(const Case& shown, const QImage& picture) {
@@ -52,6 +55,14 @@ void keepThumbnail(const Case& shown, const QImage& picture) {
   for (const QString& old : folder().entryList({stemOf(shown) + QStringLiteral("-*.png")}, QDir::Files)) {
     if (old != name) QFile::remove(folder().filePath(old));
   }
+}
+
+QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const QSize& size) {
+  const auto state = firstState(subject, probes);
+  if (!state) return {};
+  Scanner scanner;
+  scanner.show(subject);
+  return imageOf(scanner.make(*state, size.width(), size.height())).copy();
 }
 
 }  // namespace ew::ui

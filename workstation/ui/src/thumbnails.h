@@ -2,10 +2,13 @@
 
 #include <QImage>
 #include <QSize>
+#include <vector>
 
 namespace ew {
 struct Case;
-}
+struct Probe;
+struct ScanSubject;
+}  // namespace ew
 
 namespace ew::ui {
 
@@ -16,5 +19,8 @@ namespace ew::ui {
 [[nodiscard]] QImage keptThumbnail(const Case& shown, const QSize& size);
 /// Replaces what is kept of the case.
 void keepThumbnail(const Case& shown, const QImage& picture);
+
+/// The first picture of a subject's scan. Null when its probe is not among `probes`.
+[[nodiscard]] QImage thumbnailOf(const ScanSubject& subject, const std::vector<Probe>& probes, const QSize& size);
 
 }  // namespace ew::ui

@@ -237,7 +237,7 @@ void View3D::setProbeVisible(bool visible) {
   render();
 }
 
-void View3D::setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
+void View3D::setFanImage(const Picture& picture, const DisplayGeometry& geometry) {
   parts_->scene->setFanImage(picture, geometry);
   render();
 }

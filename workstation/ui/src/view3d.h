@@ -42,7 +42,7 @@ class View3D : public QWidget {
   void setPose(const Pose& pose);  ///< a pose that is not ok hides probe and fan
   void setProbeVisible(bool visible);
   /// Pixels and where they lie; copied, so the view may change afterwards.
-  void setFanImage(ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry);
+  void setFanImage(const Picture& picture, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
 
   void setDarkTheme(bool dark);

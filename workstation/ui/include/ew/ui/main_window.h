@@ -9,8 +9,9 @@
 #include "ew/ui/run.h"
 
 namespace ew {
+struct ScanRecording;
 struct Thrown;
-}
+}  // namespace ew
 
 namespace ew::sdk {
 class PanelDocument;
@@ -23,6 +24,8 @@ class ConsolePanel;
 class HandInput;
 class Jobs;
 class MessageBar;
+class Recorder;
+class ReplayBar;
 class ScanView;
 class Session;
 class View3D;
@@ -63,6 +66,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] View3D& view3d();
   [[nodiscard]] HandInput& hand();
   [[nodiscard]] ConsolePanel& console();
+  [[nodiscard]] Recorder& recorder();
+  [[nodiscard]] ReplayBar& replayBar();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -130,6 +135,15 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] bool mayLeaveShownVolume(const QString& next);
   [[nodiscard]] bool mayLeaveVolume(const MadeVolume& made, const QString& next);
   void forgetShownVolume();  ///< the user agreed to lose it
+  void toggleRecording();
+  void endRecording();  ///< and shows what was recorded, at rest
+  void showRecordingState();
+  void closeRecording();
+  /// Asks for a name and begins to save. @return false: nothing is saved
+  bool saveRecording();
+  /// Plays what was opened, once what was scanned is shown.
+  void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
+  [[nodiscard]] bool mayLeaveRecording(const QString& next);
   [[nodiscard]] bool mayClose();
   std::unique_ptr<Parts> parts_;
 };

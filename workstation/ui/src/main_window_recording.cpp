@@ -1,0 +1,138 @@
+// Recording a scan, playing one, and keeping what was recorded until the user has decided about it.
+#include <QFileInfo>
+#include <QMessageBox>
+#include <algorithm>
+#include <utility>
+
+#include "main_window_parts.h"
+#include "save_file.h"
+#include "saving_dialog.h"
+#include "words.h"
+
+namespace ew::ui {
+namespace {
+
+const QString kRecording = QStringLiteral("recording");  ///< topic of messages
+
+}  // namespace
+
+void MainWindow::toggleRecording() {
+  Parts& p = *parts_;
+  if (p.recorder.isRecording()) return endRecording();
+  p.recordAction->setChecked(false);
+  if (!p.session.subject() || !mayLeaveRecording({})) return;
+  closeRecording();
+  p.session.setFrozen(false);
+  const auto& opened = p.document.current();
+  p.recorder.start(opened && p.opener->showsCase() ? opened->id : std::string());
+}
+
+void MainWindow::endRecording() {
+  Parts& p = *parts_;
+  auto made = p.recorder.stop();
+  if (!made) return;
+  p.isRecordingSaved = false;
+  p.replayBar->load(std::move(made));
+  p.replayBar->setSaved(false);
+  p.messages->showNote(tr("The recording is kept until another one begins. Play it below, or save it (%1).")
+                           .arg(p.saveRecordingAction->shortcut().toString(QKeySequence::NativeText)),
+                       kRecording);
+}
+
+void MainWindow::showRecordingState() {
+  Parts& p = *parts_;
+  const bool isRecording = p.recorder.isRecording();
+  p.recordAction->setChecked(isRecording);
+  p.recordAction->setText(isRecording ? tr("End &recording") : tr("&Record"));
+  p.markAction->setEnabled(isRecording);
+  p.saveRecordingAction->setEnabled(p.replayBar->recording() != nullptr);
+  p.scanView->setRecording(isRecording ? std::optional(p.recorder.length_s()) : std::nullopt);
+  p.hand.setEnabled(!p.session.isFrozen() && !p.session.isPlaying());
+  p.console->setEnabled(!p.session.isPlaying());
+  p.scanView->setControlsEnabled(!p.session.isPlaying());
+}
+
+bool MainWindow::mayLeaveRecording(const QString& next) {
+  Parts& p = *parts_;
+  if (p.recorder.isRecording()) endRecording();
+  if (p.replayBar->recording() == nullptr || p.isRecordingSaved) return true;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedRecordingQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("The recording of '%1' is not saved.").arg(words(p.replayBar->recording()->title)));
+  if (!next.isEmpty()) question.setInformativeText(tr("'%1' is ready to be shown in its place.").arg(next));
+  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
+  if (answer == QMessageBox::Discard) return true;
+  return answer == QMessageBox::Save && saveRecording() && SavingDialog(p.jobs, false, this).wait() == SavingDialog::Outcome::saved;
+}
+
+void MainWindow::closeRecording() {
+  parts_->replayBar->unload();
+  parts_->messages->forget(kRecording);
+  showRecordingState();
+}
+
+bool MainWindow::saveRecording() {
+  Parts& p = *parts_;
+  const auto recording = p.replayBar->recording();
+  if (!recording) return false;
+  const QString file = askSaveFile(this, {tr("Save the recording"),
+                                          tr("scan") + QStringLiteral(".seq.mha"),
+                                          tr("Sequences of poses (*.seq.mha *.mha)"),
+                                          {QStringLiteral(".seq.mha"), QStringLiteral(".mha")}});
+  if (file.isEmpty()) return false;
+  p.jobs.start(
+      tr("Saving %1").arg(QFileInfo(file).fileName()),
+      [recording, file](Progress& progress) {
+        return saveTogether({pathOf(file)},
+                            [&](const OutputSet& outputs) { return writeRecording(*recording, outputs.staged(pathOf(file)), progress); });
+      },
+      [this, recording, file](const Result<void>& outcome) {
+        if (outcome) {
+          if (parts_->replayBar->recording() == recording) {
+            parts_->isRecordingSaved = true;
+            parts_->replayBar->setSaved(true);
+          }
+          parts_->messages->showNote(tr("Saved to %1.").arg(file), kRecording);
+        } else if (outcome.error().code != ErrorCode::cancelled) {
+          parts_->messages->showError(outcome.error(), kRecording);
+        }
+      },
+      Jobs::Kind::saving);
+  return true;
+}
+
+void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording) {
+  Parts& p = *parts_;
+  const auto& opened = p.document.current();
+  const std::string shown = opened && p.opener->showsCase() ? opened->id : std::string();
+  if (p.session.subject() && shown == recording->caseId) {
+    if (!mayLeaveRecording(QFileInfo(path).fileName())) return;
+    p.messages->forgetWhatIsPast();
+    p.isRecordingSaved = true;
+    p.replayBar->load(recording);
+    p.replayBar->setSaved(true);
+    p.pages->setCurrentWidget(p.workspacePage);
+    if (!recording->notes.empty())
+      p.messages->showNotes(tr("%1 is open; %n notes say how it was read.", nullptr, static_cast<int>(recording->notes.size()))
+                                .arg(QFileInfo(path).fileName()),
+                            recording->notes, kRecording);
+    remember(path);
+    return showRecordingState();
+  }
+  const auto known = std::find_if(p.shownCases.begin(), p.shownCases.end(), [&](const Case& each) { return each.id == recording->caseId; });
+  if (!recording->caseId.empty() && known != p.shownCases.end()) {
+    p.waitingRecording = {path, std::move(recording)};
+    return open(wordsOf(known->folder));
+  }
+  p.messages->showError({ErrorCode::badUsage,
+                         tr("%1 is a recording of '%2'. Open what was scanned first, then the recording.")
+                             .arg(QFileInfo(path).fileName(), words(recording->title))
+                             .toStdString(),
+                         {}},
+                        kRecording);
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QImage>
+
+#include "ew/imaging/picture.h"
+
+namespace ew::ui {
+
+/// A picture as Qt draws it. Grey: the picture's own pixels, valid as long as they are; with colours: a copy in which they lie over the
+/// grey.
+[[nodiscard]] QImage imageOf(const Picture& picture);
+[[nodiscard]] QImage imageOf(ImageView<const std::uint8_t> grey);
+
+}  // namespace ew::ui

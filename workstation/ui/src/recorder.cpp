@@ -1,0 +1,51 @@
+#include "recorder.h"
+
+#include <utility>
+
+#include "session.h"
+
+namespace ew::ui {
+
+Recorder::Recorder(Session& session, QObject* parent) : QObject(parent), session_(session) {
+  connect(&session_, &Session::pictureChanged, this, &Recorder::takePicture);
+  connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
+    if (recording_) recording_->log.setFrozen(session_.now_s(), frozen);
+  });
+  second_.setInterval(1000);
+  connect(&second_, &QTimer::timeout, this, &Recorder::changed);
+}
+
+void Recorder::start(const std::string& caseId) {
+  if (recording_ || !session_.subject() || session_.isFrozen() || session_.isPlaying()) return;
+  recording_ = std::make_shared<ScanRecording>();
+  recording_->caseId = caseId;
+  recording_->title = session_.subject()->title;
+  begin_s_ = session_.now_s();
+  // Nothing of the time before shows in what is recorded: it could not be shown again.
+  session_.forgetPictures();
+  second_.start();
+  Q_EMIT changed();
+}
+
+std::shared_ptr<const ScanRecording> Recorder::stop() {
+  if (!recording_) return nullptr;
+  second_.stop();
+  const std::shared_ptr<const ScanRecording> made = std::exchange(recording_, nullptr);
+  Q_EMIT changed();
+  return made->log.frameCount() > 0 ? made : nullptr;
+}
+
+double Recorder::length_s() const { return recording_ ? session_.now_s() - begin_s_ : 0.0; }
+
+void Recorder::addNote(const std::string& kind, const nlohmann::json& what) {
+  if (recording_) recording_->log.addNote(session_.now_s(), kind, what);
+}
+
+void Recorder::takePicture() {
+  // A frozen picture is made again for a window of another size; it is no new one.
+  if (!recording_ || session_.isFrozen() || session_.picture().isEmpty()) return;
+  if (recording_->log.frameCount() == 0) recording_->size_px = {session_.picture().width(), session_.picture().height()};
+  recording_->log.addFrame(session_.shownState());
+}
+
+}  // namespace ew::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <string>
+
+#include "ew/scanning/recording.h"
+
+namespace ew::ui {
+
+class Session;
+
+/// Records the scan of a session while it goes on: every picture with all that it was made with, and freezing.
+class Recorder final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Recorder(Session& session, QObject* parent = nullptr);
+
+  /// @param caseId of the case that is scanned, or empty. Nothing happens without a subject, while frozen or while a recording is played.
+  void start(const std::string& caseId);
+  /// @return null when nothing was recorded
+  std::shared_ptr<const ScanRecording> stop();
+  [[nodiscard]] bool isRecording() const { return recording_ != nullptr; }
+  [[nodiscard]] double length_s() const;
+  void addNote(const std::string& kind, const nlohmann::json& what);
+
+ Q_SIGNALS:
+  void changed();  ///< begun, ended, or another second long
+
+ private:
+  void takePicture();
+
+  Session& session_;
+  std::shared_ptr<ScanRecording> recording_;  ///< null: none is made
+  double begin_s_ = 0.0;
+  QTimer second_;
+};
+
+}  // namespace ew::ui

@@ -1,0 +1,95 @@
+#include "time_line.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <utility>
+
+#include "theme.h"
+
+namespace ew::ui {
+namespace {
+
+constexpr double kMargin_px = 8.0;  // half of the handle, so that it stays whole at both ends
+constexpr double kHandle_px = 7.0;
+
+}  // namespace
+
+TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("Time line of the recording"));
+  setToolTip(tr("Click or drag to another moment (arrows: a second, with Shift five; Home and End)"));
+}
+
+void TimeLine::setLength(double length_s, std::vector<Span> frozen, std::vector<double> marks_s) {
+  length_s_ = length_s;
+  frozen_ = std::move(frozen);
+  marks_s_ = std::move(marks_s);
+  setPosition(0.0);
+}
+
+void TimeLine::setPosition(double position_s) {
+  position_s_ = std::clamp(position_s, 0.0, length_s_);
+  update();
+}
+
+double TimeLine::xOf(double position_s) const {
+  const double share = length_s_ > 0.0 ? position_s / length_s_ : 0.0;
+  return kMargin_px + share * (width() - 2.0 * kMargin_px);
+}
+
+double TimeLine::positionAt(double x) const {
+  return length_s_ * std::clamp((x - kMargin_px) / std::max(1.0, width() - 2.0 * kMargin_px), 0.0, 1.0);
+}
+
+void TimeLine::goTo(double position_s) {
+  setPosition(position_s);
+  Q_EMIT moved(position_s_);
+}
+
+void TimeLine::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) goTo(positionAt(event->localPos().x()));
+}
+
+void TimeLine::mouseMoveEvent(QMouseEvent* event) {
+  if ((event->buttons() & Qt::LeftButton) != 0) goTo(positionAt(event->localPos().x()));
+}
+
+void TimeLine::keyPressEvent(QKeyEvent* event) {
+  const double step_s = (event->modifiers() & Qt::ShiftModifier) != 0 ? 5.0 : 1.0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return goTo(position_s_ - step_s);
+    case Qt::Key_Right:
+      return goTo(position_s_ + step_s);
+    case Qt::Key_Home:
+      return goTo(0.0);
+    case Qt::Key_End:
+      return goTo(length_s_);
+    default:
+      return QWidget::keyPressEvent(event);
+  }
+}
+
+void TimeLine::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Theme theme = currentTheme();
+  const double y = height() / 2.0;
+  const auto stroke = [&](double from_s, double to_s, const QColor& colour, double width_px) {
+    painter.setPen(QPen(colour, width_px, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(xOf(from_s), y), QPointF(xOf(to_s), y));
+  };
+  stroke(0.0, length_s_, theme.line, 2.0);
+  for (const Span& span : frozen_) stroke(span.begin_s, span.end_s, theme.quiet, 6.0);
+  stroke(0.0, position_s_, theme.accent, 2.0);
+  painter.setPen(QPen(theme.text, 1.5));
+  for (const double mark_s : marks_s_) painter.drawLine(QPointF(xOf(mark_s), y - 9.0), QPointF(xOf(mark_s), y - 4.0));
+  painter.setPen(hasFocus() ? QPen(theme.text, 1.5) : QPen(Qt::NoPen));
+  painter.setBrush(theme.accent);
+  painter.drawEllipse(QPointF(xOf(position_s_), y), kHandle_px, kHandle_px);
+}
+
+}  // namespace ew::ui
