@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -69,6 +70,27 @@ TEST(ForEachTask, ThrowsWhatATaskThrewAfterAllThreadsHaveEnded) {
     }
     EXPECT_EQ(said, "task 20");
   }
+}
+
+TEST(ForEachTask, TasksMayHaveTasksAndLocksOfTheirOwn) {
+  std::mutex guard;
+  std::atomic<int> inner{0};
+  EXPECT_TRUE(forEachTask(16, 4, noProgress(), "", [&](int) {
+    const std::lock_guard lock(guard);  // a thread that waits for its inner tasks must not take up another outer one
+    forEachTask(16, 4, noProgress(), "", [&](int) { ++inner; });
+  }));
+  EXPECT_EQ(inner, 256);
+}
+
+TEST(ForEachTask, NoTwoTasksAtOnceHaveTheSameWorker) {
+  std::vector<std::atomic<int>> busy(4);
+  std::atomic<bool> collided{false};
+  forEachTask(2000, 4, noProgress(), "", [&](int, int worker, const auto&) {
+    auto& mine = busy[static_cast<std::size_t>(worker)];
+    if (mine++ != 0) collided = true;
+    --mine;
+  });
+  EXPECT_FALSE(collided);
 }
 
 TEST(ForEachTask, HasNothingToDoWithoutTasks) {

@@ -19,8 +19,9 @@ constexpr int kFewestRows = 8;  // below, starting a task costs more than its ro
 }  // namespace
 
 struct Bands::Arena {
+  // Before other work (ew/core/parallel.h): somebody looks at the image.
   // More threads than processors would only wait for each other, and oneTBB says so on the terminal.
-  explicit Arena(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+  explicit Arena(int threads) : arena(std::min(threads, tbb::info::default_concurrency()), 1, tbb::task_arena::priority::high) {}
   tbb::task_arena arena;
 };
 

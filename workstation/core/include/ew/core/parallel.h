@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <type_traits>
-#include <vector>
 
 #include "ew/core/progress.h"
 
@@ -19,6 +18,12 @@ namespace ew {
   if (asked <= 0) asked = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::min(asked, 256);
 }
+
+/// Calls `call` so many times on up to `workers` threads, of which the caller is one; returns when all have ended. The other threads are
+/// oneTBB's, shared with whatever else runs in the program: no more work at once than there are processors, and between two calls a thread
+/// may go to work of higher priority (images that somebody looks at). `call` must not throw.
+/// @param call call(worker) with worker in [0, workers), no two calls at once with the same
+void callOnThreads(int calls, int workers, const std::function<void(int worker)>& call);
 
 /// Calls `work` once for every task in [0, tasks), in no fixed order, on up to threadCount(threads) threads of which the caller is one.
 /// @param work work(task), or work(task, worker, stopped) with worker in [0, threadCount(threads)); `stopped()` asks the progress and turns
@@ -38,33 +43,24 @@ bool forEachTask(int tasks, int threads, Progress& progress, std::string_view wh
     cancelled.store(true, std::memory_order_relaxed);
     return true;
   };
-  const auto run = [&](int worker) {
+  // Tasks in their order, whichever call comes first.
+  callOnThreads(tasks, std::min(threadCount(threads), tasks), [&](int worker) {
+    const int task = next++;
     try {
-      for (int task = next++; task < tasks && !stopped(); task = next++) {
-        if constexpr (std::is_invocable_v<const Work&, int>) {
-          work(task);
-        } else {
-          work(task, worker, stopped);
-        }
-        const std::lock_guard lock(guard);
-        progress.report(what, static_cast<double>(++done) / tasks);
+      if (stopped()) return;
+      if constexpr (std::is_invocable_v<const Work&, int>) {
+        work(task);
+      } else {
+        work(task, worker, stopped);
       }
+      const std::lock_guard lock(guard);
+      progress.report(what, static_cast<double>(++done) / tasks);
     } catch (...) {
       const std::lock_guard lock(guard);
       if (!failed) failed = std::current_exception();
       cancelled = true;
     }
-  };
-  {
-    std::vector<std::jthread> others;
-    const int workers = std::min(threadCount(threads), tasks);
-    try {
-      for (int worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
-    } catch (const std::system_error&) {
-      // No more threads to be had: those there are do the work, the results are the same.
-    }
-    run(0);
-  }
+  });
   if (failed) std::rethrow_exception(failed);
   return !stopped();
 }

@@ -1,0 +1,63 @@
+#include "ew/core/parallel.h"
+
+#ifdef __SANITIZE_THREAD__
+#include <vector>
+#else
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#endif
+
+namespace ew {
+
+#ifdef __SANITIZE_THREAD__
+
+// oneTBB is built without the sanitizer, which would not see how a thread is handed its task.
+void callOnThreads(int calls, int workers, const std::function<void(int)>& call) {
+  std::atomic<int> next{0};
+  const auto run = [&](int worker) {
+    while (next++ < calls) call(worker);
+  };
+  std::vector<std::jthread> others;
+  for (int worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+  run(0);
+}
+
+#else
+
+namespace {
+
+/// Calls one after another, each a task of its own: between two a thread can be called away to work of higher priority.
+struct CallChains {
+  const std::function<void(int)>& call;
+  const int calls;
+  std::atomic<int> next{0};
+  tbb::task_group group;
+
+  void go(int worker) {
+    if (next++ >= calls) return;
+    call(worker);
+    group.run([this, worker] { go(worker); });
+  }
+};
+
+}  // namespace
+
+void callOnThreads(int calls, int workers, const std::function<void(int)>& call) {
+  workers = std::min({workers, calls, tbb::info::default_concurrency()});  // more would only wait for each other
+  if (workers <= 1) {
+    for (int n = 0; n < calls; ++n) call(0);
+    return;
+  }
+  // Isolated: who waits here never takes up a task of whoever called, whose locks it may hold.
+  tbb::this_task_arena::isolate([&] {
+    CallChains chains{.call = call, .calls = calls, .next = {}, .group = {}};
+    for (int worker = 1; worker < workers; ++worker) chains.group.run([&chains, worker] { chains.go(worker); });
+    chains.go(0);
+    chains.group.wait();
+  });
+}
+
+#endif
+
+}  // namespace ew
