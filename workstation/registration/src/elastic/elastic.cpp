@@ -4,7 +4,9 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "comparable.h"
@@ -183,6 +185,318 @@ ControlGrid controlOf(const NodeGrid& nodes, const NodeValues& values, const Gri
   return control;
 }
 
+double voxelsOf(const Input& input) { return static_cast<double>(input.volume->grid.voxelCount()); }
+
+/// Both images of a level.
+struct LevelImages {
+  LevelImage fixed;
+  LevelImage moving;
+};
+
+/// One registration: what its levels share, and the result as it grows.
+class ElasticRun {
+ public:
+  ElasticRun(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options, Progress& progress,
+             const OnLevel& onLevel);
+  [[nodiscard]] Result<ElasticResult> run();
+
+ private:
+  using Step = ElasticSettings::Step;
+  using End = std::optional<Result<ElasticResult>>;  // nothing: it goes on
+
+  [[nodiscard]] bool findBeliefs();
+  [[nodiscard]] std::size_t finestStepFrom(double voxel_mm) const;
+
+  // A level.
+  [[nodiscard]] End doLevel(std::size_t s);
+  [[nodiscard]] bool makeLevels(double voxel_mm, const BeamPair* along, LevelImage& fixed, LevelImage& moving);
+  [[nodiscard]] bool takeOutBeams(double voxel_mm, LevelImages& images);
+  [[nodiscard]] LevelOutcome searchWidely(const LevelImages& images, const Step& step, Progress& part);
+  [[nodiscard]] LevelOutcome refine(const LevelImages& images, std::size_t s, Progress& part);
+  void take(LevelOutcome& outcome, std::size_t s, Clock::time_point begun);
+  void keep(LevelImages& images, std::size_t s);
+
+  // What is made of the field found.
+  [[nodiscard]] bool stateAgreement();
+  [[nodiscard]] ElasticResult keepStart();
+  [[nodiscard]] ElasticResult refuse();
+  [[nodiscard]] bool findLeftMotion(LeftMotion& left);
+  [[nodiscard]] Result<ElasticResult> judge();
+
+  [[nodiscard]] ElasticResult finish(Verdict verdict, Remark remark, StopReason stop);
+  [[nodiscard]] static tl::unexpected<Error> cancelled();
+
+  const Input& fixed_;
+  const Input& moving_;
+  const glm::dmat4& start_;
+  const ElasticOptions& options_;
+  Progress& progress_;
+  const OnLevel& onLevel_;
+  Clock::time_point begun_ = Clock::now();
+  QuietProgress quiet_;
+  ElasticSettings settings_;
+  AxesTransform transform_;
+  int threads_;
+  std::function<bool()> outOfTime_;
+  std::size_t statedStep_;    ///< at whose level agreement is stated
+  std::size_t lookedAtStep_;  ///< at whose level motion that is left is looked for
+  double work_ = 0.0;         ///< of all levels, and of those done
+  double done_ = 0.0;
+  ElasticState state_;
+  NodeValues nothing_;
+  std::array<std::vector<std::uint8_t>, 2> belief_;
+  std::optional<BeamPair> takenOut_;
+  LevelImages statedAt_;
+  LevelImages lookedAt_;  ///< without samples: the one at which agreement is stated
+  Stated before_;
+  Stated after_;
+  double decided_ = 0.0;
+  bool stopped_ = false;
+  ElasticResult result_;
+};
+
+ElasticRun::ElasticRun(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options, Progress& progress,
+                       const OnLevel& onLevel)
+    : fixed_(fixed),
+      moving_(moving),
+      start_(start),
+      options_(options),
+      progress_(progress),
+      onLevel_(onLevel),
+      quiet_(progress),
+      settings_(settingsFor(options, fixed.volume->grid)),
+      transform_(axesTransformOf(fixed.volume->grid, moving.volume->grid, start)),
+      threads_(threadCount(options.threads)),
+      outOfTime_([this] { return options_.maxTime_s > 0.0 && secondsSince(begun_) > options_.maxTime_s; }),
+      statedStep_(finestStepFrom(kAgreement_mm)),
+      lookedAtStep_(finestStepFrom(kLookedAt_mm)) {
+  for (const Step& step : settings_.steps) work_ += std::pow(step.voxel_mm, -2.0);
+  state_.nodes = nodesFor(fixed.volume->grid, settings_.node_mm);
+  state_.values.assign(4 * state_.nodes.count(), 0.0F);
+  if (options.stiffness > 0.0) state_.stiffness = options.stiffness;
+  nothing_ = state_.values;
+  result_.fixedToMoving.rigid = start;
+  result_.uncertainty.assign(state_.nodes.count(), 1.0F);
+}
+
+Result<ElasticResult> ElasticRun::run() {
+  if (!findBeliefs()) return cancelled();
+  for (std::size_t s = 0; s < settings_.steps.size() && !stopped_; ++s) {
+    if (End end = doLevel(s)) return std::move(*end);
+  }
+  if (!stateAgreement()) return cancelled();
+  return judge();
+}
+
+bool ElasticRun::findBeliefs() {
+  return forEachTask(2, threads_, quiet_, "Preparing the images",
+                     [&](int side) { belief_[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed_ : moving_); });
+}
+
+std::size_t ElasticRun::finestStepFrom(double voxel_mm) const {
+  std::size_t best = 0;
+  for (std::size_t s = 0; s < settings_.steps.size(); ++s) {
+    if (settings_.steps[s].voxel_mm >= voxel_mm - 1e-9) best = s;
+  }
+  return best;
+}
+
+ElasticRun::End ElasticRun::doLevel(std::size_t s) {
+  const auto begun = Clock::now();
+  const Step& step = settings_.steps[s];
+  const double work = std::pow(step.voxel_mm, -2.0);
+  PartOfProgress part(progress_, 0.95 * done_ / work_, 0.95 * (done_ + work) / work_);
+  done_ += work;
+  part.report("Preparing the images", 0.0);
+  LevelImages images;
+  if (!makeLevels(step.voxel_mm, takenOut_ ? &*takenOut_ : nullptr, images.fixed, images.moving)) return cancelled();
+  if (s == 0) {
+    if (weightOf(images.fixed) * weightOf(images.moving) <= 0.0)
+      return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
+    if (!takeOutBeams(step.voxel_mm, images)) return cancelled();
+  }
+  LevelOutcome outcome = s == 0 && options_.largestMotion_mm > 0.0 ? searchWidely(images, step, part) : refine(images, s, part);
+  if (outcome.cancelled) return cancelled();
+  if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);
+  if (outcome.singular) {
+    state_.values = nothing_;
+    return finish(Verdict::cannotTell, {Says::nothingToFollow}, StopReason::singular);
+  }
+  take(outcome, s, begun);
+  keep(images, s);
+  return std::nullopt;
+}
+
+/// @param along beams along which something is taken out; null: nothing is
+/// @return false when cancelled; so are the others
+bool ElasticRun::makeLevels(double voxel_mm, const BeamPair* along, LevelImage& fixed, LevelImage& moving) {
+  const auto make = [&](int side, int threads) {
+    const Beams* beams = along == nullptr ? nullptr : side == 0 ? &along->fixed : &along->moving;
+    return makeLevel(side == 0 ? fixed_ : moving_, belief_[static_cast<std::size_t>(side)], voxel_mm, settings_.window_mm, threads, quiet_,
+                     side == 0 ? fixed : moving, beams);
+  };
+  const bool alike = std::abs(voxelsOf(fixed_) - voxelsOf(moving_)) < 0.25 * voxelsOf(fixed_);  // one would wait for the other
+  if (threads_ == 1 || !alike) return make(0, threads_) && make(1, threads_);
+  // Concurrently also what one image does on one thread: memory that is cleared, small images that are smoothed.
+  std::array<std::uint8_t, 2> made{};
+  const int each = (threads_ + 1) / 2;
+  return forEachTask(2, 2, quiet_, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) &&
+         made[0] != 0 && made[1] != 0;
+}
+
+bool ElasticRun::takeOutBeams(double voxel_mm, LevelImages& images) {
+  const auto make = [&](const BeamPair* along, LevelImage& fixed, LevelImage& moving) {
+    return makeLevels(voxel_mm, along, fixed, moving);
+  };
+  takenOut_ = beamsToTakeOut(fixed_, moving_, start_, transform_, state_.nodes, make, threads_, quiet_, images.fixed, images.moving);
+  if (progress_.cancelRequested()) return false;
+  if (takenOut_) settings_.prior.membrane = kStreakyMembrane;
+  return true;
+}
+
+/// Refines from nothing and from each of the starts of the wide search; the one of most worth goes on.
+LevelOutcome ElasticRun::searchWidely(const LevelImages& images, const Step& step, Progress& part) {
+  LevelOutcome outcome;
+  PartOfProgress looking(part, 0.2, 0.6);
+  const std::vector<NodeValues> starts =
+      wideStarts(images.fixed, images.moving, transform_, state_.nodes, options_.largestMotion_mm, threads_, looking);
+  if (starts.empty()) {
+    outcome.cancelled = true;
+    return outcome;
+  }
+  ElasticState best = state_;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int n = -1; n < static_cast<int>(starts.size()); ++n) {
+    ElasticState tried = state_;
+    if (n >= 0) tried.values = starts[static_cast<std::size_t>(n)];
+    if (n == 0 && tried.values == nothing_) continue;
+    if (!unfold(tried.nodes, settings_.leastJacobian, tried.values)) continue;
+    const double each = 0.4 / static_cast<double>(starts.size() + 1), begin = 0.6 + each * (n + 1);
+    PartOfProgress one(part, begin, begin + each);
+    LevelOutcome found =
+        refineLevel(images.fixed, images.moving, transform_, step.iterations, Placed::roughly, settings_, threads_, outOfTime_, tried, one);
+    if (found.cancelled) return found;
+    if (found.singular || found.noOverlap) {
+      if (n < 0) outcome = std::move(found);
+      continue;
+    }
+    if (found.worth > most) {
+      most = found.worth;
+      best = std::move(tried);
+      outcome = std::move(found);
+    }
+  }
+  state_ = std::move(best);
+  return outcome;
+}
+
+LevelOutcome ElasticRun::refine(const LevelImages& images, std::size_t s, Progress& part) {
+  PartOfProgress refining(part, 0.2, 1.0);
+  const Placed placed = s == 0 ? Placed::roughly : s + 1 < settings_.steps.size() ? Placed::nearly : Placed::closely;
+  return refineLevel(images.fixed, images.moving, transform_, settings_.steps[s].iterations, placed, settings_, threads_, outOfTime_,
+                     state_, refining);
+}
+
+/// What a level came to goes into the result.
+void ElasticRun::take(LevelOutcome& outcome, std::size_t s, Clock::time_point begun) {
+  const Step& step = settings_.steps[s];
+  result_.stop = outcome.iterations < step.iterations ? StopReason::converged : StopReason::iterationLimit;
+  if (outcome.timeUp) {
+    result_.stop = StopReason::timeLimit;
+    stopped_ = true;
+  }
+  if (s <= statedStep_) decided_ = outcome.decided;
+  if (!outcome.uncertainty.empty()) result_.uncertainty = std::move(outcome.uncertainty);
+  result_.levels.push_back(
+      {step.voxel_mm, settings_.node_mm, outcome.iterations, outcome.correlationBefore, outcome.correlationAfter, secondsSince(begun)});
+  if (onLevel_) onLevel_(result_.levels.back());
+}
+
+void ElasticRun::keep(LevelImages& images, std::size_t s) {
+  if (s == statedStep_ || (stopped_ && s < statedStep_))
+    statedAt_ = std::move(images);
+  else if (s == lookedAtStep_)
+    lookedAt_ = std::move(images);
+}
+
+bool ElasticRun::stateAgreement() {
+  const auto& [fixed, moving] = statedAt_;
+  if (!agreementOf(fixed, moving, transform_, state_.nodes, nothing_, threads_, quiet_, before_) ||
+      !agreementOf(fixed, moving, transform_, state_.nodes, state_.values, threads_, quiet_, after_))
+    return false;
+  // A field with p parameters that the images decide explains p of n independent structures by itself; the best of many starts, more.
+  if (after_.independent > 4.0)
+    after_.agreement.chance =
+        std::min(1.0, std::sqrt(after_.agreement.chance * after_.agreement.chance + kSearched * decided_ / after_.independent));
+  return true;
+}
+
+Result<ElasticResult> ElasticRun::judge() {
+  const Agreement &before = before_.agreement, &after = after_.agreement;
+  if (!(after.correlation > before.correlation)) return keepStart();
+  // Where the start itself shows common tissue beyond doubt, bending only has to better it.
+  const bool shared = before.correlation > 2.0 * before.chance;
+  if (!shared && after.correlation <= after.chance) return refuse();
+  LeftMotion left;
+  if (!findLeftMotion(left)) return cancelled();
+  const StopReason stop = result_.stop;
+  if (left.blocks >= kLeftPlaces && left.share - left.deviation > kLeftShare)
+    return finish(Verdict::cannotTell, {Says::motionIsLeft, {left.share, left.length_mm, after.correlation, after.overlapShare}}, stop);
+  return finish(Verdict::aligned, {Says::bendAgrees, {after.correlation, after.overlapShare, before.correlation}}, stop);
+}
+
+/// No field agrees better than none.
+ElasticResult ElasticRun::keepStart() {
+  state_.values = nothing_;
+  after_ = before_;
+  std::fill(result_.uncertainty.begin(), result_.uncertainty.end(), 1.0F);
+  const bool good = before_.agreement.correlation > before_.agreement.chance;
+  return finish(good ? Verdict::aligned : Verdict::cannotTell, {good ? Says::startKeptGood : Says::startKept},
+                stopped_ ? result_.stop : StopReason::noImprovement);
+}
+
+/// The field agrees no better than chance does.
+ElasticResult ElasticRun::refuse() {
+  const Agreement& after = after_.agreement;
+  const bool enough = after.chance < 0.35;
+  state_.values = nothing_;
+  return finish(enough ? Verdict::notAligned : Verdict::cannotTell,
+                {enough ? Says::bendContradicts : Says::bendTooLittleShared, {after.correlation, after.overlapShare}},
+                stopped_ ? result_.stop : StopReason::noImprovement);
+}
+
+/// Structure larger than the waves of a motion correlates well while the motion itself is missed: small places are asked.
+bool ElasticRun::findLeftMotion(LeftMotion& left) {
+  const auto& [fixed, moving] = lookedAt_.fixed.dims.x > 0 ? lookedAt_ : statedAt_;
+  LevelPair pair(fixed, moving, transform_, state_.nodes, threads_);
+  if (!pair.warp(state_.values, quiet_) || !lookForLeftMotion(pair, state_.nodes, threads_, quiet_, left)) return false;
+  for (std::size_t n = 0; n < left.nodeShare.size(); ++n) {
+    if (left.nodeShare[n] > 0.5F) result_.uncertainty[n] = std::max(result_.uncertainty[n], left.nodeShare[n]);
+  }
+  result_.leftShare = left.share;
+  return true;
+}
+
+ElasticResult ElasticRun::finish(Verdict verdict, Remark remark, StopReason stop) {
+  result_.verdict = verdict;
+  result_.remarks = {std::move(remark)};
+  result_.reason = sentencesOf(result_.remarks);
+  result_.stop = stop;
+  result_.fixedToMoving.control = controlOf(state_.nodes, state_.values, fixed_.volume->grid);
+  result_.jacobian = jacobianOf(result_.fixedToMoving.control);
+  result_.residualRms = std::sqrt(state_.noise);
+  result_.stiffness = state_.stiffness;
+  for (const glm::vec3& u : result_.fixedToMoving.control.displacement_mm)
+    result_.largestMotion_mm = std::max(result_.largestMotion_mm, static_cast<double>(glm::length(u)));
+  result_.before = before_.agreement;
+  result_.after = after_.agreement;
+  result_.seconds = secondsSince(begun_);
+  progress_.report("Registering", 1.0);
+  return std::move(result_);
+}
+
+tl::unexpected<Error> ElasticRun::cancelled() { return failure(ErrorCode::cancelled, "The elastic registration was cancelled."); }
+
 }  // namespace
 
 std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const ElasticOptions& options) {
@@ -208,195 +522,11 @@ std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const
 
 Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options,
                                       Progress& progress, const OnLevel& onLevel) {
-  const auto begun = Clock::now();
   if (auto usable = checkSize(fixed, "fixed"); !usable) return passOn(usable.error());
   if (auto usable = checkSize(moving, "moving"); !usable) return passOn(usable.error());
   if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
   if (auto usable = checkRigid(start); !usable) return passOn(usable.error());
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The elastic registration was cancelled."); };
-
-  const Grid& grid = fixed.volume->grid;
-  ElasticSettings settings = settingsFor(options, grid);
-  const AxesTransform transform = axesTransformOf(grid, moving.volume->grid, start);
-  const int threads = threadCount(options.threads);
-  const auto outOfTime = [&] { return options.maxTime_s > 0.0 && secondsSince(begun) > options.maxTime_s; };
-
-  QuietProgress quiet(progress);
-  ElasticResult result;
-  result.fixedToMoving.rigid = start;
-  ElasticState state;
-  state.nodes = nodesFor(grid, settings.node_mm);
-  state.values.assign(4 * state.nodes.count(), 0.0F);
-  if (options.stiffness > 0.0) state.stiffness = options.stiffness;
-  const NodeValues nothing = state.values;
-  result.uncertainty.assign(state.nodes.count(), 1.0F);
-
-  std::array<std::vector<std::uint8_t>, 2> belief;
-  if (!forEachTask(2, threads, quiet, "Preparing the images",
-                   [&](int side) { belief[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed : moving); }))
-    return cancelled();
-  std::optional<BeamPair> takenOut;
-  LevelImage fixedStated, movingStated;      // the level at which agreement is stated
-  LevelImage fixedLookedAt, movingLookedAt;  // without samples: the one before
-  Stated before, after;
-  double decided = 0.0;
-  bool stopped = false;
-  const auto finish = [&](Verdict verdict, Remark remark, StopReason stop) {
-    result.verdict = verdict;
-    result.remarks = {std::move(remark)};
-    result.reason = sentencesOf(result.remarks);
-    result.stop = stop;
-    result.fixedToMoving.control = controlOf(state.nodes, state.values, grid);
-    result.jacobian = jacobianOf(result.fixedToMoving.control);
-    result.residualRms = std::sqrt(state.noise);
-    result.stiffness = state.stiffness;
-    for (const glm::vec3& u : result.fixedToMoving.control.displacement_mm)
-      result.largestMotion_mm = std::max(result.largestMotion_mm, static_cast<double>(glm::length(u)));
-    result.before = before.agreement;
-    result.after = after.agreement;
-    result.seconds = secondsSince(begun);
-    progress.report("Registering", 1.0);
-    return result;
-  };
-
-  const auto voxels = [](const Input& input) { return static_cast<double>(input.volume->grid.voxelCount()); };
-  const bool alike = std::abs(voxels(fixed) - voxels(moving)) < 0.25 * voxels(fixed);  // one would wait for the other
-  double work = 0.0, done = 0.0;
-  for (const auto& step : settings.steps) work += std::pow(step.voxel_mm, -2.0);
-  const auto finestFrom = [&](double voxel_mm) {
-    std::size_t best = 0;
-    for (std::size_t s = 0; s < settings.steps.size(); ++s) {
-      if (settings.steps[s].voxel_mm >= voxel_mm - 1e-9) best = s;
-    }
-    return best;
-  };
-  const std::size_t statedStep = finestFrom(kAgreement_mm), lookedAtStep = finestFrom(kLookedAt_mm);
-  for (std::size_t s = 0; s < settings.steps.size() && !stopped; ++s) {
-    const auto levelBegun = Clock::now();
-    const ElasticSettings::Step& step = settings.steps[s];
-    PartOfProgress part(progress, 0.95 * done / work, 0.95 * (done + std::pow(step.voxel_mm, -2.0)) / work);
-    done += std::pow(step.voxel_mm, -2.0);
-    part.report("Preparing the images", 0.0);
-    LevelImage fixedLevel, movingLevel;
-    const auto makeLevels = [&](const BeamPair* along, LevelImage& f, LevelImage& m) {
-      const auto make = [&](int side, int own) {
-        const Beams* beams = along == nullptr ? nullptr : side == 0 ? &along->fixed : &along->moving;
-        return makeLevel(side == 0 ? fixed : moving, belief[static_cast<std::size_t>(side)], step.voxel_mm, settings.window_mm, own, quiet,
-                         side == 0 ? f : m, beams);
-      };
-      if (threads == 1 || !alike) return make(0, threads) && make(1, threads);
-      // Beside each other also what one image does on one thread: memory that is cleared, small images that are smoothed.
-      std::array<std::uint8_t, 2> made{};
-      const int each = (threads + 1) / 2;
-      return forEachTask(2, 2, quiet, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) &&
-             made[0] != 0 && made[1] != 0;
-    };
-    if (!makeLevels(takenOut ? &*takenOut : nullptr, fixedLevel, movingLevel)) return cancelled();
-    if (s == 0) {
-      if (weightOf(fixedLevel) * weightOf(movingLevel) <= 0.0)
-        return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
-      takenOut = beamsToTakeOut(fixed, moving, start, transform, state.nodes, makeLevels, threads, quiet, fixedLevel, movingLevel);
-      if (progress.cancelRequested()) return cancelled();
-      if (takenOut) settings.prior.membrane = kStreakyMembrane;
-    }
-    LevelOutcome outcome;
-    if (s == 0 && options.largestMotion_mm > 0.0) {
-      PartOfProgress looking(part, 0.2, 0.6);
-      const std::vector<NodeValues> starts =
-          wideStarts(fixedLevel, movingLevel, transform, state.nodes, options.largestMotion_mm, threads, looking);
-      if (starts.empty()) return cancelled();
-      ElasticState best = state;
-      double most = -std::numeric_limits<double>::infinity();
-      for (int n = -1; n < static_cast<int>(starts.size()); ++n) {
-        ElasticState tried = state;
-        if (n >= 0) tried.values = starts[static_cast<std::size_t>(n)];
-        if (n == 0 && tried.values == nothing) continue;
-        if (!unfold(tried.nodes, settings.leastJacobian, tried.values)) continue;
-        const double each = 0.4 / static_cast<double>(starts.size() + 1), begin = 0.6 + each * (n + 1);
-        PartOfProgress one(part, begin, begin + each);
-        const LevelOutcome found =
-            refineLevel(fixedLevel, movingLevel, transform, step.iterations, Placed::roughly, settings, threads, outOfTime, tried, one);
-        if (found.cancelled) return cancelled();
-        if (found.singular || found.noOverlap) {
-          if (n < 0) outcome = found;
-          continue;
-        }
-        if (found.worth > most) {
-          most = found.worth;
-          best = std::move(tried);
-          outcome = found;
-        }
-      }
-      state = std::move(best);
-    } else {
-      PartOfProgress refining(part, 0.2, 1.0);
-      const Placed placed = s == 0 ? Placed::roughly : s + 1 < settings.steps.size() ? Placed::nearly : Placed::closely;
-      outcome = refineLevel(fixedLevel, movingLevel, transform, step.iterations, placed, settings, threads, outOfTime, state, refining);
-    }
-    if (outcome.cancelled) return cancelled();
-    if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);
-    if (outcome.singular) {
-      state.values = nothing;
-      return finish(Verdict::cannotTell, {Says::nothingToFollow}, StopReason::singular);
-    }
-    result.stop = outcome.iterations < step.iterations ? StopReason::converged : StopReason::iterationLimit;
-    if (outcome.timeUp) {
-      result.stop = StopReason::timeLimit;
-      stopped = true;
-    }
-    if (s <= statedStep) decided = outcome.decided;
-    if (!outcome.uncertainty.empty()) result.uncertainty = std::move(outcome.uncertainty);
-    result.levels.push_back({step.voxel_mm, settings.node_mm, outcome.iterations, outcome.correlationBefore, outcome.correlationAfter,
-                             secondsSince(levelBegun)});
-    if (onLevel) onLevel(result.levels.back());
-    if (s == statedStep || (stopped && s < statedStep)) {
-      fixedStated = std::move(fixedLevel);
-      movingStated = std::move(movingLevel);
-    } else if (s == lookedAtStep) {
-      fixedLookedAt = std::move(fixedLevel);
-      movingLookedAt = std::move(movingLevel);
-    }
-  }
-  if (!agreementOf(fixedStated, movingStated, transform, state.nodes, nothing, threads, quiet, before) ||
-      !agreementOf(fixedStated, movingStated, transform, state.nodes, state.values, threads, quiet, after))
-    return cancelled();
-
-  // A field with p parameters that the images decide explains p of n independent structures by itself; the best of many starts, more.
-  if (after.independent > 4.0)
-    after.agreement.chance =
-        std::min(1.0, std::sqrt(after.agreement.chance * after.agreement.chance + kSearched * decided / after.independent));
-  const StopReason stop = result.stop;
-  if (!(after.agreement.correlation > before.agreement.correlation)) {
-    state.values = nothing;
-    after = before;
-    std::fill(result.uncertainty.begin(), result.uncertainty.end(), 1.0F);
-    const bool good = before.agreement.correlation > before.agreement.chance;
-    return finish(good ? Verdict::aligned : Verdict::cannotTell, {good ? Says::startKeptGood : Says::startKept},
-                  stopped ? stop : StopReason::noImprovement);
-  }
-  // Where the start itself shows common tissue beyond doubt, bending only has to better it.
-  const bool shared = before.agreement.correlation > 2.0 * before.agreement.chance;
-  if (!shared && after.agreement.correlation <= after.agreement.chance) {
-    const bool enough = after.agreement.chance < 0.35;
-    state.values = nothing;
-    return finish(enough ? Verdict::notAligned : Verdict::cannotTell,
-                  {enough ? Says::bendContradicts : Says::bendTooLittleShared, {after.agreement.correlation, after.agreement.overlapShare}},
-                  stopped ? stop : StopReason::noImprovement);
-  }
-  // Structure larger than the waves of a motion correlates well while the motion itself is missed: small places are asked.
-  LeftMotion left;
-  const bool separate = fixedLookedAt.dims.x > 0;
-  LevelPair pair(separate ? fixedLookedAt : fixedStated, separate ? movingLookedAt : movingStated, transform, state.nodes, threads);
-  if (!pair.warp(state.values, quiet) || !lookForLeftMotion(pair, state.nodes, threads, quiet, left)) return cancelled();
-  for (std::size_t n = 0; n < left.nodeShare.size(); ++n) {
-    if (left.nodeShare[n] > 0.5F) result.uncertainty[n] = std::max(result.uncertainty[n], left.nodeShare[n]);
-  }
-  result.leftShare = left.share;
-  if (left.blocks >= kLeftPlaces && left.share - left.deviation > kLeftShare)
-    return finish(Verdict::cannotTell,
-                  {Says::motionIsLeft, {left.share, left.length_mm, after.agreement.correlation, after.agreement.overlapShare}}, stop);
-  return finish(Verdict::aligned,
-                {Says::bendAgrees, {after.agreement.correlation, after.agreement.overlapShare, before.agreement.correlation}}, stop);
+  return ElasticRun(fixed, moving, start, options, progress, onLevel).run();
 }
 
 }  // namespace ew::registration

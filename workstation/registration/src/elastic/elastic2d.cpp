@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "elastic/planar_registration.h"
 #include "ew/core/quiet_progress.h"
@@ -68,105 +70,8 @@ Agreement agreementOf(const PlanarAgreement& found, double coverable) {
   return out;
 }
 
-/// What a warp found on one half of the plane is worth on the other half.
-struct HeldOut {
-  double share = 1.0;  ///< of the motion that agrees best where it was not fitted; 0: none agrees better than nothing does
-  double gain = 0.0;   ///< of correlation there, at that share
-  double error = 1.0;  ///< standard error of a correlation there
-};
-
-/// Fits the warp twice, each time on every other square of a checkerboard, and judges each on the other squares. A warp that only fits
-/// grain to grain gains nothing there.
-/// @return nothing when cancelled
-std::optional<HeldOut> heldOut(const PlanarPair& coarse, const PlanarLevel& coarseLevel, const PlanarPair& fine,
-                               const PlanarLevel& fineLevel, const PlanarState& start, double square_mm, const PlanarSettings& settings,
-                               Progress& progress) {
-  constexpr int kShares = 5;  // 0, 1/4 .. 1
-  std::array<double, kShares> agreed{};
-  HeldOut out;
-  double independent = 0.0;
-  const auto half = [&](const PlanarPair& pair, int which, double guard_mm) {
-    PlanarPair part = pair;
-    for (int y = 0; y < part.fixed.height; ++y) {
-      for (int x = 0; x < part.fixed.width; ++x) {
-        const int a = static_cast<int>((x + 0.5) * part.fixed.pixel_mm.x / square_mm),
-                  b = static_cast<int>((y + 0.5) * part.fixed.pixel_mm.y / square_mm);
-        // Smoothed grain reaches over a border: what is judged keeps away from it.
-        const double inX = (x + 0.5) * part.fixed.pixel_mm.x - a * square_mm, inY = (y + 0.5) * part.fixed.pixel_mm.y - b * square_mm;
-        const bool atBorder = std::min({inX, inY, square_mm - inX, square_mm - inY}) < guard_mm;
-        if ((a + b) % 2 != which || atBorder)
-          part.fixed.weight[static_cast<std::size_t>(y) * static_cast<std::size_t>(part.fixed.width) + static_cast<std::size_t>(x)] = 0.0F;
-      }
-    }
-    return part;
-  };
-  const glm::dvec2 extent_mm{fine.fixed.width * fine.fixed.pixel_mm.x, fine.fixed.height * fine.fixed.pixel_mm.y};
-  for (const int which : {0, 1}) {
-    PlanarState state = start;
-    if (!refinePlanar(half(coarse, which, 0.0), coarseLevel, settings, state, progress)) return std::nullopt;
-    PlanarState next;
-    next.x = splineAxis(extent_mm.x, fineLevel.node_mm, fine.fixed.pixel_mm.x, fine.fixed.width);
-    next.y = splineAxis(extent_mm.y, fineLevel.node_mm, fine.fixed.pixel_mm.y, fine.fixed.height);
-    for (std::size_t k = 0; k < 3; ++k) next.field.part[k] = carriedOver(state.x, state.y, state.field.part[k], next.x, next.y);
-    next.coherence = state.coherence;
-    if (!refinePlanar(half(fine, which, 0.0), fineLevel, settings, next, progress)) return std::nullopt;
-    const PlanarPair judged = half(fine, 1 - which, 1.6 * fine.fixed.pixel_mm.x);
-    std::vector<float> ux, uy, x, y;
-    evaluate(next.x, next.y, next.field.part[0], ux);
-    evaluate(next.x, next.y, next.field.part[1], uy);
-    x = ux;
-    y = uy;
-    for (int n = 0; n < kShares; ++n) {
-      const float share = static_cast<float>(n) / (kShares - 1);
-      for (std::size_t k = 0; k < ux.size(); ++k) {
-        x[k] = share * ux[k];
-        y[k] = share * uy[k];
-      }
-      const PlanarAgreement found = planarAgreement(judged, x, y);
-      agreed[static_cast<std::size_t>(n)] += 0.5 * found.correlation;
-      if (n == 0) independent += found.independent;
-    }
-  }
-  const auto best = std::max_element(agreed.begin(), agreed.end());
-  out.share = static_cast<double>(best - agreed.begin()) / (kShares - 1);
-  out.gain = *best - agreed[0];
-  out.error = 1.0 / std::sqrt(std::max(1.0, independent));
-  return out;
-}
-
-}  // namespace
-
-Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGrey, ImageView<const std::uint8_t> movingGrey,
-                                          glm::dvec2 pixel_mm, const Elastic2dOptions& options, Progress& progress,
-                                          const OnLevel& onLevel) {
-  if (auto checked = check(fixedGrey, movingGrey, pixel_mm, options); !checked) return passOn(checked.error());
-  const auto started = std::chrono::steady_clock::now();
-  const auto secondsSince = [](auto then) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count(); };
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The registration was cancelled."); };
-
-  QuietProgress quiet(progress);
-  Elastic2dResult result;
-  result.columns = fixedGrey.width;
-  result.rows = fixedGrey.height;
-  const std::size_t count = static_cast<std::size_t>(fixedGrey.width) * static_cast<std::size_t>(fixedGrey.height);
-  result.displacement_mm.assign(count, glm::vec2(0.0F));
-
-  PlanarImage fixed = planarImageOf(fixedGrey, pixel_mm), moving = planarImageOf(movingGrey, pixel_mm);
-  const PlanarPair grey{fixed, moving};  // for the paper's correlation: shadows included
-  if (options.shadows) {
-    doubtShadows(fixed);
-    doubtShadows(moving);
-  }
-  const auto total = [](const PlanarImage& image) {
-    double sum = 0.0;
-    for (const float w : image.weight) sum += static_cast<double>(w);
-    return sum;
-  };
-  const double coverable = std::min(total(fixed), total(moving));
-
-  const double unit = unitOf(fixedGrey, pixel_mm), finestPixel = std::min(pixel_mm.x, pixel_mm.y);
+PlanarSettings settingsOf(const Elastic2dOptions& options, double lengths) {
   PlanarSettings settings;
-  const double lengths = unit / 0.4;
   settings.window_mm *= lengths;
   settings.slope_mm *= lengths;
   settings.bending_mm *= lengths;
@@ -175,221 +80,460 @@ Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixedGre
   settings.stiffness = options.stiffness;
   settings.iterations = options.iterations;
   settings.threads = options.threads;
+  return settings;
+}
 
-  const glm::dvec2 extent_mm{fixedGrey.width * pixel_mm.x, fixedGrey.height * pixel_mm.y};
+/// The pyramid, coarse to fine.
+/// @param lengths what the settings' lengths are multiplied by
+std::vector<PlanarLevel> planarLevels(const Elastic2dOptions& options, double unit, double lengths, double finestPixel_mm) {
   std::vector<PlanarLevel> levels;
-  const bool chosen = options.factors.empty();
-  if (chosen) {
+  if (options.factors.empty()) {
     // Which of the two last levels is used depends on the speckle, once the second has measured it.
     for (const auto& [units, nodes] : {std::pair{4.0, 16.0}, std::pair{2.0, 12.0}, std::pair{1.5, 12.0}, std::pair{1.0, 10.0}})
-      levels.push_back(levelOf(std::max(1.0, units * unit / finestPixel), nodes * lengths, units, levels.empty()));
+      levels.push_back(levelOf(std::max(1.0, units * unit / finestPixel_mm), nodes * lengths, units, levels.empty()));
   } else {
     std::vector<double> factors = options.factors;
     std::sort(factors.rbegin(), factors.rend());
     for (const double factor : factors) {
       const double scale = std::max(1.0, factor / 6.0);  // six pixels of its level from node to node, as the paper's last level has
-      levels.push_back(levelOf(scale, factor * finestPixel, scale * finestPixel / unit, levels.empty()));
+      levels.push_back(levelOf(scale, factor * finestPixel_mm, scale * finestPixel_mm / unit, levels.empty()));
     }
   }
   if (options.singleResolution) levels.erase(levels.begin(), levels.end() - 1);
+  return levels;
+}
 
-  // The agreement is judged on images of one size before and after.
-  const PlanarPair judged = planarPair(fixed, moving, std::max(1.0, 2.0 * unit / finestPixel), settings);
-  std::vector<float> ux(judged.fixed.value.size(), 0.0F), uy = ux;
-  const PlanarAgreement before = planarAgreement(judged, ux, uy);
-  result.before = result.after =
-      agreementOf(before, coverable * static_cast<double>(judged.fixed.value.size()) / static_cast<double>(count));
-  std::vector<float> fullX(count, 0.0F), fullY(count, 0.0F);
-  result.correlationBefore = result.correlationAfter = planarAgreement(grey, fullX, fullY).correlation;
-  const auto shown = [&](const PlanarState& state, const PlanarImage& on, std::vector<float>& x, std::vector<float>& y) {
-    const SplineAxis alongX = splineAxis(extent_mm.x, state.x.node_mm, on.pixel_mm.x, on.width);
-    const SplineAxis alongY = splineAxis(extent_mm.y, state.y.node_mm, on.pixel_mm.y, on.height);
-    evaluate(alongX, alongY, state.field.part[0], x);
-    evaluate(alongX, alongY, state.field.part[1], y);
-  };
-  const auto finish = [&](Verdict verdict, StopReason stop, std::string reason) {
-    result.verdict = verdict;
-    result.stop = stop;
-    result.reason = std::move(reason);
-    result.seconds = secondsSince(started);
-    progress.report("Registering", 1.0);
-    return result;
-  };
-  if (before.weight < 0.02 * static_cast<double>(judged.fixed.value.size()) || before.weight < 9.0)
-    return finish(Verdict::cannotTell, StopReason::noOverlap,
-                  "The two images show almost nothing in common places: check how they lie to each other.");
+/// Lattice and shift of a level; what else `state` knows stays.
+void layOut(glm::dvec2 extent_mm, const PlanarPair& pair, const PlanarLevel& level, glm::dvec2 shift_mm, PlanarState& state) {
+  state.x = splineAxis(extent_mm.x, level.node_mm, pair.fixed.pixel_mm.x, pair.fixed.width);
+  state.y = splineAxis(extent_mm.y, level.node_mm, pair.fixed.pixel_mm.y, pair.fixed.height);
+  const std::size_t nodes = static_cast<std::size_t>(state.x.nodes()) * static_cast<std::size_t>(state.y.nodes());
+  state.field.part[0].assign(nodes, static_cast<float>(shift_mm.x));
+  state.field.part[1].assign(nodes, static_cast<float>(shift_mm.y));
+  state.field.part[2].assign(nodes, 0.0F);
+}
 
-  PlanarState state;
-  bool first = true;
-  double done = 0.0;
-  struct Kept {
-    PlanarPair pair;
-    PlanarLevel level;
+/// What a finer level begins with: the field found so far on its lattice.
+PlanarState carriedTo(const PlanarState& state, glm::dvec2 extent_mm, const PlanarPair& pair, const PlanarLevel& level) {
+  PlanarState next;
+  layOut(extent_mm, pair, level, glm::dvec2(0.0), next);
+  for (std::size_t k = 0; k < 3; ++k) next.field.part[k] = carriedOver(state.x, state.y, state.field.part[k], next.x, next.y);
+  next.coherence = state.coherence;
+  return next;
+}
+
+/// A displacement at the samples of an image.
+struct SampledField {
+  std::vector<float> x;
+  std::vector<float> y;
+
+  void scale(float by) {
+    for (float& u : x) u *= by;
+    for (float& u : y) u *= by;
+  }
+};
+
+/// A pair with the level it was made for.
+struct PairAtLevel {
+  PlanarPair pair;
+  PlanarLevel level;
+};
+
+/// What a warp found on one half of the plane is worth on the other half.
+struct HeldOut {
+  double share = 1.0;  ///< of the motion that agrees best where it was not fitted; 0: none agrees better than nothing does
+  double gain = 0.0;   ///< of correlation there, at that share
+  double error = 1.0;  ///< standard error of a correlation there
+};
+
+/// The squares of one colour of a checkerboard.
+/// @param guard_mm distance kept from their borders: smoothed grain reaches over them, so what is judged stays away
+PlanarPair onColour(const PlanarPair& pair, int colour, double square_mm, double guard_mm) {
+  PlanarPair part = pair;
+  for (int y = 0; y < part.fixed.height; ++y) {
+    for (int x = 0; x < part.fixed.width; ++x) {
+      const int a = static_cast<int>((x + 0.5) * part.fixed.pixel_mm.x / square_mm),
+                b = static_cast<int>((y + 0.5) * part.fixed.pixel_mm.y / square_mm);
+      const double inX = (x + 0.5) * part.fixed.pixel_mm.x - a * square_mm, inY = (y + 0.5) * part.fixed.pixel_mm.y - b * square_mm;
+      const bool atBorder = std::min({inX, inY, square_mm - inX, square_mm - inY}) < guard_mm;
+      if ((a + b) % 2 != colour || atBorder)
+        part.fixed.weight[static_cast<std::size_t>(y) * static_cast<std::size_t>(part.fixed.width) + static_cast<std::size_t>(x)] = 0.0F;
+    }
+  }
+  return part;
+}
+
+/// Fits the warp twice, each time on every other square of a checkerboard, and judges each on the other squares. A warp that only fits
+/// grain to grain gains nothing there.
+/// @return nothing when cancelled
+std::optional<HeldOut> heldOut(const PairAtLevel& coarse, const PairAtLevel& fine, const PlanarState& start, double square_mm,
+                               const PlanarSettings& settings, Progress& progress) {
+  constexpr int kShares = 5;  // 0, 1/4 .. 1
+  std::array<double, kShares> agreed{};
+  double independent = 0.0;
+  const glm::dvec2 extent_mm{fine.pair.fixed.width * fine.pair.fixed.pixel_mm.x, fine.pair.fixed.height * fine.pair.fixed.pixel_mm.y};
+  for (const int colour : {0, 1}) {
+    PlanarState state = start;
+    if (!refinePlanar(onColour(coarse.pair, colour, square_mm, 0.0), coarse.level, settings, state, progress)) return std::nullopt;
+    state = carriedTo(state, extent_mm, fine.pair, fine.level);
+    if (!refinePlanar(onColour(fine.pair, colour, square_mm, 0.0), fine.level, settings, state, progress)) return std::nullopt;
+    const PlanarPair judged = onColour(fine.pair, 1 - colour, square_mm, 1.6 * fine.pair.fixed.pixel_mm.x);
+    SampledField whole;
+    evaluate(state.x, state.y, state.field.part[0], whole.x);
+    evaluate(state.x, state.y, state.field.part[1], whole.y);
+    for (int n = 0; n < kShares; ++n) {
+      SampledField part = whole;
+      part.scale(static_cast<float>(n) / (kShares - 1));
+      const PlanarAgreement found = planarAgreement(judged, part.x, part.y);
+      agreed[static_cast<std::size_t>(n)] += 0.5 * found.correlation;
+      if (n == 0) independent += found.independent;
+    }
+  }
+  const auto best = std::max_element(agreed.begin(), agreed.end());
+  return HeldOut{.share = static_cast<double>(best - agreed.begin()) / (kShares - 1),
+                 .gain = *best - agreed[0],
+                 .error = 1.0 / std::sqrt(std::max(1.0, independent))};
+}
+
+/// How likely a field's agreement is no chance: Fisher's z of its correlation in standard deviations.
+double significanceOf(const PlanarPair& pair, const PlanarState& state) {
+  SampledField field;
+  evaluate(state.x, state.y, state.field.part[0], field.x);
+  evaluate(state.x, state.y, state.field.part[1], field.y);
+  const PlanarAgreement a = planarAgreement(pair, field.x, field.y);
+  return std::atanh(std::min(0.999, a.correlation)) * std::sqrt(std::max(0.0, a.independent - 3.0));
+}
+
+// Of the speckle, above which the images share it: measured apart, 0.75 and above when it moves with the tissue, 0.4 and below when not.
+constexpr double kSharedSpeckle = 0.6;
+constexpr const char* kNothingCommon = "The two images show almost nothing in common places: check how they lie to each other.";
+
+/// One registration: what its steps share, and the result as it grows.
+class PlanarRun {
+ public:
+  PlanarRun(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving, glm::dvec2 pixel_mm, const Elastic2dOptions& options,
+            Progress& progress, const OnLevel& onLevel);
+  [[nodiscard]] Result<Elastic2dResult> run();
+
+ private:
+  /// @return false where too little lies on each other
+  [[nodiscard]] bool judgeBefore();
+  /// Without factors the settings choose the levels, and the speckle chooses among these.
+  [[nodiscard]] bool choosesLevels() const { return options_.factors.empty() && !options_.singleResolution; }
+  [[nodiscard]] bool isLeftOut(std::size_t n) const;
+
+  // A level. What can be cancelled returns false then.
+  [[nodiscard]] bool refineLevel(std::size_t n);
+  [[nodiscard]] const PlanarPair& pairOf(std::size_t n);
+  [[nodiscard]] bool startFirst(const PlanarPair& pair, const PlanarLevel& level);
+  [[nodiscard]] bool tryCommonShift(const PlanarPair& pair, const PlanarLevel& level);
+  [[nodiscard]] bool followLargeMotion(const PlanarPair& pair, const PlanarLevel& level);
+  void report(const PlanarPair& pair, std::chrono::steady_clock::time_point began);
+
+  // What is made of the field that was kept.
+  void takeBackFolds();
+  [[nodiscard]] bool needsHeldOut() const;
+  [[nodiscard]] std::optional<HeldOut> askHeldOut();
+  [[nodiscard]] bool isRefutedBy(const HeldOut& held) const;
+  void keepShareOf(const HeldOut& held);
+  [[nodiscard]] bool agreesAtRest() const { return result_.before.correlation > result_.before.chance; }
+
+  // How it ends.
+  [[nodiscard]] Elastic2dResult finish(Verdict verdict, StopReason stop, std::string reason);
+  void leaveAtZero();
+  [[nodiscard]] Elastic2dResult finishSingular();
+  [[nodiscard]] Elastic2dResult finishRefuted(const HeldOut& held);
+  [[nodiscard]] Elastic2dResult conclude();
+
+  void show(const PlanarState& state, const PlanarImage& on, SampledField& field) const;
+  [[nodiscard]] Agreement stated(const PlanarAgreement& found) const;
+  [[nodiscard]] double smallestJacobianOfFull() const;
+
+  const Elastic2dOptions& options_;
+  Progress& progress_;
+  const OnLevel& onLevel_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  QuietProgress quiet_;
+  glm::dvec2 pixel_mm_;
+  glm::dvec2 extent_mm_;
+  std::size_t count_;  ///< of the input's pixels
+  double unit_;
+  PlanarImage fixed_;
+  PlanarImage moving_;
+  PlanarPair grey_;  ///< for the paper's correlation: shadows included
+  double coverable_ = 0.0;
+  PlanarSettings settings_;
+  std::vector<PlanarLevel> levels_;
+  PlanarPair judged_;      ///< images of one size, on which the agreement is judged before and after
+  SampledField onJudged_;  ///< the field at their samples
+  SampledField full_;      ///< and at the input's pixels
+  PlanarState state_;
+  PlanarState atStart_;                   ///< of the first level
+  PlanarState kept_;                      ///< the last one that folds nowhere at full resolution
+  std::vector<PairAtLevel> firstLevels_;  ///< at most two, for the judgement by halves
+  PlanarPair later_;                      ///< of a level behind these
+  Elastic2dResult result_;
+};
+
+double secondsFrom(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+PlanarRun::PlanarRun(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving, glm::dvec2 pixel_mm,
+                     const Elastic2dOptions& options, Progress& progress, const OnLevel& onLevel)
+    : options_(options),
+      progress_(progress),
+      onLevel_(onLevel),
+      quiet_(progress),
+      pixel_mm_(pixel_mm),
+      extent_mm_(fixed.width * pixel_mm.x, fixed.height * pixel_mm.y),
+      count_(static_cast<std::size_t>(fixed.width) * static_cast<std::size_t>(fixed.height)),
+      unit_(unitOf(fixed, pixel_mm)),
+      fixed_(planarImageOf(fixed, pixel_mm)),
+      moving_(planarImageOf(moving, pixel_mm)),
+      grey_{fixed_, moving_} {
+  if (options.shadows) {
+    doubtShadows(fixed_);
+    doubtShadows(moving_);
+  }
+  const auto total = [](const PlanarImage& image) {
+    double sum = 0.0;
+    for (const float w : image.weight) sum += static_cast<double>(w);
+    return sum;
   };
-  std::vector<Kept> firstLevels;  // for the judgement by halves
-  PlanarState startState;
-  PlanarState kept;  // the last one that folds nowhere at full resolution
-  for (std::size_t n = 0; n < levels.size(); ++n) {
-    const PlanarLevel& level = levels[n];
-    if (chosen && !options.singleResolution && n >= 2) {
-      const bool shared =
-          state.coherence > 0.6;  // measured apart: 0.75 and above when the speckle moves with the tissue, 0.4 and below when not
-      if ((n == 2) == shared) continue;
-    }
-    const auto began = std::chrono::steady_clock::now();
-    progress.report("Registering", 0.8 * done);  // the rest is the judgement
-    if (progress.cancelRequested()) return cancelled();
-    if (firstLevels.size() < 2) firstLevels.push_back({planarPair(fixed, moving, level.scale, settings), level});
-    const PlanarPair later = firstLevels.size() < 2 || n >= 2 ? planarPair(fixed, moving, level.scale, settings) : PlanarPair{};
-    const PlanarPair& pair = n < firstLevels.size() ? firstLevels[n].pair : later;
-    const auto start = [&](PlanarState& fresh, glm::dvec2 shift_mm) {
-      fresh.x = splineAxis(extent_mm.x, level.node_mm, pair.fixed.pixel_mm.x, pair.fixed.width);
-      fresh.y = splineAxis(extent_mm.y, level.node_mm, pair.fixed.pixel_mm.y, pair.fixed.height);
-      const std::size_t nodes = static_cast<std::size_t>(fresh.x.nodes()) * static_cast<std::size_t>(fresh.y.nodes());
-      fresh.field.part[0].assign(nodes, static_cast<float>(shift_mm.x));
-      fresh.field.part[1].assign(nodes, static_cast<float>(shift_mm.y));
-      fresh.field.part[2].assign(nodes, 0.0F);
-    };
-    if (first) {
-      start(state, glm::dvec2(0.0));
-      if (options.largestMotion_mm > 0.0 && !options.singleResolution) {
-        const glm::dvec2 shift = commonShift_mm(pair, options.largestMotion_mm);
-        if (shift != glm::dvec2(0.0)) {
-          PlanarState other;
-          start(other, shift);
-          if (!refinePlanar(pair, level, settings, other, quiet) || !refinePlanar(pair, level, settings, state, quiet)) return cancelled();
-          std::vector<float> x, y;
-          const auto agreed = [&](const PlanarState& of) {
-            evaluate(of.x, of.y, of.field.part[0], x);
-            evaluate(of.x, of.y, of.field.part[1], y);
-            const PlanarAgreement a = planarAgreement(pair, x, y);
-            return std::atanh(std::min(0.999, a.correlation)) * std::sqrt(std::max(0.0, a.independent - 3.0));
-          };
-          const double atRest = agreed(state);
-          if (agreed(other) > 1.05 * atRest)
-            state = std::move(other);
-          else
-            start(state, glm::dvec2(0.0));
-        }
-      }
-      first = false;
-      startState = state;
-    } else {
-      PlanarState next;
-      start(next, glm::dvec2(0.0));
-      for (std::size_t k = 0; k < 3; ++k) next.field.part[k] = carriedOver(state.x, state.y, state.field.part[k], next.x, next.y);
-      next.coherence = state.coherence;
-      state = std::move(next);
-    }
-    if (!refinePlanar(pair, level, settings, state, quiet)) return cancelled();
-    shown(state, grey.fixed, fullX, fullY);
-    if (chosen && n == 0 && !options.singleResolution) {
-      float farthest = 0.0F;
-      for (std::size_t k = 0; k < count; ++k) farthest = std::max(farthest, std::hypot(fullX[k], fullY[k]));
-      // A motion this large under so stiff a warp is larger in truth: the same pixels follow it more freely before the finer ones come.
-      if (static_cast<double>(farthest) > 8.0 * unit) {
-        PlanarLevel freer = levelOf(level.scale, level.node_mm, 4.0, false);
-        if (!refinePlanar(pair, freer, settings, state, quiet)) return cancelled();
-        shown(state, grey.fixed, fullX, fullY);
-      }
-    }
-    const double least = smallestJacobian(fullX, fullY, result.columns, result.rows, pixel_mm.x, pixel_mm.y);
-    Level report;
-    report.voxel_mm = std::sqrt(pair.fixed.pixel_mm.x * pair.fixed.pixel_mm.y);
-    report.node_mm = std::sqrt(state.x.node_mm * state.y.node_mm);
-    report.iterations = state.iterations;
-    report.correlationBefore = result.correlationAfter;
-    result.correlationAfter = report.correlationAfter = planarAgreement(grey, fullX, fullY).correlation;
-    report.seconds = secondsSince(began);
-    result.levels.push_back(report);
-    result.stiffness = state.stiffness;
-    result.speckleCorrelation = state.coherence;
-    if (least > 0.5 * settings.leastJacobian || kept.iterations == 0) {
-      kept = state;
-      result.smallestJacobian = least;
-    }
-    if (onLevel) onLevel(report);
-    done = static_cast<double>(n + 1) / static_cast<double>(levels.size());
+  coverable_ = std::min(total(fixed_), total(moving_));
+  const double finestPixel_mm = std::min(pixel_mm.x, pixel_mm.y), lengths = unit_ / 0.4;
+  settings_ = settingsOf(options, lengths);
+  levels_ = planarLevels(options, unit_, lengths, finestPixel_mm);
+  judged_ = planarPair(fixed_, moving_, std::max(1.0, 2.0 * unit_ / finestPixel_mm), settings_);
+  result_.columns = fixed.width;
+  result_.rows = fixed.height;
+  result_.displacement_mm.assign(count_, glm::vec2(0.0F));
+}
+
+Result<Elastic2dResult> PlanarRun::run() {
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The registration was cancelled."); };
+  if (!judgeBefore()) return finish(Verdict::cannotTell, StopReason::noOverlap, kNothingCommon);
+  for (std::size_t n = 0; n < levels_.size(); ++n) {
+    if (!isLeftOut(n) && !refineLevel(n)) return cancelled();
   }
-  progress.report("Registering", 0.8);
-  shown(kept, grey.fixed, fullX, fullY);
-  // Coarse samples may miss a cell that the input's pixels show folded: then the field is taken back until none is.
-  double share = 1.0;
-  while (result.smallestJacobian < 0.5 * settings.leastJacobian && share > 0.05) {
-    share *= 0.8;
-    for (std::size_t n = 0; n < count; ++n) {
-      fullX[n] *= 0.8F;
-      fullY[n] *= 0.8F;
-    }
-    result.smallestJacobian = smallestJacobian(fullX, fullY, result.columns, result.rows, pixel_mm.x, pixel_mm.y);
-  }
-  shown(kept, judged.fixed, ux, uy);
-  if (share < 1.0) {
-    for (float& u : ux) u *= static_cast<float>(share);
-    for (float& u : uy) u *= static_cast<float>(share);
-  }
-  const PlanarAgreement after = planarAgreement(judged, ux, uy);
-  result.after = agreementOf(after, coverable * static_cast<double>(judged.fixed.value.size()) / static_cast<double>(count));
-  const auto nothing = [&] {
-    std::fill(result.displacement_mm.begin(), result.displacement_mm.end(), glm::vec2(0.0F));
-    result.after = result.before;
-    result.correlationAfter = result.correlationBefore;
-    result.smallestJacobian = 1.0;
-    result.largestMotion_mm = 0.0;
-  };
-  if (state.stop == StopReason::singular || state.stop == StopReason::noOverlap) {
-    nothing();
-    return finish(
-        Verdict::cannotTell, state.stop,
-        state.stop == StopReason::singular
-            ? "An image is flat where the other one shows something: there is nothing to go by, and the displacement is left at zero."
-            : "The two images show almost nothing in common places: check how they lie to each other.");
-  }
-  // Where the speckle is another one, the agreement of the fitted pixels proves little: the warp is asked to agree where it was not fitted.
-  if (chosen && !options.singleResolution && firstLevels.size() == 2 && state.coherence < 0.6) {
-    PlanarSettings quick = settings;
-    quick.iterations = std::min(settings.iterations, 8);
-    const auto held = heldOut(firstLevels[0].pair, firstLevels[0].level, firstLevels[1].pair, firstLevels[1].level, startState, 16.0 * unit,
-                              quick, quiet);
+  progress_.report("Registering", 0.8);
+  takeBackFolds();
+  if (state_.stop == StopReason::singular || state_.stop == StopReason::noOverlap) return finishSingular();
+  if (needsHeldOut()) {
+    const auto held = askHeldOut();
     if (!held) return cancelled();
-    // Images that agree no better than by chance as they lie have to show much more.
-    const double needed = result.before.correlation > result.before.chance ? 0.7 : 6.0;
-    if (held->share <= 0.0 || held->gain < needed * held->error) {
-      const bool common = result.before.correlation > result.before.chance;
-      nothing();
-      return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
-                    std::string(common ? "The images agree as they lie, and no warp" : "No warp") +
-                        " agrees better where it was not fitted: the displacement is left at zero (gain of correlation there " +
-                        wholePercent(held->gain) + ", its error " + wholePercent(held->error) + ").");
-    }
-    // Half of the evidence makes twice the noise: the best share of the motion found from all of it lies nearer to 1.
-    const double keep = 2.0 * held->share / (1.0 + held->share);
-    if (keep < 1.0) {
-      for (float& u : fullX) u *= static_cast<float>(keep);
-      for (float& u : fullY) u *= static_cast<float>(keep);
-      for (float& u : ux) u *= static_cast<float>(keep);
-      for (float& u : uy) u *= static_cast<float>(keep);
-      result.smallestJacobian = smallestJacobian(fullX, fullY, result.columns, result.rows, pixel_mm.x, pixel_mm.y);
-      result.correlationAfter = planarAgreement(grey, fullX, fullY).correlation;
-      result.after = agreementOf(planarAgreement(judged, ux, uy),
-                                 coverable * static_cast<double>(judged.fixed.value.size()) / static_cast<double>(count));
-    }
+    if (isRefutedBy(*held)) return finishRefuted(*held);
+    keepShareOf(*held);
   }
-  const std::string figures = "(correlation " + wholePercent(result.before.correlation) + " before, " +
-                              wholePercent(result.after.correlation) + " after, " + wholePercent(result.after.chance) + " by chance)";
-  if (result.after.correlation <= result.before.correlation || result.after.correlation <= result.after.chance) {
-    nothing();
-    const bool common = result.before.correlation > result.before.chance;
+  return conclude();
+}
+
+bool PlanarRun::judgeBefore() {
+  onJudged_.x.assign(judged_.fixed.value.size(), 0.0F);
+  onJudged_.y = onJudged_.x;
+  full_.x.assign(count_, 0.0F);
+  full_.y = full_.x;
+  const PlanarAgreement before = planarAgreement(judged_, onJudged_.x, onJudged_.y);
+  result_.before = result_.after = stated(before);
+  result_.correlationBefore = result_.correlationAfter = planarAgreement(grey_, full_.x, full_.y).correlation;
+  return before.weight >= 0.02 * static_cast<double>(judged_.fixed.value.size()) && before.weight >= 9.0;
+}
+
+/// Of the last two levels one is used: the finer one where the speckle is shared.
+bool PlanarRun::isLeftOut(std::size_t n) const { return choosesLevels() && n >= 2 && (n == 2) == (state_.coherence > kSharedSpeckle); }
+
+bool PlanarRun::refineLevel(std::size_t n) {
+  const auto began = std::chrono::steady_clock::now();
+  progress_.report("Registering",
+                   0.8 * static_cast<double>(result_.levels.size()) / static_cast<double>(levels_.size()));  // the rest is the judgement
+  if (progress_.cancelRequested()) return false;
+  const PlanarLevel& level = levels_[n];
+  const PlanarPair& pair = pairOf(n);
+  if (n == 0) {
+    if (!startFirst(pair, level)) return false;
+  } else {
+    state_ = carriedTo(state_, extent_mm_, pair, level);
+  }
+  if (!refinePlanar(pair, level, settings_, state_, quiet_)) return false;
+  show(state_, grey_.fixed, full_);
+  if (choosesLevels() && n == 0 && !followLargeMotion(pair, level)) return false;
+  report(pair, began);
+  return true;
+}
+
+const PlanarPair& PlanarRun::pairOf(std::size_t n) {
+  PlanarPair pair = planarPair(fixed_, moving_, levels_[n].scale, settings_);
+  if (n < 2) return firstLevels_.emplace_back(PairAtLevel{std::move(pair), levels_[n]}).pair;
+  later_ = std::move(pair);
+  return later_;
+}
+
+bool PlanarRun::startFirst(const PlanarPair& pair, const PlanarLevel& level) {
+  layOut(extent_mm_, pair, level, glm::dvec2(0.0), state_);
+  if (options_.largestMotion_mm > 0.0 && !options_.singleResolution && !tryCommonShift(pair, level)) return false;
+  atStart_ = state_;
+  return true;
+}
+
+/// Starts from the shift of all that correlates best, where descending from there agrees better than from rest.
+bool PlanarRun::tryCommonShift(const PlanarPair& pair, const PlanarLevel& level) {
+  const glm::dvec2 shift = commonShift_mm(pair, options_.largestMotion_mm);
+  if (shift == glm::dvec2(0.0)) return true;
+  PlanarState other;
+  layOut(extent_mm_, pair, level, shift, other);
+  if (!refinePlanar(pair, level, settings_, other, quiet_) || !refinePlanar(pair, level, settings_, state_, quiet_)) return false;
+  if (significanceOf(pair, other) > 1.05 * significanceOf(pair, state_))
+    state_ = std::move(other);
+  else
+    layOut(extent_mm_, pair, level, glm::dvec2(0.0), state_);
+  return true;
+}
+
+/// A large motion under so stiff a warp is larger in truth: the same pixels follow it more freely before the finer ones come.
+bool PlanarRun::followLargeMotion(const PlanarPair& pair, const PlanarLevel& level) {
+  float farthest = 0.0F;
+  for (std::size_t k = 0; k < count_; ++k) farthest = std::max(farthest, std::hypot(full_.x[k], full_.y[k]));
+  if (!(static_cast<double>(farthest) > 8.0 * unit_)) return true;
+  if (!refinePlanar(pair, levelOf(level.scale, level.node_mm, 4.0, false), settings_, state_, quiet_)) return false;
+  show(state_, grey_.fixed, full_);
+  return true;
+}
+
+void PlanarRun::report(const PlanarPair& pair, std::chrono::steady_clock::time_point began) {
+  const double least = smallestJacobianOfFull();
+  Level report;
+  report.voxel_mm = std::sqrt(pair.fixed.pixel_mm.x * pair.fixed.pixel_mm.y);
+  report.node_mm = std::sqrt(state_.x.node_mm * state_.y.node_mm);
+  report.iterations = state_.iterations;
+  report.correlationBefore = result_.correlationAfter;
+  result_.correlationAfter = report.correlationAfter = planarAgreement(grey_, full_.x, full_.y).correlation;
+  report.seconds = secondsFrom(began);
+  result_.levels.push_back(report);
+  result_.stiffness = state_.stiffness;
+  result_.speckleCorrelation = state_.coherence;
+  if (least > 0.5 * settings_.leastJacobian || kept_.iterations == 0) {
+    kept_ = state_;
+    result_.smallestJacobian = least;
+  }
+  if (onLevel_) onLevel_(report);
+}
+
+/// Coarse samples may miss a cell that the input's pixels show folded: then the field is taken back until none is.
+void PlanarRun::takeBackFolds() {
+  show(kept_, grey_.fixed, full_);
+  double share = 1.0;
+  while (result_.smallestJacobian < 0.5 * settings_.leastJacobian && share > 0.05) {
+    share *= 0.8;
+    full_.scale(0.8F);
+    result_.smallestJacobian = smallestJacobianOfFull();
+  }
+  show(kept_, judged_.fixed, onJudged_);
+  if (share < 1.0) onJudged_.scale(static_cast<float>(share));
+  result_.after = stated(planarAgreement(judged_, onJudged_.x, onJudged_.y));
+}
+
+/// Where the speckle is another one, the agreement of the fitted pixels proves little: the warp is asked to agree where it was not fitted.
+bool PlanarRun::needsHeldOut() const { return choosesLevels() && firstLevels_.size() == 2 && state_.coherence < kSharedSpeckle; }
+
+std::optional<HeldOut> PlanarRun::askHeldOut() {
+  PlanarSettings quick = settings_;
+  quick.iterations = std::min(settings_.iterations, 8);
+  return heldOut(firstLevels_[0], firstLevels_[1], atStart_, 16.0 * unit_, quick, quiet_);
+}
+
+/// Images that agree no better than by chance as they lie have to show much more.
+bool PlanarRun::isRefutedBy(const HeldOut& held) const {
+  const double needed = agreesAtRest() ? 0.7 : 6.0;
+  return held.share <= 0.0 || held.gain < needed * held.error;
+}
+
+/// Half of the evidence makes twice the noise: the best share of the motion found from all of it lies nearer to 1.
+void PlanarRun::keepShareOf(const HeldOut& held) {
+  const double keep = 2.0 * held.share / (1.0 + held.share);
+  if (!(keep < 1.0)) return;
+  full_.scale(static_cast<float>(keep));
+  onJudged_.scale(static_cast<float>(keep));
+  result_.smallestJacobian = smallestJacobianOfFull();
+  result_.correlationAfter = planarAgreement(grey_, full_.x, full_.y).correlation;
+  result_.after = stated(planarAgreement(judged_, onJudged_.x, onJudged_.y));
+}
+
+Elastic2dResult PlanarRun::finish(Verdict verdict, StopReason stop, std::string reason) {
+  result_.verdict = verdict;
+  result_.stop = stop;
+  result_.reason = std::move(reason);
+  result_.seconds = secondsFrom(started_);
+  progress_.report("Registering", 1.0);
+  return std::move(result_);
+}
+
+void PlanarRun::leaveAtZero() {
+  std::fill(result_.displacement_mm.begin(), result_.displacement_mm.end(), glm::vec2(0.0F));
+  result_.after = result_.before;
+  result_.correlationAfter = result_.correlationBefore;
+  result_.smallestJacobian = 1.0;
+  result_.largestMotion_mm = 0.0;
+}
+
+Elastic2dResult PlanarRun::finishSingular() {
+  leaveAtZero();
+  return finish(Verdict::cannotTell, state_.stop,
+                state_.stop == StopReason::singular
+                    ? "An image is flat where the other one shows something: there is nothing to go by, and the "
+                      "displacement is left at zero."
+                    : kNothingCommon);
+}
+
+Elastic2dResult PlanarRun::finishRefuted(const HeldOut& held) {
+  const bool common = agreesAtRest();
+  leaveAtZero();
+  return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
+                std::string(common ? "The images agree as they lie, and no warp" : "No warp") +
+                    " agrees better where it was not fitted: the displacement is left at zero (gain of correlation there " +
+                    wholePercent(held.gain) + ", its error " + wholePercent(held.error) + ").");
+}
+
+Elastic2dResult PlanarRun::conclude() {
+  const std::string figures = "(correlation " + wholePercent(result_.before.correlation) + " before, " +
+                              wholePercent(result_.after.correlation) + " after, " + wholePercent(result_.after.chance) + " by chance)";
+  if (result_.after.correlation <= result_.before.correlation || result_.after.correlation <= result_.after.chance) {
+    leaveAtZero();
+    const bool common = agreesAtRest();
     return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
                   (common ? "No warp agrees better than the images as they lie, and they agree: the displacement is left at zero "
                           : "No warp agrees better than chance does: the displacement is left at zero ") +
                       figures + ".");
   }
-  for (std::size_t n = 0; n < count; ++n) {
-    result.displacement_mm[n] = {fullX[n], fullY[n]};
-    result.largestMotion_mm = std::max(result.largestMotion_mm, std::hypot(static_cast<double>(fullX[n]), static_cast<double>(fullY[n])));
+  for (std::size_t n = 0; n < count_; ++n) {
+    const glm::vec2 u(full_.x[n], full_.y[n]);
+    result_.displacement_mm[n] = u;
+    result_.largestMotion_mm = std::max(result_.largestMotion_mm, std::hypot(static_cast<double>(u.x), static_cast<double>(u.y)));
   }
-  return finish(Verdict::aligned, state.stop, "The warped image agrees with the fixed one " + figures + ".");
+  return finish(Verdict::aligned, state_.stop, "The warped image agrees with the fixed one " + figures + ".");
+}
+
+void PlanarRun::show(const PlanarState& state, const PlanarImage& on, SampledField& field) const {
+  const SplineAxis alongX = splineAxis(extent_mm_.x, state.x.node_mm, on.pixel_mm.x, on.width);
+  const SplineAxis alongY = splineAxis(extent_mm_.y, state.y.node_mm, on.pixel_mm.y, on.height);
+  evaluate(alongX, alongY, state.field.part[0], field.x);
+  evaluate(alongX, alongY, state.field.part[1], field.y);
+}
+
+Agreement PlanarRun::stated(const PlanarAgreement& found) const {
+  return agreementOf(found, coverable_ * static_cast<double>(judged_.fixed.value.size()) / static_cast<double>(count_));
+}
+
+double PlanarRun::smallestJacobianOfFull() const {
+  return smallestJacobian(full_.x, full_.y, result_.columns, result_.rows, pixel_mm_.x, pixel_mm_.y);
+}
+
+}  // namespace
+
+Result<Elastic2dResult> registerElastic2d(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving, glm::dvec2 pixel_mm,
+                                          const Elastic2dOptions& options, Progress& progress, const OnLevel& onLevel) {
+  if (auto checked = check(fixed, moving, pixel_mm, options); !checked) return passOn(checked.error());
+  return PlanarRun(fixed, moving, pixel_mm, options, progress, onLevel).run();
 }
 
 }  // namespace ew::registration

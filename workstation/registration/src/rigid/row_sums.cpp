@@ -14,147 +14,219 @@ HWY_BEFORE_NAMESPACE();
 namespace ew::registration::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
-  const hn::ScalableTag<float> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  const hn::Rebind<std::uint8_t, decltype(d)> du8;
-  using V = hn::Vec<decltype(d)>;
-  using VI = hn::Vec<decltype(di)>;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const V zero = hn::Zero(d);
-  const V one = hn::Set(d, 1.0f);
-  V count = zero, weight = zero, sf = zero, sm = zero, sff = zero, smm = zero, sfm = zero, srr = zero, srw = zero, sgfm = zero, sgff = zero,
-    sgmm = zero;
-  V moment[3][6];
-  V right[2][3];
-  for (auto& power : moment) {
-    for (auto& v : power) v = zero;
-  }
-  for (auto& power : right) {
-    for (auto& v : power) v = zero;
-  }
-  const VI topX = hn::Set(di, job.movingDims[0] - 2);
-  const VI topY = hn::Set(di, job.movingDims[1] - 2);
-  const VI topZ = hn::Set(di, job.movingDims[2] - 2);
-  const VI rowStep = hn::Set(di, job.movingDims[0]);
-  const VI planeStep = hn::Set(di, job.movingDims[0] * job.movingDims[1]);
-  const VI zeroI = hn::Zero(di);
-  const VI lowBits = hn::Set(di, 255);
-  const VI oneI = hn::Set(di, 1);
-  const V half = hn::Set(d, 0.5f);
-  for (int i = job.begin; i < job.end; i += lanes) {
-    const VI index = hn::Add(hn::Iota(di, 0), hn::Set(di, i));
-    const V at = hn::ConvertTo(d, index);
-    // Past the stretch the weight is nothing, and what is read there does not count. In the last rows of an image it may not be read.
-    const bool atEnd = i + job.fixedPlane + lanes > job.room;
-    const int inside = std::min(lanes, job.end - i);
-    const auto load = [&](const float* from) HWY_ATTR {
-      if (!atEnd) return hn::LoadU(d, from);
-      HWY_ALIGN float some[hn::MaxLanes(d)] = {};
-      std::copy_n(from, inside, some);
-      return hn::Load(d, some);
-    };
-    const auto loadWeight = [&](const std::uint8_t* from) HWY_ATTR {
-      if (!atEnd) return hn::LoadU(du8, from);
-      HWY_ALIGN std::uint8_t some[hn::MaxLanes(d)] = {};
-      std::copy_n(from, inside, some);
-      return hn::LoadU(du8, some);
-    };
-    V w = hn::ConvertTo(d, hn::PromoteTo(di, loadWeight(job.fixedWeight + i)));
-    w = hn::IfThenElseZero(hn::Lt(at, hn::Set(d, static_cast<float>(job.end))), w);
-    if (hn::AllTrue(d, hn::Eq(w, zero))) continue;
-    const V x = hn::MulAdd(at, hn::Set(d, job.step[0]), hn::Set(d, job.at[0]));
-    const V y = hn::MulAdd(at, hn::Set(d, job.step[1]), hn::Set(d, job.at[1]));
-    const V z = hn::MulAdd(at, hn::Set(d, job.step[2]), hn::Set(d, job.at[2]));
-    const VI ix = hn::Min(hn::Max(hn::ConvertTo(di, hn::Floor(x)), zeroI), topX);
-    const VI iy = hn::Min(hn::Max(hn::ConvertTo(di, hn::Floor(y)), zeroI), topY);
-    const VI iz = hn::Min(hn::Max(hn::ConvertTo(di, hn::Floor(z)), zeroI), topZ);
-    const V fx = hn::Sub(x, hn::ConvertTo(d, ix));
-    const V fy = hn::Sub(y, hn::ConvertTo(d, iy));
-    const V fz = hn::Sub(z, hn::ConvertTo(d, iz));
-    const VI base = hn::Add(ix, hn::Add(hn::Mul(iy, rowStep), hn::Mul(iz, planeStep)));
-    const V c000 = hn::GatherIndex(d, job.moving, base);
-    const V c100 = hn::GatherIndex(d, job.moving, hn::Add(base, oneI));
-    const VI up = hn::Add(base, rowStep);
-    const V c010 = hn::GatherIndex(d, job.moving, up);
-    const V c110 = hn::GatherIndex(d, job.moving, hn::Add(up, oneI));
-    const VI over = hn::Add(base, planeStep);
-    const V c001 = hn::GatherIndex(d, job.moving, over);
-    const V c101 = hn::GatherIndex(d, job.moving, hn::Add(over, oneI));
-    const VI both = hn::Add(over, rowStep);
-    const V c011 = hn::GatherIndex(d, job.moving, both);
-    const V c111 = hn::GatherIndex(d, job.moving, hn::Add(both, oneI));
-    const auto bits = [&](V v) HWY_ATTR { return hn::And(hn::BitCast(di, v), lowBits); };
-    const VI leastBits = hn::Min(hn::Min(hn::Min(bits(c000), bits(c100)), hn::Min(bits(c010), bits(c110))),
-                                 hn::Min(hn::Min(bits(c001), bits(c101)), hn::Min(bits(c011), bits(c111))));
-    w = hn::Mul(hn::Mul(w, hn::ConvertTo(d, leastBits)), hn::Set(d, 1.0f / (255.0f * 255.0f)));
-    const auto valid = hn::Gt(w, zero);
-    if (hn::AllFalse(d, valid)) continue;
+using PoseFloats = hn::ScalableTag<float>;
+using PoseInts = hn::RebindToSigned<PoseFloats>;
+using PoseBytes = hn::Rebind<std::uint8_t, PoseFloats>;
+using PoseV = hn::Vec<PoseFloats>;
+using PoseVI = hn::Vec<PoseInts>;
 
-    const V dx00 = hn::Sub(c100, c000);
-    const V dx10 = hn::Sub(c110, c010);
-    const V dx01 = hn::Sub(c101, c001);
-    const V dx11 = hn::Sub(c111, c011);
-    const V e00 = hn::MulAdd(fx, dx00, c000);
-    const V e10 = hn::MulAdd(fx, dx10, c010);
-    const V e01 = hn::MulAdd(fx, dx01, c001);
-    const V e11 = hn::MulAdd(fx, dx11, c011);
-    const V dy0 = hn::Sub(e10, e00);
-    const V dy1 = hn::Sub(e11, e01);
-    const V g0 = hn::MulAdd(fy, dy0, e00);
-    const V g1 = hn::MulAdd(fy, dy1, e01);
-    const V gz = hn::Sub(g1, g0);
-    const V m = hn::MulAdd(fz, gz, g0);
-    const V f = load(job.fixedValue + i);
-    const V r = hn::Sub(f, m);
-    count = hn::Add(count, hn::IfThenElseZero(valid, one));
+// Everything below is inlined into the one loop at the end: the sums stay in vectors over a whole row.
+
+/// Reads fixed voxels. Past the stretch the weight is nothing, and what is read there does not count; in the last rows of an image it may
+/// not be read.
+struct PoseReader {
+  bool atEnd;
+  int inside;
+
+  HWY_INLINE PoseV values(const float* from) const {
+    const PoseFloats d;
+    if (!atEnd) return hn::LoadU(d, from);
+    HWY_ALIGN float some[hn::MaxLanes(d)] = {};
+    std::copy_n(from, inside, some);
+    return hn::Load(d, some);
+  }
+  HWY_INLINE PoseV weights(const std::uint8_t* from) const {
+    const PoseFloats d;
+    const PoseInts di;
+    const PoseBytes du8;
+    if (!atEnd) return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(du8, from)));
+    HWY_ALIGN std::uint8_t some[hn::MaxLanes(d)] = {};
+    std::copy_n(from, inside, some);
+    return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(du8, some)));
+  }
+};
+
+/// The eight moving voxels around each place, and the place among them.
+struct PoseCell {
+  PoseV fx, fy, fz;
+  PoseV c000, c100, c010, c110, c001, c101, c011, c111;
+
+  HWY_INLINE PoseCell(const PoseRow& job, PoseV at) {
+    const PoseFloats d;
+    const PoseInts di;
+    const PoseV x = hn::MulAdd(at, hn::Set(d, job.step[0]), hn::Set(d, job.at[0]));
+    const PoseV y = hn::MulAdd(at, hn::Set(d, job.step[1]), hn::Set(d, job.at[1]));
+    const PoseV z = hn::MulAdd(at, hn::Set(d, job.step[2]), hn::Set(d, job.at[2]));
+    const PoseVI ix = lowOf(x, job.movingDims[0]);
+    const PoseVI iy = lowOf(y, job.movingDims[1]);
+    const PoseVI iz = lowOf(z, job.movingDims[2]);
+    fx = hn::Sub(x, hn::ConvertTo(d, ix));
+    fy = hn::Sub(y, hn::ConvertTo(d, iy));
+    fz = hn::Sub(z, hn::ConvertTo(d, iz));
+    const PoseVI one = hn::Set(di, 1);
+    const PoseVI row = hn::Set(di, job.movingDims[0]);
+    const PoseVI plane = hn::Set(di, job.movingDims[0] * job.movingDims[1]);
+    const PoseVI base = hn::Add(ix, hn::Add(hn::Mul(iy, row), hn::Mul(iz, plane)));
+    c000 = hn::GatherIndex(d, job.moving, base);
+    c100 = hn::GatherIndex(d, job.moving, hn::Add(base, one));
+    const PoseVI up = hn::Add(base, row);
+    c010 = hn::GatherIndex(d, job.moving, up);
+    c110 = hn::GatherIndex(d, job.moving, hn::Add(up, one));
+    const PoseVI over = hn::Add(base, plane);
+    c001 = hn::GatherIndex(d, job.moving, over);
+    c101 = hn::GatherIndex(d, job.moving, hn::Add(over, one));
+    const PoseVI both = hn::Add(over, row);
+    c011 = hn::GatherIndex(d, job.moving, both);
+    c111 = hn::GatherIndex(d, job.moving, hn::Add(both, one));
+  }
+
+  /// The least of the corners' weights, which stand in the lowest bits of their values; 0..255.
+  [[nodiscard]] HWY_INLINE PoseV leastWeight() const {
+    const PoseFloats d;
+    return hn::ConvertTo(d, hn::Min(hn::Min(hn::Min(weightOf(c000), weightOf(c100)), hn::Min(weightOf(c010), weightOf(c110))),
+                                    hn::Min(hn::Min(weightOf(c001), weightOf(c101)), hn::Min(weightOf(c011), weightOf(c111)))));
+  }
+
+ private:
+  static HWY_INLINE PoseVI lowOf(PoseV place, int dims) {
+    const PoseInts di;
+    return hn::Min(hn::Max(hn::ConvertTo(di, hn::Floor(place)), hn::Zero(di)), hn::Set(di, dims - 2));
+  }
+  static HWY_INLINE PoseVI weightOf(PoseV corner) {
+    const PoseInts di;
+    return hn::And(hn::BitCast(di, corner), hn::Set(di, 255));
+  }
+};
+
+/// The moving image between the voxels of a cell: trilinear, its derivatives those of the interpolation.
+struct PoseMate {
+  PoseV dx00, dx10, dx01, dx11, dy0, dy1, dz;
+  PoseV value;
+
+  HWY_INLINE explicit PoseMate(const PoseCell& c) {
+    dx00 = hn::Sub(c.c100, c.c000);
+    dx10 = hn::Sub(c.c110, c.c010);
+    dx01 = hn::Sub(c.c101, c.c001);
+    dx11 = hn::Sub(c.c111, c.c011);
+    const PoseV e00 = hn::MulAdd(c.fx, dx00, c.c000);
+    const PoseV e10 = hn::MulAdd(c.fx, dx10, c.c010);
+    const PoseV e01 = hn::MulAdd(c.fx, dx01, c.c001);
+    const PoseV e11 = hn::MulAdd(c.fx, dx11, c.c011);
+    dy0 = hn::Sub(e10, e00);
+    dy1 = hn::Sub(e11, e01);
+    const PoseV g0 = hn::MulAdd(c.fy, dy0, e00);
+    const PoseV g1 = hn::MulAdd(c.fy, dy1, e01);
+    dz = hn::Sub(g1, g0);
+    value = hn::MulAdd(c.fz, dz, g0);
+  }
+};
+
+/// A gradient along the fixed axes.
+struct PoseGradient {
+  PoseV x, y, z;
+
+  [[nodiscard]] HWY_INLINE PoseV dot(const PoseGradient& o) const { return hn::MulAdd(x, o.x, hn::MulAdd(y, o.y, hn::Mul(z, o.z))); }
+};
+
+/// Of the moving image, turned from its own axes to the fixed ones.
+HWY_INLINE PoseGradient movingGradient(const PoseRow& job, const PoseCell& c, const PoseMate& m) {
+  const PoseFloats d;
+  const PoseV dx0 = hn::MulAdd(c.fy, hn::Sub(m.dx10, m.dx00), m.dx00);
+  const PoseV dx1 = hn::MulAdd(c.fy, hn::Sub(m.dx11, m.dx01), m.dx01);
+  const PoseV gx = hn::MulAdd(c.fz, hn::Sub(dx1, dx0), dx0);
+  const PoseV gy = hn::MulAdd(c.fz, hn::Sub(m.dy1, m.dy0), m.dy0);
+  const auto turned = [&](int a) HWY_ATTR {
+    const PoseV sum = hn::Mul(hn::Set(d, job.turn[3 * a]), gx);
+    return hn::MulAdd(hn::Set(d, job.turn[3 * a + 2]), m.dz, hn::MulAdd(hn::Set(d, job.turn[3 * a + 1]), gy, sum));
+  };
+  return {turned(0), turned(1), turned(2)};
+}
+
+/// Central differences.
+HWY_INLINE PoseGradient fixedGradient(const PoseRow& job, const float* fixed, const PoseReader& read) {
+  const PoseFloats d;
+  const PoseV half = hn::Set(d, 0.5f);
+  return {hn::Mul(half, hn::Sub(read.values(fixed + 1), read.values(fixed - 1))),
+          hn::Mul(half, hn::Sub(read.values(fixed + job.fixedRow), read.values(fixed - job.fixedRow))),
+          hn::Mul(half, hn::Sub(read.values(fixed + job.fixedPlane), read.values(fixed - job.fixedPlane)))};
+}
+
+HWY_INLINE double poseTotal(PoseV v) {
+  const PoseFloats d;
+  return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, v)));
+}
+
+/// Sums of weights, values and their products.
+struct PoseValueSums {
+  PoseV count, weight, f, m, ff, mm, fm;
+
+  HWY_INLINE PoseValueSums() { count = weight = f = m = ff = mm = fm = hn::Zero(PoseFloats()); }
+  template <class Mask>
+  HWY_INLINE void add(Mask valid, PoseV w, PoseV fixed, PoseV moving) {
+    count = hn::Add(count, hn::IfThenElseZero(valid, hn::Set(PoseFloats(), 1.0f)));
     weight = hn::Add(weight, w);
-    const V wf = hn::Mul(w, f);
-    const V wm = hn::Mul(w, m);
-    sf = hn::Add(sf, wf);
-    sm = hn::Add(sm, wm);
-    sff = hn::MulAdd(wf, f, sff);
-    smm = hn::MulAdd(wm, m, smm);
-    sfm = hn::MulAdd(wf, m, sfm);
-    if (!job.derivatives) continue;
+    const PoseV wf = hn::Mul(w, fixed);
+    const PoseV wm = hn::Mul(w, moving);
+    f = hn::Add(f, wf);
+    m = hn::Add(m, wm);
+    ff = hn::MulAdd(wf, fixed, ff);
+    mm = hn::MulAdd(wm, moving, mm);
+    fm = hn::MulAdd(wf, moving, fm);
+  }
+  HWY_INLINE void total(PoseRowSums& out) const {
+    out.count = poseTotal(count);
+    out.weight = poseTotal(weight);
+    out.f = poseTotal(f);
+    out.m = poseTotal(m);
+    out.ff = poseTotal(ff);
+    out.mm = poseTotal(mm);
+    out.fm = poseTotal(fm);
+  }
+};
 
-    const V rr = hn::Mul(r, r);
-    const V robust = hn::Div(w, hn::MulAdd(rr, hn::Set(d, job.perLoss2), one));
-    srr = hn::MulAdd(robust, rr, srr);
-    srw = hn::Add(srw, robust);
-    const V dx0 = hn::MulAdd(fy, hn::Sub(dx10, dx00), dx00);
-    const V dx1 = hn::MulAdd(fy, hn::Sub(dx11, dx01), dx01);
-    const V gx = hn::MulAdd(fz, hn::Sub(dx1, dx0), dx0);
-    const V gy = hn::MulAdd(fz, hn::Sub(dy1, dy0), dy0);
-    const float* fixed = job.fixedValue + i;
-    const V ffx = hn::Mul(half, hn::Sub(load(fixed + 1), load(fixed - 1)));
-    const V ffy = hn::Mul(half, hn::Sub(load(fixed + job.fixedRow), load(fixed - job.fixedRow)));
-    const V ffz = hn::Mul(half, hn::Sub(load(fixed + job.fixedPlane), load(fixed - job.fixedPlane)));
-    const auto turned = [&](int a) HWY_ATTR {
-      const V sum = hn::Mul(hn::Set(d, job.turn[3 * a]), gx);
-      return hn::MulAdd(hn::Set(d, job.turn[3 * a + 2]), gz, hn::MulAdd(hn::Set(d, job.turn[3 * a + 1]), gy, sum));
-    };
-    const V mmx = turned(0);
-    const V mmy = turned(1);
-    const V mmz = turned(2);
-    sgfm = hn::MulAdd(robust, hn::MulAdd(ffx, mmx, hn::MulAdd(ffy, mmy, hn::Mul(ffz, mmz))), sgfm);
-    sgff = hn::MulAdd(robust, hn::MulAdd(ffx, ffx, hn::MulAdd(ffy, ffy, hn::Mul(ffz, ffz))), sgff);
-    sgmm = hn::MulAdd(robust, hn::MulAdd(mmx, mmx, hn::MulAdd(mmy, mmy, hn::Mul(mmz, mmz))), sgmm);
-    const V ax = hn::Mul(half, hn::Add(ffx, mmx));
-    const V ay = hn::Mul(half, hn::Add(ffy, mmy));
-    const V az = hn::Mul(half, hn::Add(ffz, mmz));
-    const V place = hn::Mul(hn::Sub(at, hn::Set(d, job.middle)), hn::Set(d, job.perMiddle));
-    const V wx = hn::Mul(robust, ax);
-    const V wy = hn::Mul(robust, ay);
-    const V wz = hn::Mul(robust, az);
-    const V products[6] = {hn::Mul(wx, ax), hn::Mul(wx, ay), hn::Mul(wx, az), hn::Mul(wy, ay), hn::Mul(wy, az), hn::Mul(wz, az)};
+/// Sums of gradients and residuals under the robust weight w / (1 + r^2 / lossScale^2). The Jacobian of a voxel is its lever, linear in the
+/// place t along the row, times the mean a of both gradients: moments of a a^T and a r with powers of t are all a row has to hand over, and
+/// normal_equations.cpp puts the levers to them. resources/docs/registration.md, "By the images", "Refining".
+struct PoseGradientSums {
+  PoseV residual, robust, both, fixed, moving;
+  PoseV moment[3][6];
+  PoseV right[2][3];
+
+  HWY_INLINE PoseGradientSums() {
+    const PoseV zero = hn::Zero(PoseFloats());
+    residual = robust = both = fixed = moving = zero;
+    for (auto& power : moment) {
+      for (auto& v : power) v = zero;
+    }
+    for (auto& power : right) {
+      for (auto& v : power) v = zero;
+    }
+  }
+  /// @param place along the row, times perMiddle
+  HWY_INLINE void add(const PoseRow& job, PoseV place, PoseV w, PoseV r, const PoseGradient& f, const PoseGradient& m) {
+    const PoseFloats d;
+    const PoseV half = hn::Set(d, 0.5f);
+    const PoseV rr = hn::Mul(r, r);
+    const PoseV weight = hn::Div(w, hn::MulAdd(rr, hn::Set(d, job.perLoss2), hn::Set(d, 1.0f)));
+    residual = hn::MulAdd(weight, rr, residual);
+    robust = hn::Add(robust, weight);
+    both = hn::MulAdd(weight, f.dot(m), both);
+    fixed = hn::MulAdd(weight, f.dot(f), fixed);
+    moving = hn::MulAdd(weight, m.dot(m), moving);
+    const PoseV ax = hn::Mul(half, hn::Add(f.x, m.x));
+    const PoseV ay = hn::Mul(half, hn::Add(f.y, m.y));
+    const PoseV az = hn::Mul(half, hn::Add(f.z, m.z));
+    const PoseV wx = hn::Mul(weight, ax);
+    const PoseV wy = hn::Mul(weight, ay);
+    const PoseV wz = hn::Mul(weight, az);
+    const PoseV products[6] = {hn::Mul(wx, ax), hn::Mul(wx, ay), hn::Mul(wx, az), hn::Mul(wy, ay), hn::Mul(wy, az), hn::Mul(wz, az)};
     for (int q = 0; q < 6; ++q) {
       moment[0][q] = hn::Add(moment[0][q], products[q]);
-      const V once = hn::Mul(products[q], place);
+      const PoseV once = hn::Mul(products[q], place);
       moment[1][q] = hn::Add(moment[1][q], once);
       moment[2][q] = hn::MulAdd(once, place, moment[2][q]);
     }
-    const V rp = hn::Mul(r, place);
+    const PoseV rp = hn::Mul(r, place);
     right[0][0] = hn::MulAdd(wx, r, right[0][0]);
     right[0][1] = hn::MulAdd(wy, r, right[0][1]);
     right[0][2] = hn::MulAdd(wz, r, right[0][2]);
@@ -162,26 +234,47 @@ void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
     right[1][1] = hn::MulAdd(wy, rp, right[1][1]);
     right[1][2] = hn::MulAdd(wz, rp, right[1][2]);
   }
-  const auto total = [&](V v) HWY_ATTR { return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, v))); };
-  out.count = total(count);
-  out.weight = total(weight);
-  out.f = total(sf);
-  out.m = total(sm);
-  out.ff = total(sff);
-  out.mm = total(smm);
-  out.fm = total(sfm);
-  if (!job.derivatives) return;
-  out.residual = total(srr);
-  out.robustWeight = total(srw);
-  out.bothGradients = total(sgfm);
-  out.fixedGradient = total(sgff);
-  out.movingGradient = total(sgmm);
-  for (int p = 0; p < 3; ++p) {
-    for (int q = 0; q < 6; ++q) out.moment[p][q] = total(moment[p][q]);
+  HWY_INLINE void total(PoseRowSums& out) const {
+    out.residual = poseTotal(residual);
+    out.robustWeight = poseTotal(robust);
+    out.bothGradients = poseTotal(both);
+    out.fixedGradient = poseTotal(fixed);
+    out.movingGradient = poseTotal(moving);
+    for (int p = 0; p < 3; ++p) {
+      for (int q = 0; q < 6; ++q) out.moment[p][q] = poseTotal(moment[p][q]);
+    }
+    for (int p = 0; p < 2; ++p) {
+      for (int q = 0; q < 3; ++q) out.right[p][q] = poseTotal(right[p][q]);
+    }
   }
-  for (int p = 0; p < 2; ++p) {
-    for (int q = 0; q < 3; ++q) out.right[p][q] = total(right[p][q]);
+};
+
+void sumPoseRow(const PoseRow& job, PoseRowSums& out) {
+  const PoseFloats d;
+  const PoseInts di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const PoseV zero = hn::Zero(d);
+  PoseValueSums values;
+  PoseGradientSums gradients;
+  for (int i = job.begin; i < job.end; i += lanes) {
+    const PoseV at = hn::ConvertTo(d, hn::Add(hn::Iota(di, 0), hn::Set(di, i)));
+    const PoseReader read{.atEnd = i + job.fixedPlane + lanes > job.room, .inside = std::min(lanes, job.end - i)};
+    PoseV w = read.weights(job.fixedWeight + i);
+    w = hn::IfThenElseZero(hn::Lt(at, hn::Set(d, static_cast<float>(job.end))), w);
+    if (hn::AllTrue(d, hn::Eq(w, zero))) continue;
+    const PoseCell cell(job, at);
+    w = hn::Mul(hn::Mul(w, cell.leastWeight()), hn::Set(d, 1.0f / (255.0f * 255.0f)));
+    const auto valid = hn::Gt(w, zero);
+    if (hn::AllFalse(d, valid)) continue;
+    const PoseMate mate(cell);
+    const PoseV fixed = read.values(job.fixedValue + i);
+    values.add(valid, w, fixed, mate.value);
+    if (!job.derivatives) continue;
+    const PoseV place = hn::Mul(hn::Sub(at, hn::Set(d, job.middle)), hn::Set(d, job.perMiddle));
+    gradients.add(job, place, w, hn::Sub(fixed, mate.value), fixedGradient(job, job.fixedValue + i, read), movingGradient(job, cell, mate));
   }
+  values.total(out);
+  if (job.derivatives) gradients.total(out);
 }
 
 }  // namespace ew::registration::HWY_NAMESPACE
