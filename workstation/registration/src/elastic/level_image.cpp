@@ -53,6 +53,125 @@ void addRow(float factor, const float* in, int count, float* out) {
   for (int i = 0; i < count; ++i) out[i] += factor * in[i];
 }
 
+/// How a volume is brought to a level: its size, and along each axis which voxels a sample is made of.
+std::array<Taps, 3> layOutLevel(const Grid& grid, double voxel_mm, LevelImage& level) {
+  std::array<Taps, 3> taps;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spacing = grid.spacing_mm[axis];
+    const int in = grid.dims[axis];
+    const int out = voxel_mm < 1.3 * spacing ? in : std::clamp(static_cast<int>(std::lround(in * spacing / voxel_mm)), 1, in);
+    const double inPerOut = static_cast<double>(in) / out;
+    taps[static_cast<std::size_t>(axis)] = tapsOf(in, out, inPerOut, out == in ? 0.0 : 0.5 * (inPerOut - 1.0) + 0.3);
+    level.dims[axis] = out;
+    level.spacing_mm[axis] = spacing * inPerOut;
+    level.first_mm[axis] = 0.5 * (inPerOut - 1.0) * spacing;
+  }
+  level.stride = strideOf(level.dims.x);
+  return taps;
+}
+
+/// Voxels as they are: the level has the volume's own grid.
+bool copyVoxels(const Volume& volume, const std::vector<std::uint8_t>& belief, int threads, Progress& progress, LevelImage& level) {
+  const auto width = static_cast<std::size_t>(level.dims.x);
+  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+    for (int j = 0; j < level.dims.y; ++j) {
+      const std::size_t in = volume.grid.indexOf(0, j, k), out = level.rowOf(j, k);
+      for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
+      if (!belief.empty()) {
+        for (std::size_t i = 0; i < width; ++i) level.weights[out + i] = static_cast<float>(belief[in + i]) * (1.0F / 255.0F);
+      }
+    }
+  });
+}
+
+void resampleRow(const Taps& x, const std::vector<float>& in, std::vector<float>& row) {
+  if (x.count == 1) {
+    std::copy(in.begin(), in.end(), row.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const float* values = in.data() + x.first[i];
+    const float* weight = x.weight.data() + i * static_cast<std::size_t>(x.count);
+    float sum = 0.0F;
+    for (int n = 0; n < x.count; ++n) sum += weight[n] * values[n];
+    row[i] = sum;
+  }
+}
+
+/// One slice along x and y. Rows of the input come one after the other; each is a part of `count` rows of the output at most.
+/// @param source source(j, in) writes row j of the input
+template <class Source>
+void resampleSlice(const Taps& x, const Taps& y, const glm::ivec3& from, const glm::ivec3& to, const Source& source, float* slice) {
+  const auto width = static_cast<std::size_t>(to.x);
+  std::vector<float> in(static_cast<std::size_t>(from.x)), row(width);
+  std::fill(slice, slice + width * static_cast<std::size_t>(to.y), 0.0F);
+  int first = 0;
+  for (int j = 0; j < from.y; ++j) {
+    while (first < to.y && y.first[static_cast<std::size_t>(first)] + y.count <= j) ++first;
+    if (first == to.y) break;
+    if (y.first[static_cast<std::size_t>(first)] > j) continue;
+    source(j, in);
+    resampleRow(x, in, row);
+    for (int out = first; out < to.y && y.first[static_cast<std::size_t>(out)] <= j; ++out) {
+      const int tap = j - y.first[static_cast<std::size_t>(out)];
+      if (tap >= y.count) continue;
+      addRow(y.weight[static_cast<std::size_t>(out * y.count + tap)], row.data(), to.x, slice + static_cast<std::size_t>(out) * width);
+    }
+  }
+}
+
+bool resampleInPlane(const Volume& volume, const std::vector<std::uint8_t>& belief, const std::array<Taps, 3>& taps, const glm::ivec3& dims,
+                     int threads, Progress& progress, Slices& slices) {
+  const Grid& grid = volume.grid;
+  const std::size_t perSlice = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
+  slices.sum.resize(perSlice * static_cast<std::size_t>(grid.dims.z));
+  if (!belief.empty()) slices.weight.resize(slices.sum.size());
+  return forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
+    const std::size_t at = static_cast<std::size_t>(k) * perSlice;
+    const auto believedEcho = [&](int j, std::vector<float>& into) {
+      const std::size_t from = grid.indexOf(0, j, k);
+      for (std::size_t i = 0; i < into.size(); ++i) into[i] = static_cast<float>(volume.echo[from + i]);
+      if (!belief.empty()) {
+        for (std::size_t i = 0; i < into.size(); ++i) into[i] *= static_cast<float>(belief[from + i]) * (1.0F / 255.0F);
+      }
+    };
+    resampleSlice(taps[0], taps[1], grid.dims, dims, believedEcho, slices.sum.data() + at);
+    if (belief.empty()) return;
+    const auto beliefAlone = [&](int j, std::vector<float>& into) {
+      const std::size_t from = grid.indexOf(0, j, k);
+      for (std::size_t i = 0; i < into.size(); ++i) into[i] = static_cast<float>(belief[from + i]) * (1.0F / 255.0F);
+    };
+    resampleSlice(taps[0], taps[1], grid.dims, dims, beliefAlone, slices.weight.data() + at);
+  });
+}
+
+bool resampleAcross(const Slices& slices, const Taps& z, int threads, Progress& progress, LevelImage& level) {
+  const auto width = static_cast<std::size_t>(level.dims.x), perSlice = width * static_cast<std::size_t>(level.dims.y);
+  const bool weighted = !slices.weight.empty();
+  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+    for (int j = 0; j < level.dims.y; ++j) {
+      float* row = level.values.data() + level.rowOf(j, k);
+      float* rowWeight = weighted ? level.weights.data() + level.rowOf(j, k) : nullptr;
+      for (int n = 0; n < z.count; ++n) {
+        const float factor = z.weight[static_cast<std::size_t>(k * z.count + n)];
+        const std::size_t from =
+            static_cast<std::size_t>(z.first[static_cast<std::size_t>(k)] + n) * perSlice + static_cast<std::size_t>(j) * width;
+        addRow(factor, slices.sum.data() + from, level.dims.x, row);
+        if (weighted) addRow(factor, slices.weight.data() + from, level.dims.x, rowWeight);
+      }
+      if (!weighted) continue;
+      for (int i = 0; i < level.dims.x; ++i) {
+        // Less than a tenth known: the value would be one of a few voxels at its edge.
+        if (rowWeight[i] < 0.1F) {
+          rowWeight[i] = row[i] = 0.0F;
+        } else {
+          row[i] /= rowWeight[i];
+        }
+      }
+    }
+  });
+}
+
 /// Gaussian blur of a small block image along one axis, in place.
 void blur(std::vector<double>& image, const glm::ivec3& dims, int axis, double sigma) {
   const int n = dims[axis];
@@ -272,121 +391,20 @@ std::vector<std::uint8_t> beliefOf(const Input& input) {
 bool makeLevel(const Input& input, const std::vector<std::uint8_t>& belief, double voxel_mm, double window_mm, int threads,
                Progress& progress, LevelImage& level, const Beams* along) {
   const Volume& volume = *input.volume;
-  const Grid& grid = volume.grid;
-  std::array<Taps, 3> taps;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double spacing = grid.spacing_mm[axis];
-    const int in = grid.dims[axis];
-    const int out = voxel_mm < 1.3 * spacing ? in : std::clamp(static_cast<int>(std::lround(in * spacing / voxel_mm)), 1, in);
-    const double inPerOut = static_cast<double>(in) / out;
-    taps[static_cast<std::size_t>(axis)] = tapsOf(in, out, inPerOut, out == in ? 0.0 : 0.5 * (inPerOut - 1.0) + 0.3);
-    level.dims[axis] = out;
-    level.spacing_mm[axis] = spacing * inPerOut;
-    level.first_mm[axis] = 0.5 * (inPerOut - 1.0) * spacing;
-  }
-  level.stride = strideOf(level.dims.x);
+  const std::array<Taps, 3> taps = layOutLevel(volume.grid, voxel_mm, level);
   level.values.assign(level.floats(), 0.0F);
   level.weights.clear();
-  const bool weighted = !belief.empty();
-  const auto width = static_cast<std::size_t>(level.dims.x), perSlice = width * static_cast<std::size_t>(level.dims.y);
-  Slices slices;
-  const bool asItIs = level.dims == grid.dims;
-  if (weighted) level.weights.assign(level.floats(), 0.0F);
-  if (asItIs) {
-    if (!forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
-          for (int j = 0; j < grid.dims.y; ++j) {
-            const std::size_t in = grid.indexOf(0, j, k), out = level.rowOf(j, k);
-            for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
-            if (weighted) {
-              for (std::size_t i = 0; i < width; ++i) level.weights[out + i] = static_cast<float>(belief[in + i]) * (1.0F / 255.0F);
-            }
-          }
-        }))
-      return false;
+  if (!belief.empty()) level.weights.assign(level.floats(), 0.0F);
+  if (level.dims == volume.grid.dims) {
+    if (!copyVoxels(volume, belief, threads, progress, level)) return false;
   } else {
-    slices.sum.resize(perSlice * static_cast<std::size_t>(grid.dims.z));
-    if (weighted) slices.weight.resize(slices.sum.size());
-    if (!forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
-          std::vector<float> in(static_cast<std::size_t>(grid.dims.x)), row(width);
-          const auto resample = [&](const auto& source, std::vector<float>& into) {
-            float* slice = into.data() + static_cast<std::size_t>(k) * perSlice;
-            std::fill(slice, slice + perSlice, 0.0F);
-            const Taps& x = taps[0];
-            const Taps& y = taps[1];
-            // Rows of the input one after the other; each is a part of `count` rows of the output at most.
-            int from = 0;
-            for (int j = 0; j < grid.dims.y; ++j) {
-              while (from < level.dims.y && y.first[static_cast<std::size_t>(from)] + y.count <= j) ++from;
-              if (from == level.dims.y) break;
-              if (y.first[static_cast<std::size_t>(from)] > j) continue;
-              source(j, in.data());
-              if (x.count == 1) {
-                std::copy(in.begin(), in.end(), row.begin());
-              } else {
-                for (std::size_t i = 0; i < width; ++i) {
-                  const float* values = in.data() + x.first[i];
-                  const float* weight = x.weight.data() + i * static_cast<std::size_t>(x.count);
-                  float sum = 0.0F;
-                  for (int n = 0; n < x.count; ++n) sum += weight[n] * values[n];
-                  row[i] = sum;
-                }
-              }
-              for (int out = from; out < level.dims.y && y.first[static_cast<std::size_t>(out)] <= j; ++out) {
-                const int tap = j - y.first[static_cast<std::size_t>(out)];
-                if (tap >= y.count) continue;
-                addRow(y.weight[static_cast<std::size_t>(out * y.count + tap)], row.data(), level.dims.x,
-                       slice + static_cast<std::size_t>(out) * width);
-              }
-            }
-          };
-          resample(
-              [&](int j, float* into) {
-                const std::size_t at = grid.indexOf(0, j, k);
-                for (std::size_t i = 0; i < in.size(); ++i) into[i] = static_cast<float>(volume.echo[at + i]);
-                if (weighted) {
-                  for (std::size_t i = 0; i < in.size(); ++i) into[i] *= static_cast<float>(belief[at + i]) * (1.0F / 255.0F);
-                }
-              },
-              slices.sum);
-          if (weighted) {
-            resample(
-                [&](int j, float* into) {
-                  const std::size_t at = grid.indexOf(0, j, k);
-                  for (std::size_t i = 0; i < in.size(); ++i) into[i] = static_cast<float>(belief[at + i]) * (1.0F / 255.0F);
-                },
-                slices.weight);
-          }
-        }))
+    Slices slices;
+    if (!resampleInPlane(volume, belief, taps, level.dims, threads, progress, slices) ||
+        !resampleAcross(slices, taps[2], threads, progress, level))
       return false;
-    const Taps& z = taps[2];
-    if (!forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
-          for (int j = 0; j < level.dims.y; ++j) {
-            float* row = level.values.data() + level.rowOf(j, k);
-            float* rowWeight = weighted ? level.weights.data() + level.rowOf(j, k) : nullptr;
-            for (int n = 0; n < z.count; ++n) {
-              const float factor = z.weight[static_cast<std::size_t>(k * z.count + n)];
-              const std::size_t from =
-                  static_cast<std::size_t>(z.first[static_cast<std::size_t>(k)] + n) * perSlice + static_cast<std::size_t>(j) * width;
-              addRow(factor, slices.sum.data() + from, level.dims.x, row);
-              if (weighted) addRow(factor, slices.weight.data() + from, level.dims.x, rowWeight);
-            }
-            if (weighted) {
-              for (int i = 0; i < level.dims.x; ++i) {
-                // Less than half known: the value would be one of a few voxels at its edge.
-                if (rowWeight[i] < 0.1F) {
-                  rowWeight[i] = row[i] = 0.0F;
-                } else {
-                  row[i] /= rowWeight[i];
-                }
-              }
-            }
-          }
-        }))
-      return false;
-    slices = {};
   }
-  if (!normalise(grid, along, window_mm, threads, progress, level)) return false;
-  if (weighted) shrinkWeights(level);
+  if (!normalise(volume.grid, along, window_mm, threads, progress, level)) return false;
+  if (!belief.empty()) shrinkWeights(level);
   return true;
 }
 

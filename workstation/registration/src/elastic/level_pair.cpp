@@ -304,74 +304,106 @@ bool LevelPair::trustAgreement(double window_mm, double least, double power, Pro
   return believe(std::move(map), progress);
 }
 
+namespace {
+
+constexpr std::size_t kCellProducts = 27 * kProducts, kCellRight = 8 * 4, kCellMoments = kCellProducts + kCellRight;
+
+/// What rows of one line of cells (one y, one z of cells) add up to, sample by sample along x.
+struct LineScratch {
+  std::vector<float> floats;
+  RowSums rows;
+
+  /// @param width floats of a row; 0: no products are wanted
+  explicit LineScratch(std::size_t width) : floats((3 * kProducts + 8) * width, 0.0F) {
+    rows.products = floats.data();
+    rows.right = floats.data() + 3 * kProducts * width;
+    rows.stride = static_cast<int>(width);
+  }
+  void clear() { std::fill(floats.begin(), floats.end(), 0.0F); }
+};
+
+/// Adds one layer of samples to a cell's moments: its rows' sums between the cell's ends in x, spread over its ends in z.
+/// @param t the layer's place between the nodes below and above it
+void addToCell(const RowSums& rows, const float* along, int begin, int end, float t, float* cell) {
+  const float between[3] = {(1.0F - t) * (1.0F - t), t * (1.0F - t), t * t}, ends[2] = {1.0F - t, t};
+  float products[9 * kProducts], right[16];
+  gatherCell(rows, along, begin, end, products, right);
+  for (std::size_t xy = 0; xy < 9; ++xy) {
+    for (std::size_t z = 0; z < 3; ++z) {
+      for (std::size_t q = 0; q < kProducts; ++q) cell[(xy * 3 + z) * kProducts + q] += between[z] * products[xy * kProducts + q];
+    }
+  }
+  for (std::size_t xy = 0; xy < 4; ++xy) {
+    for (std::size_t z = 0; z < 2; ++z) {
+      for (std::size_t q = 0; q < 4; ++q) cell[kCellProducts + (xy * 2 + z) * 4 + q] += ends[z] * right[xy * 4 + q];
+    }
+  }
+}
+
+}  // namespace
+
+/// The row (j, k) of both images with its neighbours.
+void LevelPair::pointAt(int j, int k, RowPair& pair) const {
+  const glm::ivec3 dims = fixed_->dims;
+  const std::size_t at = fixed_->rowOf(j, k);
+  const int above = std::max(j - 1, 0), below = std::min(j + 1, dims.y - 1), before = std::max(k - 1, 0),
+            behind = std::min(k + 1, dims.z - 1);
+  const std::array<std::size_t, 4> near{fixed_->rowOf(above, k), fixed_->rowOf(below, k), fixed_->rowOf(j, before),
+                                        fixed_->rowOf(j, behind)};
+  pair.fixed = fixed_->values.data() + at;
+  pair.moved = moved_.data() + at;
+  for (std::size_t n = 0; n < 4; ++n) {
+    pair.fixedNear[n] = fixed_->values.data() + near[n];
+    pair.movedNear[n] = moved_.data() + near[n];
+  }
+  pair.fixedWeights = fixed_->weights.empty() ? nullptr : fixed_->weights.data() + at;
+  pair.movedWeights = movedWeights_.data() + at;
+  pair.slope[0] = dims.x > 1 ? static_cast<float>(0.5 / fixed_->spacing_mm.x) : 0.0F;
+  pair.slope[1] = below > above ? static_cast<float>(1.0 / ((below - above) * fixed_->spacing_mm.y)) : 0.0F;
+  pair.slope[2] = behind > before ? static_cast<float>(1.0 / ((behind - before) * fixed_->spacing_mm.z)) : 0.0F;
+  pair.share = share_[1][static_cast<std::size_t>(j)];
+}
+
+/// One line of cells. A sample adds the products of its gradient to the 8 x 8 couplings of its cell's nodes, each weighted by two of the
+/// trilinear weights. Those are products over the axes, so that samples are first summed along y in each column (accumulateRow), then along
+/// x in each cell (gatherCell), then along z: 27 sums of 10 products a cell instead of 64 blocks a sample. addCell unfolds them.
+/// resources/docs/registration.md, "Elastic, three-dimensional".
+/// @param moments of the line's cells; null: sums alone
+void LevelPair::sumLine(std::size_t cy, std::size_t cz, const CostOptions& options, float* moments, std::array<double, kSums>& part) const {
+  LineScratch scratch(moments != nullptr ? static_cast<std::size_t>(fixed_->stride) + kOverrun : 0);
+  RowPair pair;
+  pair.count = fixed_->dims.x;
+  pair.perScale2 = static_cast<float>(1.0 / (options.scale * options.scale));
+  pair.ofFixed = static_cast<float>(options.ofFixed);
+  for (int k = begin_[2][cz]; k < begin_[2][cz + 1]; ++k) {
+    scratch.clear();
+    Sums rowSums{};
+    for (int j = begin_[1][cy]; j < begin_[1][cy + 1]; ++j) {
+      pointAt(j, k, pair);
+      if (moments != nullptr) {
+        accumulateRow(pair, scratch.rows, rowSums);
+      } else {
+        sumRow(pair, rowSums);
+      }
+    }
+    for (std::size_t s = 0; s < kSums; ++s) part[s] += static_cast<double>(rowSums[s]);
+    if (moments == nullptr) continue;
+    for (std::size_t cx = 0; cx + 1 < begin_[0].size(); ++cx)
+      addToCell(scratch.rows, along_.data(), begin_[0][cx], begin_[0][cx + 1], share_[2][static_cast<std::size_t>(k)],
+                moments + kCellMoments * cx);
+  }
+}
+
 bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSums& sums, Progress& progress) const {
-  const glm::ivec3 dims = fixed_->dims, cells = nodes_.cells();
+  const glm::ivec3 cells = nodes_.cells();
   const int tasks = cells.y * cells.z;
-  constexpr std::size_t kCellProducts = 27 * kProducts, kCellRight = 8 * 4, kCell = kCellProducts + kCellRight;
   const auto cellsAlong = static_cast<std::size_t>(cells.x);
-  std::vector<float> moments(system != nullptr ? kCell * cellsAlong * static_cast<std::size_t>(tasks) : 0, 0.0F);
+  std::vector<float> moments(system != nullptr ? kCellMoments * cellsAlong * static_cast<std::size_t>(tasks) : 0, 0.0F);
   std::vector<std::array<double, kSums>> parts(static_cast<std::size_t>(tasks));
   if (!forEachTask(tasks, threads_, progress, "Registering", [&](int task) {
-        const auto cy = static_cast<std::size_t>(task % cells.y), cz = static_cast<std::size_t>(task / cells.y);
-        const int stride = fixed_->stride + static_cast<int>(kOverrun);
-        RowSums rows;
-        std::vector<float> scratch;
-        if (system != nullptr) scratch.resize((3 * kProducts + 8) * static_cast<std::size_t>(stride));
-        rows.products = scratch.data();
-        rows.right = scratch.data() + 3 * kProducts * static_cast<std::size_t>(stride);
-        rows.stride = stride;
-        RowPair pair;
-        pair.count = dims.x;
-        pair.perScale2 = static_cast<float>(1.0 / (options.scale * options.scale));
-        pair.ofFixed = static_cast<float>(options.ofFixed);
-        auto& part = parts[static_cast<std::size_t>(task)];
-        for (int k = begin_[2][cz]; k < begin_[2][cz + 1]; ++k) {
-          std::fill(scratch.begin(), scratch.end(), 0.0F);
-          Sums rowSums{};
-          for (int j = begin_[1][cy]; j < begin_[1][cy + 1]; ++j) {
-            const std::size_t at = fixed_->rowOf(j, k);
-            const int above = std::max(j - 1, 0), below = std::min(j + 1, dims.y - 1), before = std::max(k - 1, 0),
-                      behind = std::min(k + 1, dims.z - 1);
-            const std::array<std::size_t, 4> near{fixed_->rowOf(above, k), fixed_->rowOf(below, k), fixed_->rowOf(j, before),
-                                                  fixed_->rowOf(j, behind)};
-            pair.fixed = fixed_->values.data() + at;
-            pair.moved = moved_.data() + at;
-            for (std::size_t n = 0; n < 4; ++n) {
-              pair.fixedNear[n] = fixed_->values.data() + near[n];
-              pair.movedNear[n] = moved_.data() + near[n];
-            }
-            pair.fixedWeights = fixed_->weights.empty() ? nullptr : fixed_->weights.data() + at;
-            pair.movedWeights = movedWeights_.data() + at;
-            pair.slope[0] = dims.x > 1 ? static_cast<float>(0.5 / fixed_->spacing_mm.x) : 0.0F;
-            pair.slope[1] = below > above ? static_cast<float>(1.0 / ((below - above) * fixed_->spacing_mm.y)) : 0.0F;
-            pair.slope[2] = behind > before ? static_cast<float>(1.0 / ((behind - before) * fixed_->spacing_mm.z)) : 0.0F;
-            pair.share = share_[1][static_cast<std::size_t>(j)];
-            if (system != nullptr) {
-              accumulateRow(pair, rows, rowSums);
-            } else {
-              sumRow(pair, rowSums);
-            }
-          }
-          for (std::size_t s = 0; s < kSums; ++s) part[s] += static_cast<double>(rowSums[s]);
-          if (system == nullptr) continue;
-          const float t = share_[2][static_cast<std::size_t>(k)];
-          const float between[3] = {(1.0F - t) * (1.0F - t), t * (1.0F - t), t * t}, ends[2] = {1.0F - t, t};
-          for (std::size_t cx = 0; cx < cellsAlong; ++cx) {
-            float products[9 * kProducts], right[16];
-            gatherCell(rows, along_.data(), begin_[0][cx], begin_[0][cx + 1], products, right);
-            float* cell = moments.data() + kCell * (static_cast<std::size_t>(task) * cellsAlong + cx);
-            for (std::size_t xy = 0; xy < 9; ++xy) {
-              for (std::size_t z = 0; z < 3; ++z) {
-                for (std::size_t q = 0; q < kProducts; ++q) cell[(xy * 3 + z) * kProducts + q] += between[z] * products[xy * kProducts + q];
-              }
-            }
-            for (std::size_t xy = 0; xy < 4; ++xy) {
-              for (std::size_t z = 0; z < 2; ++z) {
-                for (std::size_t q = 0; q < 4; ++q) cell[kCellProducts + (xy * 2 + z) * 4 + q] += ends[z] * right[xy * 4 + q];
-              }
-            }
-          }
-        }
+        const auto line = static_cast<std::size_t>(task);
+        sumLine(static_cast<std::size_t>(task % cells.y), static_cast<std::size_t>(task / cells.y), options,
+                system != nullptr ? moments.data() + kCellMoments * cellsAlong * line : nullptr, parts[line]);
       }))
     return false;
   sums = {};
@@ -388,7 +420,7 @@ bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSum
           for (int y = 0; y < cells.y; ++y) {
             for (int x = 0; x < cells.x; ++x) {
               const auto at = static_cast<std::size_t>(z * cells.y + y) * cellsAlong + static_cast<std::size_t>(x);
-              const float* cell = moments.data() + kCell * at;
+              const float* cell = moments.data() + kCellMoments * at;
               system->addCell({x, y, z}, cell, cell + kCellProducts, scale);
             }
           }

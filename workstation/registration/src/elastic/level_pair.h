@@ -64,6 +64,8 @@ class LevelPair {
  private:
   /// Makes samples count by `map` too, those of the last warp included.
   [[nodiscard]] bool believe(BlockMap map, Progress& progress);
+  void pointAt(int j, int k, RowPair& pair) const;
+  void sumLine(std::size_t cy, std::size_t cz, const CostOptions& options, float* moments, std::array<double, kSums>& part) const;
   [[nodiscard]] glm::dvec3 displacementAt(const NodeValues& values, const glm::dvec3& sample) const;  // mm, at a fixed sample
 
   const LevelImage* fixed_;

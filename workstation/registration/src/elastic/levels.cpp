@@ -13,6 +13,9 @@ namespace {
 /// For r of a normal distribution and c = 3 deviations: variance over the robustly weighted mean of r^2.
 constexpr double kRobustBias = 1.38;
 
+/// The last iteration in which noise and stiffness are measured: after it the energy is one, so that steps can be compared.
+constexpr int kMeasured = 2;
+
 double priorEnergy(const NodeGrid& grid, const Prior& prior, const NodeValues& values) {
   NodeValues stiff;
   applyPrior(grid, prior, values, stiff);
@@ -203,121 +206,213 @@ bool unfold(const NodeGrid& nodes, double least, NodeValues& values) {
   return allAbove(nodes, values, least);
 }
 
+namespace {
+
+/// Gauss-Newton on one level. resources/docs/registration.md, "Elastic, three-dimensional", says what its energy is and why.
+class LevelDescent {
+ public:
+  LevelDescent(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, Placed placed,
+               const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
+               Progress& progress);
+  [[nodiscard]] LevelOutcome run();
+
+ private:
+  enum class Next {
+    iterate,
+    finish,
+    giveUp  ///< without a field worth finishing: cancelled, or nothing to go by
+  };
+
+  [[nodiscard]] Next iterate(int iteration);
+  [[nodiscard]] bool compare(int iteration, PairSums& sums);
+  void measure(int iteration, const PairSums& sums);
+  [[nodiscard]] Next takeHalfTheStep();
+  void followEvidence();
+  [[nodiscard]] Next takeStep();
+  void finish();
+  [[nodiscard]] Next cancelled();
+
+  const LevelImage& fixed_;
+  int iterations_;
+  Placed placed_;
+  const ElasticSettings& settings_;
+  const std::function<bool()>& outOfTime_;
+  ElasticState& state_;
+  Progress& progress_;
+  QuietProgress quiet_;
+  LevelPair pair_;
+  double sampleVolume_;
+  double finest_;
+  double coarsest_;
+  CostOptions cost_;
+  double referenceWeight_ = 0.0;  ///< of the first iteration: what leaves the overlap must not make the energy smaller
+  double dataWeight_ = 0.0;
+  double lastEnergy_ = std::numeric_limits<double>::infinity();
+  NodeValues lastValues_;
+  NodeValues step_;
+  NodeValues gradient_;
+  Prior prior_;
+  NodeSystem system_;
+  NodeSystem evidence_;  ///< the system that was solved last
+  bool evident_ = false;
+  double stepScale_ = 1.0;
+  int halvings_ = 0;
+  LevelOutcome outcome_;
+};
+
+LevelDescent::LevelDescent(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, Placed placed,
+                           const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
+                           Progress& progress)
+    : fixed_(fixed),
+      iterations_(iterations),
+      placed_(placed),
+      settings_(settings),
+      outOfTime_(outOfTime),
+      state_(state),
+      progress_(progress),
+      quiet_(progress),
+      pair_(fixed, moving, transform, state.nodes, threads),
+      sampleVolume_(fixed.spacing_mm.x * fixed.spacing_mm.y * fixed.spacing_mm.z),
+      finest_(std::min({fixed.dims.x > 1 ? fixed.spacing_mm.x : 1e9, fixed.dims.y > 1 ? fixed.spacing_mm.y : 1e9,
+                        fixed.dims.z > 1 ? fixed.spacing_mm.z : 1e9})),
+      coarsest_(std::max({fixed.spacing_mm.x, fixed.spacing_mm.y, fixed.spacing_mm.z})),
+      step_(state.values.size()),
+      prior_(scaled(settings.prior, state.stiffness)),
+      system_(state.nodes),
+      evidence_(state.nodes) {
+  cost_.scale = settings.robust * std::sqrt(state.noise);
+  cost_.leastCommon = settings.leastCommon;
+}
+
+LevelOutcome LevelDescent::run() {
+  for (int iteration = 0; iteration <= iterations_; ++iteration) {
+    progress_.report("Registering", static_cast<double>(iteration) / (iterations_ + 1));
+    const Next next = iterate(iteration);
+    if (next == Next::giveUp) return std::move(outcome_);
+    if (next == Next::finish) break;
+  }
+  finish();
+  return std::move(outcome_);
+}
+
+LevelDescent::Next LevelDescent::iterate(int iteration) {
+  PairSums sums;
+  if (!compare(iteration, sums)) return cancelled();
+  if (!(sums.weight() > 0.0)) {
+    outcome_.noOverlap = true;
+    return Next::giveUp;
+  }
+  measure(iteration, sums);
+  const double energy = 0.5 * dataWeight_ * referenceWeight_ * sums.meanCost() + priorEnergy(state_.nodes, prior_, state_.values);
+  if (iteration > 3 && energy > lastEnergy_ * (1.0 + 1e-6)) return takeHalfTheStep();
+  if (iteration == iterations_) return Next::finish;
+  if (iteration > 3 && lastEnergy_ - energy < settings_.converged) return Next::finish;
+  halvings_ = 0;
+  stepScale_ = 1.0;
+  lastEnergy_ = energy;
+  lastValues_ = state_.values;
+  if (outOfTime_()) {
+    outcome_.timeUp = true;
+    return Next::finish;
+  }
+  // Rounding alone gives the gradients some energy; structure of a hundredth of the window's deviation has a thousand times that.
+  if (sums.at[12] < 1e-6 * sums.at[13]) {
+    outcome_.singular = true;
+    return Next::giveUp;
+  }
+  if (settings_.measureStiffness && iteration > 0 && iteration <= kMeasured) followEvidence();
+  return takeStep();
+}
+
+/// The moving image as the field has it now, against the fixed one; in the last iteration only sums are wanted.
+/// @return false when cancelled
+bool LevelDescent::compare(int iteration, PairSums& sums) {
+  if (!pair_.warp(state_.values, quiet_)) return false;
+  if (iteration == 0 && placed_ == Placed::closely && !pair_.doubtShadows(state_.values, quiet_)) return false;
+  if (iteration == 0 && placed_ != Placed::roughly && settings_.trustWindow_mm > 0.0 &&
+      !pair_.trustAgreement(settings_.trustWindow_mm, settings_.trustLeast, settings_.trustPower, quiet_))
+    return false;
+  system_.clear();
+  return pair_.assemble(cost_, iteration == iterations_ ? nullptr : &system_, sums, quiet_);
+}
+
+void LevelDescent::measure(int iteration, const PairSums& sums) {
+  if (iteration == 0) {
+    outcome_.correlationBefore = sums.correlation();
+    referenceWeight_ = sums.weight();
+  }
+  outcome_.correlationAfter = sums.correlation();
+  if (iteration > kMeasured || iteration == iterations_) return;
+  if (sums.at[13] > 0.0) state_.noise = std::max(1e-4, kRobustBias * sums.at[14] / sums.at[13]);
+  state_.independent_mm3 = sums.residualVolume(fixed_.dims) * sampleVolume_;
+  dataWeight_ = settings_.evidence * sampleVolume_ / (state_.noise * state_.independent_mm3);
+}
+
+/// The last step went too far.
+LevelDescent::Next LevelDescent::takeHalfTheStep() {
+  if (++halvings_ > 2) {
+    state_.values = lastValues_;
+    return Next::finish;
+  }
+  stepScale_ *= 0.5;
+  for (std::size_t n = 0; n < step_.size(); ++n) state_.values[n] = lastValues_[n] + static_cast<float>(stepScale_) * step_[n];
+  if (!unfold(state_.nodes, settings_.leastJacobian, state_.values)) state_.values = lastValues_;
+  return Next::iterate;
+}
+
+/// The stiffness under which the field found is as bent as the images' part of it should be.
+void LevelDescent::followEvidence() {
+  const double bent = 2.0 * priorEnergy(state_.nodes, {settings_.prior.membrane, settings_.prior.bending, 0.0, 0.0}, state_.values);
+  outcome_.decided = decidedByData(system_, dataWeight_, prior_, settings_.solveTolerance, settings_.solveIterations);
+  if (bent > 0.0 && outcome_.decided > 1.0) state_.stiffness = std::clamp(std::sqrt(state_.stiffness * outcome_.decided / bent), 0.1, 30.0);
+  prior_ = scaled(settings_.prior, state_.stiffness);
+}
+
+LevelDescent::Next LevelDescent::takeStep() {
+  applyPrior(state_.nodes, prior_, state_.values, gradient_);
+  for (std::size_t n = 0; n < gradient_.size(); ++n) gradient_[n] = static_cast<float>(dataWeight_) * system_.right[n] - gradient_[n];
+  const Solution solution = solve(system_, dataWeight_, prior_, gradient_, settings_.solveTolerance, settings_.solveIterations);
+  if (solution.singular) {
+    outcome_.singular = true;
+    return Next::finish;
+  }
+  step_ = solution.values;
+  std::swap(evidence_, system_);
+  evident_ = true;
+  double longest = 0.0;
+  for (std::size_t n = 0; n < step_.size(); n += 4)
+    longest = std::max(longest, static_cast<double>(step_[n] * step_[n] + step_[n + 1] * step_[n + 1] + step_[n + 2] * step_[n + 2]));
+  longest = std::sqrt(longest);
+  const double limit = settings_.longestStep_voxels * coarsest_;
+  if (longest > limit) {
+    for (float& s : step_) s *= static_cast<float>(limit / longest);
+  }
+  for (std::size_t n = 0; n < step_.size(); ++n) state_.values[n] += step_[n];
+  // Half of a step may fold where neither the whole one nor none does, so every candidate is looked at.
+  if (!unfold(state_.nodes, settings_.leastJacobian, state_.values)) state_.values = lastValues_;
+  for (std::size_t n = 0; n < step_.size(); ++n) step_[n] = state_.values[n] - lastValues_[n];
+  ++outcome_.iterations;
+  return longest < 0.01 * finest_ ? Next::finish : Next::iterate;
+}
+
+void LevelDescent::finish() {
+  if (evident_) outcome_.uncertainty = uncertaintyOf(evidence_, dataWeight_, prior_);
+  const double correlation = std::clamp(outcome_.correlationAfter, 0.0, 0.999);
+  outcome_.worth = -0.5 * referenceWeight_ * sampleVolume_ / state_.independent_mm3 * std::log(1.0 - correlation * correlation) -
+                   priorEnergy(state_.nodes, settings_.prior, state_.values);
+}
+
+LevelDescent::Next LevelDescent::cancelled() {
+  outcome_.cancelled = true;
+  return Next::giveUp;
+}
+
+}  // namespace
+
 LevelOutcome refineLevel(const LevelImage& fixed, const LevelImage& moving, const AxesTransform& transform, int iterations, Placed placed,
                          const ElasticSettings& settings, int threads, const std::function<bool()>& outOfTime, ElasticState& state,
                          Progress& progress) {
-  LevelOutcome outcome;
-  QuietProgress quiet(progress);
-  LevelPair pair(fixed, moving, transform, state.nodes, threads);
-  const double sampleVolume = fixed.spacing_mm.x * fixed.spacing_mm.y * fixed.spacing_mm.z;
-  const double finest = std::min({fixed.dims.x > 1 ? fixed.spacing_mm.x : 1e9, fixed.dims.y > 1 ? fixed.spacing_mm.y : 1e9,
-                                  fixed.dims.z > 1 ? fixed.spacing_mm.z : 1e9});
-  const double coarsest = std::max({fixed.spacing_mm.x, fixed.spacing_mm.y, fixed.spacing_mm.z});
-  const auto cancelled = [&] {
-    outcome.cancelled = true;
-    return outcome;
-  };
-  CostOptions cost;
-  cost.scale = settings.robust * std::sqrt(state.noise);
-  cost.leastCommon = settings.leastCommon;
-  double referenceWeight = 0.0, dataWeight = 0.0, lastEnergy = std::numeric_limits<double>::infinity();
-  NodeValues lastValues, step(state.values.size()), gradient;
-  Prior prior = scaled(settings.prior, state.stiffness);
-  NodeSystem system(state.nodes), evidence(state.nodes);
-  bool evident = false;
-  double stepScale = 1.0;
-  int halvings = 0;
-  for (int iteration = 0; iteration <= iterations; ++iteration) {
-    progress.report("Registering", static_cast<double>(iteration) / (iterations + 1));
-    if (!pair.warp(state.values, quiet)) return cancelled();
-    if (iteration == 0 && placed == Placed::closely && !pair.doubtShadows(state.values, quiet)) return cancelled();
-    if (iteration == 0 && placed != Placed::roughly && settings.trustWindow_mm > 0.0 &&
-        !pair.trustAgreement(settings.trustWindow_mm, settings.trustLeast, settings.trustPower, quiet))
-      return cancelled();
-    system.clear();
-    PairSums sums;
-    const bool last = iteration == iterations;
-    if (!pair.assemble(cost, last ? nullptr : &system, sums, quiet)) return cancelled();
-    if (!(sums.weight() > 0.0)) {
-      outcome.noOverlap = true;
-      return outcome;
-    }
-    if (iteration == 0) {
-      outcome.correlationBefore = sums.correlation();
-      referenceWeight = sums.weight();
-    }
-    outcome.correlationAfter = sums.correlation();
-    const bool frozen = iteration > 2;
-    if (!frozen && !last) {
-      if (sums.at[13] > 0.0) state.noise = std::max(1e-4, kRobustBias * sums.at[14] / sums.at[13]);
-      state.independent_mm3 = sums.residualVolume(fixed.dims) * sampleVolume;
-      dataWeight = settings.evidence * sampleVolume / (state.noise * state.independent_mm3);
-    }
-    const double energy = 0.5 * dataWeight * referenceWeight * sums.meanCost() + priorEnergy(state.nodes, prior, state.values);
-
-    if (iteration > 3 && energy > lastEnergy * (1.0 + 1e-6)) {
-      // The step went too far.
-      if (++halvings > 2) {
-        state.values = lastValues;
-        break;
-      }
-      stepScale *= 0.5;
-      for (std::size_t n = 0; n < step.size(); ++n) state.values[n] = lastValues[n] + static_cast<float>(stepScale) * step[n];
-      if (!unfold(state.nodes, settings.leastJacobian, state.values)) state.values = lastValues;
-      continue;
-    }
-    if (last) break;
-    if (iteration > 3 && lastEnergy - energy < settings.converged) break;
-    halvings = 0;
-    stepScale = 1.0;
-    lastEnergy = energy;
-    lastValues = state.values;
-    if (outOfTime()) {
-      outcome.timeUp = true;
-      break;
-    }
-    // Rounding alone gives the gradients some energy; structure of a hundredth of the window's deviation has a thousand times that.
-    if (sums.at[12] < 1e-6 * sums.at[13]) {
-      outcome.singular = true;
-      return outcome;
-    }
-    if (settings.measureStiffness && !frozen && iteration > 0) {
-      // Evidence: the stiffness under which the field found is as bent as the images' part of it should be.
-      const double bent = 2.0 * priorEnergy(state.nodes, {settings.prior.membrane, settings.prior.bending, 0.0, 0.0}, state.values);
-      outcome.decided = decidedByData(system, dataWeight, prior, settings.solveTolerance, settings.solveIterations);
-      if (bent > 0.0 && outcome.decided > 1.0) state.stiffness = std::clamp(std::sqrt(state.stiffness * outcome.decided / bent), 0.1, 30.0);
-      prior = scaled(settings.prior, state.stiffness);
-    }
-    applyPrior(state.nodes, prior, state.values, gradient);
-    for (std::size_t n = 0; n < gradient.size(); ++n) gradient[n] = static_cast<float>(dataWeight) * system.right[n] - gradient[n];
-    const Solution solution = solve(system, dataWeight, prior, gradient, settings.solveTolerance, settings.solveIterations);
-    if (solution.singular) {
-      outcome.singular = true;
-      break;
-    }
-    step = solution.values;
-    std::swap(evidence, system);
-    evident = true;
-    double longest = 0.0;
-    for (std::size_t n = 0; n < step.size(); n += 4)
-      longest = std::max(longest, static_cast<double>(step[n] * step[n] + step[n + 1] * step[n + 1] + step[n + 2] * step[n + 2]));
-    longest = std::sqrt(longest);
-    const double limit = settings.longestStep_voxels * coarsest;
-    if (longest > limit) {
-      for (float& s : step) s *= static_cast<float>(limit / longest);
-    }
-    for (std::size_t n = 0; n < step.size(); ++n) state.values[n] += step[n];
-    // Half of a step may fold where neither the whole one nor none does, so every candidate is looked at.
-    if (!unfold(state.nodes, settings.leastJacobian, state.values)) state.values = lastValues;
-    for (std::size_t n = 0; n < step.size(); ++n) step[n] = state.values[n] - lastValues[n];
-    ++outcome.iterations;
-    if (longest < 0.01 * finest) break;
-  }
-  if (evident) outcome.uncertainty = uncertaintyOf(evidence, dataWeight, prior);
-  const double correlation = std::clamp(outcome.correlationAfter, 0.0, 0.999);
-  outcome.worth = -0.5 * referenceWeight * sampleVolume / state.independent_mm3 * std::log(1.0 - correlation * correlation) -
-                  priorEnergy(state.nodes, settings.prior, state.values);
-  return outcome;
+  return LevelDescent(fixed, moving, transform, iterations, placed, settings, threads, outOfTime, state, progress).run();
 }
 
 }  // namespace ew::registration

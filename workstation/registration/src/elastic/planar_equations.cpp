@@ -23,6 +23,7 @@ struct PlanarRowSums {
   std::array<std::array<float, kPadded>, kNumbers> pairs{};
   std::array<std::array<float, 4>, 3> right{};
 };
+/// And over all samples of the cell.
 struct CellSums {
   std::array<std::array<std::array<float, kPadded>, kPairs>, kNumbers> pairs{};
   std::array<std::array<std::array<float, 4>, 4>, 3> right{};
@@ -40,6 +41,111 @@ void sumOver(const float* pairs, const float* values, int begin, int end, float*
   for (int k = 0; k < width; ++k) out[k] = sum[static_cast<std::size_t>(k)];
 }
 
+/// The weights of an axis with those of a sample side by side, as sums over samples want them.
+struct SideBySide {
+  std::vector<float> pairs;    // kPadded a sample
+  std::vector<float> weights;  // 4 a sample
+
+  explicit SideBySide(const SplineAxis& x)
+      : pairs(static_cast<std::size_t>(x.samples) * kPadded, 0.0F), weights(static_cast<std::size_t>(x.samples) * 4) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(x.samples); ++n) {
+      for (std::size_t p = 0; p < kPairs; ++p) pairs[n * kPadded + p] = x.pair[p][n];
+      for (std::size_t a = 0; a < 4; ++a) weights[n * 4 + a] = x.weight[a][n];
+    }
+  }
+};
+
+/// Of one row of samples, weighted: products of gradient and 1 (xx xy yy xb yb bb), then these times the residual (x y b).
+struct RowProducts {
+  std::size_t width;
+  std::vector<float> values;
+
+  explicit RowProducts(std::size_t samples) : width(samples), values(samples * 9) {}
+  [[nodiscard]] float* list(std::size_t k) { return values.data() + k * width; }
+  void fill(const Linearised& data, std::size_t start, float area) {
+    const float *gx = data.gradientX.data() + start, *gy = data.gradientY.data() + start;
+    const float *r = data.residual.data() + start, *w = data.weight.data() + start;
+    float *xx = list(0), *xy = list(1), *yy = list(2), *xb = list(3), *yb = list(4), *bb = list(5), *xr = list(6), *yr = list(7),
+          *br = list(8);
+    for (std::size_t n = 0; n < width; ++n) {
+      const float weight = w[n] * area, ax = weight * gx[n], ay = weight * gy[n];
+      xx[n] = ax * gx[n];
+      xy[n] = ax * gy[n];
+      yy[n] = ay * gy[n];
+      xb[n] = ax;
+      yb[n] = ay;
+      bb[n] = weight;
+      xr[n] = ax * r[n];
+      yr[n] = ay * r[n];
+      br[n] = weight * r[n];
+    }
+  }
+};
+
+/// The weights of one row of samples along y.
+struct RowWeights {
+  std::array<float, 4> single{};
+  std::array<float, kPairs> pair{};
+
+  RowWeights(const SplineAxis& y, std::size_t sample) {
+    for (std::size_t a = 0; a < 4; ++a) single[a] = y.weight[a][sample];
+    for (std::size_t p = 0; p < kPairs; ++p) pair[p] = y.pair[p][sample];
+  }
+};
+
+/// Adds one row's part of a cell: its sums along x, spread over the row's weights along y.
+void addRowTo(CellSums& cell, const PlanarRowSums& row, const RowWeights& across, std::size_t numbers, std::size_t rights) {
+  for (std::size_t k = 0; k < numbers; ++k)
+    for (std::size_t p = 0; p < kPairs; ++p)
+      for (std::size_t q = 0; q < kPadded; ++q) cell.pairs[k][p][q] += across.pair[p] * row.pairs[k][q];
+  for (std::size_t k = 0; k < rights; ++k)
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = 0; b < 4; ++b) cell.right[k][a][b] += across.single[a] * row.right[k][b];
+}
+
+/// The cells of one row of cells, each over its own samples alone: splines are products of one in x and one in y, so that a cell's 16 x 16
+/// couplings are sums of 10 x 10 products of pairs.
+std::vector<CellSums> sumsOfCells(const Linearised& data, const SplineAxis& x, const SplineAxis& y, const SideBySide& along, int cellY,
+                                  bool withBrightness) {
+  const std::size_t numbers = withBrightness ? kNumbers : 3, rights = withBrightness ? 3 : 2;
+  const float area = static_cast<float>(x.sample_mm * y.sample_mm);
+  std::vector<CellSums> cells(static_cast<std::size_t>(x.cells));
+  RowProducts products(static_cast<std::size_t>(x.samples));
+  for (int sy = y.cellBegin[static_cast<std::size_t>(cellY)]; sy < y.cellBegin[static_cast<std::size_t>(cellY) + 1]; ++sy) {
+    products.fill(data, static_cast<std::size_t>(sy) * products.width, area);
+    const RowWeights across(y, static_cast<std::size_t>(sy));
+    for (int cellX = 0; cellX < x.cells; ++cellX) {
+      const int begin = x.cellBegin[static_cast<std::size_t>(cellX)], end = x.cellBegin[static_cast<std::size_t>(cellX) + 1];
+      PlanarRowSums row;
+      for (std::size_t k = 0; k < numbers; ++k) sumOver<kPadded>(along.pairs.data(), products.list(k), begin, end, row.pairs[k].data());
+      for (std::size_t k = 0; k < rights; ++k) sumOver<4>(along.weights.data(), products.list(6 + k), begin, end, row.right[k].data());
+      addRowTo(cells[static_cast<std::size_t>(cellX)], row, across, numbers, rights);
+    }
+  }
+  return cells;
+}
+
+/// Gives a cell's sums to the nodes of its 4 x 4 splines.
+/// @param nodesAlong x
+void addCell(const CellSums& cell, int cellX, int cellY, int nodesAlong, std::vector<float>& coupling, std::vector<float>& right) {
+  for (int a = 0; a < 4; ++a) {
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t node =
+          static_cast<std::size_t>(cellY + a) * static_cast<std::size_t>(nodesAlong) + static_cast<std::size_t>(cellX + i);
+      for (std::size_t k = 0; k < kNumbers; ++k) {
+        float* to = coupling.data() + (node * kNumbers + k) * kAround;
+        for (int b = 0; b < 4; ++b) {
+          const auto& from = cell.pairs[k][static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)])];
+          float* line = to + (b - a + 3) * kLine + 3 - i;
+          for (int j = 0; j < 4; ++j)
+            line[j] += from[static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)])];
+        }
+      }
+      for (std::size_t k = 0; k < 3; ++k) right[node * 3 + k] += cell.right[k][static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
+    }
+  }
+}
+
 }  // namespace
 
 PlanarEquations::PlanarEquations(const SplineAxis& x, const SplineAxis& y, bool withBrightness)
@@ -53,82 +159,18 @@ PlanarEquations::PlanarEquations(const SplineAxis& x, const SplineAxis& y, bool 
 bool PlanarEquations::assemble(const Linearised& data, int threads, Progress& progress) {
   std::fill(coupling_.begin(), coupling_.end(), 0.0F);
   std::fill(right_.begin(), right_.end(), 0.0F);
-  const std::size_t width = static_cast<std::size_t>(x_.samples);
-  // The weights of a sample side by side, as the sums want them.
-  std::vector<float> pairs(width * kPadded, 0.0F), weights(width * 4);
-  for (std::size_t n = 0; n < width; ++n) {
-    for (std::size_t p = 0; p < kPairs; ++p) pairs[n * kPadded + p] = x_.pair[p][n];
-    for (std::size_t a = 0; a < 4; ++a) weights[n * 4 + a] = x_.weight[a][n];
-  }
-  const float area = static_cast<float>(x_.sample_mm * y_.sample_mm);
-
-  const auto addCells = [&](int cellY) {
-    std::vector<CellSums> cells(static_cast<std::size_t>(x_.cells));
-    std::vector<float> product(width * 9);
-    const auto list = [&](std::size_t k) { return product.data() + k * width; };
-    for (int sy = y_.cellBegin[static_cast<std::size_t>(cellY)]; sy < y_.cellBegin[static_cast<std::size_t>(cellY) + 1]; ++sy) {
-      const std::size_t start = static_cast<std::size_t>(sy) * width;
-      const float *gx = data.gradientX.data() + start, *gy = data.gradientY.data() + start;
-      const float *r = data.residual.data() + start, *w = data.weight.data() + start;
-      float *xx = list(0), *xy = list(1), *yy = list(2), *xb = list(3), *yb = list(4), *bb = list(5), *xr = list(6), *yr = list(7),
-            *br = list(8);
-      for (std::size_t n = 0; n < width; ++n) {
-        const float weight = w[n] * area, ax = weight * gx[n], ay = weight * gy[n];
-        xx[n] = ax * gx[n];
-        xy[n] = ax * gy[n];
-        yy[n] = ay * gy[n];
-        xb[n] = ax;
-        yb[n] = ay;
-        bb[n] = weight;
-        xr[n] = ax * r[n];
-        yr[n] = ay * r[n];
-        br[n] = weight * r[n];
-      }
-      std::array<float, 4> wy{};
-      std::array<float, kPairs> pairY{};
-      for (std::size_t a = 0; a < 4; ++a) wy[a] = y_.weight[a][static_cast<std::size_t>(sy)];
-      for (std::size_t p = 0; p < kPairs; ++p) pairY[p] = y_.pair[p][static_cast<std::size_t>(sy)];
-      const std::size_t numbers = withBrightness_ ? kNumbers : 3, rights = withBrightness_ ? 3 : 2;
-      for (int cellX = 0; cellX < x_.cells; ++cellX) {
-        const int begin = x_.cellBegin[static_cast<std::size_t>(cellX)], end = x_.cellBegin[static_cast<std::size_t>(cellX) + 1];
-        PlanarRowSums row;
-        for (std::size_t k = 0; k < numbers; ++k) sumOver<kPadded>(pairs.data(), list(k), begin, end, row.pairs[k].data());
-        for (std::size_t k = 0; k < rights; ++k) sumOver<4>(weights.data(), list(6 + k), begin, end, row.right[k].data());
-        CellSums& cell = cells[static_cast<std::size_t>(cellX)];
-        for (std::size_t k = 0; k < numbers; ++k)
-          for (std::size_t p = 0; p < kPairs; ++p)
-            for (std::size_t q = 0; q < kPadded; ++q) cell.pairs[k][p][q] += pairY[p] * row.pairs[k][q];
-        for (std::size_t k = 0; k < rights; ++k)
-          for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b) cell.right[k][a][b] += wy[a] * row.right[k][b];
-      }
-    }
-    for (int cellX = 0; cellX < x_.cells; ++cellX) {
-      const CellSums& cell = cells[static_cast<std::size_t>(cellX)];
-      for (int a = 0; a < 4; ++a) {
-        for (int i = 0; i < 4; ++i) {
-          const std::size_t node =
-              static_cast<std::size_t>(cellY + a) * static_cast<std::size_t>(x_.nodes()) + static_cast<std::size_t>(cellX + i);
-          for (std::size_t k = 0; k < kNumbers; ++k) {
-            float* to = coupling_.data() + (node * kNumbers + k) * kAround;
-            for (int b = 0; b < 4; ++b) {
-              const auto& from = cell.pairs[k][static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)])];
-              float* line = to + (b - a + 3) * kLine + 3 - i;
-              for (int j = 0; j < 4; ++j)
-                line[j] += from[static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)])];
-            }
-          }
-          for (std::size_t k = 0; k < 3; ++k)
-            right_[node * 3 + k] += cell.right[k][static_cast<std::size_t>(a)][static_cast<std::size_t>(i)];
-        }
-      }
-    }
-  };
+  const SideBySide along(x_);
   // Rows of cells four apart share no node: each of four rounds may run in any order, and every node is added to in the order of the
   // rounds.
   for (int round = 0; round < 4 && round < y_.cells; ++round) {
     const int tasks = (y_.cells - round + 3) / 4;
-    if (!forEachTask(tasks, threads, progress, "Comparing", [&](int task) { addCells(round + 4 * task); })) return false;
+    if (!forEachTask(tasks, threads, progress, "Comparing", [&](int task) {
+          const int cellY = round + 4 * task;
+          const std::vector<CellSums> cells = sumsOfCells(data, x_, y_, along, cellY, withBrightness_);
+          for (int cellX = 0; cellX < x_.cells; ++cellX)
+            addCell(cells[static_cast<std::size_t>(cellX)], cellX, cellY, x_.nodes(), coupling_, right_);
+        }))
+      return false;
   }
   return true;
 }

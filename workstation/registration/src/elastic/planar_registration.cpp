@@ -193,114 +193,201 @@ glm::dvec2 commonShift_mm(const PlanarPair& pair, double reach_mm) {
   return {where.x * fixed.pixel_mm.x, where.y * fixed.pixel_mm.y};
 }
 
-bool refinePlanar(const PlanarPair& pair, const PlanarLevel& level, const PlanarSettings& settings, PlanarState& state,
-                  Progress& progress) {
-  const int width = pair.fixed.width, height = pair.fixed.height;
-  const std::size_t count = pair.fixed.value.size();
-  const double pixel_mm = std::sqrt(pair.fixed.pixel_mm.x * pair.fixed.pixel_mm.y);
-  const double longest_mm = 2.0 * pixel_mm;  // of a step: what a gradient of this level can vouch for
-  std::vector<float> ux, uy, brightness, scratch;
-  Warped moved{std::vector<float>(count), std::vector<float>(count)};
-  std::vector<float> fixedX(count), fixedY(count), movedX(count), movedY(count);
-  gradients(pair.fixed.value, width, height, pair.fixed.pixel_mm.x, pair.fixed.pixel_mm.y, fixedX, fixedY);
-  Linearised data{std::vector<float>(count), std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
-  PlanarEquations equations(state.x, state.y, settings.brightnessTerm);
-  state.stop = StopReason::iterationLimit;
-  evaluate(state.x, state.y, state.field.part[0], ux);
-  evaluate(state.x, state.y, state.field.part[1], uy);
-  state.smallestJacobian = smallestJacobian(ux, uy, width, height, pair.fixed.pixel_mm.x, pair.fixed.pixel_mm.y);
-  for (int iteration = 0; iteration < settings.iterations; ++iteration) {
+namespace {
+
+/// What is summed over the samples of one comparison, in row sums of floats that double ones collect.
+struct PlanarEvidence {
+  double together = 0.0;  ///< products of both images' gradients, robustly weighted
+  double apart = 0.0;     ///< mean squares of each
+  double squares = 0.0;   ///< of residuals
+  double weights = 0.0;
+  double strength = 0.0;  ///< squares of the mean gradient per axis
+  double cost = 0.0;      ///< robust squares of residuals
+};
+
+/// Gauss-Newton on one level. resources/docs/registration.md, "Bending two images, and two tangent slices".
+class PlanarDescent {
+ public:
+  PlanarDescent(const PlanarPair& pair, const PlanarLevel& level, const PlanarSettings& settings, PlanarState& state);
+  /// @return false when cancelled
+  bool run(Progress& progress);
+
+ private:
+  void compare();
+  [[nodiscard]] PlanarEvidence linearise();
+  void measure(const PlanarEvidence& evidence, int iteration);
+  [[nodiscard]] Regulariser regulariser(const PlanarEvidence& evidence) const;
+  bool take(const PlanarField& step);
+  [[nodiscard]] double shareWithoutFold(double share, double& least);
+  [[nodiscard]] double smallestJacobianOf(const std::vector<float>& ux, const std::vector<float>& uy) const {
+    return smallestJacobian(ux, uy, pair_.fixed.width, pair_.fixed.height, pair_.fixed.pixel_mm.x, pair_.fixed.pixel_mm.y);
+  }
+
+  const PlanarPair& pair_;
+  const PlanarLevel& level_;
+  const PlanarSettings& settings_;
+  PlanarState& state_;
+  std::size_t count_;  ///< of samples; all below hold one value each
+  double pixel_mm_;
+  std::vector<float> ux_, uy_, brightness_;
+  std::vector<float> stepX_, stepY_, nextX_, nextY_;
+  Warped moved_;
+  std::vector<float> fixedX_, fixedY_, movedX_, movedY_;  ///< gradients
+  Linearised data_;
+  std::vector<float> scratch_;
+  PlanarEquations equations_;
+};
+
+PlanarDescent::PlanarDescent(const PlanarPair& pair, const PlanarLevel& level, const PlanarSettings& settings, PlanarState& state)
+    : pair_(pair),
+      level_(level),
+      settings_(settings),
+      state_(state),
+      count_(pair.fixed.value.size()),
+      pixel_mm_(std::sqrt(pair.fixed.pixel_mm.x * pair.fixed.pixel_mm.y)),
+      nextX_(count_),
+      nextY_(count_),
+      moved_{std::vector<float>(count_), std::vector<float>(count_)},
+      fixedX_(count_),
+      fixedY_(count_),
+      movedX_(count_),
+      movedY_(count_),
+      data_{std::vector<float>(count_), std::vector<float>(count_), std::vector<float>(count_), std::vector<float>(count_)},
+      equations_(state.x, state.y, settings.brightnessTerm) {
+  gradients(pair.fixed.value, pair.fixed.width, pair.fixed.height, pair.fixed.pixel_mm.x, pair.fixed.pixel_mm.y, fixedX_, fixedY_);
+  evaluate(state.x, state.y, state.field.part[0], ux_);
+  evaluate(state.x, state.y, state.field.part[1], uy_);
+}
+
+bool PlanarDescent::run(Progress& progress) {
+  state_.stop = StopReason::iterationLimit;
+  state_.smallestJacobian = smallestJacobianOf(ux_, uy_);
+  for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
     if (progress.cancelRequested()) return false;
-    if (settings.brightnessTerm) evaluate(state.x, state.y, state.field.part[2], brightness);
-    warpRows(pair, ux, uy, moved);
-    gradients(moved.value, width, height, pair.fixed.pixel_mm.x, pair.fixed.pixel_mm.y, movedX, movedY);
-    for (std::size_t n = 0; n < count; ++n) data.residual[n] = pair.fixed.value[n] - moved.value[n];
-    if (settings.brightnessTerm)
-      for (std::size_t n = 0; n < count; ++n) data.residual[n] -= brightness[n];
-    const float scale = 3.0F * medianMagnitude(data.residual, moved.weight, scratch) + 1e-4F;
-    const float perScale = 1.0F / (scale * scale);
-    double together = 0.0, apart = 0.0, squares = 0.0, weights = 0.0, strength = 0.0, cost = 0.0;
-    for (int y = 0; y < height; ++y) {  // rows one by one keep the float sums short
-      float rowTogether = 0.0F, rowApart = 0.0F, rowSquares = 0.0F, rowWeights = 0.0F, rowStrength = 0.0F, rowCost = 0.0F;
-      const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-      for (std::size_t n = begin; n < begin + static_cast<std::size_t>(width); ++n) {
-        const float r = data.residual[n];
-        const float robust = moved.weight[n] / (1.0F + r * r * perScale);
-        const float gx = 0.5F * (fixedX[n] + movedX[n]), gy = 0.5F * (fixedY[n] + movedY[n]);
-        data.gradientX[n] = gx;
-        data.gradientY[n] = gy;
-        data.weight[n] = robust;
-        rowTogether += robust * (fixedX[n] * movedX[n] + fixedY[n] * movedY[n]);
-        rowApart += 0.5F * robust * (fixedX[n] * fixedX[n] + movedX[n] * movedX[n] + fixedY[n] * fixedY[n] + movedY[n] * movedY[n]);
-        rowSquares += moved.weight[n] * r * r;
-        rowCost += robust * r * r;
-        rowWeights += moved.weight[n];
-        rowStrength += 0.5F * robust * (gx * gx + gy * gy);
-      }
-      together += static_cast<double>(rowTogether);
-      apart += static_cast<double>(rowApart);
-      squares += static_cast<double>(rowSquares);
-      weights += static_cast<double>(rowWeights);
-      strength += static_cast<double>(rowStrength);
-      cost += static_cast<double>(rowCost);
-    }
-    if (!(weights > 0.02 * static_cast<double>(count)) || !(strength > 0.0)) {
-      state.stop = weights > 0.0 ? StopReason::singular : StopReason::noOverlap;
+    compare();
+    const PlanarEvidence evidence = linearise();
+    if (!(evidence.weights > 0.02 * static_cast<double>(count_)) || !(evidence.strength > 0.0)) {
+      state_.stop = evidence.weights > 0.0 ? StopReason::singular : StopReason::noOverlap;
       return true;
     }
-    state.residualRms = std::sqrt(squares / weights);
-    state.cost = cost / weights;
-    const double measured = apart > 0.0 ? std::clamp(together / apart, 0.0, 1.0) : 0.0;
-    // The first look at a level still carries the coarser level's error.
-    state.coherence = iteration == 0 ? std::max(state.coherence, measured) : measured;
-    state.stiffness = settings.stiffness > 0.0 ? settings.stiffness
-                                               : std::clamp(level.firmness / (state.coherence * state.coherence + 1e-6),
-                                                            level.leastStiffness, level.mostStiffness);
-    const double energy = state.stiffness * strength / weights;  // per mm^2 where everything is seen
-    const double m = settings.slope_mm * settings.slope_mm, b = std::pow(settings.bending_mm, 4.0);
-    if (!equations.assemble(data, settings.threads, progress)) return false;
-    equations.regularise({energy * m, energy * b, settings.brightness_mm * settings.brightness_mm, settings.brightnessRidge}, state.field);
-    PlanarField step = equations.solve(60, 1e-2);
-    std::vector<float> sx, sy;
-    evaluate(state.x, state.y, step.part[0], sx);
-    evaluate(state.x, state.y, step.part[1], sy);
-    float largest = 0.0F;
-    for (std::size_t n = 0; n < count; ++n) largest = std::max(largest, sx[n] * sx[n] + sy[n] * sy[n]);
-    double share = std::min(1.0, longest_mm / std::max(1e-9, std::sqrt(static_cast<double>(largest))));
-    // Never towards a fold: the step is shortened until no cell is squeezed below the limit.
-    std::vector<float> nextX(count), nextY(count);
-    double least = 0.0;
-    for (int halving = 0;; ++halving) {
-      const float s = static_cast<float>(share);
-      for (std::size_t n = 0; n < count; ++n) {
-        nextX[n] = ux[n] + s * sx[n];
-        nextY[n] = uy[n] + s * sy[n];
-      }
-      least = smallestJacobian(nextX, nextY, width, height, pair.fixed.pixel_mm.x, pair.fixed.pixel_mm.y);
-      if (least >= settings.leastJacobian || least >= state.smallestJacobian) break;
-      if (halving == 6) {
-        share = 0.0;
-        break;
-      }
-      share *= 0.5;
-    }
-    state.iterations = iteration + 1;
-    if (share == 0.0) {
-      state.stop = StopReason::noImprovement;
-      break;
-    }
-    state.smallestJacobian = least;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t n = 0; n < step.part[k].size(); ++n)
-        state.field.part[k][n] += static_cast<float>(k < 2 ? share : 1.0) * step.part[k][n];
-    ux.swap(nextX);
-    uy.swap(nextY);
-    if (std::sqrt(static_cast<double>(largest)) < 0.03 * pixel_mm) {
-      state.stop = StopReason::converged;
-      break;
-    }
+    measure(evidence, iteration);
+    if (!equations_.assemble(data_, settings_.threads, progress)) return false;
+    equations_.regularise(regulariser(evidence), state_.field);
+    state_.iterations = iteration + 1;
+    if (!take(equations_.solve(60, 1e-2))) break;
   }
   return true;
+}
+
+/// The moving image where the field puts it, and what is left of the fixed one.
+void PlanarDescent::compare() {
+  const PlanarImage& fixed = pair_.fixed;
+  if (settings_.brightnessTerm) evaluate(state_.x, state_.y, state_.field.part[2], brightness_);
+  warpRows(pair_, ux_, uy_, moved_);
+  gradients(moved_.value, fixed.width, fixed.height, fixed.pixel_mm.x, fixed.pixel_mm.y, movedX_, movedY_);
+  for (std::size_t n = 0; n < count_; ++n) data_.residual[n] = fixed.value[n] - moved_.value[n];
+  if (settings_.brightnessTerm)
+    for (std::size_t n = 0; n < count_; ++n) data_.residual[n] -= brightness_[n];
+}
+
+/// Robust weights and the mean of both gradients, sample by sample.
+PlanarEvidence PlanarDescent::linearise() {
+  const int width = pair_.fixed.width, height = pair_.fixed.height;
+  const float scale = 3.0F * medianMagnitude(data_.residual, moved_.weight, scratch_) + 1e-4F;
+  const float perScale = 1.0F / (scale * scale);
+  const float *fixedX = fixedX_.data(), *fixedY = fixedY_.data(), *movedX = movedX_.data(), *movedY = movedY_.data();
+  PlanarEvidence sum;
+  for (int y = 0; y < height; ++y) {  // rows one by one keep the float sums short
+    float together = 0.0F, apart = 0.0F, squares = 0.0F, weights = 0.0F, strength = 0.0F, cost = 0.0F;
+    const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (std::size_t n = begin; n < begin + static_cast<std::size_t>(width); ++n) {
+      const float r = data_.residual[n];
+      const float robust = moved_.weight[n] / (1.0F + r * r * perScale);
+      const float gx = 0.5F * (fixedX[n] + movedX[n]), gy = 0.5F * (fixedY[n] + movedY[n]);
+      data_.gradientX[n] = gx;
+      data_.gradientY[n] = gy;
+      data_.weight[n] = robust;
+      together += robust * (fixedX[n] * movedX[n] + fixedY[n] * movedY[n]);
+      apart += 0.5F * robust * (fixedX[n] * fixedX[n] + movedX[n] * movedX[n] + fixedY[n] * fixedY[n] + movedY[n] * movedY[n]);
+      squares += moved_.weight[n] * r * r;
+      cost += robust * r * r;
+      weights += moved_.weight[n];
+      strength += 0.5F * robust * (gx * gx + gy * gy);
+    }
+    sum.together += static_cast<double>(together);
+    sum.apart += static_cast<double>(apart);
+    sum.squares += static_cast<double>(squares);
+    sum.weights += static_cast<double>(weights);
+    sum.strength += static_cast<double>(strength);
+    sum.cost += static_cast<double>(cost);
+  }
+  return sum;
+}
+
+void PlanarDescent::measure(const PlanarEvidence& evidence, int iteration) {
+  state_.residualRms = std::sqrt(evidence.squares / evidence.weights);
+  state_.cost = evidence.cost / evidence.weights;
+  const double measured = evidence.apart > 0.0 ? std::clamp(evidence.together / evidence.apart, 0.0, 1.0) : 0.0;
+  // The first look at a level still carries the coarser level's error.
+  state_.coherence = iteration == 0 ? std::max(state_.coherence, measured) : measured;
+  state_.stiffness = settings_.stiffness > 0.0 ? settings_.stiffness
+                                               : std::clamp(level_.firmness / (state_.coherence * state_.coherence + 1e-6),
+                                                            level_.leastStiffness, level_.mostStiffness);
+}
+
+Regulariser PlanarDescent::regulariser(const PlanarEvidence& evidence) const {
+  const double energy = state_.stiffness * evidence.strength / evidence.weights;  // per mm^2 where everything is seen
+  const double m = settings_.slope_mm * settings_.slope_mm, b = std::pow(settings_.bending_mm, 4.0);
+  return {energy * m, energy * b, settings_.brightness_mm * settings_.brightness_mm, settings_.brightnessRidge};
+}
+
+/// As much of a step as this level's gradients vouch for and folds nothing.
+/// @return false when it was the last
+bool PlanarDescent::take(const PlanarField& step) {
+  evaluate(state_.x, state_.y, step.part[0], stepX_);
+  evaluate(state_.x, state_.y, step.part[1], stepY_);
+  float largest = 0.0F;
+  for (std::size_t n = 0; n < count_; ++n) largest = std::max(largest, stepX_[n] * stepX_[n] + stepY_[n] * stepY_[n]);
+  const double longest_mm = std::sqrt(static_cast<double>(largest)), most_mm = 2.0 * pixel_mm_;
+  double least = 0.0;
+  const double share = shareWithoutFold(std::min(1.0, most_mm / std::max(1e-9, longest_mm)), least);
+  if (share == 0.0) {
+    state_.stop = StopReason::noImprovement;
+    return false;
+  }
+  state_.smallestJacobian = least;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t n = 0; n < step.part[k].size(); ++n)
+      state_.field.part[k][n] += static_cast<float>(k < 2 ? share : 1.0) * step.part[k][n];
+  ux_.swap(nextX_);
+  uy_.swap(nextY_);
+  if (longest_mm >= 0.03 * pixel_mm_) return true;
+  state_.stop = StopReason::converged;
+  return false;
+}
+
+/// Never towards a fold: the step is shortened until no cell is squeezed below the limit. What it leads to is left in nextX_ and nextY_.
+/// @param least their smallest Jacobian
+/// @return 0 where even a 64th of it would
+double PlanarDescent::shareWithoutFold(double share, double& least) {
+  for (int halving = 0;; ++halving) {
+    const float s = static_cast<float>(share);
+    for (std::size_t n = 0; n < count_; ++n) {
+      nextX_[n] = ux_[n] + s * stepX_[n];
+      nextY_[n] = uy_[n] + s * stepY_[n];
+    }
+    least = smallestJacobianOf(nextX_, nextY_);
+    if (least >= settings_.leastJacobian || least >= state_.smallestJacobian) return share;
+    if (halving == 6) return 0.0;
+    share *= 0.5;
+  }
+}
+
+}  // namespace
+
+bool refinePlanar(const PlanarPair& pair, const PlanarLevel& level, const PlanarSettings& settings, PlanarState& state,
+                  Progress& progress) {
+  return PlanarDescent(pair, level, settings, state).run(progress);
 }
 
 }  // namespace ew::registration

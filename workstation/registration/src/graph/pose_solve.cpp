@@ -90,66 +90,95 @@ void addCovariances(ceres::Problem& problem, const std::vector<Place>& places, c
   if (descent.undetermined.empty()) descent.covariance = std::move(found);
 }
 
-/// Descends from `poses` to where the sum of losses is least.
-/// @param fit  of what is believed, with its own covariance; null: of all joints, with the tolerance of the search
-void descend(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, int iterations, bool wantCovariance, Progress& progress,
-             std::vector<Rigid>& poses, PoseDescent& descent) {
-  const std::size_t n = joints.nodes.size();
-  std::vector<Place> places(n + 1);
-  for (std::size_t i = 0; i <= n; ++i) places[i] = {.turn = poses[i].turn, .at = poses[i](joints.centre[i]), .centre = joints.centre[i]};
+/// One solve: the places of all nodes, and the joints between them as Ceres sees them.
+class PoseProblem {
+ public:
+  /// @param fit of what is believed, with its own covariance; null: of all joints, with the tolerance of the search
+  PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Rigid>& poses);
 
-  ceres::Problem::Options own;
-  own.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  own.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::EigenQuaternionManifold turns;
-  std::vector<std::unique_ptr<ceres::LossFunction>> losses;
-  ceres::Problem problem(own);
-  std::vector<bool> used(n + 1, false);
+  /// Descends to where the sum of losses is least.
+  void solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Rigid>& poses, PoseDescent& descent);
+
+ private:
+  static ceres::Problem::Options ownership();
+  void addJoint(const Joint& joint, const Matrix6& whiten, ceres::LossFunction& loss);
+  void holdGauge(const std::vector<bool>& counts);
+  [[nodiscard]] bool fixHeld();
+  [[nodiscard]] ceres::Solver::Options solverOptions(int iterations) const;
+  void readBack(std::vector<Rigid>& poses) const;
+
+  const Joints& joints_;
+  std::size_t n_;  ///< nodes; the world comes behind them
+  std::vector<Place> places_;
+  std::vector<bool> used_;  ///< by a joint
+  std::vector<bool> held_;
+  ceres::EigenQuaternionManifold turns_;
+  std::vector<std::unique_ptr<ceres::LossFunction>> losses_;
+  ceres::Problem problem_;  ///< refers to all above
+};
+
+PoseProblem::PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Rigid>& poses)
+    : joints_(joints), n_(joints.nodes.size()), places_(n_ + 1), used_(n_ + 1, false), held_(n_ + 1, false), problem_(ownership()) {
+  for (std::size_t i = 0; i <= n_; ++i) places_[i] = {.turn = poses[i].turn, .at = poses[i](joints.centre[i]), .centre = joints.centre[i]};
   for (std::size_t j = 0; j < joints.all.size(); ++j) {
     const Joint& joint = joints.all[j];
     if (joint.kind == Kind::hold || (fit != nullptr && !fit->believed[j])) continue;
-    auto* cost = new ceres::AutoDiffCostFunction<EdgeResidual, 6, 4, 3, 4, 3>(new EdgeResidual{
-        .fixedCentre = joint.centre - joints.centre[joint.a],
-        .movingCentre = joint.aToB(joint.centre) - joints.centre[joint.b],
-        .turn = joint.aToB.turn,
-        .whiten = fit != nullptr ? whitenerOf(joints.finalCovariance(joint, fit->varianceFactor)) : joints.searchWhiten[j]});
-    losses.push_back(std::make_unique<ceres::ScaledLoss>(&loss, joint.trust, ceres::DO_NOT_TAKE_OWNERSHIP));
-    problem.AddResidualBlock(cost, losses.back().get(), places[joint.a].turn.coeffs().data(), places[joint.a].at.data(),
-                             places[joint.b].turn.coeffs().data(), places[joint.b].at.data());
-    used[joint.a] = used[joint.b] = true;
+    addJoint(joint, fit != nullptr ? whitenerOf(joints.finalCovariance(joint, fit->varianceFactor)) : joints.searchWhiten[j], loss);
   }
+  holdGauge(fit != nullptr ? fit->believed : std::vector<bool>(joints.all.size(), true));
+}
 
-  // The gauge: nodes that are held, else the world where a prior joins it, else the first node of the part.
-  const std::vector<bool> counts = fit != nullptr ? fit->believed : std::vector<bool>(joints.all.size(), true);
-  const auto part = partsOf(n + 1, joints.links, counts);
-  std::vector<bool> held(n + 1, false);
-  std::vector<bool> gauged(n + 2, false);
-  held[joints.world] = true;
-  gauged[static_cast<std::size_t>(part[joints.world])] = true;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (joints.nodes[i].fixed) held[i] = true;
+ceres::Problem::Options PoseProblem::ownership() {
+  ceres::Problem::Options own;
+  own.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  own.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  return own;
+}
+
+void PoseProblem::addJoint(const Joint& joint, const Matrix6& whiten, ceres::LossFunction& loss) {
+  auto* cost = new ceres::AutoDiffCostFunction<EdgeResidual, 6, 4, 3, 4, 3>(
+      new EdgeResidual{.fixedCentre = joint.centre - joints_.centre[joint.a],
+                       .movingCentre = joint.aToB(joint.centre) - joints_.centre[joint.b],
+                       .turn = joint.aToB.turn,
+                       .whiten = whiten});
+  losses_.push_back(std::make_unique<ceres::ScaledLoss>(&loss, joint.trust, ceres::DO_NOT_TAKE_OWNERSHIP));
+  problem_.AddResidualBlock(cost, losses_.back().get(), places_[joint.a].turn.coeffs().data(), places_[joint.a].at.data(),
+                            places_[joint.b].turn.coeffs().data(), places_[joint.b].at.data());
+  used_[joint.a] = used_[joint.b] = true;
+}
+
+/// Nodes that are held, else the world where a prior joins it, else the first node of the part.
+/// @param counts which joints make nodes one part
+void PoseProblem::holdGauge(const std::vector<bool>& counts) {
+  const auto part = partsOf(n_ + 1, joints_.links, counts);
+  std::vector<bool> gauged(n_ + 2, false);
+  held_[joints_.world] = true;
+  gauged[static_cast<std::size_t>(part[joints_.world])] = true;
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (joints_.nodes[i].fixed) held_[i] = true;
     if (gauged[static_cast<std::size_t>(part[i])]) continue;
     gauged[static_cast<std::size_t>(part[i])] = true;
-    held[i] = true;
+    held_[i] = true;
   }
+}
+
+/// @return whether anything is left to be moved
+bool PoseProblem::fixHeld() {
   bool anythingFree = false;
-  for (std::size_t i = 0; i <= n; ++i) {
-    if (!used[i]) continue;
-    problem.SetManifold(places[i].turn.coeffs().data(), &turns);
-    if (held[i]) {
-      problem.SetParameterBlockConstant(places[i].turn.coeffs().data());
-      problem.SetParameterBlockConstant(places[i].at.data());
+  for (std::size_t i = 0; i <= n_; ++i) {
+    if (!used_[i]) continue;
+    problem_.SetManifold(places_[i].turn.coeffs().data(), &turns_);
+    if (held_[i]) {
+      problem_.SetParameterBlockConstant(places_[i].turn.coeffs().data());
+      problem_.SetParameterBlockConstant(places_[i].at.data());
     } else {
       anythingFree = true;
     }
   }
-  if (!anythingFree) {
-    descent.stop = StopReason::converged;
-    if (wantCovariance) descent.covariance.assign(n, PoseCovariance{});
-    return;
-  }
+  return anythingFree;
+}
 
-  AskToStop ask(progress);
+ceres::Solver::Options PoseProblem::solverOptions(int iterations) const {
   ceres::Solver::Options how;
   how.max_num_iterations = iterations;
   how.num_threads = 1;  // the answer must not depend on the machine
@@ -158,13 +187,24 @@ void descend(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, in
   how.function_tolerance = 1e-12;
   how.parameter_tolerance = 1e-12;
   how.gradient_tolerance = 1e-12;
-  how.callbacks = {&ask};
-  how.linear_solver_type = n <= 30 ? ceres::DENSE_NORMAL_CHOLESKY : ceres::SPARSE_NORMAL_CHOLESKY;
+  how.linear_solver_type = n_ <= 30 ? ceres::DENSE_NORMAL_CHOLESKY : ceres::SPARSE_NORMAL_CHOLESKY;
   how.dense_linear_algebra_library_type = ceres::EIGEN;
   how.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   how.use_nonmonotonic_steps = false;
+  return how;
+}
+
+void PoseProblem::solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Rigid>& poses, PoseDescent& descent) {
+  if (!fixHeld()) {
+    descent.stop = StopReason::converged;
+    if (wantCovariance) descent.covariance.assign(n_, PoseCovariance{});
+    return;
+  }
+  AskToStop ask(progress);
+  ceres::Solver::Options how = solverOptions(iterations);
+  how.callbacks = {&ask};
   ceres::Solver::Summary summary;
-  ceres::Solve(how, &problem, &summary);
+  ceres::Solve(how, &problem_, &summary);
   descent.iterations += static_cast<int>(summary.iterations.size());
   if (summary.termination_type == ceres::USER_FAILURE || progress.cancelRequested()) {
     descent.cancelled = true;
@@ -173,13 +213,16 @@ void descend(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, in
   descent.stop = summary.termination_type == ceres::CONVERGENCE      ? StopReason::converged
                  : summary.termination_type == ceres::NO_CONVERGENCE ? StopReason::iterationLimit
                                                                      : StopReason::singular;
-  if (summary.IsSolutionUsable())
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!used[i] || held[i]) continue;
-      poses[i].turn = places[i].turn.normalized();
-      poses[i].shift = places[i].at - poses[i].turn * joints.centre[i];
-    }
-  if (wantCovariance && descent.stop != StopReason::singular) addCovariances(problem, places, held, descent);
+  if (summary.IsSolutionUsable()) readBack(poses);
+  if (wantCovariance && descent.stop != StopReason::singular) addCovariances(problem_, places_, held_, descent);
+}
+
+void PoseProblem::readBack(std::vector<Rigid>& poses) const {
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (!used_[i] || held_[i]) continue;
+    poses[i].turn = places_[i].turn.normalized();
+    poses[i].shift = places_[i].at - poses[i].turn * joints_.centre[i];
+  }
 }
 
 }  // namespace
@@ -190,7 +233,7 @@ PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progres
   GradedLoss loss;
   for (const double m : {16.0, 4.0, 1.0, 0.5}) {
     loss.m = m;
-    descend(joints, nullptr, loss, 15, false, progress, poses, descent);
+    PoseProblem(joints, nullptr, loss, poses).solve(15, false, progress, poses, descent);
     if (descent.cancelled) break;
   }
   return descent;
@@ -200,7 +243,7 @@ PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, 
   keepCeresQuiet();
   PoseDescent descent;
   ceres::CauchyLoss loss(joints.options.lossScale * std::sqrt(6.0));
-  descend(joints, &fit, loss, joints.options.iterations, wantCovariance, progress, poses, descent);
+  PoseProblem(joints, &fit, loss, poses).solve(joints.options.iterations, wantCovariance, progress, poses, descent);
   return descent;
 }
 

@@ -2,8 +2,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "comparable.h"
 #include "elastic/lattice.h"
@@ -98,6 +102,18 @@ struct QualitySums {
   }
 };
 
+QualitySums sumsOver(const ComparableImage& fixed, const Side& side, const glm::ivec3& low, const glm::ivec3& high) {
+  QualitySums sums;
+  for (int k = low.z; k < high.z; ++k)
+    for (int j = low.y; j < high.y; ++j)
+      for (int i = low.x; i < high.x; ++i) {
+        const std::size_t n = fixed.grid.indexOf(i, j, k);
+        if (side.weight[n] > 0.0F)
+          sums.add(static_cast<double>(side.weight[n]), static_cast<double>(fixed.value[n]), static_cast<double>(side.moved[n]));
+      }
+  return sums;
+}
+
 /// How many voxels say the same as one: from the likeness of neighbours in both images.
 double repetition(const ComparableImage& fixed, const Side& side) {
   const Grid& grid = fixed.grid;
@@ -154,22 +170,13 @@ struct Blocks {
 
 /// Mean correlation over windows of side `window_mm` that hold enough of both.
 double localCorrelation(const ComparableImage& fixed, const Side& side, double window_mm) {
-  const Grid& grid = fixed.grid;
-  const Blocks blocks(grid, window_mm);
+  const Blocks blocks(fixed.grid, window_mm);
   double sum = 0.0;
   std::size_t count = 0;
   for (int c = 0; c < blocks.count.z; ++c) {
     for (int b = 0; b < blocks.count.y; ++b) {
       for (int a = 0; a < blocks.count.x; ++a) {
-        const glm::ivec3 low = blocks.low({a, b, c}), high = blocks.high({a, b, c});
-        QualitySums sums;
-        for (int k = low.z; k < high.z; ++k)
-          for (int j = low.y; j < high.y; ++j)
-            for (int i = low.x; i < high.x; ++i) {
-              const std::size_t n = grid.indexOf(i, j, k);
-              if (side.weight[n] > 0.0F)
-                sums.add(static_cast<double>(side.weight[n]), static_cast<double>(fixed.value[n]), static_cast<double>(side.moved[n]));
-            }
+        const QualitySums sums = sumsOver(fixed, side, blocks.low({a, b, c}), blocks.high({a, b, c}));
         if (sums.count < kLeastSamples) continue;
         sum += sums.correlation();
         ++count;
@@ -253,17 +260,20 @@ double medianOf(std::vector<double>& values, double share) {
   return *place;
 }
 
-}  // namespace
-
-Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
-                              const Deformation* backward, const QualityOptions& options, Progress& progress) {
-  if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, "A volume is missing: name two.");
-  if (auto usable = checkInput(fixed, "fixed"); !usable) return passOn(usable.error());
-  if (auto usable = checkInput(moving, "moving"); !usable) return passOn(usable.error());
+Result<void> checkDeformations(const glm::dmat4& before, const Deformation& fixedToMoving, const Deformation* backward) {
   if (auto rigid = checkRigid(before); !rigid) return passOn(rigid.error());
   if (auto rigid = checkRigid(fixedToMoving.rigid); !rigid) return passOn(rigid.error());
   if (backward != nullptr)
     if (auto rigid = checkRigid(backward->rigid); !rigid) return passOn(rigid.error());
+  return {};
+}
+
+Result<void> checkQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
+                          const Deformation* backward, const QualityOptions& options) {
+  if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, "A volume is missing: name two.");
+  if (auto usable = checkInput(fixed, "fixed"); !usable) return passOn(usable.error());
+  if (auto usable = checkInput(moving, "moving"); !usable) return passOn(usable.error());
+  if (auto rigid = checkDeformations(before, fixedToMoving, backward); !rigid) return passOn(rigid.error());
   for (const auto& [value, name] : {std::pair{options.region_mm, "region_mm"}, std::pair{options.window_mm, "window_mm"}}) {
     if (!(value > 0.0) || !std::isfinite(value))
       return failure(ErrorCode::badField, "Regions and windows need a side above 0 mm.", {{"field", name}});
@@ -274,137 +284,219 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm
       return failure(ErrorCode::badField, "The deformation has another number of vectors than its lattice has nodes.",
                      {{"field", "control"}});
   }
+  return {};
+}
+
+double shortestSide_mm(const Grid& grid) {
+  double least = 1e300;
+  for (int axis = 0; axis < 3; ++axis)
+    if (grid.dims[axis] > 1) least = std::min(least, grid.dims[axis] * grid.spacing_mm[axis]);
+  return least < 1e300 ? least : 1.0;
+}
+
+/// One assessment: its steps in the order in which they are done, and what they share.
+class Assessment {
+ public:
+  Assessment(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
+             const QualityOptions& options, Progress& progress)
+      : fixed_(fixed),
+        moving_(moving),
+        atStart_{before, {}},
+        fixedToMoving_(fixedToMoving),
+        options_(options),
+        progress_(progress),
+        grid_(fixed.volume->grid),
+        movingToVoxel_(moving.volume->grid.worldToVoxel().matrix),
+        regions_(grid_, options.region_mm),
+        covered_(numberOf(regions_.count - 1) + 1) {}
+
+  /// Images free of gain.
+  [[nodiscard]] Result<void> compareImages();
+  /// Grey levels at the fixed volume's own voxels.
+  [[nodiscard]] Result<void> compareGreys();
+  [[nodiscard]] Result<void> lookAtRegions();
+  [[nodiscard]] Result<void> goThereAndBack(const Deformation& backward);
 
   Quality quality;
-  const Grid& fixedGrid = fixed.volume->grid;
-  const auto shortest = [](const Grid& grid) {
-    double least = 1e300;
-    for (int axis = 0; axis < 3; ++axis)
-      if (grid.dims[axis] > 1) least = std::min(least, grid.dims[axis] * grid.spacing_mm[axis]);
-    return least < 1e300 ? least : 1.0;
-  };
-  const double finest = std::min({fixedGrid.spacing_mm.x, fixedGrid.spacing_mm.y, fixedGrid.spacing_mm.z});
-  const double voxel_mm = std::max(finest, std::min({kVoxel_mm, shortest(fixedGrid) / 16.0, shortest(moving.volume->grid) / 16.0}));
-  PartOfProgress preparing(progress, 0.0, 0.4), comparing(progress, 0.4, 0.6), warping(progress, 0.6, 0.9);
+
+ private:
+  [[nodiscard]] Result<void> makeImages();
+  void maskOutside();
+  void compareGreysTo(const Volume& seen, bool after);
+  [[nodiscard]] RegionQuality regionAt(const glm::ivec3& block) const;
+  [[nodiscard]] std::optional<double> errorThereAndBack(std::size_t n, const Deformation& backward) const;
+  [[nodiscard]] std::size_t numberOf(const glm::ivec3& block) const {
+    return (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(regions_.count.y) + static_cast<std::size_t>(block.y)) *
+               static_cast<std::size_t>(regions_.count.x) +
+           static_cast<std::size_t>(block.x);
+  }
+
+  const Input& fixed_;
+  const Input& moving_;
+  Deformation atStart_;
+  const Deformation& fixedToMoving_;
+  const QualityOptions& options_;
+  Progress& progress_;
+  const Grid& grid_;  ///< of the fixed volume
+  glm::dmat4 movingToVoxel_;
+  ComparableImage fixedImage_;
+  ComparableImage movingImage_;
+  Side after_;
+  std::vector<std::uint8_t> fixedMask_;
+  Volume masked_;                         ///< the moving volume without what lies outside its beam, where it has no coverage
+  const Volume* movingVolume_ = nullptr;  ///< that, or the input
+  Blocks regions_;
+  std::vector<std::size_t> covered_;  ///< voxels of each region that both sides cover
+};
+
+Result<void> Assessment::makeImages() {
+  const double finest = std::min({grid_.spacing_mm.x, grid_.spacing_mm.y, grid_.spacing_mm.z});
+  const double voxel_mm =
+      std::max(finest, std::min({kVoxel_mm, shortestSide_mm(grid_) / 16.0, shortestSide_mm(moving_.volume->grid) / 16.0}));
+  PartOfProgress preparing(progress_, 0.0, 0.4);
   const std::array<double, 1> sizes{voxel_mm};
   ComparableOptions comparable;
-  comparable.threads = options.threads;
-  auto fixedImages = comparableImages(fixed, sizes, comparable, preparing);
+  comparable.threads = options_.threads;
+  auto fixedImages = comparableImages(fixed_, sizes, comparable, preparing);
   if (!fixedImages) return passOn(fixedImages.error());
-  auto movingImages = comparableImages(moving, sizes, comparable, preparing);
+  auto movingImages = comparableImages(moving_, sizes, comparable, preparing);
   if (!movingImages) return passOn(movingImages.error());
-  const ComparableImage &fixedImage = fixedImages->front(), &movingImage = movingImages->front();
+  fixedImage_ = std::move(fixedImages->front());
+  movingImage_ = std::move(movingImages->front());
+  return {};
+}
 
-  const Deformation atStart{before, {}};
-  auto sideBefore = movedOnto(fixedImage, movingImage, atStart, options.threads, comparing);
-  if (!sideBefore) return passOn(sideBefore.error());
-  auto sideAfter = movedOnto(fixedImage, movingImage, fixedToMoving, options.threads, comparing);
-  if (!sideAfter) return passOn(sideAfter.error());
-  quality.before = agreementOf(fixedImage, movingImage, *sideBefore);
-  quality.after = agreementOf(fixedImage, movingImage, *sideAfter);
-  quality.localCorrelationBefore = localCorrelation(fixedImage, *sideBefore, options.window_mm);
-  quality.localCorrelationAfter = localCorrelation(fixedImage, *sideAfter, options.window_mm);
-  quality.jacobian = jacobianOf(fixedToMoving.control);
+Result<void> Assessment::compareImages() {
+  if (auto made = makeImages(); !made) return passOn(made.error());
+  PartOfProgress comparing(progress_, 0.4, 0.6);
+  auto before = movedOnto(fixedImage_, movingImage_, atStart_, options_.threads, comparing);
+  if (!before) return passOn(before.error());
+  auto after = movedOnto(fixedImage_, movingImage_, fixedToMoving_, options_.threads, comparing);
+  if (!after) return passOn(after.error());
+  after_ = std::move(*after);
+  quality.before = agreementOf(fixedImage_, movingImage_, *before);
+  quality.after = agreementOf(fixedImage_, movingImage_, after_);
+  quality.localCorrelationBefore = localCorrelation(fixedImage_, *before, options_.window_mm);
+  quality.localCorrelationAfter = localCorrelation(fixedImage_, after_, options_.window_mm);
+  quality.jacobian = jacobianOf(fixedToMoving_.control);
+  return {};
+}
 
-  // Grey levels at the fixed volume's own voxels. Where a volume has no coverage, black outside the sector must not count.
-  const std::vector<std::uint8_t> fixedMask = coveredMask(*fixed.volume);
-  Volume masked;
-  const Volume* movingVolume = moving.volume;
-  if (moving.volume->coverage.empty()) {
-    masked.grid = moving.volume->grid;
-    masked.echo = moving.volume->echo;
-    masked.coverage = coveredMask(*moving.volume);
-    for (std::uint8_t& c : masked.coverage) c = static_cast<std::uint8_t>(c != 0 ? Coverage::measured : Coverage::absent);
-    movingVolume = &masked;
-  }
-  const Blocks regions(fixedGrid, options.region_mm);
-  const auto numberOf = [&](const glm::ivec3& block) {
-    return (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(regions.count.y) + static_cast<std::size_t>(block.y)) *
-               static_cast<std::size_t>(regions.count.x) +
-           static_cast<std::size_t>(block.x);
-  };
-  std::vector<std::size_t> covered(numberOf(regions.count - 1) + 1);
+/// Where a volume has no coverage, black outside the sector must not count.
+void Assessment::maskOutside() {
+  fixedMask_ = coveredMask(*fixed_.volume);
+  movingVolume_ = moving_.volume;
+  if (!moving_.volume->coverage.empty()) return;
+  masked_.grid = moving_.volume->grid;
+  masked_.echo = moving_.volume->echo;
+  masked_.coverage = coveredMask(*moving_.volume);
+  for (std::uint8_t& c : masked_.coverage) c = static_cast<std::uint8_t>(c != 0 ? Coverage::measured : Coverage::absent);
+  movingVolume_ = &masked_;
+}
+
+Result<void> Assessment::compareGreys() {
+  maskOutside();
+  PartOfProgress warping(progress_, 0.6, 0.9);
   for (const bool after : {false, true}) {
     PartOfProgress half(warping, after ? 0.5 : 0.0, after ? 1.0 : 0.5);
-    const auto seen = warped(*movingVolume, after ? fixedToMoving : atStart, fixedGrid, options.threads, half);
+    const auto seen = warped(*movingVolume_, after ? fixedToMoving_ : atStart_, grid_, options_.threads, half);
     if (!seen) return passOn(seen.error());
-    QualitySums sums;
-    double squares = 0.0;
-    for (int k = 0; k < fixedGrid.dims.z; ++k) {
-      for (int j = 0; j < fixedGrid.dims.y; ++j) {
-        for (int i = 0; i < fixedGrid.dims.x; ++i) {
-          const std::size_t n = fixedGrid.indexOf(i, j, k);
-          if (fixedMask[n] == 0 || seen->coverageAt(n) == Coverage::absent) continue;
-          const int difference = static_cast<int>(fixed.volume->echo[n]) - static_cast<int>(seen->echo[n]);
-          sums.add(1.0, fixed.volume->echo[n], seen->echo[n]);
-          if (!after) continue;
-          squares += static_cast<double>(difference) * difference;
-          ++quality.residualHistogram[static_cast<std::size_t>(std::clamp((difference + 128) / 4, 0, 63))];
-          ++covered[numberOf((glm::ivec3(i, j, k) * regions.count + regions.count - 1) / regions.dims)];
-        }
-      }
-    }
-    (after ? quality.greyCorrelationAfter : quality.greyCorrelationBefore) = sums.correlation();
-    if (after && sums.count > 0) quality.residualRms_grey = std::sqrt(squares / static_cast<double>(sums.count));
+    compareGreysTo(*seen, after);
   }
+  return {};
+}
 
-  const glm::dmat4 toImage = fixedImage.grid.worldToVoxel().matrix * fixedGrid.voxelToWorld().matrix;
-  std::size_t number = 0;
-  for (int c = 0; c < regions.count.z; ++c) {
-    if (progress.cancelRequested()) return passOn(cancelledError());
-    for (int b = 0; b < regions.count.y; ++b) {
-      for (int a = 0; a < regions.count.x; ++a, ++number) {
-        if (covered[number] == 0) continue;
-        const glm::ivec3 low = regions.low({a, b, c}), high = regions.high({a, b, c});
-        RegionQuality region;
-        region.centre_mm = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(low + high - 1)}).at;
-        region.voxels = covered[number];
-        // The block's voxels of the comparable image: those whose centres lie in it.
-        const glm::dvec3 first(toImage * glm::dvec4(glm::dvec3(low) - 0.5, 1.0)), last(toImage * glm::dvec4(glm::dvec3(high) - 0.5, 1.0));
-        const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(first - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
-        const glm::ivec3 to = glm::clamp(glm::ivec3(glm::ceil(last - 1e-9)), glm::ivec3(0), fixedImage.grid.dims);
-        QualitySums sums;
-        for (int k = from.z; k < to.z; ++k)
-          for (int j = from.y; j < to.y; ++j)
-            for (int i = from.x; i < to.x; ++i) {
-              const std::size_t n = fixedImage.grid.indexOf(i, j, k);
-              if (sideAfter->weight[n] > 0.0F)
-                sums.add(static_cast<double>(sideAfter->weight[n]), static_cast<double>(fixedImage.value[n]),
-                         static_cast<double>(sideAfter->moved[n]));
-            }
-        region.correlation = sums.correlation();
-        region.uncertainty_mm = uncertaintyOf(fixedImage, *sideAfter, from, to);
-        quality.regions.push_back(region);
+/// @param seen  the moving volume on the fixed grid
+/// @param after residuals and covered voxels are counted too
+void Assessment::compareGreysTo(const Volume& seen, bool after) {
+  QualitySums sums;
+  double squares = 0.0;
+  for (int k = 0; k < grid_.dims.z; ++k) {
+    for (int j = 0; j < grid_.dims.y; ++j) {
+      for (int i = 0; i < grid_.dims.x; ++i) {
+        const std::size_t n = grid_.indexOf(i, j, k);
+        if (fixedMask_[n] == 0 || seen.coverageAt(n) == Coverage::absent) continue;
+        const int difference = static_cast<int>(fixed_.volume->echo[n]) - static_cast<int>(seen.echo[n]);
+        sums.add(1.0, fixed_.volume->echo[n], seen.echo[n]);
+        if (!after) continue;
+        squares += static_cast<double>(difference) * difference;
+        ++quality.residualHistogram[static_cast<std::size_t>(std::clamp((difference + 128) / 4, 0, 63))];
+        ++covered_[numberOf((glm::ivec3(i, j, k) * regions_.count + regions_.count - 1) / regions_.dims)];
       }
     }
   }
+  (after ? quality.greyCorrelationAfter : quality.greyCorrelationBefore) = sums.correlation();
+  if (after && sums.count > 0) quality.residualRms_grey = std::sqrt(squares / static_cast<double>(sums.count));
+}
 
-  if (backward != nullptr) {
-    const std::size_t step =
-        std::max<std::size_t>(1, fixedGrid.voxelCount() / kPointsThereAndBack) | 1U;  // odd: walks through rows unevenly
-    const glm::dmat4 toMovingVoxel = moving.volume->grid.worldToVoxel().matrix;
-    std::vector<double> errors;
-    for (std::size_t n = 0; n < fixedGrid.voxelCount(); n += step) {
-      if (n % 1024 == 0 && progress.cancelRequested()) return passOn(cancelledError());
-      if (fixedMask[n] == 0) continue;
-      const int nx = fixedGrid.dims.x, ny = fixedGrid.dims.y;
-      const glm::dvec3 voxel(static_cast<double>(n % static_cast<std::size_t>(nx)),
-                             static_cast<double>(n / static_cast<std::size_t>(nx) % static_cast<std::size_t>(ny)),
-                             static_cast<double>(n / static_cast<std::size_t>(nx) / static_cast<std::size_t>(ny)));
-      const glm::dvec3 p = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{voxel}).at;
-      const glm::dvec3 there = movingPoint(fixedToMoving, p);
-      const glm::ivec3 nearest(glm::round(glm::dvec3(toMovingVoxel * glm::dvec4(there, 1.0))));
-      if (!moving.volume->grid.contains(nearest)) continue;
-      if (movingVolume->coverageAt(moving.volume->grid.indexOf(nearest.x, nearest.y, nearest.z)) == Coverage::absent) continue;
-      errors.push_back(glm::length(movingPoint(*backward, there) - p));
-    }
-    if (!errors.empty()) {
-      quality.inverseConsistencyMedian_mm = medianOf(errors, 0.5);
-      quality.inverseConsistency95_mm = medianOf(errors, 0.95);
+Result<void> Assessment::lookAtRegions() {
+  for (int c = 0; c < regions_.count.z; ++c) {
+    if (progress_.cancelRequested()) return passOn(cancelledError());
+    for (int b = 0; b < regions_.count.y; ++b) {
+      for (int a = 0; a < regions_.count.x; ++a) {
+        if (covered_[numberOf({a, b, c})] > 0) quality.regions.push_back(regionAt({a, b, c}));
+      }
     }
   }
+  return {};
+}
+
+RegionQuality Assessment::regionAt(const glm::ivec3& block) const {
+  const glm::ivec3 low = regions_.low(block), high = regions_.high(block);
+  RegionQuality region;
+  region.centre_mm = (grid_.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(low + high - 1)}).at;
+  region.voxels = covered_[numberOf(block)];
+  // The block's voxels of the comparable image: those whose centres lie in it.
+  const glm::dmat4 toImage = fixedImage_.grid.worldToVoxel().matrix * grid_.voxelToWorld().matrix;
+  const glm::dvec3 first(toImage * glm::dvec4(glm::dvec3(low) - 0.5, 1.0)), last(toImage * glm::dvec4(glm::dvec3(high) - 0.5, 1.0));
+  const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(first - 1e-9)), glm::ivec3(0), fixedImage_.grid.dims);
+  const glm::ivec3 to = glm::clamp(glm::ivec3(glm::ceil(last - 1e-9)), glm::ivec3(0), fixedImage_.grid.dims);
+  region.correlation = sumsOver(fixedImage_, after_, from, to).correlation();
+  region.uncertainty_mm = uncertaintyOf(fixedImage_, after_, from, to);
+  return region;
+}
+
+Result<void> Assessment::goThereAndBack(const Deformation& backward) {
+  const std::size_t step = std::max<std::size_t>(1, grid_.voxelCount() / kPointsThereAndBack) | 1U;  // odd: walks through rows unevenly
+  std::vector<double> errors;
+  for (std::size_t n = 0; n < grid_.voxelCount(); n += step) {
+    if (n % 1024 == 0 && progress_.cancelRequested()) return passOn(cancelledError());
+    if (const auto error = errorThereAndBack(n, backward)) errors.push_back(*error);
+  }
+  if (!errors.empty()) {
+    quality.inverseConsistencyMedian_mm = medianOf(errors, 0.5);
+    quality.inverseConsistency95_mm = medianOf(errors, 0.95);
+  }
+  return {};
+}
+
+/// Nothing where a voxel, or its mate in the moving volume, is not covered.
+std::optional<double> Assessment::errorThereAndBack(std::size_t n, const Deformation& backward) const {
+  if (fixedMask_[n] == 0) return std::nullopt;
+  const std::size_t nx = static_cast<std::size_t>(grid_.dims.x), ny = static_cast<std::size_t>(grid_.dims.y);
+  const glm::dvec3 voxel(static_cast<double>(n % nx), static_cast<double>(n / nx % ny), static_cast<double>(n / nx / ny));
+  const glm::dvec3 p = (grid_.voxelToWorld() * Point<frame::Voxel>{voxel}).at;
+  const glm::dvec3 there = movingPoint(fixedToMoving_, p);
+  const Grid& movingGrid = moving_.volume->grid;
+  const glm::ivec3 nearest(glm::round(glm::dvec3(movingToVoxel_ * glm::dvec4(there, 1.0))));
+  if (!movingGrid.contains(nearest)) return std::nullopt;
+  if (movingVolume_->coverageAt(movingGrid.indexOf(nearest.x, nearest.y, nearest.z)) == Coverage::absent) return std::nullopt;
+  return glm::length(movingPoint(backward, there) - p);
+}
+
+}  // namespace
+
+Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
+                              const Deformation* backward, const QualityOptions& options, Progress& progress) {
+  if (auto usable = checkQuality(fixed, moving, before, fixedToMoving, backward, options); !usable) return passOn(usable.error());
+  Assessment assessment(fixed, moving, before, fixedToMoving, options, progress);
+  if (auto done = assessment.compareImages(); !done) return passOn(done.error());
+  if (auto done = assessment.compareGreys(); !done) return passOn(done.error());
+  if (auto done = assessment.lookAtRegions(); !done) return passOn(done.error());
+  if (backward != nullptr)
+    if (auto done = assessment.goThereAndBack(*backward); !done) return passOn(done.error());
   progress.report("Comparing", 1.0);
-  return quality;
+  return std::move(assessment.quality);
 }
 
 double closureError_mm(const std::vector<glm::dmat4>& loop, double reach_mm) {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "ew/core/parallel.h"
 #include "ew/registration/rigid.h"
@@ -72,109 +74,153 @@ Result<void> checkOptions(const PartialOptions& options) {
   return checkOptions(options.refine);
 }
 
-/// The search over a pair that shows something.
-/// @param base   what rotations start from
-/// @param beside one more pose to descend from, found in another way; judged like the others
-Result<PartialResult> matchPair(const PairLevels& pair, std::size_t search, const glm::dmat3& base, const std::optional<glm::dmat4>& beside,
-                                const PartialOptions& options, int threads, Progress& progress, const OnLevel& onLevel) {
+/// The search over a pair that shows something: peaks of all shifts, descents from the best of them, and what is to be said of the best.
+class PairSearch {
+ public:
+  PairSearch(const PairLevels& pair, std::size_t search, const PartialOptions& options, int threads, Progress& progress)
+      : pair_(pair),
+        search_(search),
+        at_(std::max(pair.agreement, search)),
+        options_(options),
+        threads_(threads),
+        progress_(progress),
+        middle_mm_(pair.fixed[search].grid.voxelToWorld().matrix * glm::dvec4(0.5 * glm::dvec3(pair.fixed[search].grid.dims - 1), 1.0)) {}
+
+  /// @param base   what rotations start from
+  /// @param beside one more pose to descend from, found in another way; judged like the others
+  [[nodiscard]] Result<PartialResult> run(const glm::dmat3& base, const std::optional<glm::dmat4>& beside, const OnLevel& onLevel);
+
+ private:
+  // What can be cancelled returns false then.
+  [[nodiscard]] bool findPeaks(const glm::dmat3& base);
+  [[nodiscard]] bool descendFromAll();
+  [[nodiscard]] bool descendAt(std::size_t level, int iterations, Progress& progress);
+  void rankAnswers();
+  [[nodiscard]] bool refineBest(const OnLevel& onLevel);
+  [[nodiscard]] PartialResult judge();
+  [[nodiscard]] PartialResult finish(Verdict verdict, Remark remark);
+
+  const PairLevels& pair_;
+  std::size_t search_;  ///< the level of the search over shifts
+  std::size_t at_;      ///< the level at which candidates are judged
+  const PartialOptions& options_;
+  int threads_;
+  Progress& progress_;
+  glm::dvec3 middle_mm_;  ///< of the fixed image
+  std::vector<Candidate> pool_;
+  Candidate best_;
+  Evidence after_;
+  PartialResult result_;
+};
+
+Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optional<glm::dmat4>& beside, const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
-  PartialResult result;
-  const auto finish = [&](Verdict verdict, Remark remark) {
-    result.best.verdict = verdict;
-    result.best.remarks = {std::move(remark)};
-    return result;
-  };
-  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree);
-  result.poses = static_cast<int>(turns.size());
-  PartOfProgress searching(progress, 0.0, 0.65);
-  const auto peaks = correlateOverTranslations(pair.fixed[search], pair.moving[search], turns,
-                                               {options.leastOverlap, kPeaksPerTurn, threads, base}, searching);
-  if (progress.cancelRequested()) return cancelled();
+  if (!findPeaks(base)) return cancelled();
+  if (beside) pool_.push_back({*beside, *beside, *beside, {}});
+  if (!descendFromAll()) return cancelled();
+  if (pool_.empty() || pool_[0].evidence.significance <= 0.0) {
+    result_.best.stop = StopReason::noOverlap;
+    return finish(Verdict::notAligned, {Says::noPoseAgrees, {options_.leastOverlap}});
+  }
+  rankAnswers();
+  if (!refineBest(onLevel)) return cancelled();
+  return judge();
+}
 
-  // The most significant peaks descend at the cells of the search, the best of them at the level of agreement.
-  PartOfProgress descending(progress, 0.65, 0.83);
-  const std::size_t at = std::max(pair.agreement, search);
-  const double perCell = search == pair.agreement ? pair.voxelsPerSample : voxelsPerSample(pair.fixed[search], pair.moving[search]);
-  const glm::dmat4 toWorld = pair.fixed[search].grid.voxelToWorld().matrix;
-  const glm::dvec3 middle(toWorld * glm::dvec4(0.5 * glm::dvec3(pair.fixed[search].grid.dims - 1), 1.0));
-  std::vector<Candidate> pool;
-  for (std::size_t p = 0; p < peaks.size() && static_cast<int>(p) < kCandidatesPerHypothesis * options.hypotheses; ++p) {
-    pool.push_back({peaks[p].fixedToMoving, peaks[p].fixedToMoving, peaks[p].fixedToMoving, {}});
+bool PairSearch::findPeaks(const glm::dmat3& base) {
+  const auto turns = rotationLattice(options_.maxTurn_deg * kDegree, options_.stepTurn_deg * kDegree);
+  result_.poses = static_cast<int>(turns.size());
+  PartOfProgress searching(progress_, 0.0, 0.65);
+  const auto peaks = correlateOverTranslations(pair_.fixed[search_], pair_.moving[search_], turns,
+                                               {options_.leastOverlap, kPeaksPerTurn, threads_, base}, searching);
+  if (progress_.cancelRequested()) return false;
+  for (std::size_t p = 0; p < peaks.size() && static_cast<int>(p) < kCandidatesPerHypothesis * options_.hypotheses; ++p) {
+    pool_.push_back({peaks[p].fixedToMoving, peaks[p].fixedToMoving, peaks[p].fixedToMoving, {}});
   }
-  if (beside) pool.push_back({*beside, *beside, *beside, {}});
-  const auto descendAll = [&](std::size_t level, double perSample, int iterations) {
-    const double voxel = pair.fixed[level].grid.spacing_mm.x;
-    DescentOptions descent;
-    descent.iterations = iterations;
-    descent.stop_mm = 0.03 * voxel;
-    descent.limit_mm = 2.0 * voxel;
-    for (Candidate& candidate : pool) {
-      const Descent found = descend(pair.fixed[level], pair.packedMoving[level], candidate.pose, descent, threads, descending);
-      if (found.stop == StopReason::cancelled) return false;
-      candidate.pose = found.fixedToMoving;
-      if (!evidenceAt(pair, level, candidate.pose, perSample, threads, descending, candidate.evidence)) return false;
-      // Descents may slide to where hardly anything overlaps and anything agrees.
-      if (candidate.evidence.agreement.overlapShare < 0.6 * options.leastOverlap) candidate.evidence.significance = 0.0;
-    }
-    return true;
-  };
-  if (!descendAll(search, perCell, 12)) return cancelled();
-  for (Candidate& candidate : pool) candidate.coarse = candidate.pose;
-  keepDifferent(pool, middle, kSame_mm, kSame_deg, static_cast<std::size_t>(options.hypotheses));
-  for (std::size_t level = search + 1; level <= at; ++level) {
-    if (!descendAll(level, level == at ? pair.voxelsPerSample : voxelsPerSample(pair.fixed[level], pair.moving[level]), 20))
-      return cancelled();
-  }
-  keepDifferent(pool, middle, kSame_mm, kSame_deg, static_cast<std::size_t>(options.hypotheses));
-  if (pool.empty() || pool[0].evidence.significance <= 0.0) {
-    result.best.stop = StopReason::noOverlap;
-    return finish(Verdict::notAligned, {Says::noPoseAgrees, {options.leastOverlap}});
-  }
-  const Candidate best = pool[0];
-  // A different answer lies further off than descents go astray; one that is near counts only when it is about as good, as it is where
-  // structure repeats within less than that.
-  const double near = pool.size() > 1 ? pool[1].evidence.significance : 0.0;
-  keepDifferent(pool, middle, kDifferent_mm, kDifferent_deg, pool.size());
-  const double far = pool.size() > 1 ? pool[1].evidence.significance : 0.0;
-  const double rival = near > kAsGood * best.evidence.significance ? std::max(near, far) : far;
-  result.margin = best.evidence.significance / std::max(1.0, rival);
-  for (const Candidate& c : pool) {
-    result.hypotheses.push_back({c.pose, c.evidence.significance, c.evidence.agreement.correlation, c.evidence.agreement.overlapShare});
-  }
+  return true;
+}
 
-  RigidResult& found = result.best;
-  PartOfProgress finishing(progress, 0.83, 1.0);
+/// The most significant peaks descend at the cells of the search, the best of them at the level of agreement.
+bool PairSearch::descendFromAll() {
+  PartOfProgress descending(progress_, 0.65, 0.83);
+  const auto most = static_cast<std::size_t>(options_.hypotheses);
+  if (!descendAt(search_, 12, descending)) return false;
+  for (Candidate& candidate : pool_) candidate.coarse = candidate.pose;
+  keepDifferent(pool_, middle_mm_, kSame_mm, kSame_deg, most);
+  for (std::size_t level = search_ + 1; level <= at_; ++level) {
+    if (!descendAt(level, 20, descending)) return false;
+  }
+  keepDifferent(pool_, middle_mm_, kSame_mm, kSame_deg, most);
+  return true;
+}
+
+bool PairSearch::descendAt(std::size_t level, int iterations, Progress& progress) {
+  const double perSample = level == pair_.agreement ? pair_.voxelsPerSample : voxelsPerSample(pair_.fixed[level], pair_.moving[level]);
+  const double voxel = pair_.fixed[level].grid.spacing_mm.x;
+  DescentOptions descent;
+  descent.iterations = iterations;
+  descent.stop_mm = 0.03 * voxel;
+  descent.limit_mm = 2.0 * voxel;
+  for (Candidate& candidate : pool_) {
+    const Descent found = descend(pair_.fixed[level], pair_.packedMoving[level], candidate.pose, descent, threads_, progress);
+    if (found.stop == StopReason::cancelled) return false;
+    candidate.pose = found.fixedToMoving;
+    if (!evidenceAt(pair_, level, candidate.pose, perSample, threads_, progress, candidate.evidence)) return false;
+    // Descents may slide to where hardly anything overlaps and anything agrees.
+    if (candidate.evidence.agreement.overlapShare < 0.6 * options_.leastOverlap) candidate.evidence.significance = 0.0;
+  }
+  return true;
+}
+
+/// A different answer lies further off than descents go astray; one that is near counts only when it is about as good, as it is where
+/// structure repeats within less than that.
+void PairSearch::rankAnswers() {
+  best_ = pool_[0];
+  const double near = pool_.size() > 1 ? pool_[1].evidence.significance : 0.0;
+  keepDifferent(pool_, middle_mm_, kDifferent_mm, kDifferent_deg, pool_.size());
+  const double far = pool_.size() > 1 ? pool_[1].evidence.significance : 0.0;
+  const double rival = near > kAsGood * best_.evidence.significance ? std::max(near, far) : far;
+  result_.margin = best_.evidence.significance / std::max(1.0, rival);
+  for (const Candidate& c : pool_) {
+    result_.hypotheses.push_back({c.pose, c.evidence.significance, c.evidence.agreement.correlation, c.evidence.agreement.overlapShare});
+  }
+}
+
+bool PairSearch::refineBest(const OnLevel& onLevel) {
+  RigidResult& found = result_.best;
+  PartOfProgress finishing(progress_, 0.83, 1.0);
   Evidence before;
-  if (!evidenceAt(pair, at, best.start, pair.voxelsPerSample, threads, finishing, before)) return cancelled();
+  if (!evidenceAt(pair_, at_, best_.start, pair_.voxelsPerSample, threads_, finishing, before)) return false;
   found.before = before.agreement;
-  if (!halvesApart(pair, search, at, best.coarse, threads, finishing, found.halvesDisagree_mm)) return cancelled();
-  const std::size_t first = std::min(at + 1, pair.fixed.size() - 1);
-  if (!refineThrough(pair, first, pair.fixed.size() - 1, best.pose, options.refine, threads, finishing, onLevel, found)) return cancelled();
-  Evidence after;
-  if (!evidenceAt(pair, at, found.fixedToMoving, pair.voxelsPerSample, threads, finishing, after)) return cancelled();
-  if (after.significance < 0.9 * best.evidence.significance) {
+  if (!halvesApart(pair_, search_, at_, best_.coarse, threads_, finishing, found.halvesDisagree_mm)) return false;
+  const std::size_t first = std::min(at_ + 1, pair_.fixed.size() - 1);
+  if (!refineThrough(pair_, first, pair_.fixed.size() - 1, best_.pose, options_.refine, threads_, finishing, onLevel, found)) return false;
+  if (!evidenceAt(pair_, at_, found.fixedToMoving, pair_.voxelsPerSample, threads_, finishing, after_)) return false;
+  if (after_.significance < 0.9 * best_.evidence.significance) {
     // The finest images led astray what coarser ones had found.
-    keepInstead(best.pose, found);
-    after = best.evidence;
+    keepInstead(best_.pose, found);
+    after_ = best_.evidence;
   }
-  found.after = after.agreement;
+  found.after = after_.agreement;
+  return true;
+}
 
-  if (after.significance < kChanceOfSearch) {
-    if (mostSignificance(after) < kSureOfSearch) {
-      return finish(Verdict::cannotTell, remarkWith(Says::foundTooSmall, {}, after));
-    }
-    return finish(Verdict::notAligned, remarkWith(Says::unrelatedEverywhere, {static_cast<double>(result.poses)}, after));
+PartialResult PairSearch::judge() {
+  const double halves_mm = result_.best.halvesDisagree_mm;
+  if (after_.significance < kChanceOfSearch) {
+    if (mostSignificance(after_) < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(Says::foundTooSmall, {}, after_));
+    return finish(Verdict::notAligned, remarkWith(Says::unrelatedEverywhere, {static_cast<double>(result_.poses)}, after_));
   }
-  if (after.significance < kSureOfSearch) {
-    return finish(Verdict::cannotTell, remarkWith(Says::bestHardlyBetter, {}, after));
-  }
-  if (result.margin < kLeastMargin) {
-    return finish(Verdict::cannotTell, remarkWith(Says::twoPosesAlike, {result.margin}, after));
-  }
-  if (!(found.halvesDisagree_mm <= kHalvesApart_mm)) {
-    return finish(Verdict::cannotTell, remarkWith(Says::halvesContradict, {found.halvesDisagree_mm}, after));
-  }
-  return finish(Verdict::aligned, remarkWith(Says::onePoseStandsOut, {result.margin, found.halvesDisagree_mm}, after));
+  if (after_.significance < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(Says::bestHardlyBetter, {}, after_));
+  if (result_.margin < kLeastMargin) return finish(Verdict::cannotTell, remarkWith(Says::twoPosesAlike, {result_.margin}, after_));
+  if (!(halves_mm <= kHalvesApart_mm)) return finish(Verdict::cannotTell, remarkWith(Says::halvesContradict, {halves_mm}, after_));
+  return finish(Verdict::aligned, remarkWith(Says::onePoseStandsOut, {result_.margin, halves_mm}, after_));
+}
+
+PartialResult PairSearch::finish(Verdict verdict, Remark remark) {
+  result_.best.verdict = verdict;
+  result_.best.remarks = {std::move(remark)};
+  return std::move(result_);
 }
 
 }  // namespace
@@ -224,7 +270,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
   }
 
   PartOfProgress matching(progress, 0.15, 0.95);
-  auto matched = matchPair(*prepared, search, glm::dmat3(start), std::nullopt, options, threads, matching, onLevel);
+  auto matched = PairSearch(*prepared, search, options, threads, matching).run(glm::dmat3(start), std::nullopt, onLevel);
   if (!matched) return passOn(matched.error());
   result = std::move(*matched);
   const bool aligned = result.best.verdict == Verdict::aligned;
@@ -244,7 +290,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
   if (!whyNothingCanBeSaid(*prepared)) {
     // What is left without streaks may be fine enough to fall between two turns of the search: where the pose went is one more place to
     // look.
-    auto again = matchPair(*prepared, search, glm::dmat3(start), fare->fixedToMoving, options, threads, checking, onLevel);
+    auto again = PairSearch(*prepared, search, options, threads, checking).run(glm::dmat3(start), fare->fixedToMoving, onLevel);
     if (!again) return passOn(again.error());
     const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
     if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {

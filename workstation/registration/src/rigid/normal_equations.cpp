@@ -45,6 +45,138 @@ Matrix3 toWorld(const double (&moment)[6], const glm::dmat3& axes) {
   return out;
 }
 
+/// One pass over a pair: where the rows of the fixed image lie in the moving one, and whither their sums go.
+class PairPass {
+ public:
+  PairPass(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
+           const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums);
+
+  /// @param mine where sums of this plane go when cubes have none of their own
+  void addPlane(int k, PoseSums& mine) const;
+
+ private:
+  /// Voxels of a row whose mates lie in the moving image.
+  struct Stretch {
+    int begin = 0;
+    int end = 0;
+  };
+  [[nodiscard]] Stretch insideOf(const glm::dvec3& start) const;
+  void addRow(int j, int k, PoseSums& mine) const;
+  void addDerivatives(const PoseRowSums& row, int j, int k, PoseSums& into) const;
+
+  const ComparableImage& fixed_;
+  const PassOptions& options_;
+  glm::ivec3 dims_;
+  glm::ivec3 movingDims_;
+  glm::ivec3 cubes_;
+  std::vector<PoseSums>* blockSums_;  ///< null: all cubes go into one sum
+  glm::dmat4 toMovingVoxel_;
+  glm::dmat4 toWorld_;  ///< from fixed voxels
+  glm::dvec3 centre_mm_;
+  glm::dmat3 axes_;      ///< of the fixed lattice, per mm
+  glm::dvec3 alongRow_;  ///< mm per unit of the place along a row
+  PoseRow common_;
+};
+
+PairPass::PairPass(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
+                   const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums)
+    : fixed_(fixed),
+      options_(options),
+      dims_(fixed.grid.dims),
+      movingDims_(moving.grid.dims),
+      cubes_(cubes),
+      blockSums_(options.perBlock ? blockSums : nullptr),
+      toMovingVoxel_(moving.grid.worldToVoxel().matrix * fixedToMoving * fixed.grid.voxelToWorld().matrix),
+      toWorld_(fixed.grid.voxelToWorld().matrix),
+      centre_mm_(centre_mm),
+      axes_(fixed.grid.directions * (1.0 / fixed.grid.spacing_mm.x)) {
+  common_.fixedRow = dims_.x;
+  common_.fixedPlane = dims_.x * dims_.y;
+  common_.moving = moving.value.data();
+  for (int a = 0; a < 3; ++a) {
+    common_.movingDims[a] = movingDims_[a];
+    common_.step[a] = static_cast<float>(toMovingVoxel_[0][a]);
+    for (int b = 0; b < 3; ++b) common_.turn[3 * a + b] = static_cast<float>(toMovingVoxel_[a][b]);
+  }
+  common_.perLoss2 = options.lossScale > 0.0 ? static_cast<float>(1.0 / (options.lossScale * options.lossScale)) : 0.0f;
+  common_.middle = static_cast<float>(0.5 * dims_.x);
+  common_.perMiddle = static_cast<float>(2.0 / dims_.x);
+  common_.derivatives = options.derivatives;
+  alongRow_ = fixed.grid.directions[0] * (fixed.grid.spacing_mm.x / static_cast<double>(common_.perMiddle));
+}
+
+void PairPass::addPlane(int k, PoseSums& mine) const {
+  for (int j = 1; j < dims_.y - 1; ++j) addRow(j, k, mine);
+}
+
+/// @param start the mate of voxel 0, in voxels of the moving image
+PairPass::Stretch PairPass::insideOf(const glm::dvec3& start) const {
+  double low = 1.0;
+  double high = dims_.x - 1.0;
+  for (int a = 0; a < 3; ++a) {
+    const double step = toMovingVoxel_[0][a];
+    const double top = movingDims_[a] - 1.001;
+    if (std::abs(step) < 1e-9) {
+      if (start[a] < 0.0 || start[a] > top) return {};
+      continue;
+    }
+    const double to0 = (0.001 - start[a]) / step;
+    const double toTop = (top - start[a]) / step;
+    low = std::max(low, std::min(to0, toTop));
+    high = std::min(high, std::max(to0, toTop));
+  }
+  if (!(low < high)) return {};
+  const int begin = std::clamp(static_cast<int>(std::ceil(low)), 1, dims_.x - 1);
+  return {begin, std::clamp(static_cast<int>(std::floor(high)) + 1, begin, dims_.x - 1)};
+}
+
+void PairPass::addRow(int j, int k, PoseSums& mine) const {
+  const glm::dvec3 start(toMovingVoxel_ * glm::dvec4(0.0, j, k, 1.0));
+  const Stretch inside = insideOf(start);
+  if (inside.begin >= inside.end) return;
+  PoseRow job = common_;
+  const std::size_t at = fixed_.grid.indexOf(0, j, k);
+  job.fixedValue = fixed_.value.data() + at;
+  job.fixedWeight = fixed_.inner.data() + at;
+  job.room = static_cast<std::ptrdiff_t>(fixed_.value.size() - at);
+  for (int a = 0; a < 3; ++a) job.at[a] = static_cast<float>(start[a]);
+  const int stretch = options_.blockVoxels > 0 ? options_.blockVoxels : dims_.x;
+  for (int from = inside.begin / stretch * stretch; from < inside.end; from += stretch) {
+    job.begin = std::max(inside.begin, from);
+    job.end = std::min(inside.end, from + stretch);
+    glm::ivec3 cube(0);
+    if (options_.blockVoxels > 0) {
+      cube = glm::ivec3(from, j, k) / options_.blockVoxels;
+      if (options_.half >= 0 && ((cube.x + cube.y + cube.z) & 1) != options_.half) continue;
+    }
+    PoseRowSums row;
+    sumPoseRow(job, row);
+    if (row.count == 0.0) continue;
+    PoseSums& into =
+        blockSums_ != nullptr ? (*blockSums_)[(static_cast<std::size_t>(cube.z) * cubes_.y + cube.y) * cubes_.x + cube.x] : mine;
+    into.PairSums::add(row);
+    into.lowest = glm::min(into.lowest, glm::dvec3(job.begin, j, k));
+    into.highest = glm::max(into.highest, glm::dvec3(job.end - 1, j, k));
+    if (options_.derivatives) addDerivatives(row, j, k, into);
+  }
+}
+
+/// The row's moments under its levers: the lever of a voxel is that of the row's middle plus the place along the row times that of
+/// `alongRow_`, so that J J^T is a sum of three products.
+void PairPass::addDerivatives(const PoseRowSums& row, int j, int k, PoseSums& into) const {
+  const glm::dvec3 p(toWorld_ * glm::dvec4(0.5 * dims_.x, j, k, 1.0) - glm::dvec4(centre_mm_, 0.0));
+  const Lever zeroth = leverOf(p, 1.0);
+  const Lever first = leverOf(alongRow_, 0.0);
+  addProduct(into.normal, zeroth, toWorld(row.moment[0], axes_), zeroth, true);
+  addProduct(into.normal, zeroth, toWorld(row.moment[1], axes_), first, false);
+  addProduct(into.normal, first, toWorld(row.moment[2], axes_), first, true);
+  const glm::dvec3 right0 = axes_ * glm::dvec3(row.right[0][0], row.right[0][1], row.right[0][2]);
+  const glm::dvec3 right1 = axes_ * glm::dvec3(row.right[1][0], row.right[1][1], row.right[1][2]);
+  for (int q = 0; q < 6; ++q) {
+    for (int s = 0; s < 3; ++s) into.right[q] += zeroth.rows[q][s] * right0[s] + first.rows[q][s] * right1[s];
+  }
+}
+
 }  // namespace
 
 PackedImage packed(const ComparableImage& image) {
@@ -105,94 +237,16 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
   if (options.perBlock && blockSums != nullptr) {
     blockSums->assign(static_cast<std::size_t>(cubes.x) * cubes.y * cubes.z, {});
   }
-  if (std::min({dims.x, dims.y, dims.z}) < 3) return true;
   const glm::ivec3 movingDims = moving.grid.dims;
-  if (std::min({movingDims.x, movingDims.y, movingDims.z}) < 2) return true;
+  if (std::min({dims.x, dims.y, dims.z}) < 3 || std::min({movingDims.x, movingDims.y, movingDims.z}) < 2) return true;
 
-  const glm::dmat4 toMovingVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving * fixed.grid.voxelToWorld().matrix;
-  const double voxel_mm = fixed.grid.spacing_mm.x;
-  const glm::dmat3 axes = fixed.grid.directions * (1.0 / voxel_mm);
-  PoseRow common;
-  common.fixedRow = dims.x;
-  common.fixedPlane = dims.x * dims.y;
-  common.moving = moving.value.data();
-  for (int a = 0; a < 3; ++a) {
-    common.movingDims[a] = movingDims[a];
-    common.step[a] = static_cast<float>(toMovingVoxel[0][a]);
-    for (int b = 0; b < 3; ++b) common.turn[3 * a + b] = static_cast<float>(toMovingVoxel[a][b]);
-  }
-  common.perLoss2 = options.lossScale > 0.0 ? static_cast<float>(1.0 / (options.lossScale * options.lossScale)) : 0.0f;
-  common.middle = static_cast<float>(0.5 * dims.x);
-  common.perMiddle = static_cast<float>(2.0 / dims.x);
-  common.derivatives = options.derivatives;
-  const glm::dvec3 alongRow = fixed.grid.directions[0] * (voxel_mm / static_cast<double>(common.perMiddle));
-
+  const PairPass pass(fixed, moving, fixedToMoving, centre_mm, options, cubes, blockSums);
   // Whole layers of cubes go to one task, so that no two tasks add to the same cube.
   const int planes = options.perBlock ? options.blockVoxels : kPlanesPerTask;
   const int tasks = (dims.z + planes - 1) / planes;
   std::vector<PoseSums> partial(tasks);
   const bool done = forEachTask(tasks, threads, progress, "Comparing images", [&](int task) {
-    PoseSums& mine = partial[task];
-    for (int k = std::max(1, task * planes); k < std::min(dims.z - 1, (task + 1) * planes); ++k) {
-      for (int j = 1; j < dims.y - 1; ++j) {
-        const glm::dvec3 start(toMovingVoxel * glm::dvec4(0.0, j, k, 1.0));
-        double low = 1.0;
-        double high = dims.x - 1.0;
-        bool misses = false;
-        for (int a = 0; a < 3; ++a) {
-          const double step = toMovingVoxel[0][a];
-          const double top = movingDims[a] - 1.001;
-          if (std::abs(step) < 1e-9) {
-            misses = misses || start[a] < 0.0 || start[a] > top;
-            continue;
-          }
-          const double to0 = (0.001 - start[a]) / step;
-          const double toTop = (top - start[a]) / step;
-          low = std::max(low, std::min(to0, toTop));
-          high = std::min(high, std::max(to0, toTop));
-        }
-        if (misses || !(low < high)) continue;
-        PoseRow job = common;
-        const std::size_t at = fixed.grid.indexOf(0, j, k);
-        job.fixedValue = fixed.value.data() + at;
-        job.fixedWeight = fixed.inner.data() + at;
-        job.room = static_cast<std::ptrdiff_t>(fixed.value.size() - at);
-        for (int a = 0; a < 3; ++a) job.at[a] = static_cast<float>(start[a]);
-        const int begin = std::clamp(static_cast<int>(std::ceil(low)), 1, dims.x - 1);
-        const int end = std::clamp(static_cast<int>(std::floor(high)) + 1, begin, dims.x - 1);
-        const int stretch = options.blockVoxels > 0 ? options.blockVoxels : dims.x;
-        for (int from = begin / stretch * stretch; from < end; from += stretch) {
-          job.begin = std::max(begin, from);
-          job.end = std::min(end, from + stretch);
-          glm::ivec3 cube(0);
-          if (options.blockVoxels > 0) {
-            cube = glm::ivec3(from, j, k) / options.blockVoxels;
-            if (options.half >= 0 && ((cube.x + cube.y + cube.z) & 1) != options.half) continue;
-          }
-          PoseRowSums row;
-          sumPoseRow(job, row);
-          if (row.count == 0.0) continue;
-          PoseSums& into = options.perBlock && blockSums != nullptr
-                               ? (*blockSums)[(static_cast<std::size_t>(cube.z) * cubes.y + cube.y) * cubes.x + cube.x]
-                               : mine;
-          into.PairSums::add(row);
-          into.lowest = glm::min(into.lowest, glm::dvec3(job.begin, j, k));
-          into.highest = glm::max(into.highest, glm::dvec3(job.end - 1, j, k));
-          if (!options.derivatives) continue;
-          const glm::dvec3 p(fixed.grid.voxelToWorld().matrix * glm::dvec4(0.5 * dims.x, j, k, 1.0) - glm::dvec4(centre_mm, 0.0));
-          const Lever zeroth = leverOf(p, 1.0);
-          const Lever first = leverOf(alongRow, 0.0);
-          addProduct(into.normal, zeroth, toWorld(row.moment[0], axes), zeroth, true);
-          addProduct(into.normal, zeroth, toWorld(row.moment[1], axes), first, false);
-          addProduct(into.normal, first, toWorld(row.moment[2], axes), first, true);
-          const glm::dvec3 right0 = axes * glm::dvec3(row.right[0][0], row.right[0][1], row.right[0][2]);
-          const glm::dvec3 right1 = axes * glm::dvec3(row.right[1][0], row.right[1][1], row.right[1][2]);
-          for (int q = 0; q < 6; ++q) {
-            for (int s = 0; s < 3; ++s) into.right[q] += zeroth.rows[q][s] * right0[s] + first.rows[q][s] * right1[s];
-          }
-        }
-      }
-    }
+    for (int k = std::max(1, task * planes); k < std::min(dims.z - 1, (task + 1) * planes); ++k) pass.addPlane(k, partial[task]);
   });
   if (!done) return false;
   for (const PoseSums& part : partial) sums.add(part);
