@@ -42,7 +42,9 @@ class Band {
     float mean = 0.0f;
     float variance = -1.0f;  ///< below 0: not known
   };
-  [[nodiscard]] std::size_t pairOf(std::size_t a, std::size_t b) const { return a * (a - 1) / 2 + b; }  // a > b
+  struct Gathered;
+  void takeMoments(const Gathered& gathered, const glm::ivec3& at);
+  [[nodiscard]] static std::size_t pairOf(std::size_t a, std::size_t b) { return a * (a - 1) / 2 + b; }  // a > b
 
   CellBox box_;
   std::size_t views_ = 0;

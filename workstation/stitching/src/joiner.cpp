@@ -234,6 +234,199 @@ BetweenCells betweenCells(int voxel, int ratio, int cells, bool sharp) {
 
 }  // namespace
 
+/// A box of the result along the seams: the views' weights on its cells, the band between them, and one row of voxels after the other.
+struct Joiner::SeamBox {
+  SeamBox(const Joiner& joiner, const std::vector<std::size_t>& reaching, const glm::ivec3& begin, const glm::ivec3& end, Tally& tally,
+          const Stopped& stopped);
+
+  void make(int j, int k, const BlockArrays& block);
+
+ private:
+  [[nodiscard]] CellBox cellsOf(const glm::ivec3& end) const;
+  [[nodiscard]] Band bandOf(const Stopped& stopped) const;
+  void drawWeights(const BetweenCells& y, const BetweenCells& z);
+  void drawRow(const BetweenCells& y, const BetweenCells& z, const std::vector<float>& ofCells, std::vector<float>& ofRow);
+  void sampleViews(int j, int k);
+  [[nodiscard]] bool weigh(std::size_t at);
+  void blend(std::size_t at, int j, int k, const BetweenCells& y, const BetweenCells& z);
+  void addSteps(std::size_t at, int j, int k);
+  void level(std::size_t at);
+  void fillLeftOut(int j, int k);
+  [[nodiscard]] double added(std::size_t n, std::size_t at) const { return levelled_ ? static_cast<double>(rowAdded_[n][at]) : 0.0; }
+
+  const Joiner& joiner_;
+  const std::vector<std::size_t>& reaching_;
+  glm::ivec3 begin_;
+  int end_;  ///< along x
+  Tally& tally_;
+  bool sharp_;
+  bool levelled_;
+  glm::ivec3 dims_;  ///< of all cells
+  CellBox cells_;
+  std::vector<Weights> weights_;
+  std::size_t views_;
+  Band band_;
+  Row row_;
+  std::vector<BetweenCells> along_;
+  std::vector<float> line_;
+  std::vector<std::vector<float>> rowWeights_;
+  std::vector<std::vector<float>> rowAdded_;
+  std::vector<ViewSample> samples_;  ///< voxels x views; empty between rows
+  std::vector<double> taken_;        ///< by a voxel, of each view
+};
+
+Joiner::SeamBox::SeamBox(const Joiner& joiner, const std::vector<std::size_t>& reaching, const glm::ivec3& begin, const glm::ivec3& end,
+                         Tally& tally, const Stopped& stopped)
+    : joiner_(joiner),
+      reaching_(reaching),
+      begin_(begin),
+      end_(end.x),
+      tally_(tally),
+      sharp_(joiner.options_.seam.blend_mm <= 0.0),
+      levelled_(!joiner.seams_->levels.empty()),
+      dims_(joiner.seams_->cells.dims),
+      cells_(cellsOf(end)),
+      weights_(joiner.weightsOf(reaching, cells_)),
+      views_(weights_.size()),
+      band_(bandOf(stopped)),
+      row_(end.x - begin.x),
+      line_(static_cast<std::size_t>(cells_.size().x)),
+      taken_(views_) {
+  for (int i = begin.x; i < end.x; ++i) along_.push_back(betweenCells(i, joiner.ratio_.x, dims_.x, sharp_));
+  rowWeights_.assign(views_, std::vector<float>(along_.size(), 1.0f));
+  rowAdded_.assign(levelled_ ? views_ : 0, std::vector<float>(along_.size(), 0.0f));
+  samples_.resize(along_.size() * views_);
+}
+
+CellBox Joiner::SeamBox::cellsOf(const glm::ivec3& end) const {
+  CellBox cells;
+  for (int axis = 0; axis < 3; ++axis) {
+    cells.begin[axis] = betweenCells(begin_[axis], joiner_.ratio_[axis], dims_[axis], sharp_).cell;
+    cells.end[axis] = std::min(betweenCells(end[axis] - 1, joiner_.ratio_[axis], dims_[axis], sharp_).cell + 2, dims_[axis]);
+  }
+  return cells;
+}
+
+Band Joiner::SeamBox::bandOf(const Stopped& stopped) const {
+  std::vector<std::size_t> blended;
+  std::vector<const float*> cellWeights;
+  for (const Weights& each : weights_) {
+    if (!sharp_) blended.push_back(each.view);
+    cellWeights.push_back(each.cells.data());
+  }
+  return {joiner_.samplers_, blended, cellWeights, cells_, joiner_.seams_->cells, joiner_.ratio_, stopped};
+}
+
+void Joiner::SeamBox::make(int j, int k, const BlockArrays& block) {
+  row_.clear();
+  const BetweenCells y = betweenCells(j, joiner_.ratio_.y, dims_.y, sharp_);
+  const BetweenCells z = betweenCells(k, joiner_.ratio_.z, dims_.z, sharp_);
+  drawWeights(y, z);
+  sampleViews(j, k);
+  for (std::size_t at = 0; at < along_.size() && views_ > 0; ++at)
+    if (weigh(at)) blend(at, j, k, y, z);
+  fillLeftOut(j, k);
+  row_.put(block, begin_.x, j, k, tally_);
+}
+
+void Joiner::SeamBox::drawWeights(const BetweenCells& y, const BetweenCells& z) {
+  for (std::size_t n = 0; n < views_; ++n) {
+    drawRow(y, z, weights_[n].cells, rowWeights_[n]);
+    if (!weights_[n].added.empty()) drawRow(y, z, weights_[n].added, rowAdded_[n]);
+  }
+}
+
+/// Linear between cells.
+void Joiner::SeamBox::drawRow(const BetweenCells& y, const BetweenCells& z, const std::vector<float>& ofCells, std::vector<float>& ofRow) {
+  std::fill(line_.begin(), line_.end(), 0.0f);
+  for (int corner = 0; corner < 4; ++corner) {
+    const float share = ((corner & 1) ? y.part : 1.0f - y.part) * ((corner & 2) ? z.part : 1.0f - z.part);
+    if (share <= 0.0f) continue;
+    const float* from = ofCells.data() + cells_.indexOf(cells_.begin.x, y.cell + (corner & 1), z.cell + (corner >> 1));
+    for (std::size_t c = 0; c < line_.size(); ++c) line_[c] += share * from[c];
+  }
+  for (std::size_t at = 0; at < along_.size(); ++at) {
+    const auto c = static_cast<std::size_t>(along_[at].cell - cells_.begin.x);
+    ofRow[at] = along_[at].part > 0.0f ? line_[c] + along_[at].part * (line_[c + 1] - line_[c]) : line_[c];
+  }
+}
+
+void Joiner::SeamBox::sampleViews(int j, int k) {
+  for (std::size_t n = 0; n < views_; ++n) {
+    const ViewSampler& sampler = joiner_.samplers_[weights_[n].view];
+    sampler.alongRow(j, k, begin_.x, end_, [&](int i, const glm::dvec3& where) {
+      const auto at = static_cast<std::size_t>(i - begin_.x);
+      if (rowWeights_[n][at] > 0.0f) samples_[at * views_ + n] = sampler.at(where);
+    });
+  }
+}
+
+/// What a voxel takes of each view.
+/// @return false where none shows anything
+bool Joiner::SeamBox::weigh(std::size_t at) {
+  const ViewSample* const shown = samples_.data() + at * views_;
+  double total = 0.0;
+  for (std::size_t n = 0; n < views_; ++n) {
+    taken_[n] = static_cast<double>(rowWeights_[n][at]) * shown[n].quality * trustIn(shown[n], joiner_.options_.seam);
+    total += taken_[n];
+  }
+  if (total <= 0.0) return false;
+  for (std::size_t n = 0; n < views_; ++n) {
+    // Independent speckle a sin(t) + b cos(t) changes evenly with t: the blend then has no layer where it changes fastest.
+    const double share = taken_[n] / total;
+    taken_[n] = share < kLeastWeight ? 0.0 : share < 1.0 ? std::sin(kQuarterTurn * share) : 1.0;
+    if (taken_[n] > 0.0) row_.take(at, weights_[n].view, shown[n], taken_[n], tally_);
+  }
+  return true;
+}
+
+void Joiner::SeamBox::blend(std::size_t at, int j, int k, const BetweenCells& y, const BetweenCells& z) {
+  if (row_.inputs[at] > 1) {
+    if (!band_.empty()) row_.mean[at] = band_.blend(along_[at], y, z, taken_.data(), row_.mean[at]);
+    addSteps(at, j, k);
+  }
+  if (levelled_ && row_.mean[at] > 0.0) level(at);
+  std::fill_n(samples_.data() + at * views_, views_, ViewSample{});
+}
+
+/// How much the views that were blended differ there.
+void Joiner::SeamBox::addSteps(std::size_t at, int j, int k) {
+  const ViewSample* const shown = samples_.data() + at * views_;
+  const glm::ivec3 cube(glm::dvec3(begin_.x + static_cast<int>(at), j, k) * joiner_.result_.spacing_mm / kStepCube_mm);
+  for (std::size_t a = 1; a < views_; ++a)
+    for (std::size_t b = 0; b < a && taken_[a] > 0.0; ++b) {
+      if (taken_[b] <= 0.0) continue;
+      StepSum& sum = tally_.steps[{static_cast<int>(weights_[a].view), static_cast<int>(weights_[b].view), cube.x, cube.y, cube.z}];
+      // What hardly weighs is hardly seen.
+      const double seen = 4.0 * taken_[a] * taken_[b] / ((taken_[a] + taken_[b]) * (taken_[a] + taken_[b]));
+      sum.count += seen;
+      sum.difference += seen * (shown[a].level + added(a, at) - shown[b].level - added(b, at));
+    }
+}
+
+/// Adds what levels the views along the seams.
+void Joiner::SeamBox::level(std::size_t at) {
+  double sum = 0.0, weight = 0.0;
+  for (std::size_t n = 0; n < views_; ++n) {
+    sum += taken_[n] * added(n, at);
+    weight += taken_[n];
+  }
+  // What shows an echo goes on showing one.
+  if (weight > 0.0 && sum != 0.0) row_.mean[at] = std::clamp(row_.mean[at] + sum / weight, std::min(1.0, row_.mean[at]), 255.0);
+}
+
+/// Where the view that was chosen shows nothing after all (the border runs through the cell), the first that does.
+void Joiner::SeamBox::fillLeftOut(int j, int k) {
+  if (std::find(row_.inputs.begin(), row_.inputs.end(), 0) == row_.inputs.end()) return;
+  for (const std::size_t n : reaching_)
+    joiner_.samplers_[n].alongRow(j, k, begin_.x, end_, [&](int i, const glm::dvec3& where) {
+      const auto at = static_cast<std::size_t>(i - begin_.x);
+      if (row_.inputs[at] > 0) return;
+      const ViewSample sample = joiner_.samplers_[n].at(where);
+      if (sample.quality > 0.0) row_.take(at, n, sample, sample.quality, tally_);
+    });
+}
+
 void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const BlockArrays& block, Tally& tally,
                         const Stopped& stopped) const {
   std::vector<std::size_t> reaching;
@@ -241,114 +434,9 @@ void Joiner::alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const Bl
     if (samplers_[n].mayReach(begin, end - 1)) reaching.push_back(n);
   if (reaching.empty()) return;
   countOverlap(reaching, begin, end, tally);
-
-  const bool sharp = options_.seam.blend_mm <= 0.0;
-  const glm::ivec3 dims = seams_->cells.dims;
-  CellBox cells;
-  for (int axis = 0; axis < 3; ++axis) {
-    cells.begin[axis] = betweenCells(begin[axis], ratio_[axis], dims[axis], sharp).cell;
-    cells.end[axis] = std::min(betweenCells(end[axis] - 1, ratio_[axis], dims[axis], sharp).cell + 2, dims[axis]);
-  }
-  const std::vector<Weights> weights = weightsOf(reaching, cells);
-  std::vector<std::size_t> blended;
-  std::vector<const float*> cellWeights;
-  const bool levelled = !seams_->levels.empty();
-  for (const Weights& each : weights) {
-    blended.push_back(each.view);
-    cellWeights.push_back(each.cells.data());
-  }
-  if (sharp) blended.clear();
-  const Band band(samplers_, blended, cellWeights, cells, seams_->cells, ratio_, stopped);
-
-  const int length = end.x - begin.x;
-  Row row(length);
-  std::vector<BetweenCells> along;
-  for (int i = begin.x; i < end.x; ++i) along.push_back(betweenCells(i, ratio_.x, dims.x, sharp));
-  std::vector<float> line(static_cast<std::size_t>(cells.size().x));
-  std::vector<std::vector<float>> rowWeights(weights.size(), std::vector<float>(static_cast<std::size_t>(length), 1.0f));
-  const std::size_t views = weights.size();
-  std::vector<std::vector<float>> rowAdded(levelled ? views : 0, std::vector<float>(static_cast<std::size_t>(length), 0.0f));
-  std::vector<ViewSample> samples(static_cast<std::size_t>(length) * views);  // empty between rows
-  std::vector<double> taken(views);
+  SeamBox box(*this, reaching, begin, end, tally, stopped);
   for (int k = begin.z; k < end.z; ++k)
-    for (int j = begin.y; j < end.y && !stopped(); ++j) {
-      row.clear();
-      const BetweenCells y = betweenCells(j, ratio_.y, dims.y, sharp);
-      const BetweenCells z = betweenCells(k, ratio_.z, dims.z, sharp);
-      const auto betweenCellsOfRow = [&](const std::vector<float>& values, std::vector<float>& row_) {
-        std::fill(line.begin(), line.end(), 0.0f);
-        for (int corner = 0; corner < 4; ++corner) {
-          const float share = ((corner & 1) ? y.part : 1.0f - y.part) * ((corner & 2) ? z.part : 1.0f - z.part);
-          if (share <= 0.0f) continue;
-          const float* from = values.data() + cells.indexOf(cells.begin.x, y.cell + (corner & 1), z.cell + (corner >> 1));
-          for (std::size_t c = 0; c < line.size(); ++c) line[c] += share * from[c];
-        }
-        for (std::size_t at = 0; at < along.size(); ++at) {
-          const auto c = static_cast<std::size_t>(along[at].cell - cells.begin.x);
-          row_[at] = along[at].part > 0.0f ? line[c] + along[at].part * (line[c + 1] - line[c]) : line[c];
-        }
-      };
-      for (std::size_t n = 0; n < weights.size(); ++n) {
-        betweenCellsOfRow(weights[n].cells, rowWeights[n]);
-        if (!weights[n].added.empty()) betweenCellsOfRow(weights[n].added, rowAdded[n]);
-      }
-      for (std::size_t n = 0; n < views; ++n) {
-        const ViewSampler& sampler = samplers_[weights[n].view];
-        sampler.alongRow(j, k, begin.x, end.x, [&](int i, const glm::dvec3& where) {
-          const auto at = static_cast<std::size_t>(i - begin.x);
-          if (rowWeights[n][at] > 0.0f) samples[at * views + n] = sampler.at(where);
-        });
-      }
-      for (std::size_t at = 0; at < along.size() && views > 0; ++at) {
-        ViewSample* const shown = samples.data() + at * views;
-        double total = 0.0;
-        for (std::size_t n = 0; n < views; ++n) {
-          taken[n] = static_cast<double>(rowWeights[n][at]) * shown[n].quality * trustIn(shown[n], options_.seam);
-          total += taken[n];
-        }
-        if (total <= 0.0) continue;
-        for (std::size_t n = 0; n < views; ++n) {
-          // Independent speckle a sin(t) + b cos(t) changes evenly with t: the blend then has no layer where it changes fastest.
-          const double share = taken[n] / total;
-          taken[n] = share < kLeastWeight ? 0.0 : share < 1.0 ? std::sin(kQuarterTurn * share) : 1.0;
-          if (taken[n] > 0.0) row.take(at, weights[n].view, shown[n], taken[n], tally);
-        }
-        const auto added = [&](std::size_t n) { return levelled ? static_cast<double>(rowAdded[n][at]) : 0.0; };
-        if (row.inputs[at] > 1) {
-          if (!band.empty()) row.mean[at] = band.blend(along[at], y, z, taken.data(), row.mean[at]);
-          const glm::ivec3 cube(glm::dvec3(begin.x + static_cast<int>(at), j, k) * result_.spacing_mm / kStepCube_mm);
-          for (std::size_t a = 1; a < views; ++a)
-            for (std::size_t b = 0; b < a && taken[a] > 0.0; ++b) {
-              if (taken[b] <= 0.0) continue;
-              StepSum& sum = tally.steps[{static_cast<int>(weights[a].view), static_cast<int>(weights[b].view), cube.x, cube.y, cube.z}];
-              // What hardly weighs is hardly seen.
-              const double seen = 4.0 * taken[a] * taken[b] / ((taken[a] + taken[b]) * (taken[a] + taken[b]));
-              sum.count += seen;
-              sum.difference += seen * (shown[a].level + added(a) - shown[b].level - added(b));
-            }
-        }
-        if (levelled && row.mean[at] > 0.0) {
-          double sum = 0.0, weight = 0.0;
-          for (std::size_t n = 0; n < views; ++n) {
-            sum += taken[n] * added(n);
-            weight += taken[n];
-          }
-          // What shows an echo goes on showing one.
-          if (weight > 0.0 && sum != 0.0) row.mean[at] = std::clamp(row.mean[at] + sum / weight, std::min(1.0, row.mean[at]), 255.0);
-        }
-        std::fill(shown, shown + views, ViewSample{});
-      }
-      // Where the view that was chosen shows nothing after all (the border runs through the cell), the first that does.
-      if (std::find(row.inputs.begin(), row.inputs.end(), 0) != row.inputs.end())
-        for (const std::size_t n : reaching)
-          samplers_[n].alongRow(j, k, begin.x, end.x, [&](int i, const glm::dvec3& where) {
-            const auto at = static_cast<std::size_t>(i - begin.x);
-            if (row.inputs[at] > 0) return;
-            const ViewSample sample = samplers_[n].at(where);
-            if (sample.quality > 0.0) row.take(at, n, sample, sample.quality, tally);
-          });
-      row.put(block, begin.x, j, k, tally);
-    }
+    for (int j = begin.y; j < end.y && !stopped(); ++j) box.make(j, k, block);
 }
 
 std::uint64_t Joiner::scratchBytes(const glm::ivec3& size, std::size_t views, const Grid& cells, const glm::ivec3& ratio) {

@@ -65,6 +65,7 @@ class Joiner {
  private:
   struct Row;
   struct Weights;
+  struct SeamBox;
   void feather(const glm::ivec3& begin, const glm::ivec3& end, const BlockArrays& block, Tally& tally, const Stopped& stopped) const;
   void alongSeams(const glm::ivec3& begin, const glm::ivec3& end, const BlockArrays& block, Tally& tally, const Stopped& stopped) const;
   void countOverlap(const std::vector<std::size_t>& reaching, const glm::ivec3& begin, const glm::ivec3& end, Tally& tally) const;
