@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 
 #include "body_signal.h"
 #include "ew/core/numbers.h"
@@ -257,20 +258,38 @@ tl::unexpected<Error> refuse(const std::string& why) {
                  {{"field", "images"}});
 }
 
-}  // namespace
+constexpr const char* kLooking = "Looking for a rhythm in the images";
 
-Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s,
-                                  const ImageGateOptions& options, Progress& progress) {
+/// Times a minute.
+struct RhythmRange {
+  double lowest_perMin;
+  double highest_perMin;
+};
+
+RhythmRange rangeOf(const ImageGateOptions& options) {
+  const bool heart = options.rhythm == Rhythm::heart;
+  return {.lowest_perMin = options.lowest_perMin > 0.0 ? options.lowest_perMin
+                           : heart                     ? 40.0
+                                                       : 5.0,
+          .highest_perMin = options.highest_perMin > 0.0 ? options.highest_perMin
+                            : heart                      ? 180.0
+                                                         : 40.0};
+}
+
+/// Frames at different times, in their order.
+struct TimedFrames {
+  std::vector<double> times_s;
+  std::vector<std::size_t> kept;
+};
+
+Result<TimedFrames> timedFrames(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s) {
   if (frames.size() != time_s.size())
     return failure(ErrorCode::badField,
                    "There are " + std::to_string(frames.size()) + " frames and " + std::to_string(time_s.size()) +
                        " times; give one time for each frame.",
                    {{"field", "time"}});
-  const bool heart = options.rhythm == Rhythm::heart;
-  const double lowest_perMin = options.lowest_perMin > 0.0 ? options.lowest_perMin : heart ? 40.0 : 5.0;
-  double highest_perMin = options.highest_perMin > 0.0 ? options.highest_perMin : heart ? 180.0 : 40.0;
-  std::vector<double> times_s;
-  std::vector<std::size_t> kept;
+  TimedFrames timed;
+  auto& [times_s, kept] = timed;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     if (frames[n].width != frames[0].width || frames[n].height != frames[0].height || frames[n].width < 1 || frames[n].height < 1)
       return failure(ErrorCode::badField, "Frame " + std::to_string(n) + " has another size than frame 0; gate frames of one size.",
@@ -286,66 +305,105 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
     kept.push_back(n);
   }
   if (times_s.size() < 8) return refuse("there are fewer than eight frames at different times");
-  const double step_s = medianStep_s(times_s), duration_s = times_s.back() - times_s.front();
-  highest_perMin = std::min(highest_perMin, 60.0 / (3.0 * step_s));
-  if (highest_perMin <= 1.2 * lowest_perMin)
-    return refuse("with " + textOf(std::round(10.0 / step_s) / 10.0) + " frames a second the rhythm falls between them");
-  if (duration_s < 3.0 * 60.0 / highest_perMin || duration_s / step_s > 1e6)
-    return refuse("the recording is shorter than three cycles or has gaps of many times its length");
+  return timed;
+}
 
+/// Narrows the range to what the frames' distance allows to be seen.
+Result<void> fitRange(const std::vector<double>& times_s, double step_s, RhythmRange& range) {
+  const double duration_s = times_s.back() - times_s.front();
+  range.highest_perMin = std::min(range.highest_perMin, 60.0 / (3.0 * step_s));
+  if (range.highest_perMin <= 1.2 * range.lowest_perMin)
+    return refuse("with " + textOf(std::round(10.0 / step_s) / 10.0) + " frames a second the rhythm falls between them");
+  if (duration_s < 3.0 * 60.0 / range.highest_perMin || duration_s / step_s > 1e6)
+    return refuse("the recording is shorter than three cycles or has gaps of many times its length");
+  return {};
+}
+
+tl::unexpected<Error> gatingStopped() { return failure(ErrorCode::cancelled, "The gating was stopped before it was complete."); }
+
+Result<CycleCells> reducedFrames(std::span<const ImageView<const std::uint8_t>> frames, const std::vector<std::size_t>& kept, int threads,
+                                 Progress& progress) {
   const int across = std::min(kCycleCells, frames[0].width), down = std::min(kCycleCells, frames[0].height);
   CycleCells raw{kept.size(), static_cast<std::size_t>(across * down), {}};
   raw.value.resize(raw.moments * raw.cells);
-  PartOfProgress reducing(progress, 0.0, 0.4), measuring(progress, 0.4, 0.7), finding(progress, 0.7, 1.0);
-  if (!forEachTask(static_cast<int>(kept.size()), options.threads, reducing, "Looking for a rhythm in the images", [&](int task) {
+  if (!forEachTask(static_cast<int>(kept.size()), threads, progress, kLooking, [&](int task) {
         const auto n = static_cast<std::size_t>(task);
         reduce(frames[kept[n]], across, down, raw.row(n));
       }))
-    return failure(ErrorCode::cancelled, "The gating was stopped before it was complete.");
+    return gatingStopped();
   bool changes = false;
   for (std::size_t n = 1; n < raw.moments && !changes; ++n) changes = !std::equal(raw.row(n), raw.row(n) + raw.cells, raw.row(0));
   if (!changes) return refuse("they do not change");
-  CycleCells even = evenCells(raw, times_s, step_s);
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "The gating was stopped before it was complete."); };
-  const Spectrum spectrum = spectrumOf(even, step_s, kPiece_periods * 60.0 / lowest_perMin,
-                                       std::min(0.48 / step_s, 2.0 * highest_perMin / 60.0), options.threads, measuring);
-  if (spectrum.power.empty()) return stopped();
-  const Tone tone = strongestTone(spectrum, lowest_perMin / 60.0, highest_perMin / 60.0);
-  const auto tooWeak = [&](double confidence) {
-    return refuse("nothing in them repeats at " + textOf(lowest_perMin) + " to " + textOf(std::round(highest_perMin)) +
-                  " times a minute (confidence " + textOf(std::round(100.0 * confidence) / 100.0) + ", " + textOf(options.leastConfidence) +
-                  " is needed)");
-  };
-  if (tone.ratio <= 0.0) return tooWeak(0.0);
-  const double standsOut = 1.0 - 1.0 / tone.ratio, period_s = 1.0 / tone.frequency_hz;
-  if (standsOut < options.leastConfidence) return tooWeak(standsOut);
+  return raw;
+}
 
-  const CycleCells band = bandOf(std::move(even), step_s, period_s);
-  auto windows = windowsOf(band.moments, static_cast<std::size_t>(kWindow_periods * period_s / step_s));
-  if (!forEachTask(static_cast<int>(windows.size()), options.threads, finding, "Looking for a rhythm in the images",
-                   [&](int task) { findComponents(band, windows[static_cast<std::size_t>(task)]); }))
-    return stopped();
-  const auto lag = static_cast<std::size_t>(std::lround(period_s / step_s));
+tl::unexpected<Error> tooWeak(double confidence, const RhythmRange& range, const ImageGateOptions& options) {
+  return refuse("nothing in them repeats at " + textOf(range.lowest_perMin) + " to " + textOf(std::round(range.highest_perMin)) +
+                " times a minute (confidence " + textOf(std::round(100.0 * confidence) / 100.0) + ", " + textOf(options.leastConfidence) +
+                " is needed)");
+}
+
+/// One value a moment that rises and falls with the cycle.
+struct CycleSignal {
+  std::vector<double> values;
+  double meanRepeat = 0.0;    ///< autocorrelation after one period, mean of the windows' own
+  double weakestJoint = 1.0;  ///< correlation where windows meet
+};
+
+/// Of each window the component that repeats most, joined and turned so that rises are steeper than falls.
+CycleSignal signalOf(const std::vector<Window>& windows, std::size_t moments, std::size_t lag) {
+  CycleSignal signal;
   std::vector<std::size_t> chosen;
-  double mean = 0.0;
   for (const Window& window : windows) {
     const auto score = [&](std::size_t c) { return window.size[c] * autocorrelation(window.components[c], lag); };
     std::size_t best = 0;
     for (std::size_t c = 1; c < kComponents; ++c)
       if (score(c) > score(best)) best = c;
     chosen.push_back(best);
-    mean += autocorrelation(window.components[best], lag) / static_cast<double>(windows.size());
+    signal.meanRepeat += autocorrelation(window.components[best], lag) / static_cast<double>(windows.size());
   }
-  auto [signal, weakestJoint] = joined(windows, chosen, band.moments);
-  if (riseAgainstFall(signal) < 0.0)
-    for (double& value : signal) value = -value;
-  const double confidence = std::min({standsOut, mean, autocorrelation(signal, lag)});
-  if (confidence < options.leastConfidence) return tooWeak(confidence);
-  Cycles cycles = cyclesFrom(maximaOf({times_s.front(), step_s, std::move(signal)}, period_s), options.irregularShare, false);
+  std::tie(signal.values, signal.weakestJoint) = joined(windows, chosen, moments);
+  if (riseAgainstFall(signal.values) < 0.0)
+    for (double& value : signal.values) value = -value;
+  return signal;
+}
+
+}  // namespace
+
+Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s,
+                                  const ImageGateOptions& options, Progress& progress) {
+  const auto timed = timedFrames(frames, time_s);
+  if (!timed) return passOn(timed.error());
+  const double step_s = medianStep_s(timed->times_s);
+  RhythmRange range = rangeOf(options);
+  if (const auto fits = fitRange(timed->times_s, step_s, range); !fits) return passOn(fits.error());
+
+  PartOfProgress reducing(progress, 0.0, 0.4), measuring(progress, 0.4, 0.7), finding(progress, 0.7, 1.0);
+  const auto raw = reducedFrames(frames, timed->kept, options.threads, reducing);
+  if (!raw) return passOn(raw.error());
+  CycleCells even = evenCells(*raw, timed->times_s, step_s);
+  const Spectrum spectrum = spectrumOf(even, step_s, kPiece_periods * 60.0 / range.lowest_perMin,
+                                       std::min(0.48 / step_s, 2.0 * range.highest_perMin / 60.0), options.threads, measuring);
+  if (spectrum.power.empty()) return gatingStopped();
+  const Tone tone = strongestTone(spectrum, range.lowest_perMin / 60.0, range.highest_perMin / 60.0);
+  if (tone.ratio <= 0.0) return tooWeak(0.0, range, options);
+  const double standsOut = 1.0 - 1.0 / tone.ratio, period_s = 1.0 / tone.frequency_hz;
+  if (standsOut < options.leastConfidence) return tooWeak(standsOut, range, options);
+
+  const CycleCells band = bandOf(std::move(even), step_s, period_s);
+  auto windows = windowsOf(band.moments, static_cast<std::size_t>(kWindow_periods * period_s / step_s));
+  if (!forEachTask(static_cast<int>(windows.size()), options.threads, finding, kLooking,
+                   [&](int task) { findComponents(band, windows[static_cast<std::size_t>(task)]); }))
+    return gatingStopped();
+  const auto lag = static_cast<std::size_t>(std::lround(period_s / step_s));
+  CycleSignal signal = signalOf(windows, band.moments, lag);
+  const double confidence = std::min({standsOut, signal.meanRepeat, autocorrelation(signal.values, lag)});
+  if (confidence < options.leastConfidence) return tooWeak(confidence, range, options);
+  Cycles cycles = cyclesFrom(maximaOf({timed->times_s.front(), step_s, std::move(signal.values)}, period_s), options.irregularShare, false);
   if (cycles.starts_s.size() < 2) return refuse("fewer than two cycles can be seen");
   cycles.confidence = confidence;
   cycles.notes.emplace_back("Phases were taken from the images: which moment phase 0 is, they do not say.");
-  if (weakestJoint < 0.3)
+  if (signal.weakestJoint < 0.3)
     cycles.notes.emplace_back("What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.");
   return cycles;
 }

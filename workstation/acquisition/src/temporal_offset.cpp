@@ -253,6 +253,147 @@ bool ambiguous(const std::vector<double>& heights, const Best& best) {
   return false;
 }
 
+constexpr std::size_t kFewestFrames = 16;
+
+using OfBlocks = std::array<OffsetSums, kBlocks>;
+
+OffsetSums totalOf(const OfBlocks& blocks) {
+  OffsetSums total;
+  for (const OffsetSums& block : blocks) {
+    total.n += block.n;
+    total.x += block.x;
+    total.y += block.y;
+    total.xx += block.xx;
+    total.yy += block.yy;
+    total.xy += block.xy;
+  }
+  return total;
+}
+
+/// The delays that are tried, evenly to both sides of none.
+struct Delays {
+  double step_s = 0.0;
+  int reach = 0;
+
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(2 * reach + 1); }
+  [[nodiscard]] double at_s(double n) const { return (n - reach) * step_s; }
+};
+
+/// Comparisons of what the images did with what the poses say, for every signal, delay and block of the sweep.
+using Comparisons = std::array<std::vector<OfBlocks>, kSignals>;
+
+std::optional<Comparisons> compareSteps(const Steps& seen, std::span<const double> time_s, const PoseTrack& track,
+                                        const glm::dvec3& centre_px, const Delays& delays, double gap_s, int threads, Progress& progress) {
+  const std::size_t pairs = time_s.size() - 1;
+  Comparisons sums;
+  for (auto& ofDelays : sums) ofDelays.resize(delays.count());
+  if (!forEachTask(static_cast<int>(delays.count()), threads, progress, "Comparing movements", [&](int task) {
+        const auto d = static_cast<std::size_t>(task);
+        const double delay_s = delays.at_s(task);
+        for (std::size_t n = 0; n < pairs; ++n) {
+          if (!(time_s[n + 1] > time_s[n]) || time_s[n + 1] - time_s[n] > gap_s) continue;
+          const auto step = stepTracked(track, time_s[n] + delay_s, time_s[n + 1] + delay_s, centre_px);
+          if (!step) continue;
+          for (std::size_t s = 0; s < kSignals; ++s) sums[s][d][n * kBlocks / pairs].add((*step)[s], seen[s][n]);
+        }
+      }))
+    return std::nullopt;
+  return sums;
+}
+
+/// By how much the best delay changes when one block of the sweep after the other is left out (jackknife).
+double uncertaintyOf_s(const std::vector<OfBlocks>& ofDelays, const Best& best, const Delays& delays) {
+  double mean = 0.0, squares = 0.0;
+  std::array<double, kBlocks> without{};
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    std::vector<double> part(ofDelays.size(), 0.0);
+    // Near the best delay alone: a part of the sweep may have other hills.
+    const auto from = static_cast<std::size_t>(std::max(0.0, best.step - 2 * kStepsPerFrame));
+    const auto to = std::min(delays.count(), static_cast<std::size_t>(best.step + 2 * kStepsPerFrame) + 1);
+    for (std::size_t d = from; d < to; ++d) {
+      OffsetSums rest = totalOf(ofDelays[d]);
+      rest -= ofDelays[d][b];
+      part[d] = rest.correlation();
+    }
+    without[b] = bestOf(part).step;
+    mean += without[b] / kBlocks;
+  }
+  for (const double step : without) squares += (step - mean) * (step - mean);
+  return delays.step_s * std::sqrt((kBlocks - 1.0) / kBlocks * squares);
+}
+
+/// What the signals say of the delay, one after the other: the surest that tells counts, else why the last one does not.
+struct DelayJudgement {
+  const PoseDelayOptions& options;
+  const Delays& delays;
+  PoseDelay result;
+  std::string why = "The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.";
+  double closest = 0.0;
+
+  void take(std::size_t signal, const std::vector<OfBlocks>& ofDelays) {
+    const OffsetSums still = totalOf(ofDelays[static_cast<std::size_t>(delays.reach)]);
+    if (!moves(signal, still)) return;
+    std::vector<double> heights;
+    for (const OfBlocks& blocks : ofDelays) {
+      const OffsetSums total = totalOf(blocks);
+      heights.push_back(total.n >= 0.5 * still.n ? total.correlation() : 0.0);
+    }
+    const Best best = bestOf(heights);
+    if (!standsOut(heights, best)) return;
+    const double uncertainty_s = uncertaintyOf_s(ofDelays, best, delays);
+    if (result.verdict == DelayVerdict::found && uncertainty_s >= result.uncertainty_s) return;
+    result.verdict = DelayVerdict::found;
+    result.delay_s = delays.at_s(best.step);
+    result.uncertainty_s = uncertainty_s;
+    result.correlation = best.height;
+    result.seenBy = kNames[signal];
+  }
+
+ private:
+  /// Shifts below a tenth of a pixel and an even speed drown in the noise of watching.
+  [[nodiscard]] static bool moves(std::size_t signal, const OffsetSums& still) {
+    if (still.n < kFewestFrames / 2) return false;
+    const double mean = still.x / still.n, spread = std::sqrt(std::max(0.0, still.xx / still.n - mean * mean));
+    return signal == kChange ? spread >= 0.1 * std::abs(mean) && spread > 0.0 : spread >= 0.1;
+  }
+  [[nodiscard]] bool standsOut(const std::vector<double>& heights, const Best& best) {
+    if (best.height > closest) {
+      closest = best.height;
+      result.correlation = std::max(result.correlation, best.height);
+    }
+    if (best.height < options.leastCorrelation) {
+      if (result.verdict == DelayVerdict::cannotTell)
+        why = "Movement in the images and in the poses do not agree at any delay (correlation " +
+              textOf(std::round(100.0 * closest) / 100.0) + ", " + textOf(options.leastCorrelation) + " is needed).";
+      return false;
+    }
+    const auto last = static_cast<double>(delays.count() - 1);
+    if (best.step < 1.0 || best.step > last - 1.0) {
+      why = "The best delay lies at the end of the range; try a larger one.";
+      return false;
+    }
+    if (ambiguous(heights, best)) {
+      why = "The probe moves to and fro so regularly that several delays fit; use a sweep with uneven movement.";
+      return false;
+    }
+    return true;
+  }
+};
+
+Result<void> checkFramesAndPoses(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s,
+                                 const FramePoses& poses) {
+  if (const auto checked = checkTimes(time_s, poses.size()); !checked) return passOn(checked.error());
+  if (frames.size() != poses.size())
+    return failure(ErrorCode::badField,
+                   "There are " + std::to_string(frames.size()) + " frames and " + std::to_string(poses.size()) +
+                       " poses; give one pose for each frame.",
+                   {{"field", "frames"}});
+  for (const auto& frame : frames)
+    if (frame.width != frames.front().width || frame.height != frames.front().height || frame.width < 1 || frame.height < 1)
+      return failure(ErrorCode::badField, "The frames differ in size; estimate the delay of frames of one size.", {{"field", "pixels"}});
+  return {};
+}
+
 }  // namespace
 
 Result<FramePoses> posesDelayedBy(double delay_s, std::span<const double> time_s, const FramePoses& poses, const glm::dvec2& centre_px,
@@ -270,119 +411,29 @@ Result<FramePoses> posesDelayedBy(double delay_s, std::span<const double> time_s
 
 Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s,
                                     const FramePoses& poses, const PoseDelayOptions& options, Progress& progress) {
-  if (const auto checked = checkTimes(time_s, poses.size()); !checked) return passOn(checked.error());
-  if (frames.size() != poses.size())
-    return failure(ErrorCode::badField,
-                   "There are " + std::to_string(frames.size()) + " frames and " + std::to_string(poses.size()) +
-                       " poses; give one pose for each frame.",
-                   {{"field", "frames"}});
-  for (const auto& frame : frames)
-    if (frame.width != frames.front().width || frame.height != frames.front().height || frame.width < 1 || frame.height < 1)
-      return failure(ErrorCode::badField, "The frames differ in size; estimate the delay of frames of one size.", {{"field", "pixels"}});
-  PoseDelay result;
-  const auto cannotTell = [&](std::string why) {
-    result.why = std::move(why);
-    return result;
-  };
-  constexpr std::size_t kFewest = 16;
+  if (const auto checked = checkFramesAndPoses(frames, time_s, poses); !checked) return passOn(checked.error());
   const double gap_s = gapOf(options.longestGap_s, time_s);
-  if (frames.size() < kFewest || gap_s <= 0.0) return cannotTell("The sweep has too few frames at different times to compare movements.");
+  if (frames.size() < kFewestFrames || gap_s <= 0.0) {
+    PoseDelay result;
+    result.why = "The sweep has too few frames at different times to compare movements.";
+    return result;
+  }
   PartOfProgress watching(progress, 0.0, 0.6), comparing(progress, 0.6, 1.0);
   const auto seen = stepsSeen(frames, options.threads, watching);
   if (!seen) return passOn(seen.error());
 
   const glm::dvec3 centre_px(0.5 * (frames.front().width - 1), 0.5 * (frames.front().height - 1), 0.0);
   const PoseTrack track(time_s, poses, glm::dvec2(centre_px), gap_s);
-  const double step_s = gap_s / (options.longestGap_s > 0.0 ? 1.0 : 3.0) / kStepsPerFrame;
-  const int reach = std::clamp(static_cast<int>(std::ceil(options.largest_s / step_s)), 2, 20000);
-  const auto delays = static_cast<std::size_t>(2 * reach + 1);
-  const std::size_t pairs = frames.size() - 1;
-  // sums[signal][delay][block]
-  using OfBlocks = std::array<OffsetSums, kBlocks>;
-  std::array<std::vector<OfBlocks>, kSignals> sums;
-  for (auto& ofDelays : sums) ofDelays.resize(delays);
-  if (!forEachTask(static_cast<int>(delays), options.threads, comparing, "Comparing movements", [&](int task) {
-        const auto d = static_cast<std::size_t>(task);
-        const double delay_s = (task - reach) * step_s;
-        for (std::size_t n = 0; n < pairs; ++n) {
-          if (!(time_s[n + 1] > time_s[n]) || time_s[n + 1] - time_s[n] > gap_s) continue;
-          const auto step = stepTracked(track, time_s[n] + delay_s, time_s[n + 1] + delay_s, centre_px);
-          if (!step) continue;
-          for (std::size_t s = 0; s < kSignals; ++s) sums[s][d][n * kBlocks / pairs].add((*step)[s], (*seen)[s][n]);
-        }
-      }))
-    return failure(ErrorCode::cancelled, "The estimate was stopped before it was complete.");
+  Delays delays;
+  delays.step_s = gap_s / (options.longestGap_s > 0.0 ? 1.0 : 3.0) / kStepsPerFrame;
+  delays.reach = std::clamp(static_cast<int>(std::ceil(options.largest_s / delays.step_s)), 2, 20000);
+  const auto sums = compareSteps(*seen, time_s, track, centre_px, delays, gap_s, options.threads, comparing);
+  if (!sums) return failure(ErrorCode::cancelled, "The estimate was stopped before it was complete.");
 
-  const auto totalOf = [](const OfBlocks& blocks) {
-    OffsetSums total;
-    for (const OffsetSums& block : blocks) {
-      total.n += block.n;
-      total.x += block.x;
-      total.y += block.y;
-      total.xx += block.xx;
-      total.yy += block.yy;
-      total.xy += block.xy;
-    }
-    return total;
-  };
-  std::string why = "The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.";
-  double closest = 0.0;
-  for (std::size_t s = 0; s < kSignals; ++s) {
-    const OffsetSums still = totalOf(sums[s][static_cast<std::size_t>(reach)]);
-    if (still.n < kFewest / 2) continue;
-    const double mean = still.x / still.n, spread = std::sqrt(std::max(0.0, still.xx / still.n - mean * mean));
-    // Shifts below a tenth of a pixel and an even speed drown in the noise of watching.
-    if (s == kChange ? spread < 0.1 * std::abs(mean) || spread <= 0.0 : spread < 0.1) continue;
-    std::vector<double> heights;
-    for (const OfBlocks& blocks : sums[s]) {
-      const OffsetSums total = totalOf(blocks);
-      heights.push_back(total.n >= 0.5 * still.n ? total.correlation() : 0.0);
-    }
-    const Best best = bestOf(heights);
-    if (best.height > closest) {
-      closest = best.height;
-      result.correlation = std::max(result.correlation, best.height);
-    }
-    if (best.height < options.leastCorrelation) {
-      if (result.verdict == DelayVerdict::cannotTell)
-        why = "Movement in the images and in the poses do not agree at any delay (correlation " +
-              textOf(std::round(100.0 * closest) / 100.0) + ", " + textOf(options.leastCorrelation) + " is needed).";
-      continue;
-    }
-    const auto last = static_cast<double>(delays - 1);
-    if (best.step < 1.0 || best.step > last - 1.0) {
-      why = "The best delay lies at the end of the range; try a larger one.";
-      continue;
-    }
-    if (ambiguous(heights, best)) {
-      why = "The probe moves to and fro so regularly that several delays fit; use a sweep with uneven movement.";
-      continue;
-    }
-    double mean_step = 0.0, squares = 0.0;
-    std::array<double, kBlocks> without{};
-    for (std::size_t b = 0; b < kBlocks; ++b) {
-      std::vector<double> part(heights.size(), 0.0);
-      // Near the best delay alone: a part of the sweep may have other hills.
-      const auto from = static_cast<std::size_t>(std::max(0.0, best.step - 2 * kStepsPerFrame));
-      const auto to = std::min(delays, static_cast<std::size_t>(best.step + 2 * kStepsPerFrame) + 1);
-      for (std::size_t d = from; d < to; ++d) {
-        OffsetSums rest = totalOf(sums[s][d]);
-        rest -= sums[s][d][b];
-        part[d] = rest.correlation();
-      }
-      without[b] = bestOf(part).step;
-      mean_step += without[b] / kBlocks;
-    }
-    for (const double step : without) squares += (step - mean_step) * (step - mean_step);
-    const double uncertainty_s = step_s * std::sqrt((kBlocks - 1.0) / kBlocks * squares);
-    if (result.verdict == DelayVerdict::found && uncertainty_s >= result.uncertainty_s) continue;
-    result.verdict = DelayVerdict::found;
-    result.delay_s = (best.step - reach) * step_s;
-    result.uncertainty_s = uncertainty_s;
-    result.correlation = best.height;
-    result.seenBy = kNames[s];
-  }
-  return result.verdict == DelayVerdict::found ? result : cannotTell(std::move(why));
+  DelayJudgement judgement{options, delays, {}};
+  for (std::size_t s = 0; s < kSignals; ++s) judgement.take(s, (*sums)[s]);
+  if (judgement.result.verdict != DelayVerdict::found) judgement.result.why = std::move(judgement.why);
+  return std::move(judgement.result);
 }
 
 }  // namespace ew
