@@ -141,56 +141,44 @@ tl::unexpected<Error> badFrame(const fs::path& file, std::uint64_t frame, const 
                  {{"file", file.string()}, {"frame", std::to_string(frame)}});
 }
 
-}  // namespace
-
-Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits) {
+/// A whole number of the file, within its limits; `otherwise` where the file has none.
+Result<std::uint64_t> numberOf(const DicomFile& dicom, DicomTag tag, const char* name, std::uint64_t lowest, std::uint64_t highest,
+                               std::optional<std::uint64_t> otherwise) {
   const DicomItem& data = dicom.data;
-  const DicomElement* const pixels = data.find(kPixelDataTag);
-  if (pixels == nullptr)
-    return failure(ErrorCode::unsupported,
-                   quoted(dicom.file) + " is a DICOM file without pictures; choose the file that holds the pictures.",
-                   {{"file", dicom.file.string()}});
-  PixelLayout layout;
-  const auto known = std::find_if(kSyntaxes.begin(), kSyntaxes.end(), [&](const Syntax& one) { return dicom.transferSyntax == one.uid; });
-  if (known == kSyntaxes.end())
-    return failure(ErrorCode::unsupported,
-                   "The pictures of " + quoted(dicom.file) + " are packed in a way that is not read (transfer syntax " +
-                       dicom.transferSyntax.substr(0, 64) + "); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.",
-                   {{"file", dicom.file.string()}, {"transferSyntax", dicom.transferSyntax.substr(0, 64)}});
-  layout.codec = known->name;
-  const auto field = [&](DicomTag tag, const char* name, std::uint64_t lowest, std::uint64_t highest,
-                         std::optional<std::uint64_t> otherwise) -> Result<std::uint64_t> {
-    const auto value = data.count(tag);
-    if (!value && otherwise && data.find(tag) == nullptr) return *otherwise;
-    if (!value || *value < lowest || *value > highest)
-      return badField(dicom.file, name,
-                      value                       ? std::to_string(*value)
-                      : data.find(tag) == nullptr ? "nothing"
-                                                  : "no whole number",
-                      "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
-    return *value;
-  };
-  const auto rows = field(0x00280010u, "Rows", 1, 65535, std::nullopt);
+  const auto value = data.count(tag);
+  if (!value && otherwise && data.find(tag) == nullptr) return *otherwise;
+  if (!value || *value < lowest || *value > highest)
+    return badField(dicom.file, name,
+                    value                       ? std::to_string(*value)
+                    : data.find(tag) == nullptr ? "nothing"
+                                                : "no whole number",
+                    "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+  return *value;
+}
+
+/// Size, frames and how samples are stored (PS3.3, C.7.6.3).
+Result<void> readNumbers(const DicomFile& dicom, PixelLayout& layout) {
+  const auto rows = numberOf(dicom, 0x00280010u, "Rows", 1, 65535, std::nullopt);
   if (!rows) return passOn(rows.error());
-  const auto columns = field(0x00280011u, "Columns", 1, 65535, std::nullopt);
+  const auto columns = numberOf(dicom, 0x00280011u, "Columns", 1, 65535, std::nullopt);
   if (!columns) return passOn(columns.error());
-  const auto frames = field(0x00280008u, "Number of Frames", 1, 1u << 24, 1);
+  const auto frames = numberOf(dicom, 0x00280008u, "Number of Frames", 1, 1u << 24, 1);
   if (!frames) return passOn(frames.error());
-  const auto samples = field(0x00280002u, "Samples per Pixel", 1, 3, 1);
+  const auto samples = numberOf(dicom, 0x00280002u, "Samples per Pixel", 1, 3, 1);
   if (!samples) return passOn(samples.error());
-  const auto allocated = field(0x00280100u, "Bits Allocated", 1, 64, std::nullopt);
+  const auto allocated = numberOf(dicom, 0x00280100u, "Bits Allocated", 1, 64, std::nullopt);
   if (!allocated) return passOn(allocated.error());
   if (*allocated != 8 && *allocated != 16)
     return failure(ErrorCode::unsupported,
                    quoted(dicom.file) + " has " + std::to_string(*allocated) + " bits a sample; export it with 8 or 16.",
                    {{"file", dicom.file.string()}, {"bits", std::to_string(*allocated)}});
-  const auto stored = field(0x00280101u, "Bits Stored", 1, *allocated, *allocated);
+  const auto stored = numberOf(dicom, 0x00280101u, "Bits Stored", 1, *allocated, *allocated);
   if (!stored) return passOn(stored.error());
-  const auto high = field(0x00280102u, "High Bit", *stored - 1, *allocated - 1, *stored - 1);
+  const auto high = numberOf(dicom, 0x00280102u, "High Bit", *stored - 1, *allocated - 1, *stored - 1);
   if (!high) return passOn(high.error());
-  const auto sign = field(0x00280103u, "Pixel Representation", 0, 1, 0);
+  const auto sign = numberOf(dicom, 0x00280103u, "Pixel Representation", 0, 1, 0);
   if (!sign) return passOn(sign.error());
-  const auto planar = field(0x00280006u, "Planar Configuration", 0, 1, 0);
+  const auto planar = numberOf(dicom, 0x00280006u, "Planar Configuration", 0, 1, 0);
   if (!planar) return passOn(planar.error());
   layout.rows = *rows;
   layout.columns = *columns;
@@ -201,7 +189,11 @@ Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limi
   layout.highBit = static_cast<int>(*high);
   layout.isSigned = *sign == 1;
   layout.planar = *planar == 1 && layout.samples == 3;
-  layout.photometric = data.text(0x00280004u);
+  return {};
+}
+
+Result<void> readColours(const DicomFile& dicom, PixelLayout& layout) {
+  layout.photometric = dicom.data.text(0x00280004u);
   const std::string& colours = layout.photometric;
   const bool grey = colours == "MONOCHROME1" || colours == "MONOCHROME2" || colours == "PALETTE COLOR";
   const bool three = colours == "RGB" || colours == "YBR_FULL" || colours == "YBR_FULL_422" || colours == "YBR_PARTIAL_422" ||
@@ -215,6 +207,10 @@ Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limi
     return failure(ErrorCode::unsupported,
                    quoted(dicom.file) + " has colours of " + std::to_string(layout.bitsAllocated) + " bits; export it with 8.",
                    {{"file", dicom.file.string()}});
+  return {};
+}
+
+Result<void> checkMemory(const DicomFile& dicom, const PixelLayout& layout, const ReadLimits& limits) {
   // Level, colour mask, and while they are mapped the stored values of one frame.
   const std::uint64_t needed = layout.pixelsPerFrame() * layout.frames * 2;
   if (needed > limits.maxBytes || layout.pixelsPerFrame() > (1ull << 28))
@@ -224,25 +220,138 @@ Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limi
                        " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
                        "; check that the file is undamaged, or cut it into parts.",
                    {{"file", dicom.file.string()}, {"needed", std::to_string(needed)}, {"limit", std::to_string(limits.maxBytes)}});
+  return {};
+}
+
+/// Whether the file holds what its header promises.
+Result<void> checkStored(const DicomFile& dicom, const DicomElement& pixels, const PixelLayout& layout) {
   const bool encapsulated = layout.codec != "uncompressed";
-  if (encapsulated != !pixels->fragments.empty())
+  if (encapsulated != !pixels.fragments.empty())
     return failure(ErrorCode::badHeader,
                    quoted(dicom.file) + " says its pictures are " + layout.codec + ", but they are not stored so; export it again.",
                    {{"file", dicom.file.string()}});
   if (!encapsulated) {
     const std::uint64_t promised = storedBytesPerFrame(layout) * layout.frames;
-    if (pixels->value.size() < promised)
+    if (pixels.value.size() < promised)
       return failure(
           ErrorCode::truncated,
           quoted(dicom.file) + " is too short: it promises " + std::to_string(promised) + " bytes of pixels and has " +
-              std::to_string(pixels->value.size()) + "; get the file again.",
-          {{"file", dicom.file.string()}, {"promised", std::to_string(promised)}, {"found", std::to_string(pixels->value.size())}});
-  } else if (pixels->fragments.size() < layout.frames + 1) {
+              std::to_string(pixels.value.size()) + "; get the file again.",
+          {{"file", dicom.file.string()}, {"promised", std::to_string(promised)}, {"found", std::to_string(pixels.value.size())}});
+  } else if (pixels.fragments.size() < layout.frames + 1) {
     return failure(ErrorCode::truncated,
                    quoted(dicom.file) + " is too short: it promises " + std::to_string(layout.frames) + " frames and has " +
-                       std::to_string(pixels->fragments.size() - 1) + "; get the file again.",
+                       std::to_string(pixels.fragments.size() - 1) + "; get the file again.",
                    {{"file", dicom.file.string()}});
   }
+  return {};
+}
+
+/// Where samples of a frame go: stored bits to whole numbers.
+struct SampleWriter {
+  std::int32_t* samples;
+  int shift;
+  int signBit;  ///< below 0: not signed
+  std::uint32_t mask;
+
+  SampleWriter(const PixelLayout& layout, std::int32_t* to)
+      : samples(to),
+        shift(layout.highBit + 1 - layout.bitsStored),
+        signBit(layout.isSigned ? layout.bitsStored - 1 : -1),
+        mask((1u << layout.bitsStored) - 1u) {}
+  void put(std::size_t n, std::uint32_t stored) const {
+    const std::uint32_t value = stored >> shift & mask;
+    const bool negative = signBit >= 0 && (value >> signBit & 1u) != 0;
+    samples[n] = static_cast<std::int32_t>(value) - (negative ? static_cast<std::int32_t>(mask) + 1 : 0);
+  }
+};
+
+/// The bytes of one frame that is not packed.
+struct PlainFrame {
+  Bytes bytes;
+  bool bigEndian;
+  bool swapped;  ///< words of a big endian file hold the second 8 bit sample in front
+
+  PlainFrame(const DicomFile& dicom, const PixelLayout& layout, std::uint64_t frame) : bigEndian(dicom.data.bigEndian) {
+    const DicomElement& element = *dicom.data.find(kPixelDataTag);
+    const std::size_t size = storedBytesPerFrame(layout);
+    bytes = element.value.subspan(frame * size, size);
+    swapped = bigEndian && layout.bitsAllocated == 8 && element.kind[1] == 'W';
+  }
+  [[nodiscard]] std::uint32_t byteAt(std::size_t n) const {
+    const std::size_t other = n ^ 1u;
+    return bytes[swapped && other < bytes.size() ? other : n];
+  }
+  [[nodiscard]] std::uint32_t wordAt(std::size_t n) const {
+    const std::uint32_t first = bytes[2 * n], second = bytes[2 * n + 1];
+    return bigEndian ? first << 8 | second : second << 8 | first;
+  }
+};
+
+/// Two luminances and the colours they share: Y Y Cb Cr.
+void readThinned(const PlainFrame& from, const PixelLayout& layout, std::vector<std::int32_t>& samples) {
+  const std::size_t pairs = (layout.columns + 1) / 2;
+  for (std::size_t y = 0; y < layout.rows; ++y)
+    for (std::size_t x = 0; x < layout.columns; ++x) {
+      const std::size_t group = (y * pairs + x / 2) * 4, to = (y * layout.columns + x) * 3;
+      samples[to] = static_cast<std::int32_t>(from.byteAt(group + x % 2));
+      samples[to + 1] = static_cast<std::int32_t>(from.byteAt(group + 2));
+      samples[to + 2] = static_cast<std::int32_t>(from.byteAt(group + 3));
+    }
+}
+
+void readPlain(const PlainFrame& from, const PixelLayout& layout, std::size_t count, SampleWriter to) {
+  const bool bytewise = layout.bitsAllocated == 8;
+  for (std::size_t n = 0; n < count; ++n) to.put(n, bytewise ? from.byteAt(n) : from.wordAt(n));
+}
+
+/// Planes of bytes, the high ones first, one colour after the other (PS3.5, annex G).
+bool readRle(Bytes stream, const PixelLayout& layout, SampleWriter to) {
+  const std::size_t pixels = layout.pixelsPerFrame(), bytesEach = static_cast<std::size_t>(layout.bitsAllocated) / 8;
+  const auto planes = unpackRle(stream, static_cast<std::size_t>(layout.samples) * bytesEach, pixels);
+  if (!planes) return false;
+  for (std::size_t sample = 0; sample < static_cast<std::size_t>(layout.samples); ++sample)
+    for (std::size_t n = 0; n < pixels; ++n) {
+      std::uint32_t stored = 0;
+      for (std::size_t byte = 0; byte < bytesEach; ++byte) stored = stored << 8 | (*planes)[(sample * bytesEach + byte) * pixels + n];
+      to.put(sample * pixels + n, stored);
+    }
+  return true;
+}
+
+void readUnpacked(const std::vector<std::uint8_t>& bytes, const PixelLayout& layout, std::size_t count, SampleWriter to) {
+  const bool bytewise = layout.bitsAllocated == 8;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (bytewise) {
+      to.put(n, bytes[n]);
+    } else {
+      std::uint16_t value = 0;
+      std::memcpy(&value, bytes.data() + 2 * n, 2);
+      to.put(n, value);
+    }
+  }
+}
+
+}  // namespace
+
+Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits) {
+  const DicomElement* const pixels = dicom.data.find(kPixelDataTag);
+  if (pixels == nullptr)
+    return failure(ErrorCode::unsupported,
+                   quoted(dicom.file) + " is a DICOM file without pictures; choose the file that holds the pictures.",
+                   {{"file", dicom.file.string()}});
+  PixelLayout layout;
+  const auto known = std::find_if(kSyntaxes.begin(), kSyntaxes.end(), [&](const Syntax& one) { return dicom.transferSyntax == one.uid; });
+  if (known == kSyntaxes.end())
+    return failure(ErrorCode::unsupported,
+                   "The pictures of " + quoted(dicom.file) + " are packed in a way that is not read (transfer syntax " +
+                       dicom.transferSyntax.substr(0, 64) + "); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.",
+                   {{"file", dicom.file.string()}, {"transferSyntax", dicom.transferSyntax.substr(0, 64)}});
+  layout.codec = known->name;
+  if (const auto read = readNumbers(dicom, layout); !read) return passOn(read.error());
+  if (const auto read = readColours(dicom, layout); !read) return passOn(read.error());
+  if (const auto fits = checkMemory(dicom, layout, limits); !fits) return passOn(fits.error());
+  if (const auto complete = checkStored(dicom, *pixels, layout); !complete) return passOn(complete.error());
   return layout;
 }
 
@@ -307,49 +416,17 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
 
 Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_t>& samples, bool& planar, bool& lumaChroma,
                                     const Progress& progress) const {
-  const std::size_t pixels = layout_.pixelsPerFrame();
-  const std::size_t count = pixels * static_cast<std::size_t>(layout_.samples);
-  const std::size_t bytesEach = static_cast<std::size_t>(layout_.bitsAllocated) / 8;
+  const std::size_t count = layout_.pixelsPerFrame() * static_cast<std::size_t>(layout_.samples);
   lumaChroma = layout_.photometric.starts_with("YBR");
   planar = layout_.planar;
   samples.resize(count);
-  const int shift = layout_.highBit + 1 - layout_.bitsStored;
-  const std::uint32_t mask = (1u << layout_.bitsStored) - 1u;
-  const auto put = [&](std::size_t n, std::uint32_t stored) {
-    const std::uint32_t value = stored >> shift & mask;
-    const bool negative = layout_.isSigned && (value >> (layout_.bitsStored - 1) & 1u) != 0;
-    samples[n] = static_cast<std::int32_t>(value) - (negative ? static_cast<std::int32_t>(mask) + 1 : 0);
-  };
   if (layout_.codec == "uncompressed") {
-    const DicomElement& element = *dicom_->data.find(kPixelDataTag);
-    const std::size_t size = storedBytesPerFrame(layout_);
-    const Bytes bytes = element.value.subspan(frame * size, size);
-    // Words of a big endian file hold the second 8 bit sample in front.
-    const bool swapped = dicom_->data.bigEndian && bytesEach == 1 && element.kind[1] == 'W';
-    const auto byteAt = [&](std::size_t n) -> std::uint32_t {
-      const std::size_t other = n ^ 1u;
-      return bytes[swapped && other < bytes.size() ? other : n];
-    };
+    const PlainFrame from(*dicom_, layout_, frame);
     if (isThinned(layout_)) {
-      // Two luminances and the colours they share: Y Y Cb Cr.
-      const std::size_t pairs = (layout_.columns + 1) / 2;
-      for (std::size_t y = 0; y < layout_.rows; ++y)
-        for (std::size_t x = 0; x < layout_.columns; ++x) {
-          const std::size_t group = (y * pairs + x / 2) * 4, to = (y * layout_.columns + x) * 3;
-          samples[to] = static_cast<std::int32_t>(byteAt(group + x % 2));
-          samples[to + 1] = static_cast<std::int32_t>(byteAt(group + 2));
-          samples[to + 2] = static_cast<std::int32_t>(byteAt(group + 3));
-        }
+      readThinned(from, layout_, samples);
       planar = false;
-      return {};
-    }
-    for (std::size_t n = 0; n < count; ++n) {
-      if (bytesEach == 1) {
-        put(n, byteAt(n));
-      } else {
-        const std::uint32_t first = bytes[2 * n], second = bytes[2 * n + 1];
-        put(n, dicom_->data.bigEndian ? first << 8 | second : second << 8 | first);
-      }
+    } else {
+      readPlain(from, layout_, count, {layout_, samples.data()});
     }
     return {};
   }
@@ -360,14 +437,7 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
     stream = joined;
   }
   if (layout_.codec == "RLE") {
-    const auto planes = unpackRle(stream, static_cast<std::size_t>(layout_.samples) * bytesEach, pixels);
-    if (!planes) return badFrame(dicom_->file, frame, layout_.codec);
-    for (std::size_t sample = 0; sample < static_cast<std::size_t>(layout_.samples); ++sample)
-      for (std::size_t n = 0; n < pixels; ++n) {
-        std::uint32_t stored = 0;
-        for (std::size_t byte = 0; byte < bytesEach; ++byte) stored = stored << 8 | (*planes)[(sample * bytesEach + byte) * pixels + n];
-        put(sample * pixels + n, stored);
-      }
+    if (!readRle(stream, layout_, {layout_, samples.data()})) return badFrame(dicom_->file, frame, layout_.codec);
     planar = layout_.samples == 3;
     return {};
   }
@@ -379,15 +449,7 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
   const auto unpacked = unpack(codec, stream, *head, layout_.bitsAllocated, layout_.bitsStored, layout_.isSigned, progress);
   if (!unpacked && progress.cancelRequested()) return stopped(dicom_->file);
   if (!unpacked) return badFrame(dicom_->file, frame, layout_.codec);
-  for (std::size_t n = 0; n < count; ++n) {
-    if (bytesEach == 1) {
-      put(n, (*unpacked)[n]);
-    } else {
-      std::uint16_t value = 0;
-      std::memcpy(&value, unpacked->data() + 2 * n, 2);
-      put(n, value);
-    }
-  }
+  readUnpacked(*unpacked, layout_, count, {layout_, samples.data()});
   planar = head->byPlanes && layout_.samples == 3;
   if (codec == Codec::jpeg2000) {
     // The decoder turns the colours back itself where the stream says that they were turned.

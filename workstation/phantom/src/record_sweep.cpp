@@ -214,6 +214,24 @@ void writeLines(const BeamImage& levels, int samples, std::uint8_t* out) {
   }
 }
 
+tl::unexpected<Error> recordingStopped() { return failure(ErrorCode::cancelled, "Recording the sweep was stopped."); }
+
+/// Fresh memory is slow to touch: bit by bit, so that the wish to cancel is heard.
+Result<void> makeRoom(std::size_t frames, const Progress& progress, Sequence& sequence) {
+  const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
+  try {
+    sequence.pixels.reserve(frames * framePixels);
+    for (std::size_t n = 0; n < frames; ++n) {
+      if (progress.cancelRequested()) return recordingStopped();
+      sequence.pixels.resize((n + 1) * framePixels);
+    }
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.");
+  }
+  sequence.frames.resize(frames);
+  return {};
+}
+
 }  // namespace
 
 DisplayGeometry pictureOf(const Probe& probe, double depth_mm, double pixel_mm) {
@@ -264,31 +282,20 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   if (!recipe.scanLines) describeClip(sweep.deviceSet, sequence);
 
   const auto frames = static_cast<std::size_t>(recipe.frames);
-  const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
-  std::vector<Bench> benches(static_cast<std::size_t>(threadCount(threads)));
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "Recording the sweep was stopped."); };
-  try {
-    sequence.pixels.reserve(frames * framePixels);
-    // Fresh memory is slow to touch: bit by bit, so that the wish to cancel is heard.
-    for (std::size_t n = 0; n < frames; ++n) {
-      if (progress.cancelRequested()) return stopped();
-      sequence.pixels.resize((n + 1) * framePixels);
-    }
-  } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.");
-  }
-  sequence.frames.resize(frames);
+  if (auto room = makeRoom(frames, progress, sequence); !room) return passOn(room.error());
   sweep.trueProbeToWorld.resize(frames);
   sweep.trueTime_s.resize(frames);
   sweep.trueState.resize(frames);
   PartOfProgress moving(progress, 0.0, 0.02), recording(progress, 0.02, 1.0);
   const auto tracked = track(*trajectory, recipe, threads, moving);
-  if (!tracked) return stopped();
+  if (!tracked) return recordingStopped();
   Knobs knobs;
   knobs.depth_mm = picture.depth_mm;
   const ScanConversionTable conversion =
       recipe.scanLines ? ScanConversionTable{} : makeScanConversion(probe, knobs, scanner.grid(), picture);
 
+  const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
+  std::vector<Bench> benches(static_cast<std::size_t>(threadCount(threads)));
   const bool finished =
       forEachTask(recipe.frames, threads, recording, "Recording the sweep", [&](int task, int worker, const auto& isStopped) {
         const auto n = static_cast<std::size_t>(task);
@@ -315,7 +322,7 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
         }
         sequence.frames[n] = frameOf(patient, recipe, *trajectory, tracked->poses[n], tracked->unfilteredTime_s[n], writtenImageToProbe);
       });
-  if (!finished) return stopped();
+  if (!finished) return recordingStopped();
   return sweep;
 }
 

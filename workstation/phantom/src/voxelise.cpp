@@ -143,6 +143,107 @@ Grid gridOf(const Patient& patient, double spacing_mm) {
   return grid;
 }
 
+tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast_bytes) {
+  const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
+  return failure(ErrorCode::tooLarge,
+                 "This patient at " + textOf(options.spacing_mm) + " mm needs " + mebibytes(forecast_bytes) + " of memory, " +
+                     mebibytes(static_cast<double>(options.maxBytes)) + " are allowed; choose a coarser spacing.",
+                 {{"forecast_bytes", textOf(forecast_bytes)}});
+}
+
+/// Fills a volume piece by piece: strips of a slab, cut into blocks for which only the organs nearby are asked.
+class VolumePainter {
+ public:
+  VolumePainter(const Patient& patient, const VoxeliseOptions& options, const Progress& progress, VoxelisedPatient& made)
+      : patient_(patient),
+        options_(options),
+        progress_(progress),
+        made_(made),
+        grid_(made.volume.grid),
+        painter_(patient, options),
+        radius_mm_(0.5 * std::sqrt(3.0) * (kBlock - 1) * options.spacing_mm),
+        strips_((grid_.dims.y + kStrip - 1) / kStrip) {}
+
+  [[nodiscard]] int pieces() const { return (grid_.dims.z + kBlock - 1) / kBlock * strips_; }
+  void paintPiece(int piece);
+  [[nodiscard]] bool outOfMemory() const { return outOfMemory_; }
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+ private:
+  /// Speckle of a strip of a slab.
+  struct Strip {
+    glm::ivec3 first;
+    glm::ivec3 size;
+    std::vector<float> power{};
+    [[nodiscard]] const float* at(const glm::ivec3& voxel) const {
+      const glm::ivec3 in = voxel - first;
+      return power.data() +
+             (static_cast<std::size_t>(in.z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(in.y)) *
+                 static_cast<std::size_t>(size.x) +
+             static_cast<std::size_t>(in.x);
+    }
+  };
+  void paintBlock(const glm::ivec3& first, const Strip& strip, std::vector<const Organ*>& near);
+  void paintRow(int begin, int end, int j, int k, const float* speckle, const std::vector<const Organ*>& near);
+
+  const Patient& patient_;
+  const VoxeliseOptions& options_;
+  const Progress& progress_;
+  VoxelisedPatient& made_;
+  const Grid& grid_;
+  Painter painter_;
+  Decibel decibel_;
+  double radius_mm_;  ///< of a block
+  int strips_;        ///< of a slab
+  std::atomic<bool> stopped_{false};
+  std::atomic<bool> outOfMemory_{false};
+};
+
+void VolumePainter::paintPiece(int piece) {
+  Strip strip{.first = {0, (piece % strips_) * kStrip, (piece / strips_) * kBlock}, .size = {}};
+  strip.size = glm::min(glm::ivec3(grid_.dims.x, kStrip, kBlock), grid_.dims - strip.first);
+  std::vector<const Organ*> near;
+  try {
+    SpeckleScratch scratch;
+    specklePower(options_.seed, strip.first, strip.size, scratch, strip.power);
+    near.reserve(patient_.organs.size());
+  } catch (const std::bad_alloc&) {
+    outOfMemory_ = true;
+    stopped_ = true;
+  }
+  for (int j = strip.first.y; j < strip.first.y + strip.size.y && !stopped_; j += kBlock) {
+    for (int i = 0; i < grid_.dims.x && !stopped_; i += kBlock) paintBlock({i, j, strip.first.z}, strip, near);
+    if (progress_.cancelRequested()) stopped_ = true;
+  }
+}
+
+void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, std::vector<const Organ*>& near) {
+  const glm::ivec3 last = glm::min(first + kBlock, grid_.dims);
+  const glm::dvec3 centre = grid_.origin_mm + options_.spacing_mm * (glm::dvec3(first) + 0.5 * (kBlock - 1));
+  if (patient_.skin->distance_mm(centre) > kReserve * radius_mm_) return;
+  painter_.select(centre, radius_mm_, near);
+  for (int k = first.z; k < last.z; ++k) {
+    for (int j = first.y; j < last.y; ++j) {
+      if (stopped_) return;
+      if (progress_.cancelRequested()) stopped_ = true;  // at every row: an anatomy may take a millisecond for a voxel
+      paintRow(first.x, last.x, j, k, strip.at({first.x, j, k}), near);
+    }
+  }
+}
+
+void VolumePainter::paintRow(int begin, int end, int j, int k, const float* speckle, const std::vector<const Organ*>& near) {
+  for (int i = begin; i < end; ++i, ++speckle) {
+    const glm::dvec3 p = grid_.origin_mm + options_.spacing_mm * glm::dvec3(i, j, k);
+    const double skin = patient_.skin->distance_mm(p);
+    if (skin >= 0.0) continue;
+    const Look look = painter_.at(p, skin, near);
+    const std::size_t at = grid_.indexOf(i, j, k);
+    made_.volume.echo[at] = painter_.greyOf(look, static_cast<double>(decibel_.of(*speckle)), p);
+    made_.volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
+    made_.labels[at] = static_cast<std::uint8_t>(look.label);
+  }
+}
+
 }  // namespace
 
 double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
@@ -157,88 +258,27 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
     return failure(ErrorCode::badField, "The voxel spacing is " + textOf(options.spacing_mm) + " mm; choose one from 0.01 to 1000 mm.",
                    {{"field", "spacing_mm"}});
   const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm);
-  const auto tooLarge = [&] {
-    const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
-    return failure(ErrorCode::tooLarge,
-                   "This patient at " + textOf(options.spacing_mm) + " mm needs " + mebibytes(forecast) + " of memory, " +
-                       mebibytes(static_cast<double>(options.maxBytes)) + " are allowed; choose a coarser spacing.",
-                   {{"forecast_bytes", textOf(forecast)}});
-  };
-  if (forecast > static_cast<double>(options.maxBytes)) return tooLarge();
+  if (forecast > static_cast<double>(options.maxBytes)) return tooLargeAt(options, forecast);
 
   VoxelisedPatient made;
   Volume& volume = made.volume;
   volume.grid = gridOf(patient, options.spacing_mm);
-  const Grid& grid = volume.grid;
-  if (const auto usable = checkGrid(grid); !usable) return passOn(usable.error());
+  if (const auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
+  const std::size_t voxels = volume.grid.voxelCount();
   try {
-    if (!zeros(volume.echo, grid.voxelCount(), progress) || !zeros(volume.coverage, grid.voxelCount(), progress) ||
-        !zeros(made.labels, grid.voxelCount(), progress))
+    if (!zeros(volume.echo, voxels, progress) || !zeros(volume.coverage, voxels, progress) || !zeros(made.labels, voxels, progress))
       return stoppedByUser();
   } catch (const std::bad_alloc&) {
-    return tooLarge();
+    return tooLargeAt(options, forecast);
   } catch (const std::length_error&) {
-    return tooLarge();
+    return tooLargeAt(options, forecast);
   }
 
-  const Painter painter(patient, options);
-  const Decibel decibel;
-  const double h = options.spacing_mm;
-  const double radius = 0.5 * std::sqrt(3.0) * (kBlock - 1) * h;
-  const int slabs = (grid.dims.z + kBlock - 1) / kBlock, strips = (grid.dims.y + kStrip - 1) / kStrip;
-  std::atomic<bool> stopped{false};
-  std::atomic<bool> outOfMemory{false};
-
-  const auto paintBlock = [&](const glm::ivec3& first, const glm::ivec3& boxFirst, const glm::ivec3& boxSize,
-                              const std::vector<float>& power, std::vector<const Organ*>& near) {
-    const glm::ivec3 last = glm::min(first + kBlock, grid.dims);
-    const glm::dvec3 centre = grid.origin_mm + h * (glm::dvec3(first) + 0.5 * (kBlock - 1));
-    if (patient.skin->distance_mm(centre) > kReserve * radius) return;
-    painter.select(centre, radius, near);
-    for (int k = first.z; k < last.z; ++k) {
-      for (int j = first.y; j < last.y; ++j) {
-        if (stopped) return;
-        if (progress.cancelRequested()) stopped = true;  // at every row: an anatomy may take a millisecond for a voxel
-        const glm::ivec3 inBox = glm::ivec3(first.x, j, k) - boxFirst;
-        const float* speckle =
-            power.data() +
-            (static_cast<std::size_t>(inBox.z) * static_cast<std::size_t>(boxSize.y) + static_cast<std::size_t>(inBox.y)) *
-                static_cast<std::size_t>(boxSize.x) +
-            static_cast<std::size_t>(inBox.x);
-        for (int i = first.x; i < last.x; ++i, ++speckle) {
-          const glm::dvec3 p = grid.origin_mm + h * glm::dvec3(i, j, k);
-          const double skin = patient.skin->distance_mm(p);
-          if (skin >= 0.0) continue;
-          const Look look = painter.at(p, skin, near);
-          const std::size_t at = grid.indexOf(i, j, k);
-          volume.echo[at] = painter.greyOf(look, static_cast<double>(decibel.of(*speckle)), p);
-          volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
-          made.labels[at] = static_cast<std::uint8_t>(look.label);
-        }
-      }
-    }
-  };
-  const auto paintPiece = [&](int piece) {
-    std::vector<float> power;
-    std::vector<const Organ*> near;
-    const glm::ivec3 first(0, (piece % strips) * kStrip, (piece / strips) * kBlock);
-    const glm::ivec3 size = glm::min(glm::ivec3(grid.dims.x, kStrip, kBlock), grid.dims - first);
-    try {
-      SpeckleScratch scratch;
-      specklePower(options.seed, first, size, scratch, power);
-      near.reserve(patient.organs.size());
-    } catch (const std::bad_alloc&) {
-      outOfMemory = true;
-      stopped = true;
-    }
-    for (int j = first.y; j < first.y + size.y && !stopped; j += kBlock) {
-      for (int i = 0; i < grid.dims.x && !stopped; i += kBlock) paintBlock({i, j, first.z}, first, size, power, near);
-      if (progress.cancelRequested()) stopped = true;
-    }
-  };
-  const bool finished = forEachTask(slabs * strips, options.threads, progress, "Building the virtual patient", paintPiece);
-  if (outOfMemory) return tooLarge();
-  if (!finished || stopped) return stoppedByUser();
+  VolumePainter painter(patient, options, progress, made);
+  const bool finished = forEachTask(painter.pieces(), options.threads, progress, "Building the virtual patient",
+                                    [&](int piece) { painter.paintPiece(piece); });
+  if (painter.outOfMemory()) return tooLargeAt(options, forecast);
+  if (!finished || painter.stopped()) return stoppedByUser();
   return made;
 }
 
