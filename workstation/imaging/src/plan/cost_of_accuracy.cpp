@@ -152,88 +152,123 @@ const CostPoint* fastestWithin(const std::vector<CostPoint>& points, double psnr
   return best;
 }
 
-Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& asked, const Scene& scene,
-                                             const Pose& pose, int width, int height, const CostOptions& options, Progress& progress) {
-  EW_EXPECTS(width >= 1 && height >= 1 && options.poses >= 1 && options.repeats >= 1);
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The measurement was cancelled."); };
-  if (pose.status != PoseStatus::ok) return failure(ErrorCode::badField, "The probe has no place; hold it on the body and measure again.");
-  if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) return passOn(rigid.error());
-  if (echo.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to measure with; open one first.");
+namespace {
 
-  Knobs neutral = asked;
-  neutral.persistence = 0.0;
-  neutral.mode = DisplayMode::bMode;
-  Scene quiet = scene;
-  quiet.noise.reset();
+/// One measurement: the reference first, then each quality and each number of planes against it. What can be cancelled returns false then.
+class CostMeasurement {
+ public:
+  CostMeasurement(const SliceSource& echo, const Probe& probe, const Knobs& asked, const Scene& scene, const Pose& pose, int width,
+                  int height, const CostOptions& options, Progress& progress)
+      : echo_(echo),
+        asked_(asked),
+        neutral_(neutralOf(asked)),
+        quiet_(quietOf(scene)),
+        poses_(posesAround(pose, options.poses)),
+        bench_{echo, probe, quiet_, poses_, width, height, options},
+        geometry_(fitDisplay(probe, neutral_, width, height)),
+        fan_(fanSpans(probe, neutral_, geometry_)),
+        progress_(progress) {
+    result.poses = options.poses;
+  }
+
+  [[nodiscard]] bool computeExact();
+  [[nodiscard]] bool timeQualities();
+  [[nodiscard]] bool timePlanes();
+
   CostOfAccuracy result;
-  result.poses = options.poses;
-  const std::vector<Pose> poses = posesAround(pose, options.poses);
-  const Bench bench{echo, probe, quiet, poses, width, height, options};
 
-  // The reference first, on at most kMostPerPose points of each picture: a grid of them, so that all depths count alike.
-  progress.report("Computing the exact slices", 0.0);
-  const DisplayGeometry geometry = fitDisplay(probe, neutral, width, height);
-  const Spans fan = fanSpans(probe, neutral, geometry);
-  const int every = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostPerPose))));
-  Exact exact;
-  for (const Pose& one : poses) {
-    auto& points = exact.ofPose.emplace_back();
-    const glm::dmat4 imageToVoxel = (echo.grid.worldToVoxel() * one.probeToWorld * geometry.imageToProbe()).matrix;
-    for (int y = 0; y < height; y += every) {
-      if (progress.cancelRequested()) return cancelled();
-      for (const RowSpan& run : fan[static_cast<std::size_t>(y)]) {
+ private:
+  static Knobs neutralOf(Knobs knobs) {
+    knobs.persistence = 0.0;
+    knobs.mode = DisplayMode::bMode;
+    return knobs;
+  }
+  static Scene quietOf(Scene scene) {
+    scene.noise.reset();
+    return scene;
+  }
+  [[nodiscard]] bool compareSlices(Quality quality, Difference& difference);
+
+  const SliceSource& echo_;
+  const Knobs& asked_;
+  Knobs neutral_;
+  Scene quiet_;
+  std::vector<Pose> poses_;
+  Bench bench_;
+  DisplayGeometry geometry_;
+  Spans fan_;
+  Progress& progress_;
+  Exact exact_;
+};
+
+/// On at most kMostPerPose points of each picture: a grid of them, so that all depths count alike.
+bool CostMeasurement::computeExact() {
+  progress_.report("Computing the exact slices", 0.0);
+  const int every = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(bench_.width) * bench_.height / kMostPerPose))));
+  for (const Pose& one : poses_) {
+    auto& points = exact_.ofPose.emplace_back();
+    const glm::dmat4 imageToVoxel = (echo_.grid.worldToVoxel() * one.probeToWorld * geometry_.imageToProbe()).matrix;
+    for (int y = 0; y < bench_.height; y += every) {
+      if (progress_.cancelRequested()) return false;
+      for (const RowSpan& run : fan_[static_cast<std::size_t>(y)]) {
         for (int x = (run.begin + every - 1) / every * every; x < run.end; x += every) {
-          const double level = sampledExactly(echo, glm::dvec3(imageToVoxel * glm::dvec4(x, y, 0.0, 1.0)));
+          const double level = sampledExactly(echo_, glm::dvec3(imageToVoxel * glm::dvec4(x, y, 0.0, 1.0)));
           if (level >= 0.0) points.push_back({x, y, level});
         }
       }
     }
     result.comparedPixels += points.size();
-    progress.report("Computing the exact slices", 0.5 * static_cast<double>(exact.ofPose.size()) / static_cast<double>(poses.size()));
+    progress_.report("Computing the exact slices", 0.5 * static_cast<double>(exact_.ofPose.size()) / static_cast<double>(poses_.size()));
   }
-  if (result.comparedPixels < kFewest) {
-    return failure(ErrorCode::emptyVolume,
-                   "The probe sees too little of the volume to compare; slide it over the volume and measure again.");
-  }
+  return true;
+}
 
-  GreyImage slicePicture(width, height);
-  SliceScratch scratch;
+bool CostMeasurement::timeQualities() {
   for (const Quality quality : {Quality::weave, Quality::linear, Quality::cubic}) {
     CostPoint point;
-    point.knobs = asked;
+    point.knobs = asked_;
     point.knobs.quality = quality;
-    Knobs knobs = neutral;
+    Knobs knobs = neutral_;
     knobs.quality = quality;
-    progress.report("Timing the qualities", 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
-    point.frame_ms = bench.time_ms(knobs, progress, [](const Pose&, const ImageView<const std::uint8_t>&, const FrameMaker&) {});
-    if (point.frame_ms < 0.0) return cancelled();
+    progress_.report("Timing the qualities", 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
+    point.frame_ms = bench_.time_ms(knobs, progress_, [](const Pose&, const ImageView<const std::uint8_t>&, const FrameMaker&) {});
+    if (point.frame_ms < 0.0) return false;
     Difference difference;
-    for (std::size_t n = 0; n < poses.size(); ++n) {
-      if (progress.cancelRequested()) return cancelled();
-      slice(quality, echo, echo.grid.worldToVoxel() * poses[n].probeToWorld * geometry.imageToProbe(), fan, viewOf(slicePicture), scratch);
-      for (const Exact::Point& p : exact.ofPose[n]) difference.add(viewOf(slicePicture).at(p.x, p.y) - p.level);
-    }
+    if (!compareSlices(quality, difference)) return false;
     difference.putInto(point);
     result.qualities.push_back(std::move(point));
   }
-  if (!scene.sliceThickness) {
-    progress.report("Timing the qualities", 1.0);
-    return result;
-  }
+  return true;
+}
 
+/// Slices of a quality against the exact ones.
+bool CostMeasurement::compareSlices(Quality quality, Difference& difference) {
+  GreyImage picture(bench_.width, bench_.height);
+  SliceScratch scratch;
+  for (std::size_t n = 0; n < poses_.size(); ++n) {
+    if (progress_.cancelRequested()) return false;
+    slice(quality, echo_, echo_.grid.worldToVoxel() * poses_[n].probeToWorld * geometry_.imageToProbe(), fan_, viewOf(picture), scratch);
+    for (const Exact::Point& p : exact_.ofPose[n]) difference.add(viewOf(picture).at(p.x, p.y) - p.level);
+  }
+  return true;
+}
+
+/// Fewer planes across the slice against the most.
+bool CostMeasurement::timePlanes() {
+  constexpr int kMost = 9;
   std::vector<GreyImage> finest;
-  for (int planes = 9; planes >= 3; planes -= 2) {
+  for (int planes = kMost; planes >= 3; planes -= 2) {
     CostPoint point;
-    point.knobs = asked;
+    point.knobs = asked_;
     point.knobs.elevationPlanes = planes;
-    Knobs knobs = neutral;
+    Knobs knobs = neutral_;
     knobs.elevationPlanes = planes;
-    progress.report("Timing the slice thickness", 0.8 + 0.05 * static_cast<double>(result.planes.size()));
+    progress_.report("Timing the slice thickness", 0.8 + 0.05 * static_cast<double>(result.planes.size()));
     Difference difference;
     std::size_t n = 0;
     point.frame_ms =
-        bench.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
-          if (planes == 9) {
+        bench_.time_ms(knobs, progress_, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
+          if (planes == kMost) {
             GreyImage& kept = finest.emplace_back(picture.width, picture.height);
             for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(kept).row(y));
           }
@@ -244,12 +279,33 @@ Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Prob
           }
           ++n;
         });
-    if (point.frame_ms < 0.0) return cancelled();
+    if (point.frame_ms < 0.0) return false;
     difference.putInto(point);
     result.planes.insert(result.planes.begin(), std::move(point));
   }
-  progress.report("Timing the slice thickness", 1.0);
-  return result;
+  return true;
+}
+
+}  // namespace
+
+Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& asked, const Scene& scene,
+                                             const Pose& pose, int width, int height, const CostOptions& options, Progress& progress) {
+  EW_EXPECTS(width >= 1 && height >= 1 && options.poses >= 1 && options.repeats >= 1);
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The measurement was cancelled."); };
+  if (pose.status != PoseStatus::ok) return failure(ErrorCode::badField, "The probe has no place; hold it on the body and measure again.");
+  if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) return passOn(rigid.error());
+  if (echo.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to measure with; open one first.");
+
+  CostMeasurement measurement(echo, probe, asked, scene, pose, width, height, options, progress);
+  if (!measurement.computeExact()) return cancelled();
+  if (measurement.result.comparedPixels < kFewest) {
+    return failure(ErrorCode::emptyVolume,
+                   "The probe sees too little of the volume to compare; slide it over the volume and measure again.");
+  }
+  if (!measurement.timeQualities()) return cancelled();
+  if (scene.sliceThickness && !measurement.timePlanes()) return cancelled();
+  progress.report(scene.sliceThickness ? "Timing the slice thickness" : "Timing the qualities", 1.0);
+  return std::move(measurement.result);
 }
 
 }  // namespace ew
