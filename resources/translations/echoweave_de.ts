@@ -2,6 +2,216 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ew::EffectInfo</name>
+    <message>
+        <source>Gain and DGC</source>
+        <translation>Verstärkung und DGC</translation>
+    </message>
+    <message>
+        <source>gain and DGC</source>
+        <translation>Verstärkung und DGC</translation>
+    </message>
+    <message>
+        <source>Gain and depth compensation act on the image</source>
+        <translation>Verstärkung und Tiefenausgleich wirken auf das Bild</translation>
+    </message>
+    <message>
+        <source>Beam width and focus</source>
+        <translation>Strahlbreite und Fokus</translation>
+    </message>
+    <message>
+        <source>beam width</source>
+        <translation>Strahlbreite</translation>
+    </message>
+    <message>
+        <source>The beam is narrow at the focus and wide elsewhere</source>
+        <translation>Der Strahl ist im Fokus schmal und sonst breit</translation>
+    </message>
+    <message>
+        <source>How much wider than recorded the beam is away from its focus</source>
+        <translation>Wie viel breiter als aufgenommen der Strahl außerhalb des Fokus ist</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Slice thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>slice thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>The image is an average over the thickness of the beam</source>
+        <translation>Das Bild ist ein Mittel über die Dicke des Strahls</translation>
+    </message>
+    <message>
+        <source>Thickness of the slice, as a multiple of the probe&apos;s own</source>
+        <translation>Dicke der Schicht als Vielfaches der Dicke der Sonde</translation>
+    </message>
+    <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
+        <source>Shadow and enhancement</source>
+        <translation>Schatten, Verstärkung</translation>
+    </message>
+    <message>
+        <source>shadow and enhancement</source>
+        <translation>Schatten und Verstärkung</translation>
+    </message>
+    <message>
+        <source>Dark behind stone, bone and gas, bright behind fluid</source>
+        <translation>Dunkel hinter Stein, Knochen und Gas, hell hinter Flüssigkeit</translation>
+    </message>
+    <message>
+        <source>What each millimetre of strong echoes takes from the sound behind it</source>
+        <translation>Was jeder Millimeter starker Echos dem Schall dahinter nimmt</translation>
+    </message>
+    <message>
+        <source>%1 dB/mm</source>
+        <translation>%1 dB/mm</translation>
+    </message>
+    <message>
+        <source>Reverberation</source>
+        <translation>Nachhall</translation>
+    </message>
+    <message>
+        <source>reverberation</source>
+        <translation>Nachhall</translation>
+    </message>
+    <message>
+        <source>Echoes repeated between the face and strong interfaces</source>
+        <translation>Echos, die zwischen Sonde und starken Grenzflächen hin und her laufen</translation>
+    </message>
+    <message>
+        <source>What the sound loses on each way there and back</source>
+        <translation>Was der Schall auf jedem Hin- und Rückweg verliert</translation>
+    </message>
+    <message>
+        <source>−%1 dB</source>
+        <translation>−%1 dB</translation>
+    </message>
+    <message>
+        <source>Mirror images</source>
+        <translation>Spiegelbilder</translation>
+    </message>
+    <message>
+        <source>mirror images</source>
+        <translation>Spiegelbilder</translation>
+    </message>
+    <message>
+        <source>Mirror images beyond smooth strong interfaces</source>
+        <translation>Spiegelbilder hinter glatten starken Grenzflächen</translation>
+    </message>
+    <message>
+        <source>Electronic noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise of the amplifier, which depth compensation lifts</source>
+        <translation>Rauschen des Verstärkers, das der Tiefenausgleich anhebt</translation>
+    </message>
+    <message>
+        <source>Noise at the face, below full white; it grows with depth</source>
+        <translation>Rauschen an der Sonde unter vollem Weiß; es wächst mit der Tiefe</translation>
+    </message>
+    <message>
+        <source>Skin contact</source>
+        <translation>Hautkontakt</translation>
+    </message>
+    <message>
+        <source>skin contact</source>
+        <translation>Hautkontakt</translation>
+    </message>
+    <message>
+        <source>Where the face is off the skin the image goes dark and rings down</source>
+        <translation>Wo die Sonde nicht aufliegt, wird das Bild dunkel und klingt nach</translation>
+    </message>
+    <message>
+        <source>Gaps up to here are filled by gel</source>
+        <translation>Spalte bis zu dieser Weite füllt das Gel</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ew::StepKind</name>
+    <message>
+        <source>sample nearest</source>
+        <translation>nächste abtasten</translation>
+    </message>
+    <message>
+        <source>sample linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>sample cubic</source>
+        <translation>Abtasten kubisch</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>gedehnt</translation>
+    </message>
+    <message>
+        <source>slice thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>tissues</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>reverberation</source>
+        <translation>Nachhall</translation>
+    </message>
+    <message>
+        <source>focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>M-mode</source>
+        <translation>M-Modus</translation>
+    </message>
+    <message>
+        <source>scan conversion</source>
+        <translation>Umsetzung</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>persistence</source>
+        <translation>Persistenz</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+</context>
+<context>
     <name>ew::door::PluginFault</name>
     <message>
         <source>The plugin &apos;%1&apos; could not start (%3); the rest of the program is not affected.</source>
@@ -224,62 +434,6 @@
     <message>
         <source>What a scan of this case has to show; nothing else is computed.</source>
         <translation>Was ein Scan dieses Falls zeigen muss; anderes wird nicht gerechnet.</translation>
-    </message>
-    <message>
-        <source>Gain and DGC</source>
-        <translation>Verstärkung und DGC</translation>
-    </message>
-    <message>
-        <source>The trainee sets gain and depth compensation</source>
-        <translation>Verstärkung und Tiefenausgleich stellt der Lernende ein</translation>
-    </message>
-    <message>
-        <source>Beam width and focus</source>
-        <translation>Strahlbreite und Fokus</translation>
-    </message>
-    <message>
-        <source>The beam is narrow at the focus and wide elsewhere</source>
-        <translation>Der Strahl ist im Fokus schmal und sonst breit</translation>
-    </message>
-    <message>
-        <source>Slice thickness</source>
-        <translation>Schichtdicke</translation>
-    </message>
-    <message>
-        <source>The picture is an average over the thickness of the beam</source>
-        <translation>Das Bild ist ein Mittel über die Dicke des Strahls</translation>
-    </message>
-    <message>
-        <source>Shadow and enhancement</source>
-        <translation>Schatten, Verstärkung</translation>
-    </message>
-    <message>
-        <source>Dark behind stone, bone and gas, bright behind fluid</source>
-        <translation>Dunkel hinter Stein, Knochen und Gas, hell hinter Flüssigkeit</translation>
-    </message>
-    <message>
-        <source>Reverberation and mirror images</source>
-        <translation>Nachhall und Spiegelbilder</translation>
-    </message>
-    <message>
-        <source>Repeated and mirrored echoes of strong interfaces</source>
-        <translation>Wiederholte und gespiegelte Echos starker Grenzflächen</translation>
-    </message>
-    <message>
-        <source>Electronic noise</source>
-        <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>Noise of the amplifier, which grows with depth</source>
-        <translation>Rauschen des Verstärkers, das mit der Tiefe wächst</translation>
-    </message>
-    <message>
-        <source>Skin contact</source>
-        <translation>Hautkontakt</translation>
-    </message>
-    <message>
-        <source>Where the face is off the skin the picture goes dark</source>
-        <translation>Wo die Sonde nicht aufliegt, wird das Bild dunkel</translation>
     </message>
     <message>
         <source>Switch on: %1</source>
@@ -3183,104 +3337,8 @@
         <translation>Die Qualität darf sinken, solange sich die Sonde schnell bewegt, und steigt in Ruhe wieder (F9)</translation>
     </message>
     <message>
-        <source>Gain and DGC</source>
-        <translation>Verstärkung und DGC</translation>
-    </message>
-    <message>
-        <source>Whether gain and DGC act at all</source>
-        <translation>Ob Verstärkung und DGC überhaupt wirken</translation>
-    </message>
-    <message>
-        <source>Beam width and focus</source>
-        <translation>Strahlbreite und Fokus</translation>
-    </message>
-    <message>
-        <source>How much wider than recorded the beam is away from its focus</source>
-        <translation>Wie viel breiter als aufgenommen der Strahl außerhalb des Fokus ist</translation>
-    </message>
-    <message>
-        <source>The beam is narrow at the focus and wide elsewhere (F2)</source>
-        <translation>Der Strahl ist im Fokus schmal und sonst breit (F2)</translation>
-    </message>
-    <message>
-        <source>Slice thickness</source>
-        <translation>Schichtdicke</translation>
-    </message>
-    <message>
-        <source>Thickness of the slice, as a multiple of the probe&apos;s own</source>
-        <translation>Dicke der Schicht als Vielfaches der Dicke der Sonde</translation>
-    </message>
-    <message>
-        <source>The picture is an average over the thickness of the beam (F3)</source>
-        <translation>Das Bild ist ein Mittel über die Dicke des Strahls (F3)</translation>
-    </message>
-    <message>
         <source>The thickness is averaged over %1 planes (Shift+F3 for the next)</source>
         <translation>Die Dicke wird über %1 Ebenen gemittelt (Umschalt+F3 für die nächste Zahl)</translation>
-    </message>
-    <message>
-        <source>%1 dB/mm</source>
-        <translation>%1 dB/mm</translation>
-    </message>
-    <message>
-        <source>Shadow and enhancement</source>
-        <translation>Schatten, Verstärkung</translation>
-    </message>
-    <message>
-        <source>What each millimetre of strong echoes takes from the sound behind it</source>
-        <translation>Was jeder Millimeter starker Echos dem Schall dahinter nimmt</translation>
-    </message>
-    <message>
-        <source>Dark behind stone, bone and gas, bright behind fluid (F4)</source>
-        <translation>Dunkel hinter Stein, Knochen und Gas, hell hinter Flüssigkeit (F4)</translation>
-    </message>
-    <message>
-        <source>−%1 dB</source>
-        <translation>−%1 dB</translation>
-    </message>
-    <message>
-        <source>Reverberation</source>
-        <translation>Nachhall</translation>
-    </message>
-    <message>
-        <source>What the sound loses on each way there and back</source>
-        <translation>Was der Schall auf jedem Hin- und Rückweg verliert</translation>
-    </message>
-    <message>
-        <source>Echoes repeated between the face and strong interfaces (F5)</source>
-        <translation>Echos, die zwischen Sonde und starken Grenzflächen hin und her laufen (F5)</translation>
-    </message>
-    <message>
-        <source>Mirror images</source>
-        <translation>Spiegelbilder</translation>
-    </message>
-    <message>
-        <source>Mirror images beyond smooth strong interfaces (F6)</source>
-        <translation>Spiegelbilder hinter glatten starken Grenzflächen (F6)</translation>
-    </message>
-    <message>
-        <source>Electronic noise</source>
-        <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>Noise at the face, below full white; it grows with depth</source>
-        <translation>Rauschen an der Sonde unter vollem Weiß; es wächst mit der Tiefe</translation>
-    </message>
-    <message>
-        <source>Noise of the amplifier, which depth compensation lifts (F7)</source>
-        <translation>Rauschen des Verstärkers, das der Tiefenausgleich anhebt (F7)</translation>
-    </message>
-    <message>
-        <source>Skin contact</source>
-        <translation>Hautkontakt</translation>
-    </message>
-    <message>
-        <source>Gaps up to here are filled by gel</source>
-        <translation>Spalte bis zu dieser Weite füllt das Gel</translation>
-    </message>
-    <message>
-        <source>Where the face is off the skin the picture goes dark and rings down (F8)</source>
-        <translation>Wo die Sonde nicht aufliegt, wird das Bild dunkel und klingt nach (F8)</translation>
     </message>
     <message>
         <source>Undo: effects of the case</source>
@@ -4536,36 +4594,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>&amp;Effekte</translation>
     </message>
     <message>
-        <source>Beam width and focus</source>
-        <translation>Strahlbreite und Fokus</translation>
-    </message>
-    <message>
-        <source>Slice thickness</source>
-        <translation>Schichtdicke</translation>
-    </message>
-    <message>
         <source>Planes of the slice thickness</source>
         <translation>Ebenen der Schichtdicke</translation>
-    </message>
-    <message>
-        <source>Shadow and enhancement</source>
-        <translation>Schatten, Verstärkung</translation>
-    </message>
-    <message>
-        <source>Reverberation</source>
-        <translation>Nachhall</translation>
-    </message>
-    <message>
-        <source>Mirror images</source>
-        <translation>Spiegelbilder</translation>
-    </message>
-    <message>
-        <source>Electronic noise</source>
-        <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>Skin contact</source>
-        <translation>Hautkontakt</translation>
     </message>
     <message>
         <source>&amp;Probe</source>
@@ -4670,22 +4700,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Effects and probe</source>
         <translation>Effekte und Sonde</translation>
-    </message>
-    <message>
-        <source>beam width, slice thickness</source>
-        <translation>Strahlbreite, Schichtdicke</translation>
-    </message>
-    <message>
-        <source>shadow and enhancement</source>
-        <translation>Schatten und Verstärkung</translation>
-    </message>
-    <message>
-        <source>reverberation, mirror images</source>
-        <translation>Nachhall, Spiegelbilder</translation>
-    </message>
-    <message>
-        <source>noise, skin contact</source>
-        <translation>Rauschen, Hautkontakt</translation>
     </message>
     <message>
         <source>next transducer, next frequency</source>
@@ -5447,18 +5461,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::StatusLine</name>
     <message>
-        <source>sample linear</source>
-        <translation>linear</translation>
-    </message>
-    <message>
-        <source>stretch</source>
-        <translation>gedehnt</translation>
-    </message>
-    <message>
-        <source>table</source>
-        <translation>Tabelle</translation>
-    </message>
-    <message>
         <source>contact %1 %</source>
         <translation>Kontakt %1 %</translation>
     </message>
@@ -5477,54 +5479,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>plan: %1 ms</source>
         <translation>Plan: %1 ms</translation>
-    </message>
-    <message>
-        <source>sample cubic</source>
-        <translation>Abtasten kubisch</translation>
-    </message>
-    <message>
-        <source>slice thickness</source>
-        <translation>Schichtdicke</translation>
-    </message>
-    <message>
-        <source>tissues</source>
-        <translation>Gewebe</translation>
-    </message>
-    <message>
-        <source>contact</source>
-        <translation>Kontakt</translation>
-    </message>
-    <message>
-        <source>shadow</source>
-        <translation>Schatten</translation>
-    </message>
-    <message>
-        <source>reverberation</source>
-        <translation>Nachhall</translation>
-    </message>
-    <message>
-        <source>focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>noise</source>
-        <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>scan conversion</source>
-        <translation>Umsetzung</translation>
-    </message>
-    <message>
-        <source>edges</source>
-        <translation>Kanten</translation>
-    </message>
-    <message>
-        <source>persistence</source>
-        <translation>Persistenz</translation>
-    </message>
-    <message>
-        <source>M-mode</source>
-        <translation>M-Modus</translation>
     </message>
     <message>
         <source>linear</source>
@@ -5572,10 +5526,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>median %1, 95 % %2, 99 % %3, worst %4</source>
         <translation>Median %1, 95 % %2, 99 % %3, längste %4</translation>
-    </message>
-    <message>
-        <source>sample nearest</source>
-        <translation>nächste abtasten</translation>
     </message>
     <message>
         <source>nearest</source>

@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
-#include <QSlider>
 #include <QTabWidget>
 #include <QTranslator>
 #include <algorithm>
@@ -12,50 +11,29 @@
 #include <functional>
 #include <glm/gtc/constants.hpp>
 
+#include "console_fixture.h"
 #include "cost_chart.h"
 #include "cost_panel.h"
+#include "ew/imaging/frame.h"
 #include "ew/library/case.h"
-#include "status_line.h"
-#include "window_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui::testing {
 
-/// Every control of the console changes what it names, the picture follows, and what is drawn around the picture follows the picture.
-class ConsoleTest : public WindowFixture {
+/// Every control of the console changes what it names, by hand and by its key, and nothing of it is clipped.
+class ConsoleTest : public ConsoleFixture {
   Q_OBJECT
 
  private:
-  void slide(const char* name, int value) const {
-    auto* slider = find<QSlider>(name);
-    QVERIFY2(slider != nullptr, name);
-    QVERIFY2(slider->isEnabled() && !slider->parentWidget()->isHidden(), name);
-    QVERIFY2(slider->minimum() <= value && value <= slider->maximum(), name);
-    slider->setValue(value);
-  }
-  void press(const char* name) const {
-    auto* button = find<QAbstractButton>(name);
-    QVERIFY2(button != nullptr, name);
-    QVERIFY2(button->isEnabled() && !button->isHidden(), name);
-    button->click();
-  }
   void choose(const char* name, int index) const {
     auto* choice = find<QComboBox>(name);
     QVERIFY2(choice != nullptr && index < choice->count(), name);
     choice->setCurrentIndex(index);
     Q_EMIT choice->activated(index);
   }
-  void everythingOn() const {
-    for (const char* effect :
-         {"focusStrengthEffect", "sliceThicknessEffect", "attenuationEffect", "reverberationEffect", "noiseEffect", "contactGelEffect"}) {
-      press(effect);
-    }
-  }
   [[nodiscard]] static bool isThere(const QSlider* slider) { return slider != nullptr && !slider->parentWidget()->isHidden(); }
-  [[nodiscard]] const Knobs& knobs() const { return session().knobs(); }
-  [[nodiscard]] const Scene& scene() const { return session().scene(); }
   /// A linear array that steers and fans out, beside the case's own probe.
   void chooseLinearProbe() const {
     Probe linear;
@@ -74,21 +52,6 @@ class ConsoleTest : public WindowFixture {
     session().show(subject);
     session().chooseProbe("test-linear");
     QCOMPARE(session().probe().id, std::string("test-linear"));
-  }
-  /// Every frame of a probe that moves at all counts as slow, whatever the machine.
-  [[nodiscard]] static AdaptiveQuality::Options strict() {
-    AdaptiveQuality::Options options;
-    options.budget_ms = 0.0;
-    options.fast_mmPerS = 0.01;
-    return options;
-  }
-  /// Whether no more frames come: those that were due may come late.
-  [[nodiscard]] bool comesToRest() const {
-    std::uint64_t frames = session().framesMade();
-    return waitUntil([&] {
-      QTest::qWait(200);
-      return std::exchange(frames, session().framesMade()) == frames;
-    });
   }
   void checkNothingIsClipped() const {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
@@ -116,11 +79,7 @@ class ConsoleTest : public WindowFixture {
 
  private Q_SLOTS:
   void initTestCase() { initTranslations(); }
-  void init() {
-    QSettings().clear();
-    QSettings().setValue(QStringLiteral("fold/advanced"), true);
-    showWindowWithCase(files_.writeCase(QStringLiteral("case")));
-  }
+  void init() { openConsole(); }
   void cleanup() { window_.reset(); }
 
   void everyKnobOfTheConsoleChangesTheKnobItNames() {
@@ -216,21 +175,21 @@ class ConsoleTest : public WindowFixture {
   void everyEffectIsSwitchedAndItsStrengthReachesTheScene() {
     const Scene none;
     QVERIFY(scene() == none);
-    for (const char* slider : {"focusStrength", "sliceThickness", "attenuation", "reverberation", "noise", "contactGel"}) {
-      QVERIFY2(!find<QSlider>(slider)->isEnabled(), slider);
+    for (const EffectInfo& effect : sceneEffects()) {
+      if (effect.strength) QVERIFY2(!find<QSlider>(strengthOf(effect.key).c_str())->isEnabled(), effect.key);
     }
     QVERIFY2(!find<QSlider>("focus")->isEnabled(), "a focus that does nothing must look off");
-    QVERIFY(!find<QCheckBox>("mirror")->isEnabled());
+    QVERIFY(!find<QCheckBox>("effect_mirror")->isEnabled());
     everythingOn();
     QVERIFY(scene() == sceneWithEverything());
-    slide("focusStrength", 150);
-    slide("sliceThickness", 25);
-    slide("attenuation", 20);
-    slide("reverberation", 8);
-    press("mirror");
-    slide("noise", -70);
-    slide("contactGel", 10);
-    press("gainEffect");
+    slideEffect("focus", 150);
+    slideEffect("slice_thickness", 25);
+    slideEffect("attenuation", 20);
+    slideEffect("reverberation", 8);
+    pressEffect("mirror");
+    slideEffect("noise", -70);
+    slideEffect("contact", 10);
+    pressEffect("gain_and_dgc");
     QCOMPARE(scene().focus->strength, 1.5);
     QCOMPARE(scene().sliceThickness->scale, 2.5);
     QCOMPARE(scene().attenuation->interface_dbPerMm, 10.0);
@@ -239,20 +198,20 @@ class ConsoleTest : public WindowFixture {
     QCOMPARE(scene().noise->atFace_db, -70.0);
     QCOMPARE(scene().contact->gel_mm, 5.0);
     QVERIFY(!scene().gainAndDgc && !find<QSlider>("gain")->isEnabled() && !find<QSlider>("dgc1")->isEnabled());
-    press("noiseEffect");
+    pressEffect("noise");
     QVERIFY(!scene().noise);
-    press("noiseEffect");
+    pressEffect("noise");
     QCOMPARE(scene().noise->atFace_db, -70.0);  // as strong as it was
   }
 
   void everyEffectChangesThePicture() {
     session().makePictureNow();
-    for (const char* effect : {"focusStrengthEffect", "sliceThicknessEffect", "noiseEffect"}) {
+    for (const char* effect : {"focus", "slice_thickness", "noise"}) {
       const std::vector<std::uint8_t> before = pixelsOf(session());
-      press(effect);
+      pressEffect(effect);
       session().makePictureNow();
       QVERIFY2(pixelsOf(session()) != before, effect);
-      press(effect);
+      pressEffect(effect);
       session().makePictureNow();
       QVERIFY2(pixelsOf(session()) == before, effect);
     }
@@ -262,14 +221,14 @@ class ConsoleTest : public WindowFixture {
     session().setHold(turned(lifted, 0.0, 0.6, 0.0));
     session().makePictureNow();
     const std::vector<std::uint8_t> touching = pixelsOf(session());
-    press("contactGelEffect");
+    pressEffect("contact");
     session().makePictureNow();
     QVERIFY(pixelsOf(session()) != touching);
   }
 
   void theScenesResetIsTakenBack() {
-    press("attenuationEffect");
-    slide("attenuation", 30);
+    pressEffect("attenuation");
+    slideEffect("attenuation", 30);
     const Scene switched = scene();
     auto* reset = find<QPushButton>("sceneReset");
     const QString name = reset->text();
@@ -325,7 +284,7 @@ class ConsoleTest : public WindowFixture {
   }
 
   void draggingOnTheDepthScaleMovesTheNearestFocus() {
-    press("focusStrengthEffect");
+    pressEffect("focus");
     press("foci2");
     session().makePictureNow();
     auto* scale = find<QWidget>("focusScale");
@@ -338,185 +297,6 @@ class ConsoleTest : public WindowFixture {
     QTest::mouseRelease(scale, Qt::LeftButton, Qt::NoModifier, at(140.0));
     QCOMPARE(knobs().focus_mm, first_mm);
     QVERIFY(std::abs(knobs().moreFoci_mm[0] - 140.0) <= 1.0);
-  }
-
-  void theBricksOfAVolumeShowTheVolumesOwnPixels() {
-    const ScanSubject plain = *session().subject();
-    QVERIFY2(plain.voxels.bricks() == nullptr, "a small volume is sliced as it lies");
-    auto made = ScanVoxels::inBricks(plain.voxels.volume(), 1);
-    QVERIFY(made.has_value());
-    ScanSubject bricked = plain;
-    bricked.voxels = *made;
-    for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
-      if (!find<QPushButton>(quality)->isChecked()) press(quality);
-      session().show(bricked);
-      session().makePictureNow();
-      const std::vector<std::uint8_t> ofBricks = pixelsOf(session());
-      session().show(plain);
-      session().makePictureNow();
-      QVERIFY2(pixelsOf(session()) == ofBricks, quality);
-    }
-  }
-
-  void zoomingOutReadsACoarserLevelUnlessTheQualityIsWeave() {
-    const ScanSubject plain = *session().subject();
-    auto made = ScanVoxels::inBricks(plain.voxels.volume(), 4);
-    QVERIFY(made.has_value());
-    ScanSubject bricked = plain;
-    bricked.voxels = *made;
-    const auto shown = [this](const ScanSubject& subject, const char* quality, int width, int height) {
-      if (!find<QPushButton>(quality)->isChecked()) press(quality);
-      session().show(subject);
-      session().setPictureSize(width, height);
-      session().makePictureNow();
-      return pixelsOf(session());
-    };
-    for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
-      QVERIFY2(shown(bricked, quality, 600, 500) == shown(plain, quality, 600, 500), quality);
-      const bool same = shown(bricked, quality, 24, 20) == shown(plain, quality, 24, 20);
-      QVERIFY2(same == (quality == std::string("qualityWeave")), quality);
-    }
-  }
-
-  void upsideDownMovesScaleSlidersAndMarkerWithThePicture() {
-    session().makePictureNow();
-    QTest::qWait(30);
-    const auto y = [this](const char* name) { return find<QSlider>(name)->mapTo(&window_->scanView(), QPoint(0, 10)).y(); };
-    ScanView& view = window_->scanView();
-    QVERIFY(y("dgc1") < y("dgc8") && view.yOfDepth(0.0) < view.yOfDepth(100.0));
-    const std::vector<std::uint8_t> upright = pixelsOf(session());
-    press("upsideDown");
-    session().makePictureNow();
-    QTest::qWait(30);
-    QVERIFY(y("dgc1") > y("dgc8") && view.yOfDepth(0.0) > view.yOfDepth(100.0));
-    QVERIFY(std::abs(view.depthAt_mm(view.yOfDepth(70.0)) - 70.0) < 1e-9);
-    for (int i = 1; i <= 8; ++i) {
-      const double depth_mm = session().geometry().depth_mm * (i - 0.5) / 8.0;
-      QVERIFY(std::abs(y(qPrintable(QStringLiteral("dgc%1").arg(i))) - view.yOfDepth(depth_mm)) <= 1.5);
-    }
-    const std::vector<std::uint8_t> turnedOver = pixelsOf(session());
-    const auto width = static_cast<std::size_t>(session().geometry().width);
-    const auto height = static_cast<std::size_t>(session().geometry().height);
-    for (std::size_t row = 0; row < height; ++row) {
-      for (std::size_t x = 0; x < width; ++x) {
-        QVERIFY(std::abs(upright[row * width + x] - turnedOver[(height - 1 - row) * width + x]) <= 1);
-      }
-    }
-  }
-
-  void slowFramesLowerTheQualityOfAMovingProbeAndRestBringsItBack() {
-    press("qualityCubic");
-    session().setAdaptive(true);
-    session().setAdaptiveOptions(strict());
-    session().makePictureNow();
-    // A lowered quality may be back before the next look, so each frame is looked at.
-    bool fell = false;
-    const auto looking = connect(&session(), &Session::pictureChanged, this,
-                                 [&] { fell = fell || (session().isLowered() && session().usedKnobs().quality != Quality::cubic); });
-    for (int n = 0; n < 1000 && !fell; ++n) {
-      Hold moved = session().hold();
-      moved.contact.point_mm.x += n % 2 == 0 ? 6.0 : -6.0;
-      session().setHold(moved);
-      QTest::qWait(15);
-    }
-    disconnect(looking);
-    QVERIFY2(fell, "the quality did not fall");
-    QVERIFY(knobs().quality == Quality::cubic);
-    QVERIFY2(waitUntil([this] { return !session().isLowered(); }), "the quality did not come back at rest");
-    QVERIFY(session().usedKnobs().quality == Quality::cubic);
-    const std::vector<std::uint8_t> refined = pixelsOf(session());
-    session().setAdaptive(false);
-    session().makePictureNow();
-    QCOMPARE(pixelsOf(session()), refined);
-  }
-
-  void aFrozenPictureIsMadeInFullAndStaysAsItIs() {
-    press("qualityCubic");
-    press("noiseEffect");
-    session().setAdaptive(true);
-    session().setAdaptiveOptions(strict());
-    for (int n = 0; n < 12; ++n) {
-      Hold moved = session().hold();
-      moved.contact.point_mm.x += 6.0;
-      session().setHold(moved);
-      QTest::qWait(10);
-    }
-    session().setFrozen(true);
-    QVERIFY(session().usedKnobs() == session().pictureKnobs());
-    const std::vector<std::uint8_t> held = pixelsOf(session());
-    const std::uint64_t frames = session().framesMade();
-    press("attenuationEffect");
-    QTest::qWait(200);
-    QCOMPARE(pixelsOf(session()), held);
-    QVERIFY2(session().framesMade() == frames, "a frozen picture makes no frames");
-    // Another size and back gives the same pixels: the same noise, the same scene.
-    const DisplayGeometry was = session().geometry();
-    session().setPictureSize(was.width / 2, was.height / 2);
-    session().makePictureNow();
-    session().setPictureSize(was.width, was.height);
-    session().makePictureNow();
-    QCOMPARE(pixelsOf(session()), held);
-  }
-
-  void framesComeByThemselvesOnlyWhileSomethingChangesByItself() {
-    QVERIFY(comesToRest());
-    press("noiseEffect");
-    const std::uint64_t frames = session().framesMade();
-    QVERIFY(waitUntil([&] { return session().framesMade() > frames; }));
-    const std::vector<std::uint8_t> before = pixelsOf(session());
-    QVERIFY(waitUntil([&] { return session().framesMade() >= frames + 4; }));
-    QVERIFY2(pixelsOf(session()) != before, "noise does not move");
-    press("noiseEffect");
-    slide("persistence", 50);
-    session().setHold(turned(session().hold(), 0.2, 0.0, 0.0));
-    session().makePictureNow();
-    QVERIFY(session().changesByItself());
-    QVERIFY(waitUntil([this] { return !session().changesByItself(); }));
-    QVERIFY(comesToRest());
-    press("modeBoth");
-    QTest::qWait(50);
-    QVERIFY(session().changesByItself());
-    window_->showStartPage();
-    QVERIFY2(comesToRest(), "nobody watches");
-  }
-
-  void theMModeStripFillsAndItsLineFollowsTheKnob() {
-    press("modeBoth");
-    QVERIFY(waitUntil([this] { return session().strip().width > 0; }));
-    QVERIFY(waitUntil([this] {
-      const ImageView<const std::uint8_t> strip = session().strip();
-      for (int y = 0; y < strip.height; ++y) {
-        if (std::any_of(strip.row(y), strip.row(y) + strip.width, [](std::uint8_t grey) { return grey > 0; })) return true;
-      }
-      return false;
-    }));
-    const QRect picture = window_->scanView().pictureRect();
-    const QRect strip = window_->scanView().stripRect();
-    QCOMPARE(strip.size(), picture.size());
-    QVERIFY(strip.top() > picture.bottom());
-    const int cursor = session().stripCursor();
-    QVERIFY(waitUntil([&] { return session().stripCursor() != cursor; }));
-    QVERIFY(session().latency().count() < 1000);
-    press("modeM");
-    QTest::qWait(100);
-    QCOMPARE(window_->scanView().stripRect(), window_->scanView().pictureRect());
-    press("modeB");
-    session().makePictureNow();
-    QVERIFY(window_->scanView().stripRect().isEmpty());
-    QCOMPARE(session().strip().width, 0);
-  }
-
-  void theStatusLineTellsThePlanAndHowLongPicturesTook() {
-    everythingOn();
-    for (int n = 0; n < 3; ++n) {
-      session().setHold(turned(session().hold(), 0.05, 0.0, 0.0));
-      QTest::qWait(30);
-    }
-    QVERIFY(waitUntil([this] { return session().latency().count() >= 3; }));
-    QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }));
-    // The line is written a moment after the picture, so it may still tell the plan before.
-    for (const Step& step : session().plan().steps)
-      QVERIFY2(waitUntil([&] { return find<QLabel>("plan")->toolTip().contains(nameOfStep(step.kind)); }), nameOf(step.kind));
   }
 
   void theCostPanelMeasuresMarksAndApplies() {
@@ -575,6 +355,22 @@ class ConsoleTest : public WindowFixture {
     QVERIFY(window_->document().save().has_value());
     const auto reopened = loadCase(window_->document().current()->folder);
     QVERIFY(reopened.has_value() && reopened->scene.noise.has_value());
+  }
+
+  void everyEffectAndEveryStepHasGermanWords() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    const auto isThere = [&](const char* context, const char* text) { QVERIFY2(!german.translate(context, text).isEmpty(), text); };
+    for (const EffectInfo& effect : sceneEffects()) {
+      for (const char* text : {effect.name, effect.shortName, effect.tip}) isThere(kEffectTexts, text);
+      if (effect.strength) {
+        for (const char* text : {effect.strength->tip, effect.strength->pattern}) isThere(kEffectTexts, text);
+      }
+      if (effect.option) {
+        for (const char* text : {effect.option->name, effect.option->shortName, effect.option->tip}) isThere(kEffectTexts, text);
+      }
+    }
+    for (int kind = 0; kind <= static_cast<int>(StepKind::table); ++kind) isThere("ew::StepKind", labelOf(static_cast<StepKind>(kind)));
   }
 
   void noTextIsClippedOnAnyPage() {

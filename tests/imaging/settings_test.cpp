@@ -80,10 +80,6 @@ TEST(SettingsJson, EveryKeyOfTheManualIsWrittenAndRead) {
     EXPECT_NE(knobsManual().find("  " + key + ": "), std::string::npos) << key;
     EXPECT_TRUE(knobsFromJson({{key, value}}, "knobs")) << key;
   }
-  for (const char* key : {"focus", "slice_thickness", "attenuation", "reverberation", "noise", "contact"}) {
-    EXPECT_TRUE(toJson(sceneWithEverything())[key] == true) << key;
-    EXPECT_NE(sceneManual().find("  " + std::string(key) + ": true, false"), std::string::npos) << key;
-  }
 }
 
 TEST(SettingsJson, AnEffectIsTrueFalseOrItsParameters) {

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -10,6 +11,7 @@
 #include <QSpinBox>
 #include <QStackedWidget>
 
+#include "ew/imaging/effect_info.h"
 #include "logic/edits.h"
 #include "panel/fields.h"
 
@@ -240,24 +242,14 @@ void CasePanel::addAge(QFormLayout* form) {
 
 void CasePanel::addScene(QFormLayout* form) {
   form->addRow(sdk::quietLabel(tr("What a scan of this case has to show; nothing else is computed.")));
-  const struct {
-    const char* path;
-    QString name, tip;
-  } effects[] = {
-      {"scene.gain_and_dgc", tr("Gain and DGC"), tr("The trainee sets gain and depth compensation")},
-      {"scene.focus", tr("Beam width and focus"), tr("The beam is narrow at the focus and wide elsewhere")},
-      {"scene.slice_thickness", tr("Slice thickness"), tr("The picture is an average over the thickness of the beam")},
-      {"scene.attenuation", tr("Shadow and enhancement"), tr("Dark behind stone, bone and gas, bright behind fluid")},
-      {"scene.reverberation", tr("Reverberation and mirror images"), tr("Repeated and mirrored echoes of strong interfaces")},
-      {"scene.noise", tr("Electronic noise"), tr("Noise of the amplifier, which grows with depth")},
-      {"scene.contact", tr("Skin contact"), tr("Where the face is off the skin the picture goes dark")},
-  };
-  for (const auto& effect : effects) {
-    const std::string path = effect.path;
-    auto* box = new QCheckBox(effect.name);
+  const auto text = [](const char* source) { return QCoreApplication::translate(kEffectTexts, source); };
+  for (const EffectInfo& effect : sceneEffects()) {
+    const std::string path = std::string("scene.") + effect.key;
+    const QString name = text(effect.name);
+    auto* box = new QCheckBox(name);
     box->setObjectName(nameOf(path));
-    box->setToolTip(effect.tip);
-    connect(box, &QCheckBox::toggled, this, [this, path, name = effect.name](bool on) {
+    box->setToolTip(text(effect.tip));
+    connect(box, &QCheckBox::toggled, this, [this, path, name](bool on) {
       change(path, on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name),
              [&](nlohmann::json manifest) { return withEffect(std::move(manifest), path, on); });
     });
@@ -266,7 +258,7 @@ void CasePanel::addScene(QFormLayout* form) {
                        box->setChecked(hasEffect(manifest, path));
                      },
                      addRow(form, {}, box, path)};
-    box->setAccessibleName(effect.name);
+    box->setAccessibleName(name);
   }
 }
 

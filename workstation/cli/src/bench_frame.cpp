@@ -10,6 +10,7 @@
 
 #include "bench_parts.h"
 #include "ew/imaging/beam_grid.h"
+#include "ew/imaging/effect_info.h"
 #include "ew/imaging/effects/focus.h"
 #include "ew/imaging/effects/slice_thickness.h"
 #include "ew/imaging/frame.h"
@@ -213,89 +214,128 @@ void addPeers(std::vector<FrameSetting>& settings, const World& world) {
   settings.push_back(std::move(setting));
 }
 
-std::vector<FrameSetting> settingsOf(const World& world) {
-  std::vector<FrameSetting> settings;
-  const auto neutral = [](std::string group, std::string method) {
+/// The settings of one volume, each with its own scanner.
+class FrameSettings {
+ public:
+  explicit FrameSettings(const World& world) : world_(world) {}
+
+  void addSampling() {
+    const std::pair<Quality, const char*> qualities[] = {{Quality::weave, "weave"}, {Quality::linear, "linear"}, {Quality::cubic, "cubic"}};
+    const auto sampling = [](Quality quality, std::string method) {
+      FrameSetting setting = neutral("sampling", std::move(method));
+      setting.knobs.quality = quality;
+      setting.exact = Exact::field;
+      return setting;
+    };
+    for (const auto& [quality, name] : qualities) addFrames(settings_, world_, sampling(quality, name));
+    for (const auto& [quality, name] : qualities) addBareBeams(settings_, world_, sampling(quality, std::string("beams, ") + name));
+  }
+
+  /// The effects whose choices have exact answers.
+  void addBeamWidths() {
+    for (const int planes : {3, 5, 7, 9}) {
+      FrameSetting setting = neutral("slice thickness", std::to_string(planes) + " planes");
+      setting.scene.sliceThickness.emplace();
+      setting.knobs.elevationPlanes = planes;
+      setting.exact = Exact::elevationalMean;
+      addFrames(settings_, world_, setting);
+    }
+    for (const auto& [method, name] :
+         {std::pair{FocusMethod::rowStretch, "row stretch"}, std::pair{FocusMethod::lateralKernel, "lateral kernel"}}) {
+      FrameSetting setting = neutral("focus", name);
+      setting.scene.focus.emplace();
+      setting.knobs.focusMethod = method;
+      setting.knobs.focus_mm = 60.0;
+      setting.exact = Exact::lateralMean;
+      addFrames(settings_, world_, setting);
+    }
+  }
+
+  void addSingleKnobs() {
+    alone("gain and DGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
+    alone("dynamic range, grey map", [](FrameSetting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
+    alone("edge enhancement", [](FrameSetting& s) { s.knobs.edgeEnhancement = 0.4; });
+    alone("persistence", [](FrameSetting& s) { s.knobs.persistence = 0.3; });
+    alone("M-mode beside B-mode", [](FrameSetting& s) { s.knobs.mode = DisplayMode::both; });
+  }
+
+  /// Every effect that no setting has yet; those that need labels or gaps to act on come first.
+  void addSingleEffects() {
+    const auto shadow = [](FrameSetting& s) { s.scene.attenuation.emplace(); };
+    alone("shadow by grey level", shadow);
+    alone("shadow by tissue", shadow, true);
+    alone(
+        "contact loss", [](FrameSetting& s) { s.scene.contact.emplace(); }, false, true);
+    for (const EffectInfo& effect : sceneEffects()) {
+      const bool isMeasured = std::any_of(settings_.begin(), settings_.end(), [&](const FrameSetting& s) { return effect.isOn(s.scene); });
+      if (!isMeasured) alone(effect.shortName, [&effect](FrameSetting& s) { effect.switchTo(s.scene, true); });
+    }
+  }
+
+  void addEverything() {
+    everything("everything", [](FrameSetting&) {});
+    everything("everything, weave", [](FrameSetting& s) { s.knobs.quality = Quality::weave; });
+    everything("everything, cubic", [](FrameSetting& s) { s.knobs.quality = Quality::cubic; });
+    everything("everything, 3 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 3; });
+    everything("everything, 7 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 7; });
+    everything("everything, row stretch", [](FrameSetting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
+  }
+
+  void addTwoThreads() {
+    FrameSetting two = neutral("two threads", "linear");
+    two.threads = 2;
+    addFrames(settings_, world_, two);
+    everything(
+        "everything", [](FrameSetting& s) { s.group = "two threads"; }, 2);
+  }
+
+  /// All of them, with the peers when they are asked for, by the names of the report.
+  std::vector<FrameSetting> named() {
+    if (world_.options.peers) addPeers(settings_, world_);
+    const std::string size = std::to_string(world_.options.width_px) + "x" + std::to_string(world_.options.height_px);
+    for (FrameSetting& setting : settings_) {
+      std::string name = setting.method;
+      std::erase(name, ',');
+      std::replace(name.begin(), name.end(), ' ', '_');
+      setting.name = "frame_" + size + "_of_" + std::to_string(world_.side) + "cubed/" + name + "/" + std::to_string(setting.threads);
+    }
+    return std::move(settings_);
+  }
+
+ private:
+  static FrameSetting neutral(std::string group, std::string method) {
     FrameSetting setting;
     setting.group = std::move(group);
     setting.method = std::move(method);
     return setting;
-  };
-  const std::pair<Quality, const char*> qualities[] = {{Quality::weave, "weave"}, {Quality::linear, "linear"}, {Quality::cubic, "cubic"}};
-  for (const auto& [quality, name] : qualities) {
-    FrameSetting setting = neutral("sampling", name);
-    setting.knobs.quality = quality;
-    setting.exact = Exact::field;
-    addFrames(settings, world, setting);
   }
-  for (const auto& [quality, name] : qualities) {
-    FrameSetting setting = neutral("sampling", std::string("beams, ") + name);
-    setting.knobs.quality = quality;
-    setting.exact = Exact::field;
-    addBareBeams(settings, world, setting);
-  }
-  for (const int planes : {3, 5, 7, 9}) {
-    FrameSetting setting = neutral("slice thickness", std::to_string(planes) + " planes");
-    setting.scene.sliceThickness.emplace();
-    setting.knobs.elevationPlanes = planes;
-    setting.exact = Exact::elevationalMean;
-    addFrames(settings, world, setting);
-  }
-  for (const auto& [method, name] :
-       {std::pair{FocusMethod::rowStretch, "row stretch"}, std::pair{FocusMethod::lateralKernel, "lateral kernel"}}) {
-    FrameSetting setting = neutral("focus", name);
-    setting.scene.focus.emplace();
-    setting.knobs.focusMethod = method;
-    setting.knobs.focus_mm = 60.0;
-    setting.exact = Exact::lateralMean;
-    addFrames(settings, world, setting);
-  }
-  const auto alone = [&](const char* method, const std::function<void(FrameSetting&)>& set, bool labels = false, bool gaps = false) {
+  void alone(const char* method, const std::function<void(FrameSetting&)>& set, bool labels = false, bool gaps = false) {
     FrameSetting setting = neutral("one effect", method);
     set(setting);
-    addFrames(settings, world, setting, labels, gaps);
-  };
-  alone("gain and DGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
-  alone("dynamic range, grey map", [](FrameSetting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
-  alone("edge enhancement", [](FrameSetting& s) { s.knobs.edgeEnhancement = 0.4; });
-  alone("persistence", [](FrameSetting& s) { s.knobs.persistence = 0.3; });
-  alone("M-mode beside B-mode", [](FrameSetting& s) { s.knobs.mode = DisplayMode::both; });
-  alone("shadow by grey level", [](FrameSetting& s) { s.scene.attenuation.emplace(); });
-  alone(
-      "shadow by tissue", [](FrameSetting& s) { s.scene.attenuation.emplace(); }, true);
-  alone("reverberation", [](FrameSetting& s) { s.scene.reverberation.emplace(); });
-  alone("noise", [](FrameSetting& s) { s.scene.noise.emplace(); });
-  alone(
-      "contact loss", [](FrameSetting& s) { s.scene.contact.emplace(); }, false, true);
-
-  const auto everything = [&](const std::string& method, const std::function<void(FrameSetting&)>& change, int threads = 1) {
+    addFrames(settings_, world_, setting, labels, gaps);
+  }
+  void everything(const std::string& method, const std::function<void(FrameSetting&)>& change, int threads = 1) {
     FrameSetting setting = neutral("everything", method);
     setting.knobs = everyKnob();
     setting.scene = sceneWithEverything();
     setting.threads = threads;
     change(setting);
-    addFrames(settings, world, setting, true, true);
-  };
-  everything("everything", [](FrameSetting&) {});
-  everything("everything, weave", [](FrameSetting& s) { s.knobs.quality = Quality::weave; });
-  everything("everything, cubic", [](FrameSetting& s) { s.knobs.quality = Quality::cubic; });
-  everything("everything, 3 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 3; });
-  everything("everything, 7 planes", [](FrameSetting& s) { s.knobs.elevationPlanes = 7; });
-  everything("everything, row stretch", [](FrameSetting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
-  FrameSetting two = neutral("two threads", "linear");
-  two.threads = 2;
-  addFrames(settings, world, two);
-  everything(
-      "everything", [](FrameSetting& s) { s.group = "two threads"; }, 2);
-  if (world.options.peers) addPeers(settings, world);
-  const std::string size = std::to_string(world.options.width_px) + "x" + std::to_string(world.options.height_px);
-  for (FrameSetting& setting : settings) {
-    std::string name = setting.method;
-    std::erase(name, ',');
-    std::replace(name.begin(), name.end(), ' ', '_');
-    setting.name = "frame_" + size + "_of_" + std::to_string(world.side) + "cubed/" + name + "/" + std::to_string(setting.threads);
+    addFrames(settings_, world_, setting, true, true);
   }
-  return settings;
+
+  const World& world_;
+  std::vector<FrameSetting> settings_;
+};
+
+std::vector<FrameSetting> settingsOf(const World& world) {
+  FrameSettings settings(world);
+  settings.addSampling();
+  settings.addBeamWidths();
+  settings.addSingleKnobs();
+  settings.addSingleEffects();
+  settings.addEverything();
+  settings.addTwoThreads();
+  return settings.named();
 }
 
 /// The exact grey level of a pixel under a setting.

@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/imaging/effect_info.h"
 #include "ew/library/preparation.h"
 #include "volume_input.h"
 
@@ -43,12 +44,8 @@ std::string volumeText(const CaseVolume& volume) {
 /// "gain and DGC, shadow and enhancement", in the console's words.
 std::string sceneText(const Scene& scene) {
   std::string text;
-  for (const auto& [on, name] :
-       {std::pair{scene.gainAndDgc, "gain and DGC"}, std::pair{scene.focus.has_value(), "focus"},
-        std::pair{scene.sliceThickness.has_value(), "slice thickness"}, std::pair{scene.attenuation.has_value(), "shadow and enhancement"},
-        std::pair{scene.reverberation.has_value(), "reverberation"}, std::pair{scene.noise.has_value(), "noise"},
-        std::pair{scene.contact.has_value(), "contact"}})
-    if (on) text += (text.empty() ? "" : ", ") + std::string(name);
+  for (const EffectInfo& effect : sceneEffects())
+    if (effect.isOn(scene)) text += (text.empty() ? "" : ", ") + std::string(effect.shortName);
   return text.empty() ? "bare" : text;
 }
 

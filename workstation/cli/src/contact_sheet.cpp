@@ -5,8 +5,11 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "ew/imaging/caption.h"
+#include "ew/imaging/effect_info.h"
 #include "ew/scanning/scanner.h"
 
 namespace ew::cli {
@@ -86,112 +89,155 @@ RgbImage arranged(const std::vector<Tile>& tiles, const glm::ivec2& tile_px) {
   return sheet;
 }
 
+/// Two tiles: without something and with it.
+struct Pair {
+  std::string off, on;                         ///< their names
+  std::function<void(Setting&)> both, change;  ///< `both` for the first, then `change` for the second
+};
+
+/// Collects tiles of settings that differ from a plain one.
+class Sheet {
+ public:
+  Sheet(const SheetSource& source, const glm::ivec2& tile_px) : source_(source), tile_px_(tile_px) {
+    plain_.probe = source.probe;
+    plain_.pose = source.pose;
+    plain_.scene.recordedDynamicRange_db = source.subject.scene.recordedDynamicRange_db;
+    plain_.scene.tissues = source.subject.scene.tissues;
+  }
+
+  void add(const std::string& name, const Setting& setting) { tiles_.push_back({lowerCase(name), pictureOf(source_, setting, tile_px_)}); }
+  void add(const Pair& pair) {
+    Setting setting = plain_;
+    if (pair.both) pair.both(setting);
+    add(pair.off, setting);
+    pair.change(setting);
+    add(pair.on, setting);
+  }
+  void add(const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) add(pair);
+  }
+  [[nodiscard]] const Setting& plain() const { return plain_; }
+  [[nodiscard]] RgbImage picture() const { return arranged(tiles_, tile_px_); }
+
+ private:
+  const SheetSource& source_;
+  glm::ivec2 tile_px_;
+  Setting plain_{};
+  std::vector<Tile> tiles_;
+};
+
+/// How an effect of the scene is shown: off and on; those that need something to act on get it.
+Pair pairOf(const EffectInfo& effect, const SheetSource& source) {
+  Pair pair{"no " + std::string(effect.shortName), effect.shortName, {}, [&effect](Setting& s) { effect.switchTo(s.scene, true); }};
+  const std::string_view key = effect.key;
+  if (key == "gain_and_dgc") {  // on already, and neutral
+    pair.off = "plain";
+    pair.change = [](Setting& s) {
+      s.knobs.gain = 1.2;
+      s.knobs.dgc = {0.6, 0.8, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5};
+    };
+  } else if (key == "focus") {
+    pair.on += ", focus near, 40 mm";
+    pair.both = [](Setting& s) { s.knobs.focus_mm = 40.0; };
+  } else if (key == "attenuation") {
+    pair.on += " by tissue";
+  } else if (key == "reverberation") {
+    pair.both = [&source](Setting& s) { s.pose = source.interfacePose; };
+  } else if (key == "noise") {
+    pair.both = [](Setting& s) { s.scene.attenuation.emplace(); };
+  } else if (key == "contact") {
+    pair = {"full contact", "a third in air", pair.change, [](Setting& s) {
+              s.gaps_mm.assign(96, 0.0F);
+              std::fill_n(s.gaps_mm.begin(), 32, 20.0F);
+            }};
+  }
+  return pair;
+}
+
+std::vector<Pair> pairsOfMethods(const SheetSource& source) {
+  const double far_mm = 0.75 * source.probe.defaultDepth_mm;
+  return {{"focus far, kernel", "focus far, row stretch",
+           [far_mm](Setting& s) {
+             s.scene.focus.emplace();
+             s.knobs.focus_mm = far_mm;
+           },
+           [](Setting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; }},
+          {"shadow by grey level", "shadow, probe rocked",
+           [](Setting& s) {
+             s.scene.attenuation.emplace();
+             s.withLabels = false;
+           },
+           [](Setting& s) {
+             s.withLabels = true;
+             s.pose = rocked(s.pose, 20.0);
+           }}};
+}
+
+std::vector<Pair> pairsOfKnobs() {
+  return {{"range 60 db",
+           "range 50 db, soft map",
+           {},
+           [](Setting& s) {
+             s.knobs.dynamicRange_db = 50.0;
+             s.knobs.greyMap = GreyMap::soft;
+           }},
+          {"no edges", "edge enhancement", {}, [](Setting& s) { s.knobs.edgeEnhancement = 0.8; }},
+          {"moving", "moving, persistence",
+           [](Setting& s) {
+             s.frames = 12;
+             s.slide_mm = 12.0;
+           },
+           [](Setting& s) { s.knobs.persistence = 0.85; }},
+          {"upside down", "m-mode, sliding", [](Setting& s) { s.knobs.upsideDown = true; },
+           [](Setting& s) {
+             s.knobs.upsideDown = false;
+             s.knobs.mode = DisplayMode::mMode;
+             s.frames = 90;
+             s.slide_mm = 24.0;
+             s.secondsPerFrame = s.knobs.mSweep_s / 90.0;
+             s.showsStrip = true;
+           }}};
+}
+
+std::vector<Pair> pairsOfWholeScenes(const SheetSource& source) {
+  const Scene& asked = source.subject.scene;
+  return {{"nothing on", "as the case asks", {}, [asked](Setting& s) { s.scene = asked; }},
+          {"everything, weave", "everything, cubic",
+           [asked](Setting& s) {
+             s.scene = sceneWithEverything();
+             s.scene.recordedDynamicRange_db = asked.recordedDynamicRange_db;
+             s.scene.tissues = asked.tissues;
+             s.knobs.quality = Quality::weave;
+           },
+           [](Setting& s) { s.knobs.quality = Quality::cubic; }}};
+}
+
+void addProbe(Sheet& sheet, const Probe& probe, const Scene& scene) {
+  Setting setting = sheet.plain();
+  setting.probe = probe;
+  setting.scene = scene;
+  sheet.add(probe.id, setting);
+  if (probe.maxSteering_rad > 0.0) {
+    setting.knobs.steering_rad = probe.maxSteering_rad;
+    sheet.add(probe.id + ", steered", setting);
+    setting.knobs.steering_rad = 0.0;
+  }
+  if (probe.trapezoidHalfAngle_rad > 0.0) {
+    setting.knobs.trapezoid = true;
+    sheet.add(probe.id + ", trapezoid", setting);
+  }
+}
+
 }  // namespace
 
 RgbImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
-  std::vector<Tile> tiles;
-  Setting plain{.probe = source.probe, .pose = source.pose, .knobs = {}, .scene = {}};
-  plain.scene.recordedDynamicRange_db = source.subject.scene.recordedDynamicRange_db;
-  plain.scene.tissues = source.subject.scene.tissues;
-  const auto add = [&](std::string name, const Setting& setting) {
-    tiles.push_back({lowerCase(std::move(name)), pictureOf(source, setting, tile_px)});
-  };
-  using Change = std::function<void(Setting&)>;
-  const auto pair = [&](const std::string& off, const std::string& on, const Change& both, const Change& change) {
-    Setting setting = plain;
-    both(setting);
-    add(off, setting);
-    change(setting);
-    add(on, setting);
-  };
-  const Change nothing = [](Setting&) {};
-  const double depth_mm = source.probe.defaultDepth_mm;
-
-  pair("plain", "gain and dgc", nothing, [](Setting& s) {
-    s.knobs.gain = 1.2;
-    s.knobs.dgc = {0.6, 0.8, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5};
-  });
-  pair("range 60 db", "range 50 db, soft map", nothing, [](Setting& s) {
-    s.knobs.dynamicRange_db = 50.0;
-    s.knobs.greyMap = GreyMap::soft;
-  });
-  pair("no edges", "edge enhancement", nothing, [](Setting& s) { s.knobs.edgeEnhancement = 0.8; });
-  pair("focus off", "focus near, 40 mm", nothing, [](Setting& s) {
-    s.scene.focus.emplace();
-    s.knobs.focus_mm = 40.0;
-  });
-  pair(
-      "focus far, kernel", "focus far, row stretch",
-      [&](Setting& s) {
-        s.scene.focus.emplace();
-        s.knobs.focus_mm = 0.75 * depth_mm;
-      },
-      [](Setting& s) { s.knobs.focusMethod = FocusMethod::rowStretch; });
-  pair("thin slice", "slice thickness", nothing, [](Setting& s) { s.scene.sliceThickness.emplace(); });
-  pair("no shadow", "shadow by tissue", nothing, [](Setting& s) { s.scene.attenuation.emplace(); });
-  pair(
-      "shadow by grey level", "shadow, probe rocked",
-      [](Setting& s) {
-        s.scene.attenuation.emplace();
-        s.withLabels = false;
-      },
-      [](Setting& s) {
-        s.withLabels = true;
-        s.pose = rocked(s.pose, 20.0);
-      });
-  pair(
-      "no reverberation", "reverberation, mirror", [&](Setting& s) { s.pose = source.interfacePose; },
-      [](Setting& s) { s.scene.reverberation.emplace(); });
-  pair(
-      "no noise", "noise", [](Setting& s) { s.scene.attenuation.emplace(); }, [](Setting& s) { s.scene.noise.emplace(); });
-  pair(
-      "full contact", "a third in air", [](Setting& s) { s.scene.contact.emplace(); },
-      [](Setting& s) {
-        s.gaps_mm.assign(96, 0.0F);
-        std::fill_n(s.gaps_mm.begin(), 32, 20.0F);
-      });
-  const Change moving = [](Setting& s) {
-    s.frames = 12;
-    s.slide_mm = 12.0;
-  };
-  pair("moving", "moving, persistence", moving, [](Setting& s) { s.knobs.persistence = 0.85; });
-  pair(
-      "upside down", "m-mode, sliding", [](Setting& s) { s.knobs.upsideDown = true; },
-      [](Setting& s) {
-        s.knobs.upsideDown = false;
-        s.knobs.mode = DisplayMode::mMode;
-        s.frames = 90;
-        s.slide_mm = 24.0;
-        s.secondsPerFrame = s.knobs.mSweep_s / 90.0;
-        s.showsStrip = true;
-      });
-  pair("nothing on", "as the case asks", nothing, [&](Setting& s) { s.scene = source.subject.scene; });
-  pair(
-      "everything, weave", "everything, cubic",
-      [&](Setting& s) {
-        s.scene = sceneWithEverything();
-        s.scene.recordedDynamicRange_db = source.subject.scene.recordedDynamicRange_db;
-        s.scene.tissues = source.subject.scene.tissues;
-        s.knobs.quality = Quality::weave;
-      },
-      [](Setting& s) { s.knobs.quality = Quality::cubic; });
-
-  for (const Probe& probe : source.probes) {
-    Setting setting = plain;
-    setting.probe = probe;
-    setting.scene = source.subject.scene;
-    add(probe.id, setting);
-    if (probe.maxSteering_rad > 0.0) {
-      setting.knobs.steering_rad = probe.maxSteering_rad;
-      add(probe.id + ", steered", setting);
-      setting.knobs.steering_rad = 0.0;
-    }
-    if (probe.trapezoidHalfAngle_rad > 0.0) {
-      setting.knobs.trapezoid = true;
-      add(probe.id + ", trapezoid", setting);
-    }
-  }
-  return arranged(tiles, tile_px);
+  Sheet sheet(source, tile_px);
+  for (const EffectInfo& effect : sceneEffects()) sheet.add(pairOf(effect, source));
+  sheet.add(pairsOfMethods(source));
+  sheet.add(pairsOfKnobs());
+  sheet.add(pairsOfWholeScenes(source));
+  for (const Probe& probe : source.probes) addProbe(sheet, probe, source.subject.scene);
+  return sheet.picture();
 }
 
 }  // namespace ew::cli

@@ -15,6 +15,12 @@ class QSlider;
 class QTabWidget;
 class QVBoxLayout;
 
+namespace ew {
+struct EffectInfo;
+struct EffectOption;
+struct EffectStrength;
+}  // namespace ew
+
 namespace ew::ui {
 
 class FigureLabel;
@@ -35,6 +41,10 @@ class ConsolePanel final : public QWidget {
   void chooseQuality(Quality quality);
   void showNextPage();
   void refreshIcons();
+
+  /// Names of the switch and of the slider that belong to an effect or to a part of one (effect_info.h).
+  [[nodiscard]] static QString switchOf(const char* effectKey);
+  [[nodiscard]] static QString strengthOf(const char* effectKey);
 
  Q_SIGNALS:
   void costAsked();  ///< the Cost of accuracy panel is wanted
@@ -78,11 +88,9 @@ class ConsolePanel final : public QWidget {
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);
   void addAlways(QVBoxLayout* rows);
-  /// A switch for an effect of the scene with one slider for its strength.
-  /// @param perStep what a step of the slider is worth in the parameter's unit
-  template <class Effect>
-  void addEffect(QBoxLayout* rows, std::optional<Effect> Scene::*effect, double Effect::*strength, double perStep,
-                 std::function<QString(double)> text, SliderParts parts, const QString& switchTip);
+  void addEffect(QVBoxLayout* rows, const EffectInfo& effect);
+  void addStrength(QVBoxLayout* rows, const EffectInfo& effect, const EffectStrength& strength);
+  void addOption(QVBoxLayout* rows, const EffectInfo& effect, const EffectOption& option);
   void setFoci(int count);
   void showAll();
   void change(const std::function<void(Knobs&)>& apply);

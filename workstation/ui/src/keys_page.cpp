@@ -1,6 +1,7 @@
 // What the page of keys (F1) says.
 #include <QKeySequence>
 
+#include "effect_words.h"
 #include "main_window_parts.h"
 #include "words.h"
 
@@ -52,14 +53,26 @@ std::vector<Group> keysOfTheScan() {
             {keysOf("R | Shift+R"), MainWindow::tr("dynamic range")},
             {keysOf("G"), MainWindow::tr("grey map")},
             {keysOf("B | Shift+B"), MainWindow::tr("edge enhancement")},
-            {keysOf("P | Shift+P"), MainWindow::tr("persistence")}}},
-          {MainWindow::tr("Effects and probe"),
-           {{keysOf("F2 | F3"), MainWindow::tr("beam width, slice thickness")},
-            {keysOf("F4"), MainWindow::tr("shadow and enhancement")},
-            {keysOf("F5 | F6"), MainWindow::tr("reverberation, mirror images")},
-            {keysOf("F7 | F8"), MainWindow::tr("noise, skin contact")},
-            {keysOf("T | H"), MainWindow::tr("next transducer, next frequency")},
-            {keysOf("J | L | V"), MainWindow::tr("steer a linear array, trapezoid")}}}};
+            {keysOf("P | Shift+P"), MainWindow::tr("persistence")}}}};
+}
+
+/// An effect and its part on one line, as their keys stand side by side.
+Group keysOfEffects() {
+  Group group{MainWindow::tr("Effects and probe"), {}};
+  for (const EffectInfo& effect : sceneEffects()) {
+    QStringList strokes, names;
+    const auto add = [&](const char* keyStroke, const char* name) {
+      if (*keyStroke == '\0') return;
+      strokes << keysOf(keyStroke);
+      names << effectText(name);
+    };
+    add(effect.keyStroke, effect.shortName);
+    if (effect.option) add(effect.option->keyStroke, effect.option->shortName);
+    if (!strokes.isEmpty()) group.lines.push_back({strokes.join(QStringLiteral(", ")), names.join(QStringLiteral(", "))});
+  }
+  group.lines.push_back({keysOf("T | H"), MainWindow::tr("next transducer, next frequency")});
+  group.lines.push_back({keysOf("J | L | V"), MainWindow::tr("steer a linear array, trapezoid")});
+  return group;
 }
 
 Group keysOfTheWindow() {
@@ -94,7 +107,10 @@ void MainWindow::showKeys() {
   }
   // Only what acts where one is: a trainee has no panels, and a stage takes the keys of the scan.
   std::vector<Group> groups;
-  if (!p.staged) groups = keysOfTheScan();
+  if (!p.staged) {
+    groups = keysOfTheScan();
+    groups.push_back(keysOfEffects());
+  }
   if (p.workspace == Workspace::author) {
     for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
       if (panel->keys.empty() || !p.staged) continue;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "effect_words.h"
 #include "ew/core/version.h"
 #include "icons.h"
 #include "main_window_parts.h"
@@ -154,9 +155,9 @@ void MainWindow::makeActions() {
   p.sourceAction->setCheckable(true);
   scan->addSeparator();
   // Here and not on the console's controls: the console may be hidden beside an author's panels.
-  const auto onConsole = [&](QMenu* menu, const QString& text, const char* key, const char* control, int steps) {
-    return add(menu, text, key != nullptr ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
-               [this, control = QString::fromLatin1(control), steps] { parts_->console->step(control, steps); });
+  const auto onConsole = [&](QMenu* menu, const QString& text, const char* key, const QString& control, int steps) {
+    return add(menu, text, *key != '\0' ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
+               [this, control, steps] { parts_->console->step(control, steps); });
   };
   onConsole(scan, tr("Deeper"), "PgDown", "depth", 1);
   onConsole(scan, tr("Shallower"), "PgUp", "depth", -1);
@@ -185,14 +186,13 @@ void MainWindow::makeActions() {
   onConsole(image, tr("Invert up/down"), "U", "upsideDown", 1);
 
   QMenu* effects = scan->addMenu(tr("&Effects"));
-  onConsole(effects, tr("Beam width and focus"), "F2", "focusStrengthEffect", 1);
-  onConsole(effects, tr("Slice thickness"), "F3", "sliceThicknessEffect", 1);
+  for (const EffectInfo& effect : sceneEffects()) {
+    onConsole(effects, effectText(effect.name), effect.keyStroke, ConsolePanel::switchOf(effect.key), 1);
+    if (effect.option)
+      onConsole(effects, effectText(effect.option->name), effect.option->keyStroke, ConsolePanel::switchOf(effect.option->key), 1);
+  }
+  effects->addSeparator();
   onConsole(effects, tr("Planes of the slice thickness"), "Shift+F3", "planes", 1);
-  onConsole(effects, tr("Shadow and enhancement"), "F4", "attenuationEffect", 1);
-  onConsole(effects, tr("Reverberation"), "F5", "reverberationEffect", 1);
-  onConsole(effects, tr("Mirror images"), "F6", "mirror", 1);
-  onConsole(effects, tr("Electronic noise"), "F7", "noiseEffect", 1);
-  onConsole(effects, tr("Skin contact"), "F8", "contactGelEffect", 1);
 
   QMenu* transducer = scan->addMenu(tr("&Probe"));
   onConsole(transducer, tr("Next transducer"), "T", "probe", 1);

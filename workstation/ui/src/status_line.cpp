@@ -1,5 +1,6 @@
 #include "status_line.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVariant>
@@ -13,45 +14,7 @@
 
 namespace ew::ui {
 
-QString nameOfStep(StepKind kind) {
-  switch (kind) {
-    case StepKind::sampleWeave:
-      return StatusLine::tr("sample nearest");
-    case StepKind::sampleLinear:
-      return StatusLine::tr("sample linear");
-    case StepKind::zoomStretch:
-      return StatusLine::tr("stretch");
-    case StepKind::table:
-      return StatusLine::tr("table");
-    case StepKind::sampleCubic:
-      return StatusLine::tr("sample cubic");
-    case StepKind::elevationPlanes:
-      return StatusLine::tr("slice thickness");
-    case StepKind::labels:
-      return StatusLine::tr("tissues");
-    case StepKind::contact:
-      return StatusLine::tr("contact");
-    case StepKind::attenuation:
-      return StatusLine::tr("shadow");
-    case StepKind::reverberation:
-      return StatusLine::tr("reverberation");
-    case StepKind::focusStretch:
-      return StatusLine::tr("focus");
-    case StepKind::focusKernel:
-      return StatusLine::tr("focus");
-    case StepKind::noise:
-      return StatusLine::tr("noise");
-    case StepKind::scanConversion:
-      return StatusLine::tr("scan conversion");
-    case StepKind::edges:
-      return StatusLine::tr("edges");
-    case StepKind::persistence:
-      return StatusLine::tr("persistence");
-    case StepKind::mMode:
-      return StatusLine::tr("M-mode");
-  }
-  return {};
-}
+QString nameOfStep(StepKind kind) { return QCoreApplication::translate("ew::StepKind", labelOf(kind)); }
 
 QString nameOfQuality(Quality quality) {
   switch (quality) {

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <ostream>
 
+#include "ew/core/contract.h"
+#include "ew/core/translatable.h"
 #include "ew/imaging/effects/noise.h"
 #include "ew/imaging/frame.h"
 #include "planning.h"
@@ -9,28 +12,42 @@
 namespace ew {
 namespace {
 
-/// What one step costs: so much for each pixel inside the fan, so much for each sample of the beam grid.
-struct Cost {
+/// A step's names, and what it costs: so much for each pixel inside the fan, so much for each sample of the beam grid.
+struct StepInfo {
   StepKind kind;
+  const char* name;
+  const char* label;
   double pixel_ns = 0.0;
   double sample_ns = 0.0;
 };
 
-// What lastTimes() gave in a release build on one thread: convex probe of 192 lines, 160 mm deep, 1024 x 768 pixels, voxels of 0.8 mm
-// (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is worth next
-// to the others, not what it takes on another machine.
-constexpr Cost kCosts[] = {
-    {StepKind::sampleWeave, 1.5, 3.3}, {StepKind::sampleLinear, 3.0, 5.5},  {StepKind::sampleCubic, 9.3, 13.0},
-    {StepKind::zoomStretch, 1.1, 0.0}, {StepKind::labels, 0.0, 3.3},        {StepKind::contact, 0.0, 0.3},
-    {StepKind::attenuation, 0.0, 0.8}, {StepKind::reverberation, 0.0, 0.2}, {StepKind::focusStretch, 0.0, 1.0},
-    {StepKind::focusKernel, 0.0, 0.4}, {StepKind::noise, 0.0, 1.7},         {StepKind::scanConversion, 1.2, 0.0},
-    {StepKind::edges, 0.45, 0.0},      {StepKind::persistence, 0.4, 0.0},   {StepKind::table, 0.06, 0.0},
+// Costs are what lastTimes() gave in a release build on one thread: convex probe of 192 lines, 160 mm deep, 1024 x 768 pixels, voxels of
+// 0.8 mm (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is
+// worth next to the others, not what it takes on another machine. Planes beside the middle one cost what sampling does, M-mode one beam.
+constexpr StepInfo kSteps[] = {
+    {StepKind::sampleWeave, "weave", EW_TRANSLATE_NOOP("ew::StepKind", "sample nearest"), 1.5, 3.3},
+    {StepKind::sampleLinear, "linear", EW_TRANSLATE_NOOP("ew::StepKind", "sample linear"), 3.0, 5.5},
+    {StepKind::sampleCubic, "cubic", EW_TRANSLATE_NOOP("ew::StepKind", "sample cubic"), 9.3, 13.0},
+    {StepKind::zoomStretch, "zoom stretch", EW_TRANSLATE_NOOP("ew::StepKind", "stretch"), 1.1, 0.0},
+    {StepKind::elevationPlanes, "slice thickness", EW_TRANSLATE_NOOP("ew::StepKind", "slice thickness"), 0.0, 0.0},
+    {StepKind::labels, "tissues", EW_TRANSLATE_NOOP("ew::StepKind", "tissues"), 0.0, 3.3},
+    {StepKind::contact, "contact", EW_TRANSLATE_NOOP("ew::StepKind", "contact"), 0.0, 0.3},
+    {StepKind::attenuation, "shadow", EW_TRANSLATE_NOOP("ew::StepKind", "shadow"), 0.0, 0.8},
+    {StepKind::reverberation, "reverberation", EW_TRANSLATE_NOOP("ew::StepKind", "reverberation"), 0.0, 0.2},
+    {StepKind::focusStretch, "focus (stretch)", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 1.0},
+    {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
+    {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
+    {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
+    {StepKind::scanConversion, "scan conversion", EW_TRANSLATE_NOOP("ew::StepKind", "scan conversion"), 1.2, 0.0},
+    {StepKind::edges, "edges", EW_TRANSLATE_NOOP("ew::StepKind", "edges"), 0.45, 0.0},
+    {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
+    {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
 };
 
-Cost costOf(StepKind kind) {
-  for (const Cost& cost : kCosts)
-    if (cost.kind == kind) return cost;
-  return {kind};
+const StepInfo& infoOf(StepKind kind) {
+  const auto found = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const StepInfo& step) { return step.kind == kind; });
+  EW_EXPECTS(found != std::end(kSteps));
+  return *found;
 }
 
 StepKind samplingOf(Quality quality) {
@@ -57,45 +74,8 @@ bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz
 
 }  // namespace
 
-const char* nameOf(StepKind kind) {
-  switch (kind) {
-    case StepKind::sampleWeave:
-      return "weave";
-    case StepKind::sampleLinear:
-      return "linear";
-    case StepKind::sampleCubic:
-      return "cubic";
-    case StepKind::zoomStretch:
-      return "zoom stretch";
-    case StepKind::elevationPlanes:
-      return "slice thickness";
-    case StepKind::labels:
-      return "tissues";
-    case StepKind::contact:
-      return "contact";
-    case StepKind::attenuation:
-      return "shadow";
-    case StepKind::reverberation:
-      return "reverberation";
-    case StepKind::focusStretch:
-      return "focus (stretch)";
-    case StepKind::focusKernel:
-      return "focus";
-    case StepKind::noise:
-      return "noise";
-    case StepKind::scanConversion:
-      return "scan conversion";
-    case StepKind::edges:
-      return "edges";
-    case StepKind::persistence:
-      return "persistence";
-    case StepKind::table:
-      return "grey table";
-    case StepKind::mMode:
-      return "M-mode";
-  }
-  return "unknown";
-}
+const char* nameOf(StepKind kind) { return infoOf(kind).name; }
+const char* labelOf(StepKind kind) { return infoOf(kind).label; }
 
 std::ostream& operator<<(std::ostream& out, const Plan& plan) {
   out << (plan.onBeams ? "beams: " : "display: ");
@@ -157,12 +137,12 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
   Plan plan;
   plan.onBeams = losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise;
   const auto add = [&](StepKind kind, double times = 1.0) {
-    const Cost cost = costOf(kind);
+    const StepInfo& cost = infoOf(kind);
     plan.steps.push_back({kind, 1e-3 * times * (cost.pixel_ns * size.pixels + cost.sample_ns * samples)});
   };
   // A sampling step is on one grid or on the other.
   const auto addSampling = [&](StepKind kind, double planes = 1.0) {
-    const Cost cost = costOf(samplingOf(knobs.quality));
+    const StepInfo& cost = infoOf(samplingOf(knobs.quality));
     plan.steps.push_back({kind, 1e-3 * planes * (plan.onBeams ? cost.sample_ns * samples : cost.pixel_ns * size.pixels)});
   };
 
@@ -185,7 +165,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     }
   }
   if (knobs.mode != DisplayMode::bMode) {
-    const double beam_ns = size.samples * ((plan.onBeams ? 0.0 : costOf(samplingOf(knobs.quality)).sample_ns) + 2.0);
+    const double beam_ns = size.samples * ((plan.onBeams ? 0.0 : infoOf(samplingOf(knobs.quality)).sample_ns) + 2.0);
     plan.steps.push_back({StepKind::mMode, 1e-3 * beam_ns});
   }
   if (plan.onBeams) add(StepKind::scanConversion);

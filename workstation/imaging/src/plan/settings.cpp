@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ew/imaging/effect_info.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/scene.h"
 #include "settings_fields.h"
@@ -87,12 +88,7 @@ Scene limited(const Scene& scene) {
 
 Scene sceneWithEverything() {
   Scene scene;
-  scene.focus.emplace();
-  scene.sliceThickness.emplace();
-  scene.attenuation.emplace();
-  scene.reverberation.emplace();
-  scene.noise.emplace();
-  scene.contact.emplace();
+  for (const EffectInfo& effect : sceneEffects()) effect.switchTo(scene, true);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "../effects/registry.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/scene.h"
 
@@ -99,15 +100,19 @@ void visitFields(Visitor& field, const TissueAcoustics*) {
 }
 
 template <class Visitor>
+void visitEffect(Visitor& field, const PlainEffect& effect) {
+  field.flag(effect.texts.key, effect.field);
+}
+
+template <class Visitor, class Effect>
+void visitEffect(Visitor& field, const EffectOf<Effect>& effect) {
+  field.effect(effect.texts.key, effect.field);
+}
+
+template <class Visitor>
 void visitFields(Visitor& field, const Scene*) {
-  field.flag("gain_and_dgc", &Scene::gainAndDgc);
+  std::apply([&](const auto&... effect) { (visitEffect(field, effect), ...); }, kSceneEffects);
   field.number("recorded_dynamic_range_db", &Scene::recordedDynamicRange_db, 20.0, 120.0, "what grey 0 to 255 spans");
-  field.effect("focus", &Scene::focus);
-  field.effect("slice_thickness", &Scene::sliceThickness);
-  field.effect("attenuation", &Scene::attenuation);
-  field.effect("reverberation", &Scene::reverberation);
-  field.effect("noise", &Scene::noise);
-  field.effect("contact", &Scene::contact);
   field.list("tissues", &Scene::tissues);
 }
 

@@ -38,7 +38,10 @@ enum class StepKind {
   persistence,
   table,  ///< gain, DGC, dynamic range and grey map
 };
+/// In plans, reports and benchmarks.
 const char* nameOf(StepKind kind);
+/// In a window: English, translatable in the context "ew::StepKind".
+const char* labelOf(StepKind kind);
 struct Step {
   StepKind kind = StepKind::sampleLinear;
   double estimated_us = 0.0;  ///< from the counts of pixels and samples, on a machine of 2023; not part of comparison
