@@ -26,7 +26,23 @@ void paintCard(QPainter& painter, const QWidget& on) {
   painter.setFont(font);
 }
 
+constexpr LinearAxisOptions kFewSteps{.steps = 3};  // labels of a low chart
+
 }  // namespace
+
+LevelChart::LevelPlot::LevelPlot(const Levels& levels, const QRectF& in) : box(in), last(static_cast<double>(levels.size()) - 1.0) {
+  std::vector<double> correlations{0.0, 0.1};
+  for (const auto& level : levels) {
+    correlations.push_back(level.correlationBefore);
+    correlations.push_back(level.correlationAfter);
+  }
+  correlation = linearAxis(correlations, kFewSteps);
+}
+
+QPointF LevelChart::LevelPlot::at(double level, double value) const {
+  const double share = last > 0.0 ? level / last : 0.5;
+  return {box.left() + share * box.width(), correlation.at(value, box.bottom(), box.top())};
+}
 
 LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("levelChart"));
@@ -46,47 +62,48 @@ void LevelChart::paintEvent(QPaintEvent*) {
   auto levels = session_.levels();
   const std::size_t matched = levels.size();
   for (const auto& level : session_.bendLevels()) levels.push_back(level);
-  const QColor quiet = palette().color(QPalette::PlaceholderText);
   if (levels.empty()) {
-    painter.setPen(quiet);
+    painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
                      session_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
     return;
   }
-  double low = 0.0, high = 0.1;
-  for (const auto& level : levels) {
-    low = std::min({low, level.correlationBefore, level.correlationAfter});
-    high = std::max({high, level.correlationBefore, level.correlationAfter});
-  }
-  const QRectF box = QRectF(rect()).adjusted(36, 16, -16, -24);
-  const auto at = [&](double n, double value) {
-    const double share = levels.size() < 2 ? 0.5 : n / static_cast<double>(levels.size() - 1);
-    return QPointF(box.left() + share * box.width(), box.bottom() - (value - low) / (high - low) * box.height());
-  };
-  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
-  painter.drawLine(QPointF(box.left(), at(0, low).y()), QPointF(box.right(), at(0, low).y()));
-  painter.drawLine(QPointF(box.left(), at(0, high).y()), QPointF(box.right(), at(0, high).y()));
-  painter.setPen(quiet);
-  painter.drawText(QRectF(0, at(0, high).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(high, 2));
-  painter.drawText(QRectF(0, at(0, low).y() - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(low, 2));
+  const LevelPlot plot(levels, QRectF(rect()).adjusted(36, 16, -16, -24));
+  paintGrid(painter, plot);
   // Matching and bending measure correlation on other images: two curves side by side, not one.
-  if (matched > 0 && matched < levels.size()) {
-    const double x = at(static_cast<double>(matched) - 0.5, 0).x();
-    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0, Qt::DashLine));
-    painter.drawLine(QPointF(x, box.top() - 6), QPointF(x, box.bottom() + 4));
-    painter.setPen(quiet);
-    painter.drawText(QRectF(x - 100, 0, 95, 14), Qt::AlignRight | Qt::AlignVCenter, tr("matched"));
-    painter.drawText(QRectF(x + 5, 0, 95, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("bent"));
+  if (matched > 0 && matched < levels.size()) paintDivide(painter, plot, matched);
+  paintSteps(painter, plot, levels);
+  paintCurve(painter, plot, levels, 0, matched);
+  paintCurve(painter, plot, levels, matched, levels.size());
+}
+
+void LevelChart::paintGrid(QPainter& painter, const LevelPlot& plot) const {
+  for (const ChartTick& tick : plot.correlation.ticks) {
+    const double y = plot.at(0, tick.value).y();
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
+    painter.drawLine(QPointF(plot.box.left(), y), QPointF(plot.box.right(), y));
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(QRectF(0, y - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(tick.value, tick.decimals));
   }
-  QPolygonF curve[2];
+}
+
+void LevelChart::paintDivide(QPainter& painter, const LevelPlot& plot, std::size_t matched) const {
+  const double x = plot.at(static_cast<double>(matched) - 0.5, 0).x();
+  painter.setPen(QPen(palette().color(QPalette::Mid), 1.0, Qt::DashLine));
+  painter.drawLine(QPointF(x, plot.box.top() - 6), QPointF(x, plot.box.bottom() + 4));
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  painter.drawText(QRectF(x - 100, 0, 95, 14), Qt::AlignRight | Qt::AlignVCenter, tr("matched"));
+  painter.drawText(QRectF(x + 5, 0, 95, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("bent"));
+}
+
+/// From hollow to full: what each level began with, and what it made of it; below, how fine it is.
+void LevelChart::paintSteps(QPainter& painter, const LevelPlot& plot, const Levels& levels) const {
   double free = -1e9;
+  painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1.0));
+  painter.setBrush(Qt::NoBrush);
   for (std::size_t n = 0; n < levels.size(); ++n) {
-    const QPointF before = at(static_cast<double>(n), levels[n].correlationBefore);
-    const QPointF after = at(static_cast<double>(n), levels[n].correlationAfter);
-    curve[n < matched ? 0 : 1] << after;
-    // From hollow to full: what the level began with, and what it made of it.
-    painter.setPen(QPen(quiet, 1.0));
-    painter.setBrush(Qt::NoBrush);
+    const QPointF before = plot.at(static_cast<double>(n), levels[n].correlationBefore);
+    const QPointF after = plot.at(static_cast<double>(n), levels[n].correlationAfter);
     painter.drawLine(before, after);
     painter.drawEllipse(before, 2.5, 2.5);
     // The unit once, at the end: with it at each, the last one found no room beside its neighbour.
@@ -99,12 +116,17 @@ void LevelChart::paintEvent(QPaintEvent*) {
       free = left + wide;
     }
   }
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
-  for (const QPolygonF& part : curve) painter.drawPolyline(part);
-  painter.setBrush(palette().color(QPalette::Highlight));
+}
+
+void LevelChart::paintCurve(QPainter& painter, const LevelPlot& plot, const Levels& levels, std::size_t begin, std::size_t end) const {
+  QPolygonF curve;
+  for (std::size_t n = begin; n < end; ++n) curve << plot.at(static_cast<double>(n), levels[n].correlationAfter);
+  const QColor accent = palette().color(QPalette::Highlight);
+  painter.setPen(QPen(accent, 2.0));
+  painter.drawPolyline(curve);
+  painter.setBrush(accent);
   painter.setPen(Qt::NoPen);
-  for (const QPolygonF& part : curve)
-    for (const QPointF& point : part) painter.drawEllipse(point, 3.5, 3.5);
+  for (const QPointF& point : curve) painter.drawEllipse(point, 3.5, 3.5);
 }
 
 CostChart::CostChart(QWidget* parent) : QWidget(parent) {
@@ -116,6 +138,13 @@ void CostChart::show(const std::array<ExpectedCost, 3>& costs, ElasticEffort inU
   costs_ = costs;
   inUse_ = inUse;
   measured_s_ = measured_s;
+  std::vector<double> times_s{0.0, measured_s.value_or(0.0)}, errors_mm{0.0};
+  for (const ExpectedCost& cost : costs) {
+    times_s.push_back(cost.seconds);
+    errors_mm.push_back(cost.error_mm);
+  }
+  time_s_ = linearAxis(times_s, kFewSteps);
+  error_mm_ = linearAxis(errors_mm, kFewSteps);
   QStringList lines;
   for (const ExpectedCost& cost : costs)
     lines << tr("%1: %2 mm in %3").arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), inSeconds(cost.seconds));
@@ -131,13 +160,8 @@ void CostChart::clear() {
 QRectF CostChart::box() const { return QRectF(rect()).adjusted(40, 26, -24, -24); }
 
 QPointF CostChart::at(double seconds, double error_mm) const {
-  double longest = measured_s_.value_or(0.0), largest = 0.0;
-  for (const ExpectedCost& cost : *costs_) {
-    longest = std::max(longest, cost.seconds);
-    largest = std::max(largest, cost.error_mm);
-  }
   const QRectF in = box();
-  return {in.left() + in.width() * seconds / std::max(longest, 1e-6), in.bottom() - in.height() * error_mm / std::max(largest, 1e-6)};
+  return {time_s_.at(seconds, in.left(), in.right()), error_mm_.at(error_mm, in.bottom(), in.top())};
 }
 
 QPointF CostChart::pointOfEffort(int effort) const {
@@ -173,16 +197,15 @@ void CostChart::paintEvent(QPaintEvent*) {
   painter.drawLine(in.bottomLeft(), in.bottomRight());
   painter.drawLine(in.topLeft(), in.bottomLeft());
   painter.setPen(quiet);
-  double longest = measured_s_.value_or(0.0), largest = 0.0;
-  for (const ExpectedCost& cost : *costs_) {
-    longest = std::max(longest, cost.seconds);
-    largest = std::max(largest, cost.error_mm);
-  }
-  painter.drawText(QRectF(0, in.top() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, number(largest, 2));
-  painter.drawText(QRectF(0, in.bottom() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"));
   painter.drawText(QRectF(4, 2, 32, 16), Qt::AlignRight | Qt::AlignVCenter, tr("mm"));
-  painter.drawText(QRectF(in.left(), in.bottom() + 4, in.width() + 20, 16), Qt::AlignRight | Qt::AlignVCenter, inSeconds(longest));
-  painter.drawText(QRectF(in.left() - 4, in.bottom() + 4, 40, 16), Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0"));
+  for (const ChartTick& tick : error_mm_.ticks)
+    painter.drawText(QRectF(0, at(0, tick.value).y() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, number(tick.value, tick.decimals));
+  for (const ChartTick& tick : time_s_.ticks) {
+    const QString word = tick.value > 0.0 ? inSeconds(tick.value) : QStringLiteral("0");
+    const double wide = painter.fontMetrics().horizontalAdvance(word);
+    const double left = std::min(at(tick.value, 0).x() - wide / 2, width() - wide - 4.0);
+    painter.drawText(QRectF(left, in.bottom() + 4, wide, 16), Qt::AlignLeft | Qt::AlignVCenter, word);
+  }
   QPolygonF curve;
   for (int effort = 0; effort < 3; ++effort) curve << pointOfEffort(effort);
   painter.setPen(QPen(quiet, 1.5));

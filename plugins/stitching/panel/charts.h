@@ -4,7 +4,9 @@
 #include <QWidget>
 #include <array>
 #include <optional>
+#include <vector>
 
+#include "ew/core/chart_axis.h"
 #include "logic/expected_cost.h"
 #include "panel/stitch_session.h"
 
@@ -22,6 +24,21 @@ class LevelChart final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  using Levels = std::vector<registration::Level>;
+  /// Levels side by side, correlation upwards.
+  struct LevelPlot {
+    QRectF box;
+    double last;  ///< number of the last level
+    ChartAxis correlation;
+
+    LevelPlot(const Levels& levels, const QRectF& in);
+    [[nodiscard]] QPointF at(double level, double value) const;
+  };
+  void paintGrid(QPainter& painter, const LevelPlot& plot) const;
+  void paintDivide(QPainter& painter, const LevelPlot& plot, std::size_t matched) const;
+  void paintSteps(QPainter& painter, const LevelPlot& plot, const Levels& levels) const;
+  void paintCurve(QPainter& painter, const LevelPlot& plot, const Levels& levels, std::size_t begin, std::size_t end) const;
+
   StitchSession& session_;
 };
 
@@ -52,6 +69,8 @@ class CostChart final : public QWidget {
   std::optional<std::array<ExpectedCost, 3>> costs_;
   registration::ElasticEffort inUse_ = registration::ElasticEffort::balanced;
   std::optional<double> measured_s_;
+  ChartAxis time_s_;
+  ChartAxis error_mm_;
 };
 
 [[nodiscard]] QString nameOfEffort(registration::ElasticEffort effort);  ///< in the language of the window

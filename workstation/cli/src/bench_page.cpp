@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ew/core/chart_axis.h"
+
 namespace ew {
 namespace {
 
@@ -28,70 +30,42 @@ std::string escaped(const std::string& text) {
 }
 
 constexpr double kWidth = 720.0, kHeight = 380.0, kLeft = 64.0, kRight = 24.0, kTop = 18.0, kBottom = 46.0;
+constexpr double kShortest_ms = 1e-4;  // no bench can tell less from nothing
 
 std::string textAt(double x, double y, const std::string& anchor, const std::string& text) {
   return "<text x='" + fixedText(x, 1) + "' y='" + fixedText(y, 1) + "' text-anchor='" + anchor + "'>" + escaped(text) + "</text>";
 }
 
-/// Maps milliseconds (logarithmic) and accuracy to the picture.
+/// Time (logarithmic) to the right, accuracy upwards.
 struct Axes {
-  double low_ms = 0.1, high_ms = 10.0, low = 0.0, high = 60.0, step = 5.0;
-  [[nodiscard]] double x(double ms) const { return kLeft + (kWidth - kLeft - kRight) * std::log(ms / low_ms) / std::log(high_ms / low_ms); }
-  [[nodiscard]] double y(double accuracy) const { return kHeight - kBottom - (kHeight - kTop - kBottom) * (accuracy - low) / (high - low); }
+  ChartAxis time_ms, accuracy;
+  [[nodiscard]] double x(double ms) const { return time_ms.at(std::max(kShortest_ms, ms), kLeft, kWidth - kRight); }
+  [[nodiscard]] double y(double value) const { return accuracy.at(value, kHeight - kBottom, kTop); }
 };
 
-/// Every 1, 2, 5 of each decade.
-std::vector<double> roundTimes_ms(double low_ms, double high_ms) {
-  std::vector<double> times;
-  for (double decade = std::pow(10.0, std::floor(std::log10(low_ms))); decade <= high_ms * 1.001; decade *= 10.0)
-    for (const double step : {1.0, 2.0, 5.0})
-      if (decade * step >= low_ms * 0.999 && decade * step <= high_ms * 1.001) times.push_back(decade * step);
-  return times;
-}
-
-/// 1, 2, 4 times the smallest step and their tens, so that at most six make the span.
-double roundStep(double span, double smallest) {
-  double decade = smallest;
-  for (;; decade *= 10.0)
-    for (const double times : {1.0, 2.0, 4.0})
-      if (6.0 * decade * times >= span) return decade * times;
-}
-
 Axes axesFor(const std::vector<BenchPoint>& points, const BenchAxis& axis) {
-  double low_ms = 1e300, high_ms = 0.0, low = 1e300, high = -1e300;
+  std::vector<double> times_ms, accuracies;
   for (const BenchPoint& point : points) {
-    low_ms = std::min(low_ms, std::max(1e-4, point.time_ms));
-    high_ms = std::max(high_ms, std::max(1e-4, point.time_ms));
-    low = std::min(low, point.accuracy);
-    high = std::max(high, point.accuracy);
+    times_ms.push_back(std::max(kShortest_ms, point.time_ms));
+    accuracies.push_back(point.accuracy);
   }
-  Axes axes;
-  // From a round time below all to one above all, with room for the names.
-  for (const double ms : roundTimes_ms(0.01 * low_ms, low_ms / 1.15)) axes.low_ms = ms;
-  axes.high_ms = 1e6;
-  for (const double ms : roundTimes_ms(1.15 * high_ms, 100.0 * high_ms)) axes.high_ms = std::min(axes.high_ms, ms);
-  axes.step = roundStep(high - low, axis.smallestStep);
-  axes.low = axes.step * std::floor(low / axes.step - 0.3);
-  axes.high = axes.step * std::ceil(high / axes.step + 0.5);
-  return axes;
+  constexpr double kRoomForNames = 1.15;
+  return {logarithmicAxis(times_ms, kRoomForNames),
+          linearAxis(accuracies, {.steps = 6, .smallestStep = axis.smallestStep, .below = 0.3, .above = 0.5})};
 }
 
 std::string gridOf(const Axes& axes, const BenchAxis& axis) {
   std::string svg;
   const std::string bottom = fixedText(kHeight - kBottom, 1);
-  for (const double ms : roundTimes_ms(axes.low_ms, axes.high_ms)) {
-    const std::string x = fixedText(axes.x(ms), 1);
+  for (const ChartTick& tick : axes.time_ms.ticks) {
+    const std::string x = fixedText(axes.x(tick.value), 1);
     svg += "<line class='grid' x1='" + x + "' x2='" + x + "' y1='" + fixedText(kTop, 1) + "' y2='" + bottom + "'/>";
-    char label[32];
-    std::snprintf(label, sizeof label, "%g", ms);
-    svg += textAt(axes.x(ms), kHeight - kBottom + 16.0, "middle", label);
+    svg += textAt(axes.x(tick.value), kHeight - kBottom + 16.0, "middle", fixedText(tick.value, tick.decimals));
   }
-  const int lines = static_cast<int>(std::lround((axes.high - axes.low) / axes.step));
-  for (int n = 0; n <= lines; ++n) {
-    const double accuracy = axes.low + n * axes.step;
-    const std::string y = fixedText(axes.y(accuracy), 1);
+  for (const ChartTick& tick : axes.accuracy.ticks) {
+    const std::string y = fixedText(axes.y(tick.value), 1);
     svg += "<line class='grid' x1='" + fixedText(kLeft, 1) + "' x2='" + fixedText(kWidth - kRight, 1) + "' y1='" + y + "' y2='" + y + "'/>";
-    svg += textAt(kLeft - 8.0, axes.y(accuracy) + 4.0, "end", fixedText(accuracy, axis.smallestStep < 1.0 ? 2 : 0));
+    svg += textAt(kLeft - 8.0, axes.y(tick.value) + 4.0, "end", fixedText(tick.value, tick.decimals));
   }
   svg += textAt(0.5 * (kLeft + kWidth - kRight), kHeight - 8.0, "middle", "median time, ms (logarithmic)");
   return svg + "<text transform='translate(16," + fixedText(0.5 * (kTop + kHeight - kBottom), 1) + ") rotate(-90)' text-anchor='middle'>" +
@@ -149,13 +123,13 @@ std::string chart(const std::vector<BenchPoint>& points, const BenchAxis& axis) 
   std::map<std::string, std::string> curves;
   Names names;
   for (const BenchPoint& point : points) {
-    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.accuracy);
+    const double x = axes.x(point.time_ms), y = axes.y(point.accuracy);
     if (!point.curve.empty()) curves[point.curve] += fixedText(x, 1) + "," + fixedText(y, 1) + " ";
     names.occupy(x, y, 7.0, 7.0);
   }
   for (const auto& [name, line] : curves) svg += "<polyline class='curve' points='" + line + "'/>";
   for (const BenchPoint& point : points) {
-    const double x = axes.x(std::max(1e-4, point.time_ms)), y = axes.y(point.accuracy);
+    const double x = axes.x(point.time_ms), y = axes.y(point.accuracy);
     svg += symbol(point.mark, x, y,
                   "<title>" + escaped(point.name) + ": " + fixedText(point.time_ms, 3) + " ms, " +
                       fixedText(point.accuracy, axis.decimals) + " " + escaped(axis.unit) + "</title>");
@@ -169,12 +143,14 @@ std::string barChart(const std::vector<BenchBar>& bars, const std::vector<std::p
   double longest = 0.0;
   for (const BenchBar& bar : bars) longest = std::max(longest, bar.time_ms);
   for (const auto& [ms, text] : limits_ms) longest = std::max(longest, ms);
-  const double perMs = (kWidth - kNames - kNumbers) / std::max(1e-9, longest);
+  ChartAxis axis;
+  axis.high = std::max(1e-9, longest);  // the longest bar takes all the room
+  const auto xOf = [&](double ms) { return axis.at(ms, kNames, kWidth - kNumbers); };
   const double height = kAbove + kRow * static_cast<double>(bars.size()) + 8.0;
   std::string svg = "<svg viewBox='0 0 720 " + fixedText(height, 0) + "' role='img' aria-label='times'>";
   double y = kAbove;
   for (const BenchBar& bar : bars) {
-    const double length = std::max(1.0, bar.time_ms * perMs);
+    const double length = std::max(1.0, xOf(bar.time_ms) - kNames);
     svg += textAt(kNames - 8.0, y + 16.0, "end", bar.label);
     svg += "<rect class='" + std::string(isPeer(bar.mark) ? "peer" : "own") + "' x='" + fixedText(kNames, 1) + "' y='" +
            fixedText(y + 5.0, 1) + "' width='" + fixedText(length, 1) + "' height='" + fixedText(kRow - 10.0, 1) + "'/>";
@@ -182,9 +158,9 @@ std::string barChart(const std::vector<BenchBar>& bars, const std::vector<std::p
     y += kRow;
   }
   for (const auto& [ms, text] : limits_ms) {
-    const std::string x = fixedText(kNames + ms * perMs, 1);
+    const std::string x = fixedText(xOf(ms), 1);
     svg += "<line class='limit' x1='" + x + "' x2='" + x + "' y1='" + fixedText(kAbove - 6.0, 1) + "' y2='" + fixedText(height, 1) + "'/>";
-    svg += textAt(std::min(kNames + ms * perMs, kWidth - 40.0), kAbove - 12.0, "middle", text);
+    svg += textAt(std::min(xOf(ms), kWidth - 40.0), kAbove - 12.0, "middle", text);
   }
   return svg + "</svg>";
 }

@@ -1,10 +1,10 @@
 #include "cost_chart.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/chart_axis.h"
 #include "ew/imaging/cost_of_accuracy.h"
 #include "figures.h"
 #include "theme.h"
@@ -17,14 +17,93 @@ constexpr int kChartRight_px = 56;
 constexpr int kChartTop_px = 32;
 constexpr int kChartBottom_px = 48;
 
-/// A step of the 1-2-5 series so that about `count` of them fill the range.
-double niceStep(double range, int count) {
-  const double rough = std::max(range / count, 1e-6);
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough) return factor * power;
+/// Where values are drawn, while one picture of the chart is painted.
+struct Plot {
+  QRectF box;
+  ChartAxis time_ms;
+  ChartAxis accuracy_db;
+
+  [[nodiscard]] double x(double ms) const { return time_ms.at(ms, box.left(), box.right()); }
+  /// What is exact, and so beyond every axis, lies at the upper edge.
+  [[nodiscard]] double y(double db) const { return accuracy_db.at(std::min(db, accuracy_db.high), box.bottom(), box.top()); }
+  [[nodiscard]] QPointF at(const CostChart::Point& point) const { return {x(point.frame_ms), y(point.psnr_db)}; }
+};
+
+Plot plotOf(const std::vector<CostChart::Point>& points, double wished_db, const QSize& size) {
+  constexpr double kRoomForNames = 1.15;
+  std::vector<double> times_ms{0.0}, accuracies_db{wished_db};
+  for (const CostChart::Point& point : points) {
+    times_ms.push_back(kRoomForNames * point.frame_ms);
+    if (point.psnr_db < CostOfAccuracy::kExact_db) accuracies_db.push_back(point.psnr_db);
   }
-  return 10.0 * power;
+  return {
+      QRectF(kChartLeft_px, kChartTop_px, size.width() - kChartLeft_px - kChartRight_px, size.height() - kChartTop_px - kChartBottom_px),
+      linearAxis(times_ms, {.steps = 5}), linearAxis(accuracies_db, {.steps = 8, .smallestStep = 5.0, .below = 0.4, .above = 0.8})};
+}
+
+void paintGrid(QPainter& painter, const Plot& plot, const Theme& theme) {
+  for (const ChartTick& tick : plot.time_ms.ticks) {
+    const double x = plot.x(tick.value);
+    painter.setPen(QPen(theme.line, 1.0));
+    painter.drawLine(QPointF(x, plot.box.top()), QPointF(x, plot.box.bottom()));
+    painter.setPen(theme.quiet);
+    drawFigures(painter, QRect(static_cast<int>(x) - 30, static_cast<int>(plot.box.bottom()) + 4, 60, 18), Qt::AlignHCenter,
+                figure(tick.value, tick.decimals));
+  }
+  for (const ChartTick& tick : plot.accuracy_db.ticks) {
+    const double y = plot.y(tick.value);
+    const int middle = static_cast<int>(std::lround(y));
+    painter.setPen(QPen(theme.line, 1.0));
+    painter.drawLine(QPointF(plot.box.left(), y), QPointF(plot.box.right(), y));
+    painter.setPen(theme.quiet);
+    drawFigures(painter, QRect(4, middle - 9, kChartLeft_px - 12, 18), Qt::AlignRight, figure(tick.value, tick.decimals));
+    const double grey = 255.0 * std::pow(10.0, -tick.value / 20.0);
+    drawFigures(painter, QRect(static_cast<int>(plot.box.right()) + 8, middle - 9, kChartRight_px - 12, 18), Qt::AlignLeft,
+                figure(grey, grey < 1.0    ? 2
+                             : grey < 10.0 ? 1
+                                           : 0));
+  }
+}
+
+void paintTitles(QPainter& painter, const Plot& plot, int width, const Theme& theme) {
+  painter.setPen(theme.quiet);
+  painter.drawText(QRectF(8, 4, width / 2.0 - 8, 20), Qt::AlignLeft | Qt::AlignVCenter, CostChart::tr("PSNR, dB"));
+  painter.drawText(QRectF(width / 2.0, 4, width / 2.0 - 8, 20), Qt::AlignRight | Qt::AlignVCenter, CostChart::tr("RMS error, grey levels"));
+  painter.drawText(QRectF(plot.box.left(), plot.box.bottom() + 24, plot.box.width(), 20), Qt::AlignCenter,
+                   CostChart::tr("time of a whole frame, ms"));
+}
+
+void paintCurve(QPainter& painter, const Plot& plot, const std::vector<CostChart::Point>& points, const Theme& theme) {
+  QPolygonF curve;
+  for (const CostChart::Point& point : points) curve << plot.at(point);
+  QColor faint = theme.accent;
+  faint.setAlpha(110);
+  painter.setPen(QPen(faint, 1.5));
+  painter.drawPolyline(curve);
+}
+
+/// Marks with their names. Points may lie close together; their names step aside.
+void paintPoints(QPainter& painter, const Plot& plot, const std::vector<CostChart::Point>& points, int width, const Theme& theme) {
+  std::vector<QRectF> taken;
+  for (const CostChart::Point& point : points) {
+    const QPointF at = plot.at(point);
+    painter.setPen(QPen(theme.accent, 2.0));
+    painter.setBrush(point.meetsWish ? theme.accent : theme.ground);
+    painter.drawEllipse(at, 4.5, 4.5);
+    painter.setBrush(Qt::NoBrush);
+    if (point.inUse) painter.drawEllipse(at, 9.0, 9.0);
+    QString text = point.name + QStringLiteral("  ") + CostChart::tr("%1 ms").arg(figure(point.frame_ms, 2));
+    if (point.inUse) text += QStringLiteral("  ") + CostChart::tr("in use");
+    const double wide = figuresWidth_px(painter.fontMetrics(), text);
+    const double x = at.x() + 14.0 + wide > width - 4.0 ? at.x() - 14.0 - wide : at.x() + 14.0;
+    QRectF label(x, std::max(at.y() - 20.0, plot.box.top() + 2.0), wide, 18.0);
+    while (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(label); }))
+      label.translate(0.0, 18.0);
+    taken.push_back(label);
+    painter.fillRect(label.adjusted(-4.0, 0.0, 4.0, 0.0), theme.ground);  // lines must not strike it through
+    painter.setPen(point.inUse ? theme.text : theme.quiet);
+    drawFigures(painter, label.toRect(), Qt::AlignLeft, text);
+  }
 }
 
 }  // namespace
@@ -60,83 +139,15 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(40, 24, -40, -24), Qt::AlignCenter | Qt::TextWordWrap, empty_);
     return;
   }
-  const QRectF box(kChartLeft_px, kChartTop_px, width() - kChartLeft_px - kChartRight_px, height() - kChartTop_px - kChartBottom_px);
-  double slowest_ms = 0.0, lowest_db = wished_db_, highest_db = wished_db_;
-  for (const Point& point : points_) {
-    slowest_ms = std::max(slowest_ms, point.frame_ms);
-    lowest_db = std::min(lowest_db, point.psnr_db);
-    if (point.psnr_db < CostOfAccuracy::kExact_db) highest_db = std::max(highest_db, point.psnr_db);
-  }
-  const double step_ms = niceStep(slowest_ms * 1.15, 5);
-  const double most_ms = step_ms * std::ceil(slowest_ms * 1.15 / step_ms);
-  constexpr double kStep_db = 5.0;
-  const double bottom_db = kStep_db * std::floor((lowest_db - 2.0) / kStep_db);
-  const double top_db = kStep_db * std::ceil((highest_db + 4.0) / kStep_db);
-  const auto xOf = [&](double ms) { return box.left() + box.width() * ms / most_ms; };
-  const auto yOf = [&](double db) { return box.bottom() - box.height() * (std::min(db, top_db) - bottom_db) / (top_db - bottom_db); };
-
+  const Plot plot = plotOf(points_, wished_db_, size());
   painter.setFont(smallFont());
-  for (double ms = 0.0; ms <= most_ms + 1e-9; ms += step_ms) {
-    painter.setPen(QPen(theme.line, 1.0));
-    painter.drawLine(QPointF(xOf(ms), box.top()), QPointF(xOf(ms), box.bottom()));
-    painter.setPen(theme.quiet);
-    drawFigures(painter, QRect(static_cast<int>(xOf(ms)) - 30, static_cast<int>(box.bottom()) + 4, 60, 18), Qt::AlignHCenter,
-                QString::number(ms, 'g', 3));
-  }
-  const double labelled_db = top_db - bottom_db > 40.0 ? 2.0 * kStep_db : kStep_db;
-  for (double db = bottom_db; db <= top_db + 1e-9; db += labelled_db) {
-    const int y = static_cast<int>(std::lround(yOf(db)));
-    painter.setPen(QPen(theme.line, 1.0));
-    painter.drawLine(QPointF(box.left(), yOf(db)), QPointF(box.right(), yOf(db)));
-    painter.setPen(theme.quiet);
-    drawFigures(painter, QRect(4, y - 9, kChartLeft_px - 12, 18), Qt::AlignRight, QString::number(db, 'f', 0));
-    const double grey = 255.0 * std::pow(10.0, -db / 20.0);
-    drawFigures(painter, QRect(static_cast<int>(box.right()) + 8, y - 9, kChartRight_px - 12, 18), Qt::AlignLeft,
-                QString::number(grey, 'f', grey < 10.0 ? (grey < 1.0 ? 2 : 1) : 0));
-  }
-  painter.setPen(theme.quiet);
-  painter.drawText(QRectF(8, 4, width() / 2.0 - 8, 20), Qt::AlignLeft | Qt::AlignVCenter, tr("PSNR, dB"));
-  painter.drawText(QRectF(width() / 2.0, 4, width() / 2.0 - 8, 20), Qt::AlignRight | Qt::AlignVCenter, tr("RMS error, grey levels"));
-  painter.drawText(QRectF(box.left(), box.bottom() + 24, box.width(), 20), Qt::AlignCenter, tr("time of a whole frame, ms"));
-
+  paintGrid(painter, plot, theme);
+  paintTitles(painter, plot, width(), theme);
   // The accuracy that is asked for: what lies above it will do.
   painter.setPen(QPen(theme.text, 1.0, Qt::DashLine));
-  painter.drawLine(QPointF(box.left(), yOf(wished_db_)), QPointF(box.right(), yOf(wished_db_)));
-
-  QPainterPath curve;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const QPointF at(xOf(points_[i].frame_ms), yOf(points_[i].psnr_db));
-    if (i == 0) {
-      curve.moveTo(at);
-    } else {
-      curve.lineTo(at);
-    }
-  }
-  QColor faint = theme.accent;
-  faint.setAlpha(110);
-  painter.setPen(QPen(faint, 1.5));
-  painter.drawPath(curve);
-  std::vector<QRectF> taken;
-  for (const Point& point : points_) {
-    const QPointF at(xOf(point.frame_ms), yOf(point.psnr_db));
-    painter.setPen(QPen(theme.accent, 2.0));
-    painter.setBrush(point.meetsWish ? theme.accent : theme.ground);
-    painter.drawEllipse(at, 4.5, 4.5);
-    painter.setBrush(Qt::NoBrush);
-    if (point.inUse) painter.drawEllipse(at, 9.0, 9.0);
-    QString text = point.name + QStringLiteral("  ") + tr("%1 ms").arg(figure(point.frame_ms, 2));
-    if (point.inUse) text += QStringLiteral("  ") + tr("in use");
-    const double wide = figuresWidth_px(painter.fontMetrics(), text);
-    const double x = at.x() + 14.0 + wide > width() - 4.0 ? at.x() - 14.0 - wide : at.x() + 14.0;
-    QRectF label(x, std::max(at.y() - 20.0, box.top() + 2.0), wide, 18.0);
-    // Points may lie close together; their labels step aside.
-    while (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(label); }))
-      label.translate(0.0, 18.0);
-    taken.push_back(label);
-    painter.fillRect(label.adjusted(-4.0, 0.0, 4.0, 0.0), theme.ground);  // lines must not strike it through
-    painter.setPen(point.inUse ? theme.text : theme.quiet);
-    drawFigures(painter, label.toRect(), Qt::AlignLeft, text);
-  }
+  painter.drawLine(QPointF(plot.box.left(), plot.y(wished_db_)), QPointF(plot.box.right(), plot.y(wished_db_)));
+  paintCurve(painter, plot, points_, theme);
+  paintPoints(painter, plot, points_, width(), theme);
 }
 
 }  // namespace ew::ui
