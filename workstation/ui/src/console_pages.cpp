@@ -180,6 +180,13 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
 }
 
 void ConsolePanel::addProbePage(QVBoxLayout* rows) {
+  addTransducers(rows);
+  addFrequencies(rows);
+  addSteering(rows);
+  addFacts(rows);
+}
+
+void ConsolePanel::addTransducers(QVBoxLayout* rows) {
   auto* probe = new QComboBox;
   probe->setObjectName(QStringLiteral("probe"));
   probe->setAccessibleName(tr("Transducer"));
@@ -207,9 +214,10 @@ void ConsolePanel::addProbePage(QVBoxLayout* rows) {
     probe->setCurrentIndex(probe->findData(words(session_.probe().id)));
     probe->setToolTip(tr("Transducer: %1 (T for the next)").arg(probe->currentText()));
   });
+}
 
-  auto* carrierName = quietLabel(tr("Frequency"));
-  rows->addWidget(carrierName);
+void ConsolePanel::addFrequencies(QVBoxLayout* rows) {
+  rows->addWidget(quietLabel(tr("Frequency")));
   rows->addSpacing(4);
   auto* carriers = new QComboBox;
   carriers->setObjectName(QStringLiteral("frequency"));
@@ -240,7 +248,9 @@ void ConsolePanel::addProbePage(QVBoxLayout* rows) {
     }
     carriers->setEnabled(carriers->count() > 1);
   });
+}
 
+void ConsolePanel::addSteering(QVBoxLayout* rows) {
   SliderParts steering{tr("Steering"),
                        QStringLiteral("steering"),
                        QStringLiteral("−30°"),
@@ -264,7 +274,10 @@ void ConsolePanel::addProbePage(QVBoxLayout* rows) {
     trapezoid->setChecked(session_.knobs().trapezoid);
     trapezoid->setVisible(session_.probe().trapezoidHalfAngle_rad > 0.0);
   });
-  // What the probe is, for whoever wonders why it shows what it shows.
+}
+
+/// What the probe is, for whoever wonders why it shows what it shows.
+void ConsolePanel::addFacts(QVBoxLayout* rows) {
   rows->addSpacing(8);
   const auto fact = [this, rows](const QString& name, const QString& widest, std::function<QString()> text) {
     auto* line = new QHBoxLayout;

@@ -87,6 +87,10 @@ class ConsolePanel final : public QWidget {
   void addAdvanced(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);
+  void addTransducers(QVBoxLayout* rows);
+  void addFrequencies(QVBoxLayout* rows);
+  void addSteering(QVBoxLayout* rows);
+  void addFacts(QVBoxLayout* rows);
   void addAlways(QVBoxLayout* rows);
   void addEffect(QVBoxLayout* rows, const EffectInfo& effect);
   void addStrength(QVBoxLayout* rows, const EffectInfo& effect, const EffectStrength& strength);

@@ -26,6 +26,23 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   rows->setContentsMargins(16, 16, 16, 16);
   rows->setSpacing(12);
 
+  addCurves(rows);
+  chart_ = new CostChart;
+  rows->addWidget(chart_, 1);
+  reference_ = new QLabel;
+  reference_->setObjectName(QStringLiteral("costReference"));
+  reference_->setProperty("quiet", true);
+  reference_->setProperty("small", true);
+  reference_->setWordWrap(true);
+  rows->addWidget(reference_);
+
+  addWishes(rows);
+  addProgress(rows);
+  connectParts();
+  showAll();
+}
+
+void CostPanel::addCurves(QVBoxLayout* rows) {
   curves_ = new QWidget;
   auto* curves = new QHBoxLayout(curves_);
   curves->setContentsMargins(0, 0, 0, 0);
@@ -43,16 +60,9 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   }
   curve_->button(0)->setChecked(true);
   rows->addWidget(curves_);
+}
 
-  chart_ = new CostChart;
-  rows->addWidget(chart_, 1);
-  reference_ = new QLabel;
-  reference_->setObjectName(QStringLiteral("costReference"));
-  reference_->setProperty("quiet", true);
-  reference_->setProperty("small", true);
-  reference_->setWordWrap(true);
-  rows->addWidget(reference_);
-
+void CostPanel::addWishes(QVBoxLayout* rows) {
   auto* wishes = new QHBoxLayout;
   wishes->setSpacing(8);
   auto* wishName = new QLabel(tr("PSNR at least"));
@@ -78,7 +88,9 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   wishes->addWidget(use_);
   wishes->addWidget(answer_, 1);
   rows->addLayout(wishes);
+}
 
+void CostPanel::addProgress(QVBoxLayout* rows) {
   progress_ = new QProgressBar;
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
@@ -104,7 +116,10 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   last->addWidget(again_);
   last->addWidget(close);
   rows->addLayout(last);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+}
 
+void CostPanel::connectParts() {
   poll_ = new QTimer(this);
   poll_->setInterval(80);
   connect(poll_, &QTimer::timeout, this, [this] {
@@ -126,7 +141,6 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
       measure();
     }
   });
-  connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(this, &QDialog::finished, this, &CostPanel::cancel);
   connect(&session_, &Session::knobsChanged, this, &CostPanel::showAll);
   connect(&session_, &Session::subjectChanged, this, [this] {
@@ -135,7 +149,6 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
     measured_.reset();
     showAll();
   });
-  showAll();
 }
 
 CostPanel::~CostPanel() { cancel(); }

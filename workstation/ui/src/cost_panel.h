@@ -14,6 +14,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QTimer;
+class QVBoxLayout;
 class QWidget;
 
 namespace ew::ui {
@@ -35,6 +36,10 @@ class CostPanel final : public QDialog {
   [[nodiscard]] const std::optional<CostOfAccuracy>& measured() const { return measured_; }
 
  private:
+  void addCurves(QVBoxLayout* rows);    ///< which points are shown
+  void addWishes(QVBoxLayout* rows);    ///< what is wanted, and what meets it
+  void addProgress(QVBoxLayout* rows);  ///< of measuring, and the buttons below all
+  void connectParts();
   [[nodiscard]] const std::vector<CostPoint>& shownPoints() const;
   [[nodiscard]] bool showsPlanes() const;
   [[nodiscard]] bool isInUse(const CostPoint& point) const;

@@ -116,39 +116,8 @@ void MainWindow::makeViews() {
   p.console->setFixedWidth(kConsoleWidth_px);
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
-  p.panels = new QTabWidget;
-  p.panels->setObjectName(QStringLiteral("authorPanel"));
-  p.panels->setAttribute(Qt::WA_StyledBackground);
-  p.panels->setDocumentMode(true);
-  p.panels->setMinimumWidth(kPanelWidth_px);
-  // Below the panels room for the cards of running work, so that they cover none of a panel's buttons.
-  p.panelColumn = new QWidget;
-  p.panelColumn->setObjectName(QStringLiteral("authorColumn"));
-  p.panelColumn->setAttribute(Qt::WA_StyledBackground);
-  auto* belowEachOther = new QVBoxLayout(p.panelColumn);
-  belowEachOther->setContentsMargins(0, 0, 1, 0);  // the line beside it
-  belowEachOther->setSpacing(0);
-  belowEachOther->addWidget(p.panels, 1);
-  p.cardRoom = new QWidget;
-  p.cardRoom->setFixedHeight(0);
-  belowEachOther->addWidget(p.cardRoom);
-  p.panelColumn->hide();
-
-  p.columns = new QSplitter(Qt::Horizontal);
-  p.columns->setHandleWidth(kHandle_px);
-  p.columns->setChildrenCollapsible(false);
-  p.columns->addWidget(p.panelColumn);
-  p.columns->addWidget(p.body);
-  p.columns->addWidget(p.scanView);
-  p.stages = new QStackedWidget;
-  p.stages->setObjectName(QStringLiteral("stages"));
-  p.stages->hide();
-  p.columns->addWidget(p.stages);
-  p.columns->setStretchFactor(0, 0);
-  p.columns->setStretchFactor(1, 1);
-  p.columns->setStretchFactor(2, 1);
-  p.columns->setStretchFactor(3, 1);
-
+  makePanelColumn();
+  makeColumns();
   p.workspacePage = new QWidget;
   auto* work = new QHBoxLayout(p.workspacePage);
   work->setContentsMargins(0, 0, 0, 0);
@@ -166,6 +135,51 @@ void MainWindow::makeViews() {
   p.messages = new MessageBar(p.central);
   rows->insertWidget(1, p.messages);  // a row of its own, so that it lies on nobody's buttons
   p.cards = new JobCards(p.jobs, p.central);
+  watchViews();
+}
+
+/// The panels of plugins; below them room for the cards of running work, so that they cover none of a panel's buttons.
+void MainWindow::makePanelColumn() {
+  Parts& p = *parts_;
+  p.panels = new QTabWidget;
+  p.panels->setObjectName(QStringLiteral("authorPanel"));
+  p.panels->setAttribute(Qt::WA_StyledBackground);
+  p.panels->setDocumentMode(true);
+  p.panels->setMinimumWidth(kPanelWidth_px);
+  p.panelColumn = new QWidget;
+  p.panelColumn->setObjectName(QStringLiteral("authorColumn"));
+  p.panelColumn->setAttribute(Qt::WA_StyledBackground);
+  auto* belowEachOther = new QVBoxLayout(p.panelColumn);
+  belowEachOther->setContentsMargins(0, 0, 1, 0);  // the line beside it
+  belowEachOther->setSpacing(0);
+  belowEachOther->addWidget(p.panels, 1);
+  p.cardRoom = new QWidget;
+  p.cardRoom->setFixedHeight(0);
+  belowEachOther->addWidget(p.cardRoom);
+  p.panelColumn->hide();
+}
+
+void MainWindow::makeColumns() {
+  Parts& p = *parts_;
+  p.columns = new QSplitter(Qt::Horizontal);
+  p.columns->setHandleWidth(kHandle_px);
+  p.columns->setChildrenCollapsible(false);
+  p.columns->addWidget(p.panelColumn);
+  p.columns->addWidget(p.body);
+  p.columns->addWidget(p.scanView);
+  p.stages = new QStackedWidget;
+  p.stages->setObjectName(QStringLiteral("stages"));
+  p.stages->hide();
+  p.columns->addWidget(p.stages);
+  p.columns->setStretchFactor(0, 0);
+  p.columns->setStretchFactor(1, 1);
+  p.columns->setStretchFactor(2, 1);
+  p.columns->setStretchFactor(3, 1);
+}
+
+/// What looks at the events of the views. The order counts: who comes later sees an event first.
+void MainWindow::watchViews() {
+  Parts& p = *parts_;
   p.hand.watch(p.view3d);
   p.hand.watch(p.scanView, [this] {
     const double mm = parts_->scanView->mmPerWidgetPixel();
@@ -181,6 +195,16 @@ void MainWindow::makeViews() {
 }
 
 void MainWindow::connectParts() {
+  connectSession();
+  connectDocument();
+  connectPages();
+  connectOpener();
+  connectImports();
+  connectPreparation();
+  connectPlugins();
+}
+
+void MainWindow::connectSession() {
   Parts& p = *parts_;
   connect(&p.session, &Session::pictureChanged, this, &MainWindow::showPicture);
   connect(&p.session, &Session::subjectChanged, this, [this] {
@@ -209,14 +233,13 @@ void MainWindow::connectParts() {
   connect(p.replayBar, &ReplayBar::closeAsked, this, [this] {
     if (mayLeaveRecording({})) closeRecording();
   });
-  connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
-  connect(p.messages, &MessageBar::rearranged, this, [this] {
-    parts_->central->layout()->activate();
-    placeOverlays();
-  });
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
+}
+
+void MainWindow::connectDocument() {
+  Parts& p = *parts_;
   connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
   connect(&p.document, &CaseDocument::changed, this, [this] {
     if (!parts_->keepSoon.isActive()) parts_->keepSoon.start();
@@ -228,6 +251,15 @@ void MainWindow::connectParts() {
     showTitle();
   });
   connect(p.panels, &QTabWidget::currentChanged, this, &MainWindow::showStage);
+}
+
+void MainWindow::connectPages() {
+  Parts& p = *parts_;
+  connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
+  connect(p.messages, &MessageBar::rearranged, this, [this] {
+    parts_->central->layout()->activate();
+    placeOverlays();
+  });
   connect(p.topBar, &TopBar::workspaceChosen, this,
           [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
@@ -247,8 +279,12 @@ void MainWindow::connectParts() {
     open(folder);
   });
   connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
+  connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
+}
+
+void MainWindow::connectOpener() {
+  Parts& p = *parts_;
   p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); });
-  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
   connect(p.opener, &Opener::opened, this, [this](const QString& path) {
     remember(path);
     parts_->pages->setCurrentWidget(parts_->workspacePage);
@@ -273,12 +309,10 @@ void MainWindow::connectParts() {
     parts_->preparation.resume();
     showPreparation();
   });
-  connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
-  connect(&p.preparation, &CasePreparation::prepared, this, [this] {
-    if (parts_->pages->currentWidget() == parts_->startPage) prepareThumbnails();
-  });
-  connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
-  connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
+}
+
+void MainWindow::connectImports() {
+  Parts& p = *parts_;
   connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
     auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
     connect(dialog, &ImportDialog::imported, this,
@@ -296,6 +330,21 @@ void MainWindow::connectParts() {
     connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
     dialog->open();
   });
+}
+
+void MainWindow::connectPreparation() {
+  Parts& p = *parts_;
+  connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
+  connect(&p.preparation, &CasePreparation::prepared, this, [this] {
+    if (parts_->pages->currentWidget() == parts_->startPage) prepareThumbnails();
+  });
+  connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
+}
+
+void MainWindow::connectPlugins() {
+  Parts& p = *parts_;
+  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
   connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
     parts_->opener->openVolume(volume, title, [this, title] {
       if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title)) return false;
@@ -305,7 +354,6 @@ void MainWindow::connectParts() {
       return true;
     });
   });
-  connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
   if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
     connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
   p.host->setScan([this]() -> std::optional<sdk::Cases::Scan> {

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <algorithm>
-#include <type_traits>
+#include <utility>
 
 #include "effect_words.h"
 #include "ew/core/version.h"
@@ -32,46 +32,56 @@ QKeySequence keys(const char* text) { return QKeySequence(QLatin1String(text)); 
 }  // namespace
 
 void MainWindow::makeActions() {
-  Parts& p = *parts_;
-  QMenuBar& bar = p.topBar->menus();
-  const auto add = [this](QMenu* menu, const QString& text, const QList<QKeySequence>& keys, auto&& run) {
-    QAction* action = menu->addAction(text);
-    action->setShortcuts(keys);
-    connect(action, &QAction::triggered, this, [this, menu, run](bool checked) {
-      // A key of the scan does nothing while a panel's stage lies over it, whichever submenu it stands in.
-      if (parts_->staged && isBelow(menu, parts_->scanMenu)) return;
-      if constexpr (std::is_invocable_v<decltype(run), bool>)
-        run(checked);
-      else
-        run();
-    });
-    return action;
-  };
+  QMenuBar& bar = parts_->topBar->menus();
+  addFileMenu(*bar.addMenu(tr("&File")));
+  addEditMenu(*bar.addMenu(tr("&Edit")));
+  addViewMenu(*bar.addMenu(tr("&View")));
+  addScanMenu(*bar.addMenu(tr("&Scan")));
+  addHelpMenu(*bar.addMenu(tr("&Help")));
+}
 
-  QMenu* file = bar.addMenu(tr("&File"));
-  add(file, tr("&Open…"), {QKeySequence::Open}, [this] { chooseFile(); });
-  add(file, tr("Open case &folder…"), {keys("Ctrl+Shift+O")}, [this] {
+QAction* MainWindow::addMenuAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run) {
+  QAction* action = menu.addAction(text);
+  action->setShortcuts(keys);
+  connect(action, &QAction::triggered, this, [this, &menu, run = std::move(run)] {
+    // A key of the scan does nothing while a panel's stage lies over it, whichever submenu it stands in.
+    if (!parts_->staged || !isBelow(&menu, parts_->scanMenu)) run();
+  });
+  return action;
+}
+
+QAction* MainWindow::addConsoleAction(QMenu& menu, const QString& text, const char* key, const QString& control, int steps) {
+  return addMenuAction(menu, text, *key != '\0' ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
+                       [this, control, steps] { parts_->console->step(control, steps); });
+}
+
+void MainWindow::addFileMenu(QMenu& file) {
+  Parts& p = *parts_;
+  addMenuAction(file, tr("&Open…"), {QKeySequence::Open}, [this] { chooseFile(); });
+  addMenuAction(file, tr("Open case &folder…"), {keys("Ctrl+Shift+O")}, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open case folder"));
     if (!folder.isEmpty()) open(folder);
   });
-  p.recentMenu = file->addMenu(tr("Open &recent"));
-  p.startPageAction = add(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
-  file->addSeparator();
-  p.saveAction = add(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
-  p.saveAsAction = add(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
-  p.saveVolumeAction = add(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
-  p.savePictureAction = add(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
-  file->addSeparator();
-  add(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
+  p.recentMenu = file.addMenu(tr("Open &recent"));
+  p.startPageAction = addMenuAction(file, tr("S&tart page"), {keys("Ctrl+H")}, [this] { showStartPage(); });
+  file.addSeparator();
+  p.saveAction = addMenuAction(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
+  p.saveAsAction = addMenuAction(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
+  p.saveVolumeAction = addMenuAction(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
+  p.savePictureAction = addMenuAction(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
+  file.addSeparator();
+  addMenuAction(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
+}
 
-  QMenu* edit = bar.addMenu(tr("&Edit"));
-  p.undoAction = add(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
+void MainWindow::addEditMenu(QMenu& edit) {
+  Parts& p = *parts_;
+  p.undoAction = addMenuAction(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
     if (auto* document = panelDocument())
       document->undo();
     else
       parts_->document.history().undo();
   });
-  p.redoAction = add(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
+  p.redoAction = addMenuAction(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
     if (auto* document = panelDocument())
       document->redo();
     else
@@ -79,44 +89,59 @@ void MainWindow::makeActions() {
   });
   p.undoAction->setEnabled(false);
   p.redoAction->setEnabled(false);
+}
 
-  QMenu* view = bar.addMenu(tr("&View"));
+void MainWindow::addViewMenu(QMenu& view) {
+  Parts& p = *parts_;
   auto* workspaces = new QActionGroup(this);
-  p.exploreAction = add(view, tr("&Explore"), {keys("Ctrl+1")}, [this] { setWorkspace(Workspace::explore); });
-  p.authorAction = add(view, tr("&Author"), {keys("Ctrl+2")}, [this] { setWorkspace(Workspace::author); });
+  p.exploreAction = addMenuAction(view, tr("&Explore"), {keys("Ctrl+1")}, [this] { setWorkspace(Workspace::explore); });
+  p.authorAction = addMenuAction(view, tr("&Author"), {keys("Ctrl+2")}, [this] { setWorkspace(Workspace::author); });
   for (QAction* action : {p.exploreAction, p.authorAction}) {
     action->setCheckable(true);
     workspaces->addAction(action);
   }
   p.exploreAction->setChecked(true);
-  view->addSeparator();
+  view.addSeparator();
   const auto look = [&](const QString& text, const char* key, bridge::CameraPreset preset) {
-    add(view, text, {keys(key)}, [this, preset] { parts_->view3d->showFrom(preset); });
+    addMenuAction(view, text, {keys(key)}, [this, preset] { parts_->view3d->showFrom(preset); });
   };
   look(tr("From the &front"), "Alt+1", bridge::CameraPreset::front);
   look(tr("From the &back"), "Alt+2", bridge::CameraPreset::back);
   look(tr("From the patient's &right"), "Alt+3", bridge::CameraPreset::right);
   look(tr("From the patient's &left"), "Alt+4", bridge::CameraPreset::left);
   look(tr("From the &head"), "Alt+5", bridge::CameraPreset::top);
-  add(view, tr("Look at the &volume"), {keys("Alt+0")}, [this] { parts_->view3d->fitToVolume(); });
-  p.caseVolumeAction = add(view, tr("Scan the &case's volume"), {}, [this] { parts_->opener->showCaseVolume(); });
-  p.madeVolumeAction = add(view, QString(), {}, [this] { showWaitingVolume(); });
-  view->addSeparator();
+  addMenuAction(view, tr("Look at the &volume"), {keys("Alt+0")}, [this] { parts_->view3d->fitToVolume(); });
+  p.caseVolumeAction = addMenuAction(view, tr("Scan the &case's volume"), {}, [this] { parts_->opener->showCaseVolume(); });
+  p.madeVolumeAction = addMenuAction(view, QString(), {}, [this] { showWaitingVolume(); });
+  view.addSeparator();
+  addThemeMenu(*view.addMenu(tr("&Theme")));
+  addLanguageMenu(*view.addMenu(tr("La&nguage")));
+  p.scanOnlyAction = addMenuAction(view, tr("Scan &only"), {QKeySequence(Qt::Key_F12)}, [this] {
+    const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == Workspace::explore;
+    setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
+  });
+  p.scanOnlyAction->setCheckable(true);
+  addMenuAction(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+}
+
+void MainWindow::addThemeMenu(QMenu& theme) {
+  Parts& p = *parts_;
   auto* themes = new QActionGroup(this);
-  QMenu* theme = view->addMenu(tr("&Theme"));
-  p.systemThemeAction = add(theme, tr("As the system"), {}, [this] { chooseTheme(QStringLiteral("system")); });
-  p.darkAction = add(theme, tr("&Dark"), {}, [this] { chooseTheme(QStringLiteral("dark")); });
-  p.lightAction = add(theme, tr("L&ight"), {}, [this] { chooseTheme(QStringLiteral("light")); });
+  p.systemThemeAction = addMenuAction(theme, tr("As the system"), {}, [this] { chooseTheme(QStringLiteral("system")); });
+  p.darkAction = addMenuAction(theme, tr("&Dark"), {}, [this] { chooseTheme(QStringLiteral("dark")); });
+  p.lightAction = addMenuAction(theme, tr("L&ight"), {}, [this] { chooseTheme(QStringLiteral("light")); });
   for (QAction* action : {p.systemThemeAction, p.darkAction, p.lightAction}) {
     action->setCheckable(true);
     themes->addAction(action);
   }
-  QMenu* language = view->addMenu(tr("La&nguage"));
+}
+
+void MainWindow::addLanguageMenu(QMenu& language) {
   auto* languages = new QActionGroup(this);
   const QString chosen = QSettings().value(QStringLiteral("language")).toString();
   const std::pair<QString, QString> offered[] = {{QString(), tr("System language")}, {"en", "English"}, {"de", "Deutsch"}};
   for (const auto& [code, name] : offered) {
-    QAction* action = add(language, name, {}, [this, code = code] {
+    QAction* action = addMenuAction(language, name, {}, [this, code = code] {
       QSettings().setValue(QStringLiteral("language"), code);
       parts_->messages->showNote(tr("The window speaks the chosen language from the next start on. Close EchoWeave and open it again."),
                                  QStringLiteral("language"));
@@ -125,27 +150,24 @@ void MainWindow::makeActions() {
     action->setChecked(code == chosen);
     languages->addAction(action);
   }
-  p.scanOnlyAction = add(view, tr("Scan &only"), {QKeySequence(Qt::Key_F12)}, [this] {
-    const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == Workspace::explore;
-    setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
-  });
-  p.scanOnlyAction->setCheckable(true);
-  add(view, tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+}
 
-  QMenu* scan = p.scanMenu = bar.addMenu(tr("&Scan"));
-  scan->setToolTipsVisible(true);
-  p.freezeAction = add(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)}, [this] {
+void MainWindow::addScanMenu(QMenu& scan) {
+  Parts& p = *parts_;
+  p.scanMenu = &scan;
+  scan.setToolTipsVisible(true);
+  p.freezeAction = addMenuAction(scan, tr("&Freeze"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_F)}, [this] {
     ReplayBar& replay = *parts_->replayBar;
     if (!replay.recording()) return parts_->session.setFrozen(!parts_->session.isFrozen());
     replay.setPlaying(!replay.isPlaying());
     parts_->freezeAction->setChecked(false);
   });
   p.freezeAction->setCheckable(true);
-  p.recordAction = add(scan, tr("&Record"), {keys("Ctrl+R")}, [this] { toggleRecording(); });
+  p.recordAction = addMenuAction(scan, tr("&Record"), {keys("Ctrl+R")}, [this] { toggleRecording(); });
   p.recordAction->setCheckable(true);
-  p.markAction = add(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
-  p.saveRecordingAction = add(scan, tr("Save recording as…"), {keys("Ctrl+Shift+R")}, [this] { saveRecording(); });
-  p.sourceAction = add(scan, tr("Where does this &come from?"), {keys("I")}, [this] {
+  p.markAction = addMenuAction(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
+  p.saveRecordingAction = addMenuAction(scan, tr("Save recording as…"), {keys("Ctrl+Shift+R")}, [this] { saveRecording(); });
+  p.sourceAction = addMenuAction(scan, tr("Where does this &come from?"), {keys("I")}, [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
       parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
     } else {
@@ -153,78 +175,85 @@ void MainWindow::makeActions() {
     }
   });
   p.sourceAction->setCheckable(true);
-  scan->addSeparator();
-  // Here and not on the console's controls: the console may be hidden beside an author's panels.
-  const auto onConsole = [&](QMenu* menu, const QString& text, const char* key, const QString& control, int steps) {
-    return add(menu, text, *key != '\0' ? QList<QKeySequence>{keys(key)} : QList<QKeySequence>{},
-               [this, control, steps] { parts_->console->step(control, steps); });
-  };
-  onConsole(scan, tr("Deeper"), "PgDown", "depth", 1);
-  onConsole(scan, tr("Shallower"), "PgUp", "depth", -1);
-  onConsole(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
-  onConsole(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
-  onConsole(scan, tr("Zoom in"), "Z", "zoom", 1);
-  onConsole(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
-  add(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
-  scan->addSeparator();
+  scan.addSeparator();
+  addConsoleAction(scan, tr("Deeper"), "PgDown", "depth", 1);
+  addConsoleAction(scan, tr("Shallower"), "PgUp", "depth", -1);
+  addConsoleAction(scan, tr("More gain"), "Ctrl+Up", "gain", 1);
+  addConsoleAction(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
+  addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
+  addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
+  addMenuAction(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
+  scan.addSeparator();
 
-  QMenu* image = scan->addMenu(tr("&Image"));
-  onConsole(image, tr("Focus shallower"), ",", "focus", -1);
-  onConsole(image, tr("Focus deeper"), ".", "focus", 1);
-  onConsole(image, tr("Number of focal zones"), "N", "foci", 1);
-  onConsole(image, tr("Next focus model"), "Shift+N", "focusMethod", 1);
-  image->addSeparator();
-  onConsole(image, tr("Wider dynamic range"), "R", "dynamicRange", 1);
-  onConsole(image, tr("Narrower dynamic range"), "Shift+R", "dynamicRange", -1);
-  onConsole(image, tr("Next grey map"), "G", "greyMap", 1);
-  onConsole(image, tr("More edge enhancement"), "B", "edges", 1);
-  onConsole(image, tr("Less edge enhancement"), "Shift+B", "edges", -1);
-  onConsole(image, tr("More persistence"), "P", "persistence", 1);
-  onConsole(image, tr("Less persistence"), "Shift+P", "persistence", -1);
-  image->addSeparator();
-  onConsole(image, tr("Invert left/right"), "X", "flip", 1);
-  onConsole(image, tr("Invert up/down"), "U", "upsideDown", 1);
+  addImageMenu(*scan.addMenu(tr("&Image")));
+  addEffectsMenu(*scan.addMenu(tr("&Effects")));
+  addProbeMenu(*scan.addMenu(tr("&Probe")));
+  addTimeMenu(*scan.addMenu(tr("&M-mode")));
+  addQualityMenu(*scan.addMenu(tr("&Quality")));
+  addMenuAction(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
+  scan.addSeparator();
+  addMenuAction(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
+}
 
-  QMenu* effects = scan->addMenu(tr("&Effects"));
+void MainWindow::addImageMenu(QMenu& image) {
+  addConsoleAction(image, tr("Focus shallower"), ",", "focus", -1);
+  addConsoleAction(image, tr("Focus deeper"), ".", "focus", 1);
+  addConsoleAction(image, tr("Number of focal zones"), "N", "foci", 1);
+  addConsoleAction(image, tr("Next focus model"), "Shift+N", "focusMethod", 1);
+  image.addSeparator();
+  addConsoleAction(image, tr("Wider dynamic range"), "R", "dynamicRange", 1);
+  addConsoleAction(image, tr("Narrower dynamic range"), "Shift+R", "dynamicRange", -1);
+  addConsoleAction(image, tr("Next grey map"), "G", "greyMap", 1);
+  addConsoleAction(image, tr("More edge enhancement"), "B", "edges", 1);
+  addConsoleAction(image, tr("Less edge enhancement"), "Shift+B", "edges", -1);
+  addConsoleAction(image, tr("More persistence"), "P", "persistence", 1);
+  addConsoleAction(image, tr("Less persistence"), "Shift+P", "persistence", -1);
+  image.addSeparator();
+  addConsoleAction(image, tr("Invert left/right"), "X", "flip", 1);
+  addConsoleAction(image, tr("Invert up/down"), "U", "upsideDown", 1);
+}
+
+void MainWindow::addEffectsMenu(QMenu& effects) {
   for (const EffectInfo& effect : sceneEffects()) {
-    onConsole(effects, effectText(effect.name), effect.keyStroke, ConsolePanel::switchOf(effect.key), 1);
+    addConsoleAction(effects, effectText(effect.name), effect.keyStroke, ConsolePanel::switchOf(effect.key), 1);
     if (effect.option)
-      onConsole(effects, effectText(effect.option->name), effect.option->keyStroke, ConsolePanel::switchOf(effect.option->key), 1);
+      addConsoleAction(effects, effectText(effect.option->name), effect.option->keyStroke, ConsolePanel::switchOf(effect.option->key), 1);
   }
-  effects->addSeparator();
-  onConsole(effects, tr("Planes of the slice thickness"), "Shift+F3", "planes", 1);
+  effects.addSeparator();
+  addConsoleAction(effects, tr("Planes of the slice thickness"), "Shift+F3", "planes", 1);
+}
 
-  QMenu* transducer = scan->addMenu(tr("&Probe"));
-  onConsole(transducer, tr("Next transducer"), "T", "probe", 1);
-  onConsole(transducer, tr("Next frequency"), "H", "frequency", 1);
-  onConsole(transducer, tr("Steer to one side"), "J", "steering", -1);
-  onConsole(transducer, tr("Steer to the other side"), "L", "steering", 1);
-  onConsole(transducer, tr("Trapezoid"), "V", "trapezoid", 1);
+void MainWindow::addProbeMenu(QMenu& transducer) {
+  addConsoleAction(transducer, tr("Next transducer"), "T", "probe", 1);
+  addConsoleAction(transducer, tr("Next frequency"), "H", "frequency", 1);
+  addConsoleAction(transducer, tr("Steer to one side"), "J", "steering", -1);
+  addConsoleAction(transducer, tr("Steer to the other side"), "L", "steering", 1);
+  addConsoleAction(transducer, tr("Trapezoid"), "V", "trapezoid", 1);
+}
 
-  QMenu* time = scan->addMenu(tr("&M-mode"));
-  onConsole(time, tr("B, B + M, M"), "M", "mode", 1);
-  onConsole(time, tr("M line to the left"), "Ctrl+Left", "mLine", -1);
-  onConsole(time, tr("M line to the right"), "Ctrl+Right", "mLine", 1);
-  onConsole(time, tr("Slower sweep"), "Y", "sweep", 1);
-  onConsole(time, tr("Faster sweep"), "Shift+Y", "sweep", -1);
+void MainWindow::addTimeMenu(QMenu& time) {
+  addConsoleAction(time, tr("B, B + M, M"), "M", "mode", 1);
+  addConsoleAction(time, tr("M line to the left"), "Ctrl+Left", "mLine", -1);
+  addConsoleAction(time, tr("M line to the right"), "Ctrl+Right", "mLine", 1);
+  addConsoleAction(time, tr("Slower sweep"), "Y", "sweep", 1);
+  addConsoleAction(time, tr("Faster sweep"), "Shift+Y", "sweep", -1);
+}
 
-  QMenu* quality = scan->addMenu(tr("&Quality"));
+void MainWindow::addQualityMenu(QMenu& quality) {
   const auto choose = [&](const QString& text, Qt::Key key, Quality chosenQuality) {
-    add(quality, text, {QKeySequence(key)}, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
+    addMenuAction(quality, text, {QKeySequence(key)}, [this, chosenQuality] { parts_->console->chooseQuality(chosenQuality); });
   };
   choose(tr("Fast: nearest voxels"), Qt::Key_1, Quality::weave);
   choose(tr("Fine: interpolated"), Qt::Key_2, Quality::linear);
   choose(tr("Cubic: sharpest"), Qt::Key_3, Quality::cubic);
-  onConsole(quality, tr("Adaptive: falls while the probe moves fast"), "F9", "adaptive", 1);
-  add(scan, tr("Next page of the console"), {QKeySequence(Qt::Key_F10)}, [this] { parts_->console->showNextPage(); });
-  scan->addSeparator();
-  add(scan, tr("&Performance…"), {keys("Ctrl+K")}, [this] { showCost(); });
+  addConsoleAction(quality, tr("Adaptive: falls while the probe moves fast"), "F9", "adaptive", 1);
+}
 
-  QMenu* help = bar.addMenu(tr("&Help"));
-  add(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] { showKeys(); });
-  add(help, tr("&Plugins…"), {},
-      [this] { PluginsDialog(parts_->plugins ? parts_->plugins->states() : std::vector<door::PluginStatus>{}, this).exec(); });
-  add(help, tr("&About EchoWeave"), {}, [this] {
+void MainWindow::addHelpMenu(QMenu& help) {
+  addMenuAction(help, tr("&Keys and mouse"), {QKeySequence(Qt::Key_F1)}, [this] { showKeys(); });
+  addMenuAction(help, tr("&Plugins…"), {},
+                [this] { PluginsDialog(parts_->plugins ? parts_->plugins->states() : std::vector<door::PluginStatus>{}, this).exec(); });
+  addMenuAction(help, tr("&About EchoWeave"), {}, [this] {
     QMessageBox about(this);
     about.setWindowTitle(tr("About EchoWeave"));
     about.setText(

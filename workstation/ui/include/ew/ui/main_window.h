@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QKeySequence>
+#include <QList>
 #include <QMainWindow>
 #include <QPoint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "ew/core/result.h"
@@ -16,6 +19,9 @@ struct Thrown;
 namespace ew::sdk {
 class PanelDocument;
 }
+
+class QAction;
+class QMenu;
 
 namespace ew::ui {
 
@@ -80,8 +86,35 @@ class MainWindow final : public QMainWindow {
  private:
   struct Parts;
   void makeViews();
+  void makePanelColumn();
+  void makeColumns();
+  void watchViews();
   void makeActions();
+  /// An entry of a menu with its keys.
+  QAction* addMenuAction(QMenu& menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> run);
+  /// An entry that moves a control of the console. It is here and not at the control: the console may be hidden beside an author's panels.
+  /// @param key empty: none @param steps of ConsolePanel::step
+  QAction* addConsoleAction(QMenu& menu, const QString& text, const char* key, const QString& control, int steps);
+  void addFileMenu(QMenu& file);
+  void addEditMenu(QMenu& edit);
+  void addViewMenu(QMenu& view);
+  void addThemeMenu(QMenu& theme);
+  void addLanguageMenu(QMenu& language);
+  void addScanMenu(QMenu& scan);
+  void addImageMenu(QMenu& image);
+  void addEffectsMenu(QMenu& effects);
+  void addProbeMenu(QMenu& transducer);
+  void addTimeMenu(QMenu& time);
+  void addQualityMenu(QMenu& quality);
+  void addHelpMenu(QMenu& help);
   void connectParts();
+  void connectSession();   ///< what is scanned, recorded and shown
+  void connectDocument();  ///< the case, its edits and the panels of plugins
+  void connectPages();
+  void connectOpener();
+  void connectImports();  ///< what has to be asked or made before it can be scanned
+  void connectPreparation();
+  void connectPlugins();
   void placeOverlays();
   void chooseFile();
   void save(bool elsewhere);      ///< the case, or the document of the panel whose stage is shown
