@@ -84,9 +84,11 @@ Result<void> writeTruth(const PhantomArguments& arguments, const Patient& patien
   return {};
 }
 
+using Surfaces = std::vector<std::pair<std::string, std::string>>;  // organ, file
+
 /// The words of --surface: ORGAN=FILE.
-Result<std::vector<std::pair<std::string, std::string>>> wantedSurfaces(const std::vector<std::string>& words) {
-  std::vector<std::pair<std::string, std::string>> wanted;
+Result<Surfaces> wantedSurfaces(const std::vector<std::string>& words) {
+  Surfaces wanted;
   for (const std::string& word : words) {
     const auto sign = word.find('=');
     if (sign == std::string::npos || sign == 0 || sign + 1 == word.size())
@@ -96,20 +98,82 @@ Result<std::vector<std::pair<std::string, std::string>>> wantedSurfaces(const st
   return wanted;
 }
 
+Result<void> announcePhantom(const PhantomArguments& arguments, const Surfaces& surfaces, Run& run) {
+  if (auto kept = run.input(arguments.patient); !kept) return kept;
+  for (const auto& file : {arguments.volume, arguments.labels})
+    if (!file.empty())
+      if (auto announced = run.output(file, ".mha .mhd"); !announced) return announced;
+  if (!arguments.truth.empty())
+    if (auto announced = run.output(arguments.truth, ".json"); !announced) return announced;
+  for (const auto& [organ, file] : surfaces)
+    if (auto announced = run.output(file, ".stl .ply"); !announced) return announced;
+  return announceSweep(arguments.sweep, run);
+}
+
+Result<void> writeSurfaces(const PhantomArguments& arguments, const Patient& patient, const Surfaces& surfaces, Run& run) {
+  for (const auto& [organ, file] : surfaces) {
+    const StepClock clock(run.report, "surface");
+    const auto mesh = surfaceOf(patient, organ, arguments.edge_mm, run.progress);
+    if (!mesh) return passOn(mesh.error());
+    if (auto written = writeSurface(*mesh, run.outputs.staged(file)); !written) return written;
+    run.say("Wrote " + file + " with " + counted(mesh->triangles.size(), "triangle") + ".");
+  }
+  return {};
+}
+
+/// How many voxels each organ has.
+void reportOrgans(const Patient& patient, const VoxelisedPatient& made, Run& run) {
+  std::array<std::size_t, 256> voxelsOf{};
+  for (const auto label : made.labels) ++voxelsOf[label];
+  const auto& grid = made.volume.grid;
+  const double voxel_ml = grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z / 1000.0;
+  run.report.quality["voxels"] = grid.voxelCount();
+  run.report.details["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+                                {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}},
+                                {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}}};
+  run.report.details["organs"] = nlohmann::json::array();
+  for (const auto& organ : organsOf(patient)) {
+    const auto voxels = voxelsOf[static_cast<std::size_t>(organ.label) & 255u];
+    const double volume_ml = static_cast<double>(voxels) * voxel_ml;
+    run.report.details["organs"].push_back({{"label", organ.label}, {"name", organ.name}, {"voxels", voxels}, {"volume_ml", volume_ml}});
+    run.say(std::to_string(organ.label) + "  " + organ.name + "  " + rounded(volume_ml, 1) + " ml");
+  }
+}
+
+/// @param from share of the whole work that is done before
+Result<void> makeVoxels(const PhantomArguments& arguments, const Patient& patient, double from, Run& run) {
+  VoxeliseOptions options;
+  options.spacing_mm = arguments.spacing_mm;
+  options.seed = arguments.seed;
+  options.threads = arguments.threads;
+  PartOfProgress voxelising(run.progress, from, 0.9);
+  auto made = [&] {
+    const StepClock clock(run.report, "voxelise");
+    return voxelise(patient, options, voxelising);
+  }();
+  if (!made) return passOn(made.error());
+  reportOrgans(patient, *made, run);
+  const StepClock clock(run.report, "write");
+  if (!arguments.volume.empty()) {
+    PartOfProgress writing(run.progress, 0.9, 0.97);
+    if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.volume), writing); !written) return written;
+    run.say("Wrote " + arguments.volume + ".");
+  }
+  if (!arguments.labels.empty()) {
+    PartOfProgress writing(run.progress, 0.97, 1.0);
+    made->volume.echo = std::move(made->labels);
+    if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.labels), writing); !written) return written;
+    run.say("Wrote " + arguments.labels + ".");
+  }
+  return {};
+}
+
 Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   const bool voxelsWanted = !arguments.volume.empty() || !arguments.labels.empty();
   const bool sweepWanted = !arguments.sweep.sweep.empty();
   const auto surfaces = wantedSurfaces(arguments.surfaces);
   if (!surfaces) return passOn(surfaces.error());
-  if (auto kept = run.input(arguments.patient); !kept) return passOn(kept.error());
-  for (const auto& file : {arguments.volume, arguments.labels})
-    if (!file.empty())
-      if (auto announced = run.output(file, ".mha .mhd"); !announced) return passOn(announced.error());
-  if (!arguments.truth.empty())
-    if (auto announced = run.output(arguments.truth, ".json"); !announced) return passOn(announced.error());
-  for (const auto& [organ, file] : *surfaces)
-    if (auto announced = run.output(file, ".stl .ply"); !announced) return passOn(announced.error());
-  if (auto announced = announceSweep(arguments.sweep, run); !announced) return passOn(announced.error());
+  if (auto announced = announcePhantom(arguments, *surfaces, run); !announced) return passOn(announced.error());
   if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty())
     return failure(ErrorCode::badUsage,
                    "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface ORGAN=FILE, "
@@ -127,57 +191,13 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
     run.report.details["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}};
   if (!arguments.truth.empty())
     if (auto written = writeTruth(arguments, **patient, run); !written) return passOn(written.error());
-  for (const auto& [organ, file] : *surfaces) {
-    const StepClock clock(run.report, "surface");
-    const auto mesh = surfaceOf(**patient, organ, arguments.edge_mm, run.progress);
-    if (!mesh) return passOn(mesh.error());
-    if (auto written = writeSurface(*mesh, run.outputs.staged(file)); !written) return passOn(written.error());
-    run.say("Wrote " + file + " with " + counted(mesh->triangles.size(), "triangle") + ".");
-  }
+  if (auto written = writeSurfaces(arguments, **patient, *surfaces, run); !written) return passOn(written.error());
   if (sweepWanted) {
     PartOfProgress sweeping(run.progress, 0.0, voxelsWanted ? 0.7 : 1.0);
     if (auto made = makeSweep(arguments.sweep, *patient, arguments.threads, run, sweeping); !made) return passOn(made.error());
   }
   if (!voxelsWanted) return kDone;
-  VoxeliseOptions options;
-  options.spacing_mm = arguments.spacing_mm;
-  options.seed = arguments.seed;
-  options.threads = arguments.threads;
-  PartOfProgress voxelising(run.progress, sweepWanted ? 0.7 : 0.0, 0.9);
-  auto made = [&] {
-    const StepClock clock(run.report, "voxelise");
-    return voxelise(**patient, options, voxelising);
-  }();
-  if (!made) return passOn(made.error());
-
-  std::array<std::size_t, 256> voxelsOf{};
-  for (const auto label : made->labels) ++voxelsOf[label];
-  const auto& grid = made->volume.grid;
-  const double voxel_ml = grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z / 1000.0;
-  run.report.quality["voxels"] = grid.voxelCount();
-  run.report.details["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
-                                {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}},
-                                {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}}};
-  run.report.details["organs"] = nlohmann::json::array();
-  for (const auto& organ : organsOf(**patient)) {
-    const auto voxels = voxelsOf[static_cast<std::size_t>(organ.label) & 255u];
-    const double volume_ml = static_cast<double>(voxels) * voxel_ml;
-    run.report.details["organs"].push_back({{"label", organ.label}, {"name", organ.name}, {"voxels", voxels}, {"volume_ml", volume_ml}});
-    run.say(std::to_string(organ.label) + "  " + organ.name + "  " + rounded(volume_ml, 1) + " ml");
-  }
-
-  const StepClock clock(run.report, "write");
-  if (!arguments.volume.empty()) {
-    PartOfProgress writing(run.progress, 0.9, 0.97);
-    if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.volume), writing); !written) return passOn(written.error());
-    run.say("Wrote " + arguments.volume + ".");
-  }
-  if (!arguments.labels.empty()) {
-    PartOfProgress writing(run.progress, 0.97, 1.0);
-    made->volume.echo = std::move(made->labels);
-    if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.labels), writing); !written) return passOn(written.error());
-    run.say("Wrote " + arguments.labels + ".");
-  }
+  if (auto made = makeVoxels(arguments, **patient, sweepWanted ? 0.7 : 0.0, run); !made) return passOn(made.error());
   return kDone;
 }
 

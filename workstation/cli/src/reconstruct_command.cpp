@@ -149,25 +149,75 @@ std::vector<std::uint16_t> usedFrames(const SweepPoses& poses) {
   return numbers;
 }
 
-Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
+Result<void> checkReconstruction(const ReconstructArguments& arguments) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
   if (arguments.fillReach_mm && arguments.fillReach_voxels)
     return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
   if (!arguments.confidence.empty() && arguments.compounding != "weighted")
     return failure(ErrorCode::badUsage, "--confidence says how pixels are weighted; give --compounding weighted with it.");
-  if (auto kept = run.input(arguments.sweep); !kept) return passOn(kept.error());
+  if (!arguments.provenance.empty() && arguments.acquisition.phases)
+    return failure(ErrorCode::badUsage, "--provenance is written for one volume, not for phases; leave one of them out.");
+  return {};
+}
+
+Result<void> announceReconstruction(const ReconstructArguments& arguments, Run& run) {
+  if (auto kept = run.input(arguments.sweep); !kept) return kept;
   for (const auto& file : arguments.calibrations)
-    if (auto kept = run.input(file); !kept) return passOn(kept.error());
+    if (auto kept = run.input(file); !kept) return kept;
   if (auto announced = announcePhases(run, arguments.output, arguments.coverage, arguments.acquisition.phases.value_or(1)); !announced)
-    return passOn(announced.error());
+    return announced;
+  if (!arguments.provenance.empty())
+    if (auto announced = run.output(arguments.provenance, ".mha .mhd"); !announced) return announced;
+  return {};
+}
+
+Result<void> writeMade(const ReconstructArguments& arguments, const ReconstructResult& made, Run& run) {
+  const StepClock clock(run.report, "write");
+  PartOfProgress writing(run.progress, 0.9, arguments.coverage.empty() ? 1.0 : 0.95);
+  if (auto written = writeVolume(made.volume, run.outputs.staged(arguments.output), writing); !written) return written;
+  if (!arguments.coverage.empty()) {
+    PartOfProgress writingCoverage(run.progress, 0.95, 1.0);
+    if (auto written = writeCoverage(made.volume, run.outputs.staged(arguments.coverage), writingCoverage); !written) return written;
+  }
+  if (!arguments.provenance.empty()) {
+    PartOfProgress writingSources(run.progress, 0.98, 1.0);
+    if (auto written = writeSources(made.volume.grid, made.source, run.outputs.staged(arguments.provenance), writingSources); !written)
+      return written;
+  }
+  return {};
+}
+
+void reportMade(const ReconstructArguments& arguments, const ImportPlan& plan, const ReconstructResult& made, Run& run) {
+  const auto& grid = made.volume.grid;
+  run.report.options = optionsReport(arguments, plan);
+  run.report.quality = {{"frames_total", plan.frames.total},
+                        {"frames_used", plan.frames.used},
+                        {"frames_invalid", plan.frames.invalid},
+                        {"frames_missing", plan.frames.missing},
+                        {"pixels_pasted", made.pixelsPasted},
+                        {"voxels", grid.voxelCount()},
+                        {"voxels_measured", made.measuredVoxels},
+                        {"voxels_interpolated", made.interpolatedVoxels},
+                        {"forecast_mib", static_cast<double>(plan.bytes) / 1048576.0}};
+  run.report.details["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+                                {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}},
+                                {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}}};
+  run.say("Wrote " + arguments.output + ": " + std::to_string(grid.dims.x) + " x " + std::to_string(grid.dims.y) + " x " +
+          std::to_string(grid.dims.z) + " voxels of " + textOf(grid.spacing_mm.x) + " mm in the frame " + plan.toFrame + ".");
+  std::string frames = "Used " + std::to_string(plan.frames.used) + " of " + counted(plan.frames.total, "frame");
+  if (plan.frames.invalid + plan.frames.missing > 0)
+    frames += " (" + std::to_string(plan.frames.invalid) + " invalid, " + std::to_string(plan.frames.missing) + " without a pose)";
+  const double share = 100.0 / static_cast<double>(grid.voxelCount());
+  run.say(frames + "; " + rounded(share * static_cast<double>(made.measuredVoxels), 1) + " % of the voxels are measured, " +
+          rounded(share * static_cast<double>(made.interpolatedVoxels), 1) + " % interpolated.");
+}
+
+Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
+  if (auto usable = checkReconstruction(arguments); !usable) return passOn(usable.error());
+  if (auto announced = announceReconstruction(arguments, run); !announced) return passOn(announced.error());
   auto importOptions = importOptionsOf(arguments);
   if (auto applied = applyTo(importOptions, arguments.acquisition, run); !applied) return passOn(applied.error());
-  if (!arguments.provenance.empty()) {
-    if (arguments.acquisition.phases)
-      return failure(ErrorCode::badUsage, "--provenance is written for one volume, not for phases; leave one of them out.");
-    if (auto announced = run.output(arguments.provenance, ".mha .mhd"); !announced) return passOn(announced.error());
-  }
 
   PartOfProgress opening(run.progress, 0.0, 0.3);
   auto opened = openSweep(arguments.sweep, importOptions, opening);
@@ -193,44 +243,8 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   run.report.addStep("paste", made.pasteSeconds * 1e6);
   if (plan.reconstruct.fillReach_mm > 0.0) run.report.addStep("fill", made.fillSeconds * 1e6);
 
-  {
-    const StepClock clock(run.report, "write");
-    PartOfProgress writing(run.progress, 0.9, arguments.coverage.empty() ? 1.0 : 0.95);
-    if (auto written = writeVolume(made.volume, run.outputs.staged(arguments.output), writing); !written) return passOn(written.error());
-    if (!arguments.coverage.empty()) {
-      PartOfProgress writingCoverage(run.progress, 0.95, 1.0);
-      if (auto written = writeCoverage(made.volume, run.outputs.staged(arguments.coverage), writingCoverage); !written)
-        return passOn(written.error());
-    }
-    if (!arguments.provenance.empty()) {
-      PartOfProgress writingSources(run.progress, 0.98, 1.0);
-      if (auto written = writeSources(made.volume.grid, made.source, run.outputs.staged(arguments.provenance), writingSources); !written)
-        return passOn(written.error());
-    }
-  }
-
-  const auto& grid = made.volume.grid;
-  run.report.options = optionsReport(arguments, plan);
-  run.report.quality = {{"frames_total", plan.frames.total},
-                        {"frames_used", plan.frames.used},
-                        {"frames_invalid", plan.frames.invalid},
-                        {"frames_missing", plan.frames.missing},
-                        {"pixels_pasted", made.pixelsPasted},
-                        {"voxels", grid.voxelCount()},
-                        {"voxels_measured", made.measuredVoxels},
-                        {"voxels_interpolated", made.interpolatedVoxels},
-                        {"forecast_mib", static_cast<double>(plan.bytes) / 1048576.0}};
-  run.report.details["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
-                                {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}},
-                                {"origin_mm", {grid.origin_mm.x, grid.origin_mm.y, grid.origin_mm.z}}};
-  run.say("Wrote " + arguments.output + ": " + std::to_string(grid.dims.x) + " x " + std::to_string(grid.dims.y) + " x " +
-          std::to_string(grid.dims.z) + " voxels of " + textOf(grid.spacing_mm.x) + " mm in the frame " + plan.toFrame + ".");
-  std::string frames = "Used " + std::to_string(plan.frames.used) + " of " + counted(plan.frames.total, "frame");
-  if (plan.frames.invalid + plan.frames.missing > 0)
-    frames += " (" + std::to_string(plan.frames.invalid) + " invalid, " + std::to_string(plan.frames.missing) + " without a pose)";
-  const double share = 100.0 / static_cast<double>(grid.voxelCount());
-  run.say(frames + "; " + rounded(share * static_cast<double>(made.measuredVoxels), 1) + " % of the voxels are measured, " +
-          rounded(share * static_cast<double>(made.interpolatedVoxels), 1) + " % interpolated.");
+  if (auto written = writeMade(arguments, made, run); !written) return passOn(written.error());
+  reportMade(arguments, plan, made, run);
   return kDone;
 }
 

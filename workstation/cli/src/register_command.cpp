@@ -365,37 +365,83 @@ void transformInto(nlohmann::json& quality, const glm::dmat4& rigid, const Grid&
   quality["shift_of_middle_mm"] = glm::length(glm::dvec3(rigid * glm::dvec4(middle, 1.0)) - middle);
 }
 
-Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
-  if (auto fits = checkUsage(arguments); !fits) return passOn(fits.error());
+Result<void> announceRegistration(const RegisterArguments& arguments, Run& run) {
   for (const std::string* file : {&arguments.fixed, &arguments.moving, &arguments.start, &arguments.landmarks, &arguments.coverageFixed,
                                   &arguments.coverageMoving, &arguments.confidenceFixed, &arguments.confidenceMoving})
-    if (auto kept = run.input(*file); !kept) return passOn(kept.error());
-  if (auto announced = run.output(arguments.output); !announced) return passOn(announced.error());
+    if (auto kept = run.input(*file); !kept) return kept;
+  if (auto announced = run.output(arguments.output); !announced) return announced;
   if (!arguments.field.empty())
-    if (auto announced = run.output(arguments.field, ".mha"); !announced) return passOn(announced.error());
+    if (auto announced = run.output(arguments.field, ".mha"); !announced) return announced;
   if (!arguments.moved.empty())
-    if (auto announced = run.output(arguments.moved, ".mha .mhd"); !announced) return passOn(announced.error());
-  run.report.options = {{"method", arguments.method}, {"threads", arguments.threads}};
-  if (arguments.beamFixed) run.report.options["beam_fixed"] = *arguments.beamFixed;
-  if (arguments.beamMoving) run.report.options["beam_moving"] = *arguments.beamMoving;
-  run.report.options["start"] = arguments.start.empty() ? nlohmann::json() : nlohmann::json(arguments.start);
+    if (auto announced = run.output(arguments.moved, ".mha .mhd"); !announced) return announced;
+  return {};
+}
 
-  Side fixed;
-  Side moving;
-  {
-    const StepClock clock(run.report, "read");
-    PartOfProgress first(run.progress, 0.0, 0.03);
-    auto read = readSide(run, arguments.fixed, arguments.coverageFixed, arguments.confidenceFixed, first);
-    if (!read) return passOn(read.error());
-    fixed = *std::move(read);
-    PartOfProgress second(run.progress, 0.03, 0.06);
-    read = readSide(run, arguments.moving, arguments.coverageMoving, arguments.confidenceMoving, second);
-    if (!read) return passOn(read.error());
-    moving = *std::move(read);
+nlohmann::json registrationOptions(const RegisterArguments& arguments) {
+  nlohmann::json options = {{"method", arguments.method}, {"threads", arguments.threads}};
+  if (arguments.beamFixed) options["beam_fixed"] = *arguments.beamFixed;
+  if (arguments.beamMoving) options["beam_moving"] = *arguments.beamMoving;
+  options["start"] = arguments.start.empty() ? nlohmann::json() : nlohmann::json(arguments.start);
+  return options;
+}
+
+Result<std::pair<Side, Side>> readSides(const RegisterArguments& arguments, Run& run) {
+  const StepClock clock(run.report, "read");
+  PartOfProgress first(run.progress, 0.0, 0.03);
+  auto fixed = readSide(run, arguments.fixed, arguments.coverageFixed, arguments.confidenceFixed, first);
+  if (!fixed) return passOn(fixed.error());
+  PartOfProgress second(run.progress, 0.03, 0.06);
+  auto moving = readSide(run, arguments.moving, arguments.coverageMoving, arguments.confidenceMoving, second);
+  if (!moving) return passOn(moving.error());
+  if (const auto& beam = arguments.beamFixed) fixed->beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
+  if (const auto& beam = arguments.beamMoving) moving->beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
+  return std::pair(*std::move(fixed), *std::move(moving));
+}
+
+/// @param moving may be empty unless the moved volume is asked for
+Result<void> writeFound(const RegisterArguments& arguments, const Grid& fixed, const Volume& moving, const Found& found, Run& run) {
+  const StepClock clock(run.report, "write");
+  if (auto written = writeFileSafely(run.outputs.staged(arguments.output), transformText(found.fixedToMoving.rigid)); !written)
+    return written;
+  if (!arguments.field.empty()) {
+    PartOfProgress writing(run.progress, 0.9, arguments.moved.empty() ? 1.0 : 0.95);
+    if (auto written = writeField(found.fixedToMoving, fixed, found.flat, run.outputs.staged(arguments.field), arguments.threads, writing);
+        !written)
+      return written;
   }
-  if (const auto& beam = arguments.beamFixed) fixed.beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
-  if (const auto& beam = arguments.beamMoving) moving.beams = Beams{{(*beam)[0], (*beam)[1], (*beam)[2]}};
-  auto found = [&] {
+  if (arguments.moved.empty()) return {};
+  PartOfProgress warping(run.progress, 0.95, 1.0);
+  auto seen = warped(moving, found.fixedToMoving, fixed, arguments.threads, warping);
+  if (!seen) return passOn(seen.error());
+  return writeVolume(*seen, run.outputs.staged(arguments.moved), warping);
+}
+
+void reportFound(const Found& found, const Grid& fixed, Report& report) {
+  for (const Level& level : found.levels) report.addStep("level " + textOf(level.voxel_mm) + " mm", level.seconds * 1e6);
+  auto& levels = report.details["levels"] = nlohmann::json::array();
+  for (const Level& level : found.levels)
+    levels.push_back({{"voxel_mm", level.voxel_mm},
+                      {"node_mm", level.node_mm},
+                      {"iterations", level.iterations},
+                      {"correlation_before", level.correlationBefore},
+                      {"correlation_after", level.correlationAfter},
+                      {"seconds", level.seconds}});
+  report.quality = found.quality;
+  transformInto(report.quality, found.fixedToMoving.rigid, fixed);
+  report.verdict = nameOf(found.verdict);
+  report.details["reason"] = found.reason;
+  report.details["stop"] = nameOf(found.stop);
+  for (const auto& [key, value] : found.details.items()) report.details[key] = value;
+}
+
+Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
+  if (auto fits = checkUsage(arguments); !fits) return passOn(fits.error());
+  if (auto announced = announceRegistration(arguments, run); !announced) return passOn(announced.error());
+  run.report.options = registrationOptions(arguments);
+  auto sides = readSides(arguments, run);
+  if (!sides) return passOn(sides.error());
+  auto& [fixed, moving] = *sides;
+  auto found = [&, &fixed = fixed, &moving = moving] {
     const StepClock clock(run.report, "register");
     PartOfProgress registering(run.progress, 0.06, arguments.assess ? 0.85 : 0.9);
     return findTransform(arguments, fixed, moving, run, registering);
@@ -407,41 +453,8 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
     if (auto assessed = assess(arguments, fixed, moving, *found, assessing); !assessed) return passOn(assessed.error());
   }
   if (arguments.moved.empty()) moving = {};  // the field needs the memory more
-
-  {
-    const StepClock clock(run.report, "write");
-    if (auto written = writeFileSafely(run.outputs.staged(arguments.output), transformText(found->fixedToMoving.rigid)); !written)
-      return passOn(written.error());
-    if (!arguments.field.empty()) {
-      PartOfProgress writing(run.progress, 0.9, arguments.moved.empty() ? 1.0 : 0.95);
-      if (auto written = writeField(found->fixedToMoving, fixed.volume.grid, found->flat, run.outputs.staged(arguments.field),
-                                    arguments.threads, writing);
-          !written)
-        return passOn(written.error());
-    }
-    if (!arguments.moved.empty()) {
-      PartOfProgress warping(run.progress, 0.95, 1.0);
-      auto seen = warped(moving.volume, found->fixedToMoving, fixed.volume.grid, arguments.threads, warping);
-      if (!seen) return passOn(seen.error());
-      if (auto written = writeVolume(*seen, run.outputs.staged(arguments.moved), warping); !written) return passOn(written.error());
-    }
-  }
-
-  for (const Level& level : found->levels) run.report.addStep("level " + textOf(level.voxel_mm) + " mm", level.seconds * 1e6);
-  auto& levels = run.report.details["levels"] = nlohmann::json::array();
-  for (const Level& level : found->levels)
-    levels.push_back({{"voxel_mm", level.voxel_mm},
-                      {"node_mm", level.node_mm},
-                      {"iterations", level.iterations},
-                      {"correlation_before", level.correlationBefore},
-                      {"correlation_after", level.correlationAfter},
-                      {"seconds", level.seconds}});
-  run.report.quality = found->quality;
-  transformInto(run.report.quality, found->fixedToMoving.rigid, fixed.volume.grid);
-  run.report.verdict = nameOf(found->verdict);
-  run.report.details["reason"] = found->reason;
-  run.report.details["stop"] = nameOf(found->stop);
-  for (const auto& [key, value] : found->details.items()) run.report.details[key] = value;
+  if (auto written = writeFound(arguments, fixed.volume.grid, moving.volume, *found, run); !written) return passOn(written.error());
+  reportFound(*found, fixed.volume.grid, run.report);
 
   std::string verdict = nameOf(found->verdict);
   verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');

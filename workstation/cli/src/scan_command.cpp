@@ -220,107 +220,152 @@ Result<int> makeContactSheet(const ScanArguments& arguments, const ScanSubject& 
   return kDone;
 }
 
-Result<int> scan(const ScanArguments& arguments, Run& run) {
-  const bool isSheet = !arguments.contactSheet.empty();
-  if (isSheet)
-    if (auto usable = checkContactSheet(arguments, run); !usable) return passOn(usable.error());
-  const bool writes = arguments.repeat == 0 && !arguments.output.empty();
-  if (!writes && arguments.repeat == 0 && !arguments.plan && !isSheet)
+bool writesPictures(const ScanArguments& arguments) { return arguments.repeat == 0 && !arguments.output.empty(); }
+
+Result<void> checkScanUsage(const ScanArguments& arguments, Run& run) {
+  if (!arguments.contactSheet.empty())
+    if (auto usable = checkContactSheet(arguments, run); !usable) return usable;
+  const bool writes = writesPictures(arguments);
+  if (!writes && arguments.repeat == 0 && !arguments.plan && arguments.contactSheet.empty())
     return failure(ErrorCode::badUsage,
                    "Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.");
   if (writes)
     if (auto fits = checkRoomForWarning(arguments.size_px.x, arguments.size_px.y, arguments.output); !fits)
       return failure(ErrorCode::badUsage, fits.error().sentence);
+  return {};
+}
+
+/// Everything about a scan that is known before voxels are read.
+struct ScanPlan {
+  Wanted wanted;
   Knobs knobs;
+  Probe probe;
+  std::vector<Pose> poses;
+  std::vector<float> gaps_mm;
+
+  [[nodiscard]] bool isStrip() const { return knobs.mode == DisplayMode::mMode; }
+  [[nodiscard]] std::size_t outputs() const { return isStrip() ? 1 : poses.size(); }
+};
+
+Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
+  ScanPlan plan;
   if (!arguments.knobs.empty()) {
     if (auto kept = run.input(arguments.knobs); !kept) return passOn(kept.error());
     auto read = readKnobs(arguments.knobs);
     if (!read) return passOn(read.error());
-    knobs = *read;
+    plan.knobs = *read;
   }
-  const auto wanted = readWanted(arguments, run);
+  auto wanted = readWanted(arguments, run);
   if (!wanted) return passOn(wanted.error());
   if (std::filesystem::path(arguments.probe).extension() == ".json")
     if (auto kept = run.protect(arguments.probe); !kept) return passOn(kept.error());
-  const auto probe = findProbe(arguments.probe, wanted->opened ? wanted->opened->probes : std::vector<std::string>());
+  auto probe = findProbe(arguments.probe, wanted->opened ? wanted->opened->probes : std::vector<std::string>());
   if (!probe) return passOn(probe.error());
-  if (auto fits = checkDepth(knobs, *probe); !fits) return passOn(fits.error());
-  const auto poses = posesFor(arguments, *wanted, run);
+  if (auto fits = checkDepth(plan.knobs, *probe); !fits) return passOn(fits.error());
+  auto poses = posesFor(arguments, *wanted, run);
   if (!poses) return passOn(poses.error());
   auto gaps_mm = gapsOf(arguments.offSkin);
   if (!gaps_mm) return passOn(gaps_mm.error());
   const bool hasContact = wanted->opened ? wanted->opened->scene.contact.has_value() : wanted->scene && wanted->scene->contact;
   if (!gaps_mm->empty() && !hasContact)
     run.remark("Nothing shows that a part of the face is off the skin, because the scene has no contact effect; give one with --scene.");
+  plan.wanted = std::move(*wanted);
+  plan.probe = std::move(*probe);
+  plan.poses = std::move(*poses);
+  plan.gaps_mm = std::move(*gaps_mm);
+  return plan;
+}
 
-  const bool writesStrip = knobs.mode == DisplayMode::mMode;
-  const std::size_t outputs = writesStrip ? 1 : poses->size();
-  if (writes)
-    for (std::size_t n = 0; n < outputs; ++n)
-      if (auto announced = run.output(numbered(arguments.output, n, outputs), ".png .mha"); !announced) return passOn(announced.error());
-  auto subject = readSubject(arguments, *wanted, run);
-  if (!subject) return passOn(subject.error());
-  if (isSheet) return makeContactSheet(arguments, *subject, *probe, *poses, run);
+nlohmann::json scanOptions(const ScanArguments& arguments, const ScanPlan& plan, const ScanSubject& subject) {
+  return {{"probe", plan.probe.id},
+          {"pose", arguments.pose},
+          {"poses", plan.poses.size()},
+          {"knobs", toJson(plan.knobs)},
+          {"scene", toJson(subject.scene)},
+          {"size", {arguments.size_px.x, arguments.size_px.y}},
+          {"repeat", arguments.repeat},
+          {"threads", arguments.threads},
+          {"rate_hz", arguments.rate_hz},
+          {"off_skin", arguments.offSkin},
+          {"mapped", subject.voxels.volume() == nullptr}};
+}
 
-  run.report.options = {{"probe", probe->id},
-                        {"pose", arguments.pose},
-                        {"poses", poses->size()},
-                        {"knobs", toJson(knobs)},
-                        {"scene", toJson(subject->scene)},
-                        {"size", {arguments.size_px.x, arguments.size_px.y}},
-                        {"repeat", arguments.repeat},
-                        {"threads", arguments.threads},
-                        {"rate_hz", arguments.rate_hz},
-                        {"off_skin", arguments.offSkin},
-                        {"mapped", subject->voxels.volume() == nullptr}};
-  const ScanVoxels voxels = subject->voxels;
-  const Scene scene = subject->scene;
-  TimedScanner timed(arguments, std::move(*subject),
-                     {.probe = *probe, .knobs = knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = std::move(*gaps_mm)}, run);
-  const Scanner& scanner = timed.scanner;
-  run.report.options["pixel_mm"] = scanner.geometry().pixel_mm;
-  run.report.options["depth_mm"] = scanner.geometry().depth_mm;
+/// Every pose, as often as it is to be measured; pictures and strip are written when they are asked for.
+/// @return how many of the pictures are not black
+Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& plan, const ScanVoxels& voxels, TimedScanner& timed,
+                              Run& run) {
+  const bool writes = writesPictures(arguments);
+  const double pixel_mm = timed.scanner.geometry().pixel_mm;
   const int rounds = std::max(1, arguments.repeat);
-  const double total = static_cast<double>(rounds) * static_cast<double>(poses->size());
+  const double total = static_cast<double>(rounds) * static_cast<double>(plan.poses.size());
   double done = 0.0;
   std::size_t litPictures = 0;
   for (int round = 0; round < rounds; ++round)
-    for (std::size_t n = 0; n < poses->size(); ++n) {
+    for (std::size_t n = 0; n < plan.poses.size(); ++n) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
       if (auto whole = voxels.unchanged(); !whole) return passOn(whole.error());
-      const auto frame = timed.make((*poses)[n]);
+      const auto frame = timed.make(plan.poses[n]);
       if (round == 0) {
         if (isLit(frame.grey))
           ++litPictures;
         else
           run.remark("The picture of pose " + std::to_string(n + 1) + " is black; the probe looks past the volume or the gain is 0.");
       }
-      if (writes && !writesStrip)
-        if (auto written = write(run, numbered(arguments.output, n, outputs), frame, scanner.geometry().pixel_mm); !written)
+      if (writes && !plan.isStrip())
+        if (auto written = write(run, numbered(arguments.output, n, plan.outputs()), frame, pixel_mm); !written)
           return passOn(written.error());
       run.progress.report("Scanning", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
-  if (writes && writesStrip)
-    if (auto written = write(run, numbered(arguments.output, 0, 1), {scanner.strip()}, scanner.geometry().pixel_mm); !written)
+  if (writes && plan.isStrip())
+    if (auto written = write(run, numbered(arguments.output, 0, 1), {timed.scanner.strip()}, pixel_mm); !written)
       return passOn(written.error());
-  run.report.quality = {{"pictures_not_black", litPictures},
-                        {"pose_to_picture_p50_us", timed.latency.quantile_us(0.5)},
-                        {"pose_to_picture_p95_us", timed.latency.quantile_us(0.95)},
-                        {"pose_to_picture_p99_us", timed.latency.quantile_us(0.99)},
-                        {"pose_to_picture_max_us", timed.latency.max_us()},
-                        {"pose_to_picture_count", timed.latency.count()}};
-  if (arguments.plan && arguments.repeat == 0)
-    for (int n = 0; n < kWarmFrames; ++n) timed.make(poses->front(), false);
-  run.report.details["plan"] = nlohmann::json::array();
-  for (const auto& step : scanner.plan().steps)
-    run.report.details["plan"].push_back(
-        {{"name", nameOf(step.kind)}, {"estimated_us", step.estimated_us}, {"measured_us", run.report.median_us(nameOf(step.kind))}});
-  run.report.details["on_beams"] = scanner.plan().onBeams;
-  run.progress.clear();
-  if (arguments.plan) printPlan(run.out(), scanner, run.report);
+  return litPictures;
+}
+
+void reportScan(const TimedScanner& timed, std::size_t litPictures, Report& report) {
+  report.quality = {{"pictures_not_black", litPictures},
+                    {"pose_to_picture_p50_us", timed.latency.quantile_us(0.5)},
+                    {"pose_to_picture_p95_us", timed.latency.quantile_us(0.95)},
+                    {"pose_to_picture_p99_us", timed.latency.quantile_us(0.99)},
+                    {"pose_to_picture_max_us", timed.latency.max_us()},
+                    {"pose_to_picture_count", timed.latency.count()}};
+  report.details["plan"] = nlohmann::json::array();
+  for (const auto& step : timed.scanner.plan().steps)
+    report.details["plan"].push_back(
+        {{"name", nameOf(step.kind)}, {"estimated_us", step.estimated_us}, {"measured_us", report.median_us(nameOf(step.kind))}});
+  report.details["on_beams"] = timed.scanner.plan().onBeams;
+}
+
+Result<int> scan(const ScanArguments& arguments, Run& run) {
+  if (auto usable = checkScanUsage(arguments, run); !usable) return passOn(usable.error());
+  auto plan = readScanPlan(arguments, run);
+  if (!plan) return passOn(plan.error());
+  const bool writes = writesPictures(arguments);
   if (writes)
-    run.say(writesStrip ? "Wrote the strip of " + counted(poses->size(), "beam") + ", probe " + probe->name + "."
-                        : "Wrote " + counted(poses->size(), "scan") + ", probe " + probe->name + ".");
+    for (std::size_t n = 0; n < plan->outputs(); ++n)
+      if (auto announced = run.output(numbered(arguments.output, n, plan->outputs()), ".png .mha"); !announced)
+        return passOn(announced.error());
+  auto subject = readSubject(arguments, plan->wanted, run);
+  if (!subject) return passOn(subject.error());
+  if (!arguments.contactSheet.empty()) return makeContactSheet(arguments, *subject, plan->probe, plan->poses, run);
+
+  run.report.options = scanOptions(arguments, *plan, *subject);
+  const ScanVoxels voxels = subject->voxels;
+  const Scene scene = subject->scene;
+  TimedScanner timed(arguments, std::move(*subject),
+                     {.probe = plan->probe, .knobs = plan->knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = plan->gaps_mm}, run);
+  run.report.options["pixel_mm"] = timed.scanner.geometry().pixel_mm;
+  run.report.options["depth_mm"] = timed.scanner.geometry().depth_mm;
+  const auto litPictures = scanPoses(arguments, *plan, voxels, timed, run);
+  if (!litPictures) return passOn(litPictures.error());
+  if (arguments.plan && arguments.repeat == 0)
+    for (int n = 0; n < kWarmFrames; ++n) timed.make(plan->poses.front(), false);
+  reportScan(timed, *litPictures, run.report);
+  run.progress.clear();
+  if (arguments.plan) printPlan(run.out(), timed.scanner, run.report);
+  if (writes)
+    run.say(plan->isStrip() ? "Wrote the strip of " + counted(plan->poses.size(), "beam") + ", probe " + plan->probe.name + "."
+                            : "Wrote " + counted(plan->poses.size(), "scan") + ", probe " + plan->probe.name + ".");
   if (arguments.repeat > 0) run.say("Median " + rounded(run.report.median_us("frame"), 0) + " us a frame.");
   return kDone;
 }
