@@ -60,13 +60,14 @@ TEST(EffectInfo, ListsEveryEffectThatASceneHas) {
 }
 
 TEST(EffectInfo, ListsWhatTheSchemaOfCasesLists) {
+  const json schema = schemaOfScene();
   std::set<std::string> keys;
-  for (const auto& [key, rule] : schemaOfScene().items())
+  for (const auto& [key, rule] : schema.items())
     if (allowsBoolean(rule)) keys.insert(key);
   EXPECT_EQ(keys, keysOfEffects());
   for (const EffectInfo& effect : sceneEffects()) {
     std::set<std::string> parts, named;
-    const json rule = schemaOfScene()[effect.key].value("properties", json::object());
+    const json rule = schema[effect.key].value("properties", json::object());
     for (const auto& [key, part] : rule.items())
       if (allowsBoolean(part)) parts.insert(key);
     if (effect.option) named.insert(effect.option->key);
