@@ -11,7 +11,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr double kHalfHandle_px = 8.0;  // free at both ends, so that the handle stays whole
+constexpr double kAtEnds_px = 8.0;  // free at both ends, so that the handle stays whole
 constexpr double kHandle_px = 7.0;
 
 }  // namespace
@@ -37,11 +37,11 @@ void TimeLine::setPosition(double position_s) {
 
 double TimeLine::xOf(double position_s) const {
   const double share = length_s_ > 0.0 ? position_s / length_s_ : 0.0;
-  return kHalfHandle_px + share * (width() - 2.0 * kHalfHandle_px);
+  return kAtEnds_px + share * (width() - 2.0 * kAtEnds_px);
 }
 
 double TimeLine::positionAt(double x) const {
-  return length_s_ * std::clamp((x - kHalfHandle_px) / std::max(1.0, width() - 2.0 * kHalfHandle_px), 0.0, 1.0);
+  return length_s_ * std::clamp((x - kAtEnds_px) / std::max(1.0, width() - 2.0 * kAtEnds_px), 0.0, 1.0);
 }
 
 void TimeLine::goTo(double position_s) {
