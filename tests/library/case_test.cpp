@@ -119,13 +119,13 @@ TEST(LoadCase, SaysOfEachBadFieldWhatWasFoundAndWhatIsExpected) {
       {"/patient/age_years", "old", "patient.age_years", "\"old\"", "0 to 130"},
       {"/patient/sex", "yes", "patient.sex", "\"yes\"", "female"},
       {"/volume/recipe_spacing_mm", 0, "volume.recipe_spacing_mm", "0", "0.1 to 10"},
-      {"/volume/file_to_world", json::array({1, 2}), "volume.file_to_world", "a list of 2", "16 numbers"},
+      {"/volume/file_to_world", json::array({1, 2}), "volume.file_to_world", "[1,2]", "16 numbers"},
       {"/start_pose", "here", "start_pose", "\"here\"", "16 numbers"},
       {"/start_pose", identityWith(3, 0), "", "", ""},  // valid: the identity
       {"/probes", json::array({"convex-3.5", 3}), "probes[1]", "3", "probe id"},
       {"/scene", true, "scene", "true", "an object"},
       {"/scene/gain_and_dgc", "on", "scene.gain_and_dgc", "\"on\"", "true or false"},
-      {"/volume", json::array(), "volume", "a list of 0", "an object"},
+      {"/volume", json::array(), "volume", "[]", "an object"},
   };
   for (const auto& wrong : wrongs) {
     json manifest = smallest();

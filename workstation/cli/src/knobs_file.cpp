@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/io/safe_file.h"
-#include "ew/library/schema.h"
 
 namespace ew::cli {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"

@@ -4,8 +4,8 @@
 
 #include "case_pipeline.h"
 #include "case_truth_file.h"
+#include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
-#include "ew/library/schema.h"
 #include "ew/phantom/truth.h"
 #include "prepared_store.h"
 

@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
-#include "ew/library/schema.h"
 
 namespace ew {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
-#include "ew/library/schema.h"
 
 namespace ew {
 namespace {

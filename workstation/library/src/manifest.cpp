@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "ew/core/json_fields.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
 
@@ -61,20 +62,14 @@ glm::dmat4 matrixOf(const json& sixteen) {
   return matrixFromRows(rows);
 }
 
-void checkMatrix(const json& owner, const char* key, const std::string& field, std::vector<Error>& problems) {
-  if (!owner.contains(key)) return;
-  if (auto rigid = checkRigid(matrixOf(owner[key])); !rigid) {
-    Error problem = rigid.error();
-    problem.sentence = "'" + field + "' in " + kManifestName + " cannot be used. " + problem.sentence;
-    problem.context.insert(problem.context.begin(), {"field", field});
-    problems.push_back(std::move(problem));
-  }
+void checkMatrix(const json& owner, const char* key, const std::string& place, std::vector<Error>& problems) {
+  JsonReading reading(kManifestName);
+  JsonFields(owner, reading, place).rigid(key);
+  if (reading.problem()) problems.push_back(*reading.problem());
 }
 
 Error wrongField(const std::string& field, const std::string& found, const std::string& expected) {
-  return {ErrorCode::badField,
-          "'" + field + "' in " + kManifestName + " is " + found + "; it must be " + expected + ".",
-          {{"field", field}, {"found", found}, {"expected", expected}}};
+  return fieldError(kManifestName, field, found, expected);
 }
 
 /// What the schema cannot say: each kind of target has fields of its own.
@@ -92,7 +87,7 @@ void checkTargets(const json& manifest, std::vector<Error>& problems) {
     if (needsPatient && !manifest["volume"].contains("recipe"))
       problems.push_back(wrongField(field, "a " + kind + " of a patient, and the case has no recipe",
                                     kind == "plane" ? "a plane with probe_to_world" : "a point or a plane"));
-    checkMatrix(target, "probe_to_world", field + ".probe_to_world", problems);
+    checkMatrix(target, "probe_to_world", field, problems);
   }
 }
 
@@ -148,12 +143,10 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
   if (!problems.empty()) return problems;
 
   const json& volume = manifest["volume"];
-  checkMatrix(volume, "file_to_world", "volume.file_to_world", problems);
-  for (const char* pose : {"start_pose", "expert_pose"}) checkMatrix(manifest, pose, pose, problems);
+  checkMatrix(volume, "file_to_world", "volume", problems);
+  for (const char* pose : {"start_pose", "expert_pose"}) checkMatrix(manifest, pose, {}, problems);
   if (volume.contains("recipe_spacing_mm") && !std::isfinite(volume["recipe_spacing_mm"].get<double>()))
-    problems.push_back({ErrorCode::badField,
-                        "'volume.recipe_spacing_mm' in case.json is not a number; it must be from 0.1 to 10 mm.",
-                        {{"field", "volume.recipe_spacing_mm"}}});
+    problems.push_back(wrongField("volume.recipe_spacing_mm", "not a number", "from 0.1 to 10 mm"));
   if (manifest.contains("scene")) {
     json unknown;
     if (auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown); !scene) {

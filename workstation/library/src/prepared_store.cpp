@@ -12,10 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/schema.h"
 
 namespace ew {
 namespace {

@@ -10,7 +10,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "ew/core/nesting.h"
+#include "ew/core/json_fields.h"
 #include "schema_text.h"
 
 namespace ew {
@@ -94,19 +94,6 @@ std::string expectedAt(const nlohmann::json& schema, const Path& path) {
   return at->value("description", std::string());
 }
 
-/// A value as a person can recognise it: short, on one line.
-std::string shown(const nlohmann::json& value) {
-  if (value.is_object()) return value.empty() ? "an empty object" : "an object with " + std::to_string(value.size()) + " fields";
-  if (value.is_array()) return "a list of " + std::to_string(value.size());
-  if (value.is_string()) {
-    std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    constexpr std::size_t longest = 60;
-    if (text.size() <= longest) return text;
-    return "a text of " + std::to_string(value.get_ref<const std::string&>().size()) + " bytes";
-  }
-  return value.dump();
-}
-
 std::optional<std::string> missingProperty(const std::string& description) {
   constexpr std::string_view opening = "Missing required property '";
   if (!description.starts_with(opening) || !description.ends_with("'.")) return std::nullopt;
@@ -126,9 +113,11 @@ Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, co
   const std::string field = fieldName(path);
   const std::string expected = expectedAt(schema, path);
   const std::string foundText = found == nullptr ? "missing" : shown(*found);
-  std::string sentence = field.empty() ? documentName + " is " + foundText : "'" + field + "' in " + documentName + " is " + foundText;
-  sentence += expected.empty() ? ", which cannot be used." : "; it must be " + expected + ".";
-  return {ErrorCode::badField, sentence, {{"field", field}, {"found", foundText}, {"expected", expected}}};
+  if (expected.empty())
+    return {ErrorCode::badField,
+            (field.empty() ? documentName : "'" + field + "' in " + documentName) + " is " + foundText + ", which cannot be used.",
+            {{"field", field}, {"found", foundText}, {"in", documentName}}};
+  return fieldError(documentName, field, foundText, expected);
 }
 
 /// Texts that are too long for their pattern. std::regex recurses once per character, so these must never reach it.
@@ -180,29 +169,6 @@ std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName nam
   if (problems.empty())
     add(problemAt(document, schema.document, pathOf(all.empty() ? std::vector<std::string>{} : all.front().context), documentName));
   return problems;
-}
-
-Result<nlohmann::json> parseJson(const std::string& text, const std::string& documentName) {
-  if (nestsDeeperThan(text))
-    return failure(ErrorCode::badHeader,
-                   documentName + " nests deeper than " + std::to_string(kDeepestNesting) +
-                       " levels, which no file of this program does; "
-                       "check that it is the right file.",
-                   {{"file", documentName}});
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& problem) {
-    const std::size_t end = std::min(problem.byte == 0 ? 0 : problem.byte - 1, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    const std::size_t lineStart = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    const std::size_t column = lineStart == std::string::npos ? end + 1 : end - lineStart;
-    return failure(ErrorCode::badHeader,
-                   documentName + " is not valid JSON: it breaks at line " + std::to_string(line) + ", column " + std::to_string(column) +
-                       "; correct it there or restore an earlier copy.",
-                   {{"file", documentName}, {"line", std::to_string(line)}, {"column", std::to_string(column)}});
-  } catch (const std::exception& problem) {
-    return failure(ErrorCode::badHeader, documentName + " cannot be read as JSON; restore an earlier copy.", {{"reason", problem.what()}});
-  }
 }
 
 }  // namespace ew

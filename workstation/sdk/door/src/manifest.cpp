@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "ew/core/json_fields.h"
 #include "ew/door/door.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/schema.h"

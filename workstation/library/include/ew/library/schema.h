@@ -17,8 +17,4 @@ enum class SchemaName { caseManifest, pluginManifest };
 /// @error codes: badField throughout
 [[nodiscard]] std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName schema, const std::string& documentName);
 
-/// Parses JSON from an untrusted file: deep nesting, duplicate trouble and broken UTF-8 are refused with the place.
-/// @error badHeader with line and column
-[[nodiscard]] Result<nlohmann::json> parseJson(const std::string& text, const std::string& documentName);
-
 }  // namespace ew
