@@ -1,13 +1,13 @@
 #include "ew/imaging/settings_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "settings_fields.h"
 
@@ -21,21 +21,16 @@ constexpr std::size_t kLongestList = 256;
 
 double degreesGiving(double angle_rad) { return factorGiving(angle_rad, kRadPerDegree); }
 
-std::string rangeWords(double lowest, double highest) { return "a number from " + textOf(lowest) + " to " + textOf(highest); }
 std::string withMeaning(std::string range, const char* meaning) { return range + " (" + meaning + ")"; }
 
 /// What each kind of field may be, in words; the same in error sentences and in the manual.
 struct Wording {
-  static std::string number(double lowest, double highest, const char* meaning) {
-    return withMeaning(rangeWords(lowest, highest), meaning);
-  }
+  static std::string number(double lowest, double highest, const char* meaning) { return withMeaning(rangeText(lowest, highest), meaning); }
   static std::string numberOrZero(double lowest, double highest, const char* meaning) {
-    return rangeWords(lowest, highest) + ", or 0 for " + meaning;
+    return rangeText(lowest, highest) + ", or 0 for " + meaning;
   }
-  static std::string angle(double lowest_deg, double highest_deg) { return rangeWords(lowest_deg, highest_deg); }
-  static std::string count(int lowest, int highest) {
-    return "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
-  }
+  static std::string angle(double lowest_deg, double highest_deg) { return rangeText(lowest_deg, highest_deg); }
+  static std::string count(int lowest, int highest) { return wholeRangeText(lowest, highest); }
   static std::string oddCount(int lowest, int highest) {
     return "an odd number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   }
@@ -47,9 +42,9 @@ struct Wording {
   }
   template <class E, std::size_t N>
   static std::string choice(const detail::Words<E, N>& words) {
-    std::string all;
-    for (std::size_t n = 0; n < N; ++n) all += std::string(n == 0 ? "" : n + 1 == N ? " or " : ", ") + '"' + words[n].first + '"';
-    return all;
+    std::array<std::string_view, N> all;
+    for (std::size_t n = 0; n < N; ++n) all[n] = words[n].first;
+    return wordsText(all);
   }
   static std::string flag() { return "true or false"; }
   static std::string text(std::size_t longest) { return "a text of at most " + std::to_string(longest) + " bytes"; }
@@ -57,115 +52,58 @@ struct Wording {
   static std::string list() { return "a list of objects, each with its own label"; }
 };
 
-/// What a document has told so far.
-struct Reading {
-  const std::string& where;
-  bool keepsUnknown = false;
-  std::optional<Error> complaint = std::nullopt;  // the first one is told
-
-  void complain(const std::string& key, const json& found, const std::string& expected) {
-    if (complaint) return;
-    std::string shown = found.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (shown.size() > 60) shown = shown.substr(0, 57) + "...";
-    complaint = Error{ErrorCode::badField,
-                      "'" + key + "' in " + where + " is " + shown + ", expected is " + expected + ".",
-                      {{"field", key}, {"found", shown}, {"expected", expected}}};
-  }
-  void complainOfUnknown(const std::string& key, const std::vector<std::string>& known) {
-    if (complaint) return;
-    std::string all;
-    for (const std::string& each : known) all += (all.empty() ? "" : ", ") + each;
-    complaint = Error{
-        ErrorCode::badField, where + " has the unknown key '" + key + "'; known are " + all + ".", {{"field", key}, {"expected", all}}};
-  }
-};
-
 /// Takes the fields of `setting` from a JSON object.
 template <class T>
 class Reader {
  public:
-  Reader(T& setting, const json& object, std::string path, Reading& reading)
-      : setting_(setting), object_(object), path_(std::move(path)), reading_(reading) {}
+  Reader(T& setting, const JsonFields& fields, bool keepsUnknown) : setting_(setting), fields_(fields), keepsUnknown_(keepsUnknown) {}
 
   void number(const char* key, double T::*field, double lowest, double highest, const char* meaning) {
-    if (const json* value = valueOf(key))
-      if (!take(*value, lowest, highest, setting_.*field)) complain(key, *value, Wording::number(lowest, highest, meaning));
+    setting_.*field = fields_.number(known(key), lowest, highest, setting_.*field, Wording::number(lowest, highest, meaning));
   }
   void numberOrZero(const char* key, double T::*field, double lowest, double highest, const char* meaning) {
-    if (const json* value = valueOf(key))
-      if (!take(*value, 0.0, 0.0, setting_.*field) && !take(*value, lowest, highest, setting_.*field))
-        complain(key, *value, Wording::numberOrZero(lowest, highest, meaning));
+    const json* value = fields_.find(known(key));
+    if (value != nullptr && numberWithin(*value, 0.0, 0.0))
+      setting_.*field = 0.0;
+    else
+      setting_.*field = fields_.number(key, lowest, highest, setting_.*field, Wording::numberOrZero(lowest, highest, meaning));
   }
   void angle(const char* key, double T::*field, double lowest_deg, double highest_deg) {
-    double angle_deg = 0.0;
-    if (const json* value = valueOf(key)) {
-      if (take(*value, lowest_deg, highest_deg, angle_deg))
-        setting_.*field = angle_deg * kRadPerDegree;
-      else
-        complain(key, *value, Wording::angle(lowest_deg, highest_deg));
-    }
+    if (fields_.has(known(key))) setting_.*field = fields_.number(key, lowest_deg, highest_deg) * kRadPerDegree;
   }
   void count(const char* key, int T::*field, int lowest, int highest) {
-    if (const json* value = valueOf(key))
-      if (!take(*value, lowest, highest, setting_.*field)) complain(key, *value, Wording::count(lowest, highest));
+    setting_.*field = static_cast<int>(fields_.whole(known(key), lowest, highest, setting_.*field));
   }
   void oddCount(const char* key, int T::*field, int lowest, int highest) {
-    if (const json* value = valueOf(key))
-      if (!take(*value, lowest, highest, setting_.*field) || (setting_.*field) % 2 == 0)
-        complain(key, *value, Wording::oddCount(lowest, highest));
+    setting_.*field = static_cast<int>(fields_.whole(known(key), lowest, highest, setting_.*field, Wording::oddCount(lowest, highest)));
+    if (setting_.*field % 2 == 0) fields_.refuse(key, Wording::oddCount(lowest, highest));
   }
   template <std::size_t N>
   void factors(const char* key, std::array<double, N> T::*field, double lowest, double highest) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    bool good = value->is_array() && value->size() == N;
-    for (std::size_t n = 0; good && n < N; ++n) good = take((*value)[n], lowest, highest, (setting_.*field)[n]);
-    if (!good) complain(key, *value, Wording::factors(N));
+    const auto values = fields_.numbers(known(key), N, N, lowest, highest, false, Wording::factors(N));
+    std::copy(values.begin(), values.end(), (setting_.*field).begin());
   }
   template <std::size_t N>
   void foci(const char* key, double T::*first, std::array<double, N> T::*more, double lowest, double highest) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    bool good = true;
-    if (value->is_array()) {
-      good = !value->empty() && value->size() <= N + 1;
-      for (std::size_t n = 0; good && n < value->size(); ++n)
-        good = take((*value)[n], lowest, highest, n == 0 ? setting_.*first : (setting_.*more)[n - 1]);
+    const json* value = fields_.find(known(key));
+    if (value != nullptr && value->is_array()) {
+      const auto values = fields_.numbers(key, 1, N + 1, lowest, highest, true, Wording::foci(N + 1));
+      for (std::size_t n = 0; n < values.size(); ++n) (n == 0 ? setting_.*first : (setting_.*more)[n - 1]) = values[n];
     } else {
-      good = take(*value, lowest, highest, setting_.*first);
+      setting_.*first = fields_.number(key, lowest, highest, setting_.*first, Wording::foci(N + 1));
     }
-    if (!good) complain(key, *value, Wording::foci(N + 1));
   }
   template <class E, std::size_t N>
   void choice(const char* key, E T::*field, const detail::Words<E, N>& words) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    for (const auto& [word, meaning] : words)
-      if (*value == word) {
-        setting_.*field = meaning;
-        return;
-      }
-    complain(key, *value, Wording::choice(words));
+    setting_.*field = fields_.word(known(key), words, std::optional(setting_.*field));
   }
-  void flag(const char* key, bool T::*field) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    if (value->is_boolean())
-      setting_.*field = value->get<bool>();
-    else
-      complain(key, *value, Wording::flag());
-  }
+  void flag(const char* key, bool T::*field) { setting_.*field = fields_.flag(known(key), setting_.*field); }
   void text(const char* key, std::string T::*field, std::size_t longest) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    if (value->is_string() && value->get_ref<const std::string&>().size() <= longest)
-      setting_.*field = value->get<std::string>();
-    else
-      complain(key, *value, Wording::text(longest));
+    setting_.*field = fields_.text(known(key), setting_.*field, 0, longest, Wording::text(longest));
   }
   template <class Effect>
   void effect(const char* key, std::optional<Effect> T::*field) {
-    const json* value = valueOf(key);
+    const json* value = fields_.find(known(key));
     if (value == nullptr) return;
     if (value->is_boolean()) {
       if (value->get<bool>())
@@ -173,25 +111,23 @@ class Reader {
       else
         (setting_.*field).reset();
     } else if (value->is_object()) {
-      json unknown = readObject((setting_.*field).emplace(), *value, path_ + key + ".", reading_);
+      json unknown = readObject((setting_.*field).emplace(), fields_.object(key), keepsUnknown_);
       if (!unknown.empty()) unknown_[key] = std::move(unknown);
     } else {
-      complain(key, *value, Wording::effect());
+      fields_.refuse(key, Wording::effect());
     }
   }
   void list(const char* key, std::vector<TissueAcoustics> T::*field) {
-    const json* value = valueOf(key);
-    if (value == nullptr) return;
-    if (!value->is_array() || value->size() > kLongestList) return complain(key, *value, Wording::list());
-    for (std::size_t n = 0; n < value->size(); ++n) {
-      const json& object = (*value)[n];
-      const std::string path = key + ("[" + std::to_string(n) + "]");
-      if (!object.is_object() || !object.contains("label")) return complain(path, object, "an object with a label");
+    const json& items = fields_.list(known(key), 0, kLongestList, Wording::list());
+    for (std::size_t n = 0; n < items.size(); ++n) {
+      const std::string place = key + ("[" + std::to_string(n) + "]");
+      if (!items[n].is_object() || !items[n].contains("label")) return fields_.refuse(place, shown(items[n]), "an object with a label");
       TissueAcoustics item;
-      json unknown = readObject(item, object, path_ + path + ".", reading_);
+      const JsonFields object(items[n], fields_.reading(), fields_.placeOf(place));
+      json unknown = readObject(item, object, keepsUnknown_);
       const auto sameLabel = [&](const TissueAcoustics& other) { return other.label == item.label; };
       if (std::any_of((setting_.*field).begin(), (setting_.*field).end(), sameLabel))
-        complain(path + ".label", object["label"], "a label that no other tissue of the list has");
+        object.refuse("label", "a label that no other tissue of the list has");
       if (!unknown.empty()) {
         unknown["label"] = item.label;
         unknown_[key].push_back(std::move(unknown));
@@ -202,46 +138,28 @@ class Reader {
 
   /// Once every field was asked for: what else is there.
   json rest() {
-    for (const auto& [key, value] : object_.items()) {
-      if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-      if (!reading_.keepsUnknown) reading_.complainOfUnknown(path_ + key, known_);
-      unknown_[key] = value;
-    }
+    if (!keepsUnknown_) fields_.only(known_);
+    for (const auto& [key, value] : fields_.value().items())
+      if (std::find(known_.begin(), known_.end(), key) == known_.end()) unknown_[key] = value;
     return std::move(unknown_);
   }
 
   template <class Inner>
-  static json readObject(Inner& inner, const json& object, const std::string& path, Reading& reading) {
-    Reader<Inner> reader(inner, object, path, reading);
+  static json readObject(Inner& inner, const JsonFields& fields, bool keepsUnknown) {
+    Reader<Inner> reader(inner, fields, keepsUnknown);
     detail::visitFields(reader, &inner);
     return reader.rest();
   }
 
  private:
-  const json* valueOf(const char* key) {
+  const char* known(const char* key) {
     known_.emplace_back(key);
-    const auto found = object_.find(key);
-    return found == object_.end() ? nullptr : &*found;
+    return key;
   }
-  static bool take(const json& value, double lowest, double highest, double& target) {
-    if (!value.is_number()) return false;
-    const double number = value.get<double>();
-    if (!(number >= lowest && number <= highest)) return false;
-    target = number;
-    return true;
-  }
-  static bool take(const json& value, int lowest, int highest, int& target) {
-    double number = 0.0;
-    if (!take(value, static_cast<double>(lowest), static_cast<double>(highest), number) || number != std::floor(number)) return false;
-    target = static_cast<int>(number);
-    return true;
-  }
-  void complain(const std::string& key, const json& found, const std::string& expected) { reading_.complain(path_ + key, found, expected); }
 
   T& setting_;
-  const json& object_;
-  std::string path_;
-  Reading& reading_;
+  JsonFields fields_;
+  bool keepsUnknown_;
   std::vector<std::string> known_;
   json unknown_ = json::object();
 };
@@ -386,10 +304,10 @@ template <class T>
 Result<T> settingFrom(const json& document, const std::string& where, json* unknown) {
   if (!document.is_object())
     return failure(ErrorCode::badHeader, where + " is not a JSON object; write it as { \"name\": value, ... }.", {{"document", where}});
-  Reading reading{.where = where, .keepsUnknown = unknown != nullptr};
+  JsonReading reading(where);
   T setting;
-  json rest = Reader<T>::readObject(setting, document, "", reading);
-  if (reading.complaint) return passOn(std::move(*reading.complaint));
+  json rest = Reader<T>::readObject(setting, JsonFields(document, reading), unknown != nullptr);
+  if (reading.problem()) return passOn(*reading.problem());
   if (unknown != nullptr) *unknown = std::move(rest);
   return setting;
 }

@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
 #include "ew/core/contract.h"
-#include "ew/core/nesting.h"
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/settings_json.h"
 #include "sound.h"
@@ -77,72 +78,17 @@ double usualElevationalAperture_mm(const Probe& probe) {
   return std::clamp(wavelength_mm * probe.elevationalFocus_mm / probe.elevationalThickness_mm, probe.elevationalThickness_mm, 50.0);
 }
 
-/// Reads fields one after another and keeps the first complaint.
-class FieldReader {
- public:
-  FieldReader(const json& object, std::string file) : object_(object), file_(std::move(file)) {}
-
-  double number(const char* field, double lowest, double highest) {
-    const auto found = object_.find(field);
-    if (found == object_.end()) return complain(field, "nothing", rangeText(lowest, highest)), lowest;
-    if (!found->is_number()) return complain(field, shown(*found), rangeText(lowest, highest)), lowest;
-    const double value = found->get<double>();
-    if (!(value >= lowest && value <= highest)) return complain(field, shown(*found), rangeText(lowest, highest)), lowest;
-    return value;
-  }
-  double number(const char* field, double lowest, double highest, double usual) {
-    return object_.contains(field) ? number(field, lowest, highest) : usual;
-  }
-  /// Several numbers, each larger than the one before, among them `wanted`; none when the field is absent.
-  std::vector<double> risingNumbers(const char* field, double lowest, double highest, double wanted) {
-    std::vector<double> values;
-    const auto found = object_.find(field);
-    if (found == object_.end()) return values;
-    const std::string expected = "a list of 1 to " + std::to_string(kMostCarriers) + " rising numbers from " + textOf(lowest) + " to " +
-                                 textOf(highest) + ", " + textOf(wanted) + " among them";
-    bool fits = found->is_array() && !found->empty() && found->size() <= kMostCarriers;
-    for (std::size_t n = 0; fits && n < found->size(); ++n) {
-      const json& item = (*found)[n];
-      fits = item.is_number();
-      if (!fits) break;
-      const double value = item.get<double>();
-      fits = value >= lowest && value <= highest && (values.empty() || value > values.back());
-      values.push_back(value);
-    }
-    if (!fits || std::find(values.begin(), values.end(), wanted) == values.end()) complain(field, shown(*found), expected);
-    return values;
-  }
-  int wholeNumber(const char* field, int lowest, int highest) {
-    const double value = number(field, lowest, highest);
-    if (!complaint_ && value != std::floor(value)) complain(field, shown(object_[field]), "a whole number");
-    return static_cast<int>(value);
-  }
-  std::string text(const char* field) {
-    const auto found = object_.find(field);
-    if (found == object_.end()) return complain(field, "nothing", "a text"), std::string();
-    if (!found->is_string() || found->get_ref<const std::string&>().empty()) return complain(field, shown(*found), "a text"), std::string();
-    return found->get<std::string>();
-  }
-  void complain(const std::string& field, const std::string& found, const std::string& expected) {
-    if (complaint_) return;
-    complaint_ = Error{ErrorCode::badField,
-                       "The probe file " + file_ + " has " + found + " for \"" + field + "\"; it must be " + expected + ".",
-                       {{"file", file_}, {"field", field}, {"found", found}, {"expected", expected}}};
-  }
-  [[nodiscard]] const std::optional<Error>& complaint() const { return complaint_; }
-
- private:
-  static std::string shown(const json& value) {
-    std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-    if (text.size() > 40) text = text.substr(0, 40) + "...";
-    return text;
-  }
-  static std::string rangeText(double lowest, double highest) { return "a number from " + textOf(lowest) + " to " + textOf(highest); }
-
-  const json& object_;
-  std::string file_;
-  std::optional<Error> complaint_;
-};
+/// Several frequencies, each larger than the one before, the usual one among them; none when the field is absent.
+std::vector<double> risingCarriers(const JsonFields& fields, double usual_hz) {
+  constexpr double kLowest_hz = 1e5, kHighest_hz = 1e8;
+  const std::string expected = "a list of 1 to " + std::to_string(kMostCarriers) + " rising numbers from " + textOf(kLowest_hz) + " to " +
+                               textOf(kHighest_hz) + ", " + textOf(usual_hz) + " among them";
+  auto values = fields.numbers("carriers_hz", 1, kMostCarriers, kLowest_hz, kHighest_hz, false, expected);
+  const bool rising = std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+  if (!values.empty() && (!rising || std::find(values.begin(), values.end(), usual_hz) == values.end()))
+    fields.refuse("carriers_hz", expected);
+  return values;
+}
 
 Result<json> readObject(const std::filesystem::path& file) {
   const std::string name = file.string();
@@ -159,11 +105,7 @@ Result<json> readObject(const std::filesystem::path& file) {
   std::string text(static_cast<std::size_t>(size), '\0');
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
     return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read; check its permissions.", {{"file", name}});
-  const json object = nestsDeeperThan(text) ? json() : json::parse(text, nullptr, false);
-  if (!object.is_object())
-    return failure(ErrorCode::badHeader, "The probe file " + name + " is not a JSON object; compare it with a shipped probe.",
-                   {{"file", name}});
-  return object;
+  return parseJsonObject(text, "the probe file " + name);
 }
 
 }  // namespace
@@ -172,10 +114,11 @@ Result<Probe> probeFromJson(const json& object, const std::string& id, const std
   if (!object.is_object())
     return failure(ErrorCode::badHeader, "The probe file " + where + " is not a JSON object; compare it with a shipped probe.",
                    {{"file", where}});
-  FieldReader fields(object, where);
+  JsonReading reading("the probe file " + where);
+  const JsonFields fields(object, reading);
 
-  const int version = fields.wholeNumber("format", 1, 1000000);
-  if (!fields.complaint() && version > kFormatVersion)
+  const auto version = fields.whole("format", 1, 1000000);
+  if (fields.good() && version > kFormatVersion)
     return failure(ErrorCode::newerFormat,
                    "The probe file " + where + " has format " + std::to_string(version) + ", this program reads up to " +
                        std::to_string(kFormatVersion) + "; update EchoWeave.",
@@ -184,22 +127,17 @@ Result<Probe> probeFromJson(const json& object, const std::string& id, const std
   Probe probe;
   probe.id = id;
   probe.name = fields.text("name");
-  const std::string kind = fields.text("kind");
-  const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&kind](const auto& named) { return named.first == kind; });
-  if (known == kKinds.end()) {
-    fields.complain("kind", "\"" + kind + "\"", "\"linear\", \"convex\", \"phased\", \"endocavity\" or \"swept_sector\"");
-    return passOn(*fields.complaint());
-  }
-  probe.kind = known->second;
+  probe.kind = fields.word("kind", kKinds);
+  if (!fields.good()) return passOn(*reading.problem());
   if (hasField(probe.kind, "width_mm")) probe.width_mm = fields.number("width_mm", 5.0, 300.0);
   if (hasField(probe.kind, "radius_mm")) probe.radius_mm = fields.number("radius_mm", 3.0, 300.0);
   if (hasField(probe.kind, "opening_deg")) probe.halfAngle_rad = 0.5 * kDegree_rad * fields.number("opening_deg", 5.0, 170.0);
   probe.width_mm = faceLength_mm(probe);
   if (hasField(probe.kind, "max_steering_deg")) probe.maxSteering_rad = kDegree_rad * fields.number("max_steering_deg", 0.0, 45.0, 0.0);
   if (hasField(probe.kind, "trapezoid_deg")) probe.trapezoidHalfAngle_rad = kDegree_rad * fields.number("trapezoid_deg", 0.0, 30.0, 0.0);
-  probe.lines = fields.wholeNumber("lines", 2, 4096);
+  probe.lines = static_cast<int>(fields.whole("lines", 2, 4096));
   probe.carrier_hz = fields.number("carrier_hz", 1e5, 1e8);
-  probe.carriers_hz = fields.risingNumbers("carriers_hz", 1e5, 1e8, probe.carrier_hz);
+  probe.carriers_hz = risingCarriers(fields, probe.carrier_hz);
   probe.aperture_mm = fields.number("aperture_mm", 0.1, probe.width_mm, usualAperture_mm(probe));
   probe.elevationalThickness_mm = fields.number("elevational_thickness_mm", 0.05, 50.0);
   probe.minDepth_mm = fields.number("min_depth_mm", 1.0, 1000.0);
@@ -210,8 +148,8 @@ Result<Probe> probeFromJson(const json& object, const std::string& id, const std
   probe.nearField_mm = fields.number("near_field_mm", 0.0, 20.0, probe.nearField_mm);
   for (const auto& item : object.items())
     if (!hasField(probe.kind, item.key()))
-      fields.complain(item.key(), "a value", "left out, because a probe of the kind \"" + kind + "\" has no such field");
-  if (fields.complaint()) return passOn(*fields.complaint());
+      fields.refuse(item.key(), "given", "left out, because a probe of the kind " + fields.find("kind")->dump() + " has no such field");
+  if (reading.problem()) return passOn(*reading.problem());
   return probe;
 }
 
