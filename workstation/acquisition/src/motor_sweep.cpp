@@ -1,6 +1,7 @@
 #include "ew/acquisition/motor_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
@@ -8,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "ew/core/nesting.h"
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 #include "ew/io/safe_file.h"
@@ -25,75 +26,13 @@ constexpr double kFarthest_mm = 1e4;
 constexpr double kWidest_deg = 720.0;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-std::string rangeText(double lowest, double highest) { return "a number from " + textOf(lowest) + " to " + textOf(highest); }
-
-/// Reads fields one after another and keeps the first complaint.
-class MotorFile {
- public:
-  MotorFile(const json& object, std::string file) : object_(object), file_(std::move(file)) {}
-
-  void refuse(const std::string& field, const std::string& expected) {
-    if (complaint_) return;
-    const auto found = object_.find(field);
-    std::string shown = found == object_.end() ? "nothing" : found->dump(-1, ' ', true, json::error_handler_t::replace);
-    if (shown.size() > 40) shown = shown.substr(0, 40) + "...";
-    complaint_ = Error{ErrorCode::badField,
-                       "The motor file " + file_ + " has " + shown + " for \"" + field + "\"; it must be " + expected + ".",
-                       {{"file", file_}, {"field", field}, {"found", shown}, {"expected", expected}}};
-  }
-  void allow(const std::set<std::string>& names) {
-    for (const auto& [name, value] : object_.items())
-      if (!names.contains(name)) refuse(name, "left out, as a sweep of this kind has no such field");
-  }
-  [[nodiscard]] bool has(const char* field) const { return object_.contains(field); }
-  double number(const char* field, double lowest, double highest, double usual) {
-    const auto found = object_.find(field);
-    if (found == object_.end()) return usual;
-    const double value = found->is_number() ? found->get<double>() : kNone;
-    if (value >= lowest && value <= highest) return value;
-    refuse(field, rangeText(lowest, highest));
-    return usual;
-  }
-  std::vector<double> numbers(const char* field, std::size_t atLeast, std::size_t atMost, double lowest, double highest) {
-    std::vector<double> values;
-    const auto found = object_.find(field);
-    if (found == object_.end()) return values;
-    bool fits = found->is_array() && found->size() >= atLeast && found->size() <= atMost;
-    for (std::size_t n = 0; fits && n < found->size(); ++n) {
-      values.push_back((*found)[n].is_number() ? (*found)[n].get<double>() : kNone);
-      fits = values.back() >= lowest && values.back() <= highest;
-    }
-    if (fits) return values;
-    const std::string count = atLeast == atMost ? std::to_string(atLeast) : std::to_string(atLeast) + " to " + std::to_string(atMost);
-    refuse(field, "a list of " + count + " numbers from " + textOf(lowest) + " to " + textOf(highest));
-    return {};
-  }
-  [[nodiscard]] const std::optional<Error>& complaint() const { return complaint_; }
-
- private:
-  const json& object_;
-  std::string file_;
-  std::optional<Error> complaint_;
-};
+constexpr std::array<std::pair<std::string_view, MotorKind>, 3> kMotorKinds{
+    {{"parallel", MotorKind::parallel}, {"fan", MotorKind::fan}, {"rotational", MotorKind::rotational}}};
 
 Result<json> readObject(const std::filesystem::path& file) {
   const auto text = readTextFile(file, kLargestFile_bytes);
   if (!text) return passOn(text.error());
-  const std::string name = file.string();
-  json object = nestsDeeperThan(*text, 32) ? json(json::value_t::discarded) : json::parse(*text, nullptr, false);
-  if (object.is_discarded() || !object.is_object())
-    return failure(ErrorCode::badHeader, "The motor file " + name + " is not a JSON object; check it with a JSON editor.",
-                   {{"file", name}});
-  const auto format = object.find("format");
-  if (format == object.end() || !format->is_number_integer() || format->get<long long>() < 1)
-    return failure(ErrorCode::badField, "The motor file " + name + " does not say \"format\": 1; add it.",
-                   {{"file", name}, {"field", "format"}});
-  if (format->get<long long>() > kFormatVersion)
-    return failure(ErrorCode::newerFormat,
-                   "The motor file " + name + " has format " + std::to_string(format->get<long long>()) + " and this program reads up to " +
-                       std::to_string(kFormatVersion) + "; use a newer version of the program.",
-                   {{"file", name}});
-  return object;
+  return parseJsonObject(*text, "the motor file " + file.string());
 }
 
 Transform<frame::Probe, frame::Image> imageToProbeOf(const glm::dvec2& pixel_mm, const glm::dvec2& face_px) {
@@ -142,61 +81,46 @@ Transform<frame::World, frame::Probe> probeToWorldAt(const MotorSweep& motor, do
 Result<MotorSweep> readMotorSweep(const std::filesystem::path& path) {
   const auto object = readObject(path);
   if (!object) return passOn(object.error());
-  MotorFile file(*object, path.string());
-  MotorSweep motor;
-  const auto kind = object->find("kind");
-  const std::string word = kind != object->end() && kind->is_string() ? kind->get<std::string>() : "";
-  std::set<std::string> names{"format", "name", "note", "source", "kind", "image", "probe_to_world"};
-  if (word == "parallel") {
-    motor.kind = MotorKind::parallel;
-    names.insert({"step_mm", "first_mm", "positions_mm"});
-  } else if (word == "fan") {
-    motor.kind = MotorKind::fan;
-    names.insert({"step_deg", "first_deg", "angles_deg", "axis_behind_face_mm"});
-  } else if (word == "rotational") {
-    motor.kind = MotorKind::rotational;
-    names.insert({"step_deg", "first_deg", "angles_deg", "axis_offset_mm"});
-  } else {
-    file.refuse("kind", "\"parallel\", \"fan\" or \"rotational\"");
-  }
-  if (!file.complaint()) file.allow(names);
+  JsonReading reading("the motor file " + path.string(), {"name", "note", "source"});
+  const JsonFields file(*object, reading);
+  const auto format = file.whole("format", 1, 1000000);
+  if (file.good() && format > kFormatVersion)
+    return failure(ErrorCode::newerFormat,
+                   "The motor file " + path.string() + " has format " + std::to_string(format) + " and this program reads up to " +
+                       std::to_string(kFormatVersion) + "; use a newer version of the program.",
+                   {{"file", path.string()}});
 
+  MotorSweep motor;
+  motor.kind = file.word("kind", kMotorKinds);
   const bool parallel = motor.kind == MotorKind::parallel;
   const double limit = parallel ? kFarthest_mm : kWidest_deg;
-  const char* const list = parallel ? "positions_mm" : "angles_deg";
-  const char* const step = parallel ? "step_mm" : "step_deg";
-  motor.values = file.numbers(list, 1, 1u << 20, -limit, limit);
+  const std::string list = parallel ? "positions_mm" : "angles_deg";
+  const std::string step = parallel ? "step_mm" : "step_deg", first = parallel ? "first_mm" : "first_deg";
+  std::vector<std::string> names{"format", "kind", "image", "probe_to_world", list, step, first};
+  if (motor.kind == MotorKind::fan) names.emplace_back("axis_behind_face_mm");
+  if (motor.kind == MotorKind::rotational) names.emplace_back("axis_offset_mm");
+  file.only(names);
+
+  motor.values = file.numbers(list, 1, 1u << 20, -limit, limit, false);
   motor.step = file.number(step, -limit, limit, 0.0);
-  motor.first = file.number(parallel ? "first_mm" : "first_deg", -limit, limit, 0.0);
+  motor.first = file.number(first, -limit, limit, 0.0);
   if (file.has(list) == file.has(step))
-    file.refuse(step, std::string("there unless \"") + list + "\" is, and not beside it: one of the two says where the frames lie");
+    file.refuse(step, "there unless \"" + list + "\" is, and not beside it: one of the two says where the frames lie");
   if (!file.has(list) && motor.step == 0.0) file.refuse(step, "a number other than 0");
   motor.axisBehindFace_mm = file.number("axis_behind_face_mm", -1000.0, 1000.0, 0.0);
-  if (const auto offset = file.numbers("axis_offset_mm", 2, 2, -1000.0, 1000.0); !offset.empty())
+  if (const auto offset = file.numbers("axis_offset_mm", 2, 2, -1000.0, 1000.0, false); !offset.empty())
     motor.axisOffset_mm = {offset[0], offset[1]};
-
-  if (file.has("probe_to_world")) {
-    const auto rows = file.numbers("probe_to_world", 16, 16, -1e9, 1e9);
-    if (!rows.empty()) {
-      std::array<double, 16> rowMajor{};
-      std::copy(rows.begin(), rows.end(), rowMajor.begin());
-      motor.startProbeToWorld.matrix = matrixFromRows(rowMajor);
-      if (const auto rigid = checkRigid(motor.startProbeToWorld.matrix); !rigid)
-        file.refuse("probe_to_world", "a rotation and a translation, 16 numbers row by row");
-    }
+  if (const auto start = file.rigid("probe_to_world")) motor.startProbeToWorld.matrix = *start;
+  if (file.has("image")) {
+    const JsonFields image = file.object("image");
+    image.only({"pixel_mm", "face_px"});
+    const auto pixel_mm =
+        image.numbers("pixel_mm", 2, 2, 1e-4, 100.0, true, "two numbers from 0.0001 to 100, a pixel's width and height in mm");
+    const auto face_px =
+        image.numbers("face_px", 2, 2, -1e6, 1e6, true, "two numbers within a million, the pixel at the middle of the face");
+    if (image.good()) motor.imageToProbe = imageToProbeOf({pixel_mm[0], pixel_mm[1]}, {face_px[0], face_px[1]});
   }
-  if (const auto image = object->find("image"); image != object->end()) {
-    const json fields = image->is_object() ? *image : json::object();
-    MotorFile part(fields, path.string());
-    part.allow({"pixel_mm", "face_px"});
-    const auto pixel_mm = part.numbers("pixel_mm", 2, 2, 1e-4, 100.0);
-    const auto face_px = part.numbers("face_px", 2, 2, -1e6, 1e6);
-    if (pixel_mm.empty()) part.refuse("pixel_mm", "two numbers, the width and height of a pixel in mm");
-    if (face_px.empty()) part.refuse("face_px", "two numbers, the pixel where the middle of the face lies");
-    if (part.complaint()) return passOn(*part.complaint());
-    motor.imageToProbe = imageToProbeOf({pixel_mm[0], pixel_mm[1]}, {face_px[0], face_px[1]});
-  }
-  if (file.complaint()) return passOn(*file.complaint());
+  if (reading.problem()) return passOn(*reading.problem());
   return motor;
 }
 
