@@ -63,7 +63,7 @@ TEST_F(HardLimits, ParametersThatRestOnOneAnotherThroughNestedExpressionsAreRefu
     parameters += "\"p" + std::to_string(n) + "\": " +
                   parameter("\"=" + std::string(45, '(') + "min(p" + std::to_string(n + 1) + ", 4)" + std::string(45, ')') + "\"") + ", ";
   parameters += "\"p900\": " + parameter("3");
-  EXPECT_TRUE(names(refusal(patientRecipe(kEgg, "\"parameters\": {" + parameters + "},")), "expected"));
+  EXPECT_TRUE(names(refusal(patientRecipe(kEgg, "\"parameters\": {" + parameters + "},")), "it must be"));
 }
 
 TEST_F(HardLimits, TensOfThousandsOfParametersOrEntriesAreRefusedByTheirNumber) {
@@ -84,7 +84,7 @@ TEST_F(HardLimits, ChainsThroughRecipesThatExtendOneAnotherAreAsLongAsInOne) {
 
 TEST_F(HardLimits, TextsAndNamesOfMegabytesAreRefused) {
   const std::string long_ = std::string(1 << 20, 'a');
-  EXPECT_TRUE(names(refusal(patientRecipe(R"({"name": ")" + long_ + R"(", "tissue": "dark", )" + kBall + "}")), "expected"));
+  EXPECT_TRUE(names(refusal(patientRecipe(R"({"name": ")" + long_ + R"(", "tissue": "dark", )" + kBall + "}")), "it must be"));
   EXPECT_TRUE(names(refusal(patientRecipe(kEgg, R"("note": ")" + long_ + R"(",)")), "at most 10000"));
   const std::string sentence = refusal(patientRecipe(kEgg, "\"" + long_ + "\": [[[[1, 2, 3]]]],"));
   EXPECT_TRUE(names(sentence, "at most 200"));

@@ -106,7 +106,7 @@ TEST_F(HardFamilies, WithAnExpressionOfAThousandParenthesesAreRefused) {
     EXPECT_TRUE(names(
         refusal(patientRecipe(R"({"name": "egg", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [5, 5, ")" +
                               expression + "\"]}}}")),
-        "expected"));
+        "it must be"));
 }
 
 TEST_F(HardFamilies, WhoseMotionWouldFoldTissueAreRefused) {

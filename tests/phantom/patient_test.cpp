@@ -221,7 +221,7 @@ TEST(ReadPatient, NamesTheFieldThatCannotBeUsed) {
     ASSERT_FALSE(patient) << field;
     EXPECT_EQ(patient.error().code, ErrorCode::badField) << patient.error();
     EXPECT_NE(patient.error().sentence.find(field), std::string::npos) << patient.error().sentence << "\ndoes not name " << field;
-    EXPECT_NE(patient.error().sentence.find("expected"), std::string::npos) << patient.error().sentence;
+    EXPECT_NE(patient.error().sentence.find("it must be"), std::string::npos) << patient.error().sentence;
   }
 }
 

@@ -31,14 +31,14 @@ BodyShape::~BodyShape() = default;
 Result<std::unique_ptr<BodyShape>> readBodyShape(const std::filesystem::path& recipe) {
   const auto json = phantom::readRecipe(recipe, "mannequin recipe");
   if (!json) return passOn(json.error());
-  phantom::FieldReader reader(recipe.string());
-  reader.allow(*json, "recipe", {"format", "height_mm", "body"});
-  reader.text(*json, "recipe", "name");
-  const auto body = json->find("body");
-  if (body == json->end()) reader.refuse("body", "missing", "a shape");
+  JsonReading reading = phantom::readingOf(recipe);
+  const JsonFields fields(*json, reading);
+  fields.only({"format", "height_mm", "body"});
+  fields.text("name");
+  if (!fields.has("body")) fields.refuse("body", "a shape");
   phantom::ShapePtr shape;
-  if (!reader.problem()) shape = phantom::readShape(reader, *body, "body", {});
-  if (reader.problem()) return passOn(*reader.problem());
+  if (reading.good()) shape = phantom::readShape(fields.object("body"), {});
+  if (reading.problem()) return passOn(*reading.problem());
   return std::make_unique<RecipeBody>(std::move(shape));
 }
 

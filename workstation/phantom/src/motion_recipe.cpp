@@ -9,8 +9,6 @@
 namespace ew::phantom {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kShareSpacing_mm = 6.0;
 constexpr double kShareMargin_mm = 30.0;  // around the box: probes and organs reach beyond it
 constexpr double kLeastStretch = 0.15;    // of tissue, along any direction: below it neighbours would nearly meet
@@ -20,49 +18,41 @@ double smoothStep(double t) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-Rhythm readRhythm(FieldReader& reader, const json& object, const std::string& place, double period_s) {
+Rhythm readRhythm(const JsonFields& object, double period_s) {
   Rhythm rhythm;
   rhythm.period_s = period_s;
-  rhythm.variation = reader.number(object, place, "variation", 0.0, 0.4, 0.0);
+  rhythm.variation = object.number("variation", 0.0, 0.4, 0.0);
   return rhythm;
 }
 
-Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
-                        Progress& progress) {
-  const std::string place = "motion.breathing";
+Breathing readBreathing(const JsonFields& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
   Breathing breathing;
-  reader.allow(object, place,
-               {"period_s", "variation", "pause", "displacement_mm", "held_depth_mm", "free_depth_mm", "held_by", "free_distance_mm",
-                "grows_along_z_mm"});
-  if (reader.problem()) return breathing;
-  breathing.rhythm = readRhythm(reader, object, place, reader.number(object, place, "period_s", 1.0, 30.0, 4.0));
-  breathing.pause = reader.number(object, place, "pause", 0.0, 0.9, 0.3);
-  breathing.displacement_mm = reader.vector(object, place, "displacement_mm");
-  if (!(glm::length(breathing.displacement_mm) <= 60.0)) reader.refuse(place + ".displacement_mm", "too long", "at most 60 mm");
-  const double held = reader.number(object, place, "held_depth_mm", 0.0, 500.0, 20.0);
-  const double free = reader.number(object, place, "free_depth_mm", 0.0, 500.0, 40.0);
-  if (!(free > held)) reader.refuse(place + ".free_depth_mm", textOf(free), "a depth below held_depth_mm");
-  const double freeDistance = reader.number(object, place, "free_distance_mm", 1.0, 500.0, 25.0);
+  object.only({"period_s", "variation", "pause", "displacement_mm", "held_depth_mm", "free_depth_mm", "held_by", "free_distance_mm",
+               "grows_along_z_mm"});
+  if (!object.good()) return breathing;
+  breathing.rhythm = readRhythm(object, object.number("period_s", 1.0, 30.0, 4.0));
+  breathing.pause = object.number("pause", 0.0, 0.9, 0.3);
+  breathing.displacement_mm = object.point("displacement_mm", kFarthest_mm);
+  if (!(glm::length(breathing.displacement_mm) <= 60.0)) object.refuse("displacement_mm", "too long", "at most 60 mm");
+  const double held = object.number("held_depth_mm", 0.0, 500.0, 20.0);
+  const double free = object.number("free_depth_mm", 0.0, 500.0, 40.0);
+  if (!(free > held)) object.refuse("free_depth_mm", textOf(free), "a depth below held_depth_mm");
+  const double freeDistance = object.number("free_distance_mm", 1.0, 500.0, 25.0);
   std::vector<ShapePtr> holders;
-  if (object.contains("held_by")) {
-    const json& names = reader.list(object, place, "held_by", 0, 50);
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      const auto found = names[n].is_string() ? shapes.find(names[n].get<std::string>()) : shapes.end();
-      if (found == shapes.end())
-        reader.refuse(place + ".held_by[" + std::to_string(n) + "]", names[n].dump(), "the name of a shape or organ");
-      else
-        holders.push_back(found->second);
-    }
+  for (const std::string& name : object.texts("held_by", 0, 50)) {
+    const auto found = shapes.find(name);
+    if (found == shapes.end())
+      object.refuse("held_by[" + std::to_string(holders.size()) + "]", '"' + name + '"', "the name of a shape or organ");
+    else
+      holders.push_back(found->second);
   }
   double still_z = -1e5, full_z = -1e5 + 1.0;
-  if (object.contains("grows_along_z_mm")) {
-    const json& range = reader.list(object, place, "grows_along_z_mm", 2, 2);
-    if (reader.problem()) return breathing;
-    still_z = reader.number(json{{"from", range[0]}}, place + ".grows_along_z_mm", "from", -1e4, 1e4);
-    full_z = reader.number(json{{"to", range[1]}}, place + ".grows_along_z_mm", "to", -1e4, 1e4);
-    if (!(std::abs(full_z - still_z) >= 1.0)) reader.refuse(place + ".grows_along_z_mm", "too short", "two heights at least 1 mm apart");
+  if (const auto range = object.numbers("grows_along_z_mm", 2, 2, -1e4, 1e4, false); !range.empty()) {
+    still_z = range[0];
+    full_z = range[1];
+    if (!(std::abs(full_z - still_z) >= 1.0)) object.refuse("grows_along_z_mm", "two heights at least 1 mm apart");
   }
-  if (reader.problem()) return breathing;
+  if (!object.good()) return breathing;
 
   auto share = std::make_shared<ShareField>(Bounds{box.lowest_mm - kShareMargin_mm, box.highest_mm + kShareMargin_mm}, kShareSpacing_mm);
   const glm::ivec3 nodes = share->nodes();
@@ -81,25 +71,25 @@ Breathing readBreathing(FieldReader& reader, const json& object, const Bounds& b
   // Along the displacement d the tissue stretches by 1 + d . grad share; where that reaches 0 two places would meet.
   const double stretch = 1.0 + share->steepestFall(breathing.displacement_mm);
   if (!(stretch >= kLeastStretch))
-    reader.refuse(place + ".displacement_mm", "so long that it would fold the tissue where it fades",
+    object.refuse("displacement_mm", "so long that it would fold the tissue where it fades",
                   "a shorter one, or a wider way from held to free");
   breathing.share = std::move(share);
   return breathing;
 }
 
-PulsingVessel readVessel(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& shapes) {
+PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   PulsingVessel vessel;
-  reader.allow(object, place, {"of", "diameter_growth_mm", "reach_mm", "fade_mm"});
-  const std::string name = reader.text(object, place, "of");
-  vessel.growth_mm = reader.number(object, place, "diameter_growth_mm", 0.0, 20.0);
-  vessel.reach_mm = reader.number(object, place, "reach_mm", 1.0, 200.0, 20.0);
-  vessel.fade_mm = reader.number(object, place, "fade_mm", 1.0, 200.0, 15.0);
-  if (reader.problem()) return vessel;
+  object.only({"of", "diameter_growth_mm", "reach_mm", "fade_mm"});
+  const std::string name = object.text("of");
+  vessel.growth_mm = object.number("diameter_growth_mm", 0.0, 20.0);
+  vessel.reach_mm = object.number("reach_mm", 1.0, 200.0, 20.0);
+  vessel.fade_mm = object.number("fade_mm", 1.0, 200.0, 15.0);
+  if (!object.good()) return vessel;
   const auto found = shapes.find(name);
   const CentreLine* line = found == shapes.end() ? nullptr : found->second->centreLine();
   if (line) vessel.line_mm = line->points_mm;
   if (vessel.line_mm.size() < 2) {
-    reader.refuse(place + ".of", '"' + name + '"', "the name of a shape or organ that is a tube");
+    object.refuse("of", '"' + name + '"', "the name of a shape or organ that is a tube");
     return vessel;
   }
   if (vessel.line_mm.front().z > vessel.line_mm.back().z) std::reverse(vessel.line_mm.begin(), vessel.line_mm.end());
@@ -107,13 +97,13 @@ PulsingVessel readVessel(FieldReader& reader, const json& object, const std::str
   for (std::size_t n = 1; n < vessel.line_mm.size(); ++n) {
     thinnest = std::min(thinnest, vessel.line_mm[n].w);
     if (!(vessel.line_mm[n].z - vessel.line_mm[n - 1].z > 1e-6)) {
-      reader.refuse(place + ".of", '"' + name + '"', "a tube that runs up or down all along, never turning back or running level");
+      object.refuse("of", '"' + name + '"', "a tube that runs up or down all along, never turning back or running level");
       return vessel;
     }
   }
   // The wall's push falls off by 1 / radius from the ring it widens and by at most 1.6 / reach from its fading.
   if (!(0.5 * vessel.growth_mm * (1.0 / thinnest + 1.6 / vessel.reach_mm) <= 1.0 - kLeastStretch))
-    reader.refuse(place + ".diameter_growth_mm", textOf(vessel.growth_mm), "less growth, or a longer reach, so that no tissue is folded");
+    object.refuse("diameter_growth_mm", textOf(vessel.growth_mm), "less growth, or a longer reach, so that no tissue is folded");
   return vessel;
 }
 
@@ -163,22 +153,17 @@ double ShareField::steepestFall(const glm::dvec3& direction) const {
   return least;
 }
 
-Motion readMotion(FieldReader& reader, const json& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
-                  Progress& progress) {
+Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
   Motion read;
-  reader.allow(motion, "motion", {"breathing", "pulse"});
-  if (reader.problem()) return read;
-  if (const auto found = motion.find("breathing"); found != motion.end())
-    read.breathing = readBreathing(reader, *found, box, skin, shapes, progress);
-  if (const auto found = motion.find("pulse"); found != motion.end()) {
-    reader.allow(*found, "motion.pulse", {"beats_per_minute", "variation", "vessels"});
-    if (reader.problem()) return read;
+  motion.only({"breathing", "pulse"});
+  if (!motion.good()) return read;
+  if (motion.has("breathing")) read.breathing = readBreathing(motion.object("breathing"), box, skin, shapes, progress);
+  if (motion.has("pulse")) {
+    const JsonFields object = motion.object("pulse");
+    object.only({"beats_per_minute", "variation", "vessels"});
     Pulse pulse;
-    pulse.rhythm =
-        readRhythm(reader, *found, "motion.pulse", 60.0 / reader.number(*found, "motion.pulse", "beats_per_minute", 20.0, 240.0, 66.0));
-    const json& vessels = reader.list(*found, "motion.pulse", "vessels", 1, 50);
-    for (std::size_t n = 0; n < vessels.size() && !reader.problem(); ++n)
-      pulse.vessels.push_back(readVessel(reader, vessels[n], "motion.pulse.vessels[" + std::to_string(n) + "]", shapes));
+    pulse.rhythm = readRhythm(object, 60.0 / object.number("beats_per_minute", 20.0, 240.0, 66.0));
+    for (const JsonFields& vessel : object.objects("vessels", 1, 50)) pulse.vessels.push_back(readVessel(vessel, shapes));
     read.pulse = std::move(pulse);
   }
   return read;

@@ -65,7 +65,7 @@ struct Motion {
 };
 
 /// Reads "motion" of a recipe: null after a problem, unfinished after the wish to cancel. Motion that would fold tissue is refused.
-[[nodiscard]] Motion readMotion(FieldReader& reader, const nlohmann::json& motion, const Bounds& box, const ShapePtr& skin,
-                                const NamedShapes& shapes, Progress& progress);
+[[nodiscard]] Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
+                                Progress& progress);
 
 }  // namespace ew::phantom

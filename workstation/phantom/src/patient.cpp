@@ -1,5 +1,6 @@
 #include "ew/phantom/patient.h"
 
+#include <array>
 #include <set>
 
 #include "anatomy.h"
@@ -11,9 +12,6 @@
 namespace ew {
 namespace {
 
-using nlohmann::json;
-using phantom::FieldReader;
-
 constexpr double kSkinSpacing_mm = 4.0;
 constexpr double kLargestBox_mm3 = 1e9;          // a cubic metre holds a person lying down; the skin is sampled all over the box
 constexpr double kMostSolidsOfOrgans = 50000.0;  // asked for one point inside all organs
@@ -24,12 +22,12 @@ std::uint64_t fnv1a(const std::string& text, std::uint64_t hash) {
   return hash;
 }
 
-Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& recipe, const std::filesystem::path& file,
+Result<std::filesystem::path> findMannequin(const JsonFields& recipe, const std::filesystem::path& file,
                                             const std::filesystem::path& mannequins) {
-  const std::string name = reader.text(recipe, "patient", "mannequin");
-  if (!reader.problem() && std::filesystem::path(name).has_parent_path())
-    reader.refuse("mannequin", '"' + name + '"', "the name of a file in resources/mannequin, without a folder");
-  if (reader.problem()) return passOn(*reader.problem());
+  const std::string name = recipe.text("mannequin");
+  if (recipe.good() && std::filesystem::path(name).has_parent_path())
+    recipe.refuse("mannequin", "the name of a file in resources/mannequin, without a folder");
+  if (!recipe.good()) return passOn(*recipe.reading().problem());
   const auto found = phantom::findNamed(name, "mannequin", file, mannequins);
   if (!found.empty()) return found;
   return failure(ErrorCode::notFound,
@@ -37,126 +35,111 @@ Result<std::filesystem::path> findMannequin(FieldReader& reader, const json& rec
                  {{"file", file.string()}, {"mannequin", name}});
 }
 
-Bounds readBox(FieldReader& reader, const json& recipe) {
+Bounds readBox(const JsonFields& recipe) {
   Bounds read;
-  const auto box = recipe.find("box");
-  if (box == recipe.end()) reader.refuse("box", "missing", "an object with lowest_mm and highest_mm");
-  if (!reader.problem()) reader.allow(*box, "box", {"lowest_mm", "highest_mm"});
-  if (reader.problem()) return read;
-  read = {reader.vector(*box, "box", "lowest_mm"), reader.vector(*box, "box", "highest_mm")};
+  if (!recipe.has("box")) recipe.refuse("box", "an object with lowest_mm and highest_mm");
+  const JsonFields box = recipe.object("box");
+  box.only({"lowest_mm", "highest_mm"});
+  read = {box.point("lowest_mm", phantom::kFarthest_mm), box.point("highest_mm", phantom::kFarthest_mm)};
   const glm::dvec3 size = read.highest_mm - read.lowest_mm;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(size[axis] >= 1.0 && size[axis] <= 3000.0))
-      reader.refuse("box.highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
+      box.refuse("highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
   }
   if (!(size.x * size.y * size.z <= kLargestBox_mm3))
-    reader.refuse("box", "larger than a cubic metre", "the part of the body that is drawn");
+    recipe.refuse("box", "larger than a cubic metre", "the part of the body that is drawn");
   return read;
 }
 
-Tissue readTissue(FieldReader& reader, const json& object, const std::string& place) {
+Tissue readTissue(const JsonFields& object) {
   Tissue tissue;
-  reader.allow(object, place,
-               {"echo_level", "speckle", "attenuation_db_per_cm_mhz", "reflection_db", "texture", "impedance_mrayl", "speed_m_per_s",
-                "scatterers_per_mm3"});
-  if (reader.problem()) return tissue;
-  tissue.name = reader.text(object, place, "name");
-  tissue.echoLevel = reader.number(object, place, "echo_level", 0.0, 255.0);
-  tissue.speckle = reader.number(object, place, "speckle", 0.0, 1.0);
-  tissue.attenuation_dbPerCmMhz = reader.number(object, place, "attenuation_db_per_cm_mhz", 0.0, 100.0, 0.5);
-  tissue.reflection_db = reader.number(object, place, "reflection_db", 0.0, 60.0, 0.0);
-  tissue.impedance_mrayl = reader.number(object, place, "impedance_mrayl", 1e-4, 20.0, tissue.impedance_mrayl);
-  tissue.speed_mPerS = reader.number(object, place, "speed_m_per_s", 200.0, 6000.0, tissue.speed_mPerS);
-  if (object.contains("scatterers_per_mm3")) tissue.scatterers_perMm3 = reader.number(object, place, "scatterers_per_mm3", 0.0, 1000.0);
-  if (const auto texture = object.find("texture"); texture != object.end()) {
-    const std::string at = place + ".texture";
-    reader.allow(*texture, at, {"level", "scale_mm", "follows_the_skin"});
-    if (reader.problem()) return tissue;
-    tissue.texture.level = reader.number(*texture, at, "level", 0.0, 255.0);
-    tissue.texture.scale_mm = reader.vector(*texture, at, "scale_mm");
+  object.only({"echo_level", "speckle", "attenuation_db_per_cm_mhz", "reflection_db", "texture", "impedance_mrayl", "speed_m_per_s",
+               "scatterers_per_mm3"});
+  if (!object.good()) return tissue;
+  tissue.name = object.text("name");
+  tissue.echoLevel = object.number("echo_level", 0.0, 255.0);
+  tissue.speckle = object.number("speckle", 0.0, 1.0);
+  tissue.attenuation_dbPerCmMhz = object.number("attenuation_db_per_cm_mhz", 0.0, 100.0, 0.5);
+  tissue.reflection_db = object.number("reflection_db", 0.0, 60.0, 0.0);
+  tissue.impedance_mrayl = object.number("impedance_mrayl", 1e-4, 20.0, tissue.impedance_mrayl);
+  tissue.speed_mPerS = object.number("speed_m_per_s", 200.0, 6000.0, tissue.speed_mPerS);
+  if (object.has("scatterers_per_mm3")) tissue.scatterers_perMm3 = object.number("scatterers_per_mm3", 0.0, 1000.0);
+  if (object.has("texture")) {
+    const JsonFields texture = object.object("texture");
+    texture.only({"level", "scale_mm", "follows_the_skin"});
+    tissue.texture.level = texture.number("level", 0.0, 255.0);
+    tissue.texture.scale_mm = texture.point("scale_mm", phantom::kFarthest_mm);
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(tissue.texture.scale_mm[axis] >= 0.1)) reader.refuse(at + ".scale_mm", "not positive", "three sizes of at least 0.1 mm");
+      if (!(tissue.texture.scale_mm[axis] >= 0.1)) texture.refuse("scale_mm", "three sizes of at least 0.1 mm");
     }
-    tissue.texture.followsTheSkin = reader.flag(*texture, at, "follows_the_skin", false);
+    tissue.texture.followsTheSkin = texture.flag("follows_the_skin", false);
   }
   return tissue;
 }
 
-std::vector<Tissue> readTissues(FieldReader& reader, const json& recipe) {
+std::vector<Tissue> readTissues(const JsonFields& recipe) {
   std::vector<Tissue> read;
   std::set<std::string> names;
-  const json& tissues = reader.list(recipe, "patient", "tissues", 1, 254);
-  for (std::size_t n = 0; n < tissues.size() && !reader.problem(); ++n) {
-    const std::string at = "tissues[" + std::to_string(n) + "]";
-    read.push_back(readTissue(reader, tissues[n], at));
-    if (!reader.problem() && !names.insert(read.back().name).second)
-      reader.refuse(at + ".name", '"' + read.back().name + '"', "a name that is not taken yet");
+  for (const JsonFields& each : recipe.objects("tissues", 1, 254)) {
+    read.push_back(readTissue(each));
+    if (each.good() && !names.insert(read.back().name).second) each.refuse("name", "a name that is not taken yet");
   }
   return read;
 }
 
-std::size_t tissueNamed(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
-                        const std::vector<Tissue>& tissues) {
-  const std::string name = reader.text(object, place, field);
-  if (reader.problem()) return 0;
+std::size_t tissueNamed(const JsonFields& object, const std::string& field, const std::vector<Tissue>& tissues) {
+  const std::string name = object.text(field);
   for (std::size_t n = 0; n < tissues.size(); ++n) {
     if (tissues[n].name == name) return n;
   }
-  const std::string names = phantom::listed(tissues, [](const Tissue& tissue) { return tissue.name; });
-  reader.refuse(place + "." + field, '"' + name + '"', "one of the tissues (" + names + ")");
+  object.refuse(field, "one of the tissues (" + phantom::listed(tissues, [](const Tissue& tissue) { return tissue.name; }) + ")");
   return 0;
 }
 
-std::optional<phantom::Border> readBorder(FieldReader& reader, const json& object, const std::string& place) {
-  const auto border = object.find("border");
-  if (border == object.end()) return std::nullopt;
-  const std::string at = place + ".border";
-  reader.allow(*border, at, {"echo_level", "width_mm", "shine"});
-  if (reader.problem()) return std::nullopt;
+constexpr std::array<std::pair<std::string_view, phantom::Shine>, 3> kShines{
+    {{"glint", phantom::Shine::glint}, {"front", phantom::Shine::front}, {"all round", phantom::Shine::allRound}}};
+
+std::optional<phantom::Border> readBorder(const JsonFields& object) {
+  if (!object.has("border")) return std::nullopt;
+  const JsonFields border = object.object("border");
+  border.only({"echo_level", "width_mm", "shine"});
   phantom::Border read;
-  read.echoLevel = reader.number(*border, at, "echo_level", 0.0, 255.0);
-  read.width_mm = reader.number(*border, at, "width_mm", 0.05, 50.0);
-  const std::string shine = reader.text(*border, at, "shine", "glint");
-  if (shine == "front") read.shine = phantom::Shine::front;
-  if (shine == "all round") read.shine = phantom::Shine::allRound;
-  if (shine != "glint" && shine != "front" && shine != "all round")
-    reader.refuse(at + ".shine", '"' + shine + '"', "\"glint\", \"front\" or \"all round\"");
+  read.echoLevel = border.number("echo_level", 0.0, 255.0);
+  read.width_mm = border.number("width_mm", 0.05, 50.0);
+  read.shine = border.word("shine", kShines, std::optional(phantom::Shine::glint));
   return read;
 }
 
-void readOrgans(FieldReader& reader, const json& recipe, phantom::NamedShapes known, Patient& patient) {
-  const phantom::NamedFrames frames = phantom::readFrames(reader, recipe);
-  if (recipe.contains("shapes")) {
-    const json& shapes = reader.list(recipe, "patient", "shapes", 0, 200);
-    for (std::size_t n = 0; n < shapes.size() && !reader.problem(); ++n) {
-      const std::string at = "shapes[" + std::to_string(n) + "]";
-      if (!shapes[n].is_object()) return reader.refuse(at, "not an object", "a named shape");
-      const std::string name = reader.text(shapes[n], at, "name");
-      if (known.count(name) > 0) reader.refuse(at + ".name", '"' + name + '"', "a name that is not taken yet");
-      phantom::ShapePtr shape = phantom::readShape(reader, shapes[n], at + " (" + name + ")", known, frames);
-      if (!reader.problem()) known.emplace(name, std::move(shape));
-    }
+void readOrgans(const JsonFields& recipe, phantom::NamedShapes known, Patient& patient) {
+  const phantom::NamedFrames frames = phantom::readFrames(recipe);
+  const auto newName = [&known](const JsonFields& entry) {
+    std::string name = entry.text("name");
+    if (known.count(name) > 0) entry.refuse("name", "a name that is not taken yet");
+    return name;
+  };
+  for (const JsonFields& entry : recipe.objects("shapes", 0, 200)) {
+    const std::string name = newName(entry);
+    phantom::ShapePtr shape = phantom::readShape(entry.called(entry.place() + " (" + name + ")"), known, frames);
+    if (!recipe.good()) return;
+    known.emplace(name, std::move(shape));
   }
   double solids = 0.0;
-  const json& organs = reader.list(recipe, "patient", "organs", 1, 254);
-  for (std::size_t n = 0; n < organs.size() && !reader.problem(); ++n) {
-    std::string at = "organs[" + std::to_string(n) + "]";
-    reader.allow(organs[n], at, {"tissue", "shape", "border"});
-    if (reader.problem()) return;
+  for (const JsonFields& entry : recipe.objects("organs", 1, 254)) {
+    entry.only({"tissue", "shape", "border"});
     phantom::Organ organ;
-    organ.name = reader.text(organs[n], at, "name");
-    at += " (" + organ.name + ")";
-    if (known.count(organ.name) > 0) reader.refuse(at + ".name", '"' + organ.name + '"', "a name that is not taken yet");
-    organ.tissue = tissueNamed(reader, organs[n], at, "tissue", patient.tissues);
-    if (!organs[n].contains("shape")) reader.refuse(at + ".shape", "missing", "a shape");
-    if (reader.problem()) return;
-    organ.shape = phantom::readShape(reader, organs[n]["shape"], at + ".shape", known, frames);
-    organ.border = readBorder(reader, organs[n], at);
-    if (reader.problem()) return;
+    organ.name = entry.text("name");
+    const JsonFields each = entry.called(entry.place() + " (" + organ.name + ")");
+    newName(each);
+    organ.tissue = tissueNamed(each, "tissue", patient.tissues);
+    if (!each.has("shape")) each.refuse("shape", "a shape");
+    if (!recipe.good()) return;
+    organ.shape = phantom::readShape(each.object("shape"), known, frames);
+    organ.border = readBorder(each);
+    if (!recipe.good()) return;
     solids += organ.shape->solids();
     if (solids > kMostSolidsOfOrgans)
-      return reader.refuse(at + ".shape", "one solid too many with those of the organs before it",
-                           "at most " + textOf(kMostSolidsOfOrgans) + " in all organs, a shared one counted at every use");
+      return each.refuse("shape", "one solid too many with those of the organs before it",
+                         "at most " + textOf(kMostSolidsOfOrgans) + " in all organs, a shared one counted at every use");
     known.emplace(organ.name, organ.shape);
     patient.organs.push_back(std::move(organ));
   }
@@ -169,48 +152,37 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
                                                    const ParameterValues& parameters, Progress& progress) {
   const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
   if (!whole) return passOn(whole.error());
-  const json* recipe = &whole->json;
-  FieldReader reader(file.string());
+  JsonReading reading = phantom::readingOf(file);
+  const JsonFields recipe(whole->json, reading);
   const auto stopped = [] { return failure(ErrorCode::cancelled, "Reading the patient was stopped."); };
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
-  reader.allow(*recipe, "patient",
-               {"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion",
-                "measurements", "planes"});
-  patient->name = reader.text(*recipe, "patient", "name");
-
-  patient->box = readBox(reader, *recipe);
-
-  if (recipe->contains("beam_axis_mm")) {
-    const json& axis = reader.list(*recipe, "patient", "beam_axis_mm", 2, 2);
-    for (std::size_t n = 0; n < axis.size(); ++n) {
-      const char* name = n == 0 ? "x" : "y";
-      patient->beamAxis_mm[static_cast<int>(n)] = reader.number(json{{name, axis[n]}}, "beam_axis_mm", name, -1e4, 1e4);
-    }
-  }
-
-  if (const auto scatterers = recipe->find("scatterers"); scatterers != recipe->end()) {
-    reader.allow(*scatterers, "scatterers", {"pitch_mm"});
-    if (!reader.problem()) patient->scattererPitch_mm = reader.number(*scatterers, "scatterers", "pitch_mm", 0.05, 5.0);
-  }
-  patient->tissues = readTissues(reader, *recipe);
-  patient->backgroundTissue = tissueNamed(reader, *recipe, "patient", "background", patient->tissues);
-  const auto bodyFile = findMannequin(reader, *recipe, file, mannequins);
+  recipe.only({"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion",
+               "measurements", "planes"});
+  patient->name = recipe.text("name");
+  patient->box = readBox(recipe);
+  if (const auto axis = recipe.numbers("beam_axis_mm", 2, 2, -1e4, 1e4, false); !axis.empty()) patient->beamAxis_mm = {axis[0], axis[1]};
+  const JsonFields scatterers = recipe.object("scatterers");
+  scatterers.only({"pitch_mm"});
+  if (recipe.has("scatterers")) patient->scattererPitch_mm = scatterers.number("pitch_mm", 0.05, 5.0);
+  patient->tissues = readTissues(recipe);
+  patient->backgroundTissue = tissueNamed(recipe, "background", patient->tissues);
+  const auto bodyFile = findMannequin(recipe, file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
   auto body = readBodyShape(*bodyFile);
   if (!body) return passOn(body.error());
-  if (reader.problem()) return passOn(*reader.problem());
+  if (reading.problem()) return passOn(*reading.problem());
   PartOfProgress skin(progress, 0.0, 0.6), moving(progress, 0.6, 1.0);
   patient->skin = phantom::keepDistance(std::move(*body), patient->box, kSkinSpacing_mm, skin);
   if (!patient->skin) return stopped();
-  readOrgans(reader, *recipe, {{"skin surface", patient->skin}}, *patient);
-  if (const auto motion = recipe->find("motion"); motion != recipe->end() && !reader.problem())
-    patient->motion = phantom::readMotion(reader, *motion, patient->box, patient->skin, patient->shapes, moving);
+  readOrgans(recipe, {{"skin surface", patient->skin}}, *patient);
+  if (recipe.has("motion") && reading.good())
+    patient->motion = phantom::readMotion(recipe.object("motion"), patient->box, patient->skin, patient->shapes, moving);
   if (progress.cancelRequested()) return stopped();
-  patient->planes = phantom::readPlanes(reader, *recipe, patient->skin, patient->shapes, progress);
+  patient->planes = phantom::readPlanes(recipe, patient->skin, patient->shapes, progress);
   if (progress.cancelRequested()) return stopped();
-  patient->measurements = phantom::readMeasurements(reader, *recipe, patient->shapes, patient->planes);
-  if (reader.problem()) return passOn(*reader.problem());
+  patient->measurements = phantom::readMeasurements(recipe, patient->shapes, patient->planes);
+  if (reading.problem()) return passOn(*reading.problem());
   return patient;
 }
 
@@ -218,9 +190,9 @@ Result<Bounds> readPatientBox(const std::filesystem::path& file, const std::file
                               const ParameterValues& parameters) {
   const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
   if (!whole) return passOn(whole.error());
-  FieldReader reader(file.string());
-  const Bounds box = readBox(reader, whole->json);
-  if (reader.problem()) return passOn(*reader.problem());
+  JsonReading reading = phantom::readingOf(file);
+  const Bounds box = readBox(JsonFields(whole->json, reading));
+  if (reading.problem()) return passOn(*reading.problem());
   return box;
 }
 
@@ -228,8 +200,8 @@ Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, co
                                            const ParameterValues& parameters) {
   const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
   if (!whole) return passOn(whole.error());
-  FieldReader reader(file.string());
-  const auto bodyFile = findMannequin(reader, whole->json, file, mannequins);
+  JsonReading reading = phantom::readingOf(file);
+  const auto bodyFile = findMannequin(JsonFields(whole->json, reading), file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
   const auto body = phantom::readRecipe(*bodyFile, "mannequin recipe");
   if (!body) return passOn(body.error());
@@ -246,21 +218,18 @@ Result<std::vector<LabelTissue>> readLabelTissues(const std::filesystem::path& f
                                                   const ParameterValues& parameters) {
   const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
   if (!whole) return passOn(whole.error());
-  const json* recipe = &whole->json;
-  FieldReader reader(file.string());
-  const std::vector<Tissue> tissues = readTissues(reader, *recipe);
-  const std::size_t background = tissueNamed(reader, *recipe, "patient", "background", tissues);
-  if (reader.problem()) return passOn(*reader.problem());
+  JsonReading reading = phantom::readingOf(file);
+  const JsonFields recipe(whole->json, reading);
+  const std::vector<Tissue> tissues = readTissues(recipe);
+  const std::size_t background = tissueNamed(recipe, "background", tissues);
+  if (reading.problem()) return passOn(*reading.problem());
   std::vector<LabelTissue> labels{{0, "", tissues[background]}};
-  const json& organs = reader.list(*recipe, "patient", "organs", 1, 254);
-  for (std::size_t n = 0; n < organs.size() && !reader.problem(); ++n) {
-    const std::string at = "organs[" + std::to_string(n) + "]";
-    if (!organs[n].is_object()) reader.refuse(at, "not an object", "an organ");
-    const std::string name = reader.text(organs[n], at, "name");
-    const std::size_t tissue = tissueNamed(reader, organs[n], at, "tissue", tissues);
-    if (!reader.problem()) labels.push_back({static_cast<int>(n) + 1, name, tissues[tissue]});
+  for (const JsonFields& each : recipe.objects("organs", 1, 254)) {
+    const std::string name = each.text("name");
+    const std::size_t tissue = tissueNamed(each, "tissue", tissues);
+    if (reading.good()) labels.push_back({static_cast<int>(labels.size()), name, tissues[tissue]});
   }
-  if (reader.problem()) return passOn(*reader.problem());
+  if (reading.problem()) return passOn(*reading.problem());
   return labels;
 }
 

@@ -30,106 +30,111 @@ glm::dmat3 turned(const glm::dvec3& angles_deg) {
   return glm::dmat3(turn);
 }
 
-ShapePtr readEllipsoid(FieldReader& reader, const json& object, const std::string& place) {
-  reader.allow(object, place, {"centre_mm", "radii_mm", "turned_deg"});
-  Ellipsoid ellipsoid{reader.vector(object, place, "centre_mm"), reader.vector(object, place, "radii_mm"),
-                      turned(reader.vector(object, place, "turned_deg", glm::dvec3(0.0)))};
+ShapePtr readEllipsoid(const JsonFields& object) {
+  object.only({"centre_mm", "radii_mm", "turned_deg"});
+  Ellipsoid ellipsoid{object.point("centre_mm", kFarthest_mm), object.point("radii_mm", kFarthest_mm),
+                      turned(object.point("turned_deg", kFarthest_mm, glm::dvec3(0.0)))};
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(ellipsoid.radii_mm[axis] >= kSmallest_mm)) reader.refuse(place + ".radii_mm", "not positive", "three radii of at least 0.01 mm");
+    if (!(ellipsoid.radii_mm[axis] >= kSmallest_mm)) object.refuse("radii_mm", "not positive", "three radii of at least 0.01 mm");
   }
-  return reader.problem() ? nullptr : makeEllipsoid(ellipsoid);
+  return !object.good() ? nullptr : makeEllipsoid(ellipsoid);
 }
 
-ShapePtr readCapsule(FieldReader& reader, const json& object, const std::string& place) {
-  reader.allow(object, place, {"from_mm", "to_mm", "from_radius_mm", "to_radius_mm"});
-  const RoundCone cone{reader.vector(object, place, "from_mm"), reader.vector(object, place, "to_mm"),
-                       reader.number(object, place, "from_radius_mm", kSmallest_mm, kLargest_mm),
-                       reader.number(object, place, "to_radius_mm", kSmallest_mm, kLargest_mm)};
-  return reader.problem() ? nullptr : makeRoundCone(cone);
+ShapePtr readCapsule(const JsonFields& object) {
+  object.only({"from_mm", "to_mm", "from_radius_mm", "to_radius_mm"});
+  const RoundCone cone{object.point("from_mm", kFarthest_mm), object.point("to_mm", kFarthest_mm),
+                       object.number("from_radius_mm", kSmallest_mm, kLargest_mm),
+                       object.number("to_radius_mm", kSmallest_mm, kLargest_mm)};
+  return !object.good() ? nullptr : makeRoundCone(cone);
 }
 
-ShapePtr readTube(FieldReader& reader, const json& object, const std::string& place) {
-  reader.allow(object, place, {"points"});
+ShapePtr readTube(const JsonFields& object) {
+  object.only({"points"});
   std::vector<glm::dvec3> points;
   std::vector<double> radii;
-  const json& list = reader.list(object, place, "points", 2, kMostParts);
+  const json& list = object.list("points", 2, kMostParts);
   for (std::size_t n = 0; n < list.size(); ++n) {
-    const std::string at = place + ".points[" + std::to_string(n) + "]";
-    if (!list[n].is_array() || list[n].size() != 4) {
-      reader.refuse(at, "not four numbers", "[x, y, z, radius] in mm");
+    std::array<double, 4> row{};
+    bool fits = list[n].is_array() && list[n].size() == row.size();
+    for (std::size_t axis = 0; fits && axis < row.size(); ++axis) {
+      const auto number =
+          axis < 3 ? numberWithin(list[n][axis], -kFarthest_mm, kFarthest_mm) : numberWithin(list[n][axis], kSmallest_mm, kLargest_mm);
+      fits = number.has_value();
+      row[axis] = number.value_or(0.0);
+    }
+    if (!fits) {
+      object.refuse("points[" + std::to_string(n) + "]", shown(list[n]),
+                    "four numbers, [x, y, z, radius] in mm, with a radius from " + textOf(kSmallest_mm) + " to " + textOf(kLargest_mm));
       break;
     }
-    points.push_back(reader.vectorIn(json::array({list[n][0], list[n][1], list[n][2]}), at));
-    radii.push_back(reader.number(json{{"radius", list[n][3]}}, at, "radius", kSmallest_mm, kLargest_mm));
+    points.emplace_back(row[0], row[1], row[2]);
+    radii.push_back(row[3]);
   }
-  return reader.problem() ? nullptr : makeTube(points, radii);
+  return !object.good() ? nullptr : makeTube(points, radii);
 }
 
-ShapePtr readLoft(FieldReader& reader, const json& object, const std::string& place) {
-  reader.allow(object, place, {"sections", "cap_rounding_mm"});
+ShapePtr readLoft(const JsonFields& object) {
+  object.only({"sections", "cap_rounding_mm"});
   std::vector<LoftSection> sections;
-  const json& list = reader.list(object, place, "sections", 2, kMostParts);
-  for (std::size_t n = 0; n < list.size(); ++n) {
-    const std::string at = place + ".sections[" + std::to_string(n) + "]";
-    reader.allow(list[n], at, {"z_mm", "centre_x_mm", "centre_y_mm", "half_width_mm", "front_mm", "back_mm", "squareness"});
-    if (reader.problem()) break;
+  for (const JsonFields& each : object.objects("sections", 2, kMostParts)) {
+    each.only({"z_mm", "centre_x_mm", "centre_y_mm", "half_width_mm", "front_mm", "back_mm", "squareness"});
+    if (!each.good()) break;
     LoftSection section;
-    section.z_mm = reader.number(list[n], at, "z_mm", -kLargest_mm, kLargest_mm);
-    section.centreX_mm = reader.number(list[n], at, "centre_x_mm", -kLargest_mm, kLargest_mm, 0.0);
-    section.centreY_mm = reader.number(list[n], at, "centre_y_mm", -kLargest_mm, kLargest_mm, 0.0);
-    section.halfWidth_mm = reader.number(list[n], at, "half_width_mm", kSmallest_mm, kLargest_mm);
-    section.front_mm = reader.number(list[n], at, "front_mm", kSmallest_mm, kLargest_mm);
-    section.back_mm = reader.number(list[n], at, "back_mm", kSmallest_mm, kLargest_mm);
-    section.squareness = reader.number(list[n], at, "squareness", 0.0, 1.0, 0.0);
+    section.z_mm = each.number("z_mm", -kLargest_mm, kLargest_mm);
+    section.centreX_mm = each.number("centre_x_mm", -kLargest_mm, kLargest_mm, 0.0);
+    section.centreY_mm = each.number("centre_y_mm", -kLargest_mm, kLargest_mm, 0.0);
+    section.halfWidth_mm = each.number("half_width_mm", kSmallest_mm, kLargest_mm);
+    section.front_mm = each.number("front_mm", kSmallest_mm, kLargest_mm);
+    section.back_mm = each.number("back_mm", kSmallest_mm, kLargest_mm);
+    section.squareness = each.number("squareness", 0.0, 1.0, 0.0);
     if (!sections.empty() && !(section.z_mm - sections.back().z_mm >= kSmallest_mm))
-      reader.refuse(at + ".z_mm", "not above the section before it", "sections by rising z_mm");
+      each.refuse("z_mm", "not above the section before it", "sections by rising z_mm");
     sections.push_back(section);
   }
-  const double rounding = reader.number(object, place, "cap_rounding_mm", 0.0, kLargest_mm, 0.0);
-  return reader.problem() ? nullptr : makeLoft(sections, rounding);
+  const double rounding = object.number("cap_rounding_mm", 0.0, kLargest_mm, 0.0);
+  return !object.good() ? nullptr : makeLoft(sections, rounding);
 }
 
-ShapePtr readHalfSpace(FieldReader& reader, const json& object, const std::string& place) {
-  reader.allow(object, place, {"point_mm", "outward"});
-  const glm::dvec3 point = reader.vector(object, place, "point_mm");
-  const glm::dvec3 outward = reader.vector(object, place, "outward");
-  if (!reader.problem() && !(glm::length(outward) > 1e-6)) reader.refuse(place + ".outward", "zero", "a direction");
-  return reader.problem() ? nullptr : makeHalfSpace(point, outward);
+ShapePtr readHalfSpace(const JsonFields& object) {
+  object.only({"point_mm", "outward"});
+  const glm::dvec3 point = object.point("point_mm", kFarthest_mm);
+  const glm::dvec3 outward = object.point("outward", kFarthest_mm);
+  if (object.good() && !(glm::length(outward) > 1e-6)) object.refuse("outward", "zero", "a direction");
+  return !object.good() ? nullptr : makeHalfSpace(point, outward);
 }
 
 /// The entry of a table that a field names; null after a problem.
 template <class Table>
-const typename Table::mapped_type* entryNamed(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
-                                              const Table& known, const std::string& what) {
-  const std::string name = reader.text(object, place, field);
-  if (reader.problem()) return nullptr;
+const typename Table::mapped_type* entryNamed(const JsonFields& object, const std::string& field, const Table& known,
+                                              const std::string& what) {
+  const std::string name = object.text(field);
+  if (!object.good()) return nullptr;
   const auto found = known.find(name);
   if (found != known.end()) return &found->second;
   const std::string names = listed(known, [](const auto& each) { return each.first; });
-  reader.refuse(place + "." + field, '"' + name + '"', what + " described before this one" + (names.empty() ? "" : " (" + names + ")"));
+  object.refuse(field, '"' + name + '"', what + " described before this one" + (names.empty() ? "" : " (" + names + ")"));
   return nullptr;
 }
 
-ShapePtr named(FieldReader& reader, const json& object, const std::string& place, const std::string& field, const NamedShapes& known) {
-  const ShapePtr* found = entryNamed(reader, object, place, field, known, "a shape");
+ShapePtr named(const JsonFields& object, const std::string& field, const NamedShapes& known) {
+  const ShapePtr* found = entryNamed(object, field, known, "a shape");
   return found ? *found : nullptr;
 }
 
-ShapePtr readShell(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known) {
-  reader.allow(object, place, {"of", "from_depth_mm", "to_depth_mm"});
-  ShapePtr of = named(reader, object, place, "of", known);
-  const double from = reader.number(object, place, "from_depth_mm", -kLargest_mm, kLargest_mm);
-  const double to = reader.number(object, place, "to_depth_mm", -kLargest_mm, kLargest_mm);
-  if (!reader.problem() && !(from < to))
-    reader.refuse(place + ".to_depth_mm", "not below from_depth_mm", "a larger depth than from_depth_mm");
-  return reader.problem() ? nullptr : makeShell(std::move(of), from, to);
+ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
+  object.only({"of", "from_depth_mm", "to_depth_mm"});
+  ShapePtr of = named(object, "of", known);
+  const double from = object.number("from_depth_mm", -kLargest_mm, kLargest_mm);
+  const double to = object.number("to_depth_mm", -kLargest_mm, kLargest_mm);
+  if (object.good() && !(from < to)) object.refuse("to_depth_mm", "not below from_depth_mm", "a larger depth than from_depth_mm");
+  return !object.good() ? nullptr : makeShell(std::move(of), from, to);
 }
 
-ShapePtr readGrown(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known) {
-  reader.allow(object, place, {"of", "by_mm"});
-  ShapePtr of = named(reader, object, place, "of", known);
-  const double by = reader.number(object, place, "by_mm", -kLargest_mm, kLargest_mm);
-  return reader.problem() ? nullptr : makeOffset(std::move(of), by);
+ShapePtr readGrown(const JsonFields& object, const NamedShapes& known) {
+  object.only({"of", "by_mm"});
+  ShapePtr of = named(object, "of", known);
+  const double by = object.number("by_mm", -kLargest_mm, kLargest_mm);
+  return !object.good() ? nullptr : makeOffset(std::move(of), by);
 }
 
 /// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, how deep it is nested, and how many solids the
@@ -142,17 +147,14 @@ struct Surroundings {
   int depth = 0;
 };
 
-ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& place, Surroundings around);
+ShapePtr shapeIn(const JsonFields& object, Surroundings around);
 
-std::vector<BlendedPart> readParts(FieldReader& reader, const json& object, const std::string& place, const std::string& field,
-                                   Surroundings around) {
+std::vector<BlendedPart> readParts(const JsonFields& object, const std::string& field, Surroundings around) {
   std::vector<BlendedPart> parts;
-  const json& list = reader.list(object, place, field, 1, kMostParts);
   ++around.depth;
-  for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
-    const std::string at = place + "." + field + "[" + std::to_string(n) + "]";
-    BlendedPart part{shapeIn(reader, list[n], at, around), 0.0};
-    if (!reader.problem()) part.blend_mm = reader.number(list[n], at, "blend_mm", 0.0, kLargest_mm, 0.0);
+  for (const JsonFields& each : object.objects(field, 1, kMostParts)) {
+    BlendedPart part{shapeIn(each, around), 0.0};
+    if (each.good()) part.blend_mm = each.number("blend_mm", 0.0, kLargest_mm, 0.0);
     parts.push_back(std::move(part));
   }
   return parts;
@@ -168,93 +170,90 @@ ShapePtr mirroredIn(ShapePtr shape, double smoothing_mm, const DrawingFrame* fra
 }
 
 /// Shapes are shared, so a few lines can describe one that no machine could evaluate: 36 unions of the one before with itself are 2^36.
-void refuseCostly(FieldReader& reader, const std::string& place) {
-  reader.refuse(place, "made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply",
-                "at most " + textOf(kMostSolids) + " solids and " + std::to_string(kDeepestUse) + " shapes inside one another");
+void refuseCostly(const JsonFields& object) {
+  object.refuseWhole("made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply",
+                     "at most " + textOf(kMostSolids) + " solids and " + std::to_string(kDeepestUse) + " shapes inside one another");
 }
 
-ShapePtr shapeIn(FieldReader& reader, const json& object, const std::string& place, Surroundings around) {
+ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
   static const std::array<std::string, 11> kKinds{"capsule", "difference", "ellipsoid", "grown", "half_space", "intersection",
                                                   "loft",    "of",         "shell",     "tube",  "union"};
-  reader.allow(object, place,
-               {"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
-                "mirror_smoothing_mm", "of", "shell", "tube", "union"});
-  if (reader.problem()) return nullptr;
+  object.only({"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
+               "mirror_smoothing_mm", "of", "shell", "tube", "union"});
+  if (!object.good()) return nullptr;
   if (around.depth > kDeepestShape) {
-    reader.refuse(place, "nested too deeply", "at most " + std::to_string(kDeepestShape) + " shapes inside one another");
+    object.refuseWhole("nested too deeply", "at most " + std::to_string(kDeepestShape) + " shapes inside one another");
     return nullptr;
   }
   std::string kind;
   for (const std::string& each : kKinds) {
-    if (!object.contains(each)) continue;
-    if (!kind.empty()) reader.refuse(place, "both " + kind + " and " + each, "one shape");
+    if (!object.has(each)) continue;
+    if (!kind.empty()) object.refuseWhole("both " + kind + " and " + each, "one shape");
     kind = each;
   }
   if (kind.empty())
-    reader.refuse(place, "without a shape",
-                  "one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union");
-  if (reader.problem()) return nullptr;
+    object.refuseWhole("without a shape",
+                       "one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union");
+  if (!object.good()) return nullptr;
 
-  if (object.contains("frame")) around.frame = entryNamed(reader, object, place, "frame", around.frames, "a frame");
-  if (reader.problem()) return nullptr;
+  if (object.has("frame")) around.frame = entryNamed(object, "frame", around.frames, "a frame");
+  if (!object.good()) return nullptr;
 
-  const std::string at = place + "." + kind;
-  const json& inner = object[kind];
+  // A kind that is drawn has an object of its own; the others name a shape or list some.
+  const bool drawn = kind != "of" && kind != "union" && kind != "intersection" && kind != "difference";
+  const JsonFields inner = drawn ? object.object(kind) : object;
   ShapePtr shape;
-  if (kind == "ellipsoid") shape = placed(readEllipsoid(reader, inner, at), around.frame);
-  if (kind == "capsule") shape = placed(readCapsule(reader, inner, at), around.frame);
-  if (kind == "tube") shape = placed(readTube(reader, inner, at), around.frame);
-  if (kind == "loft") shape = placed(readLoft(reader, inner, at), around.frame);
-  if (kind == "half_space") shape = placed(readHalfSpace(reader, inner, at), around.frame);
-  if (kind == "shell") shape = readShell(reader, inner, at, around.known);
-  if (kind == "grown") shape = readGrown(reader, inner, at, around.known);
-  if (kind == "of") shape = named(reader, object, place, "of", around.known);
+  if (kind == "ellipsoid") shape = placed(readEllipsoid(inner), around.frame);
+  if (kind == "capsule") shape = placed(readCapsule(inner), around.frame);
+  if (kind == "tube") shape = placed(readTube(inner), around.frame);
+  if (kind == "loft") shape = placed(readLoft(inner), around.frame);
+  if (kind == "half_space") shape = placed(readHalfSpace(inner), around.frame);
+  if (kind == "shell") shape = readShell(inner, around.known);
+  if (kind == "grown") shape = readGrown(inner, around.known);
+  if (kind == "of") shape = named(object, "of", around.known);
   if (kind == "union" || kind == "intersection" || kind == "difference") {
-    std::vector<BlendedPart> parts = readParts(reader, object, place, kind, around);
-    if (reader.problem()) return nullptr;
+    std::vector<BlendedPart> parts = readParts(object, kind, around);
+    if (!object.good()) return nullptr;
     shape = kind == "union"          ? makeUnion(std::move(parts))
             : kind == "intersection" ? makeIntersection(std::move(parts))
                                      : makeDifference(std::move(parts));
   } else if (shape) {
     around.solids += shape->solids();
   }
-  if (reader.problem()) return nullptr;
+  if (!object.good()) return nullptr;
   if (around.solids > kMostSolids || shape->depth() > kDeepestUse) {
-    refuseCostly(reader, place);
+    refuseCostly(object);
     return nullptr;
   }
-  const bool mirrored = reader.flag(object, place, "mirrored", false);
-  const double smoothing = reader.number(object, place, "mirror_smoothing_mm", 0.0, 100.0, 0.0);
-  if (reader.problem()) return nullptr;
+  const bool mirrored = object.flag("mirrored", false);
+  const double smoothing = object.number("mirror_smoothing_mm", 0.0, 100.0, 0.0);
+  if (!object.good()) return nullptr;
   return mirrored ? mirroredIn(std::move(shape), smoothing, around.frame) : shape;
 }
 
 }  // namespace
 
-NamedFrames readFrames(FieldReader& reader, const json& recipe) {
+NamedFrames readFrames(const JsonFields& recipe) {
   NamedFrames frames;
-  if (!recipe.contains("frames")) return frames;
-  const json& list = reader.list(recipe, "patient", "frames", 0, 100);
-  for (std::size_t n = 0; n < list.size() && !reader.problem(); ++n) {
-    std::string at = "frames[" + std::to_string(n) + "]";
-    reader.allow(list[n], at, {"origin_mm", "turned_deg", "within"});
-    if (reader.problem()) return frames;
-    const std::string name = reader.text(list[n], at, "name");
-    at += " (" + name + ")";
-    if (frames.count(name) > 0) reader.refuse(at + ".name", '"' + name + '"', "a name that is not taken yet");
-    DrawingFrame frame{reader.vector(list[n], at, "origin_mm"), turned(reader.vector(list[n], at, "turned_deg", glm::dvec3(0.0)))};
-    if (list[n].contains("within")) {
-      if (const DrawingFrame* outer = entryNamed(reader, list[n], at, "within", frames, "a frame"))
+  for (const JsonFields& entry : recipe.objects("frames", 0, 100)) {
+    entry.only({"origin_mm", "turned_deg", "within"});
+    const std::string name = entry.text("name");
+    const JsonFields each = entry.called(entry.place() + " (" + name + ")");
+    if (frames.count(name) > 0) each.refuse("name", "a name that is not taken yet");
+    DrawingFrame frame{each.point("origin_mm", kFarthest_mm), turned(each.point("turned_deg", kFarthest_mm, glm::dvec3(0.0)))};
+    if (each.has("within")) {
+      if (const DrawingFrame* outer = entryNamed(each, "within", frames, "a frame"))
         frame = {outer->toWorld(frame.origin_mm), outer->axes * frame.axes};
     }
+    if (!each.good()) return frames;
     frames.emplace(name, frame);
   }
   return frames;
 }
 
-ShapePtr readShape(FieldReader& reader, const json& object, const std::string& place, const NamedShapes& known, const NamedFrames& frames) {
+ShapePtr readShape(const JsonFields& object, const NamedShapes& known, const NamedFrames& frames) {
   double solids = 0.0;
-  return shapeIn(reader, object, place, {known, frames, solids});
+  return shapeIn(object, {known, frames, solids});
 }
 
 }  // namespace ew::phantom

@@ -20,7 +20,8 @@ constexpr std::size_t kLongestFamily = 8;
 constexpr std::size_t kMostEntries = 1000;  // of a list or of the parameters: an anatomy has dozens
 constexpr int kLongestChain = 20;           // of parameters that rest on one another: each is worked out inside the one before
 constexpr double kLargestParameter = 1e5;
-const std::set<std::string> kNamedLists{"frames", "measurements", "organs", "planes", "shapes", "tissues"};
+constexpr std::size_t kLongestNote = 10000;
+const std::vector<std::string> kNamedLists{"frames", "measurements", "organs", "planes", "shapes", "tissues"};
 const std::set<std::string> kWords{"name", "note", "source", "unit"};  // never expressions
 
 /// Where in a list an entry of this name stands; its size when there is none.
@@ -32,56 +33,44 @@ std::size_t placeOf(const json& list, const std::string& name) {
 }
 
 /// Refuses lists and parameters that a recipe's child could not be merged into.
-void checkMergeable(FieldReader& reader, const json& recipe) {
+void checkMergeable(const JsonFields& recipe) {
   const std::string most = " of at most " + std::to_string(kMostEntries) + " entries";
   for (const std::string& list : kNamedLists) {
-    const auto found = recipe.find(list);
-    if (found == recipe.end()) continue;
-    if (!found->is_array() || found->size() > kMostEntries)
-      return reader.refuse(list, found->is_array() ? "a list of " + std::to_string(found->size()) + " entries" : shown(*found),
-                           "a list" + most);
-    for (std::size_t n = 0; n < found->size(); ++n) {
-      if (!(*found)[n].is_object()) return reader.refuse(list + "[" + std::to_string(n) + "]", shown((*found)[n]), "an object with a name");
-    }
+    if (recipe.has(list)) static_cast<void>(recipe.objects(list, 0, kMostEntries, "a list" + most));
   }
-  const auto parameters = recipe.find("parameters");
-  if (parameters == recipe.end()) return;
-  if (!parameters->is_object() || parameters->size() > kMostEntries)
-    return reader.refuse("parameters", parameters->is_object() ? std::to_string(parameters->size()) + " entries" : shown(*parameters),
-                         "an object with one entry for each name," + most);
-  if (recipe.contains("extends")) return;  // there a plain number is the default of a parameter described further up
-  for (const auto& [name, description] : parameters->items()) {
-    if (!description.is_object())
-      return reader.refuse("parameters." + name, shown(description), "an object with default, lowest, highest and unit");
+  const JsonFields parameters = recipe.object("parameters");
+  if (parameters.value().size() > kMostEntries)
+    recipe.refuse("parameters", std::to_string(parameters.value().size()) + " entries", "an object with one entry for each name," + most);
+  if (recipe.has("extends")) return;  // there a plain number is the default of a parameter described further up
+  for (const auto& [name, description] : parameters.value().items()) {
+    if (!description.is_object()) parameters.refuse(name, "an object with default, lowest, highest and unit");
   }
 }
 
-void removeNamed(FieldReader& reader, const json& remove, json& into) {
-  reader.allow(remove, "remove", kNamedLists);
-  if (reader.problem()) return;
-  for (const auto& [list, names] : remove.items()) {
-    if (kNamedLists.count(list) == 0) continue;
-    if (!names.is_array()) return reader.refuse("remove." + list, shown(names), "a list of names");
-    for (const json& name : names) {
-      const std::size_t at = into.contains(list) && name.is_string() ? placeOf(into[list], name.get<std::string>()) : 0;
-      if (!name.is_string() || !into.contains(list) || at == into[list].size())
-        return reader.refuse("remove." + list, shown(name), "names from the " + list + " of the recipe that this one extends");
+void removeNamed(const JsonFields& remove, json& into) {
+  remove.only(kNamedLists);
+  for (const std::string& list : kNamedLists) {
+    for (const std::string& name : remove.texts(list, 0, 2 * kMostEntries)) {
+      const std::size_t at = into.contains(list) ? placeOf(into[list], name) : 0;
+      if (!into.contains(list) || at == into[list].size())
+        return remove.refuse(list, shown(name), "names from the " + list + " of the recipe that this one extends");
       into[list].erase(at);
     }
   }
 }
 
-void mergeList(FieldReader& reader, const std::string& field, const json& entries, json& into) {
+void mergeList(const JsonFields& recipe, const std::string& field, json& into) {
+  const std::vector<JsonFields> entries = recipe.objects(field, 0, kMostEntries);
   if (into.is_null()) into = json::array();
   if (into.size() + entries.size() > 2 * kMostEntries)
-    return reader.refuse(field, "with all it extends more than " + std::to_string(2 * kMostEntries) + " entries", "fewer of them");
-  for (std::size_t n = 0; n < entries.size(); ++n) {
-    const std::string place = field + "[" + std::to_string(n) + "]";
-    json entry = entries[n];
-    const std::string name = reader.text(entry, place, "name");
-    const std::string before = reader.text(entry, place, "before", ""), after = reader.text(entry, place, "after", "");
-    if (!before.empty() && !after.empty()) reader.refuse(place, "both before and after another", "one of them");
-    if (reader.problem()) return;
+    return recipe.refuse(field, "with all it extends a list of more than " + std::to_string(2 * kMostEntries) + " entries",
+                         "a shorter one");
+  for (const JsonFields& given : entries) {
+    const std::string name = given.text("name");
+    const std::string before = given.text("before", ""), after = given.text("after", "");
+    if (!before.empty() && !after.empty()) given.refuseWhole("both before and after another", "one of them");
+    if (!given.good()) return;
+    json entry = given.value();
     entry.erase("before");
     entry.erase("after");
     std::size_t at = placeOf(into, name);
@@ -105,38 +94,37 @@ void mergeList(FieldReader& reader, const std::string& field, const json& entrie
     at = into.size();
     if (!anchor.empty()) {
       at = placeOf(into, anchor);
-      if (at == into.size())
-        return reader.refuse(place + (before.empty() ? ".after" : ".before"), '"' + anchor + '"', "the name of another of the " + field);
+      if (at == into.size()) return given.refuse(before.empty() ? "after" : "before", "the name of another of the " + field);
       if (before.empty()) ++at;
     }
     into.insert(into.begin() + static_cast<json::difference_type>(at), std::move(entry));
   }
 }
 
-void mergeParameters(FieldReader& reader, const json& given, json& into) {
+void mergeParameters(const JsonFields& given, json& into) {
   if (into.is_null()) into = json::object();
-  for (const auto& [name, value] : given.items()) {
+  for (const auto& [name, value] : given.value().items()) {
     if (value.is_object()) {
       if (!into.contains(name)) into[name] = json::object();
       into[name].update(value);
     } else if (into.contains(name)) {
       into[name]["default"] = value;
     } else {
-      return reader.refuse("parameters." + name, shown(value), "an object with default, lowest, highest and unit");
+      return given.refuse(name, "an object with default, lowest, highest and unit");
     }
   }
 }
 
 /// `child` on top of `base`.
-json merged(FieldReader& reader, json base, const json& child) {
-  if (child.contains("remove")) removeNamed(reader, child["remove"], base);
-  for (const auto& [field, value] : child.items()) {
+json merged(json base, const JsonFields& child) {
+  removeNamed(child.object("remove"), base);
+  for (const auto& [field, value] : child.value().items()) {
     if (field == "remove" || field == "extends") continue;
-    if (reader.problem()) break;
-    if (kNamedLists.count(field) > 0)
-      mergeList(reader, field, value, base[field]);
+    if (!child.good()) break;
+    if (std::find(kNamedLists.begin(), kNamedLists.end(), field) != kNamedLists.end())
+      mergeList(child, field, base[field]);
     else if (field == "parameters")
-      mergeParameters(reader, value, base[field]);
+      mergeParameters(child.object(field), base[field]);
     else if (field == "motion")
       base[field].merge_patch(value);
     else
@@ -154,16 +142,17 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
     auto recipe = readRecipe(files.back(), "virtual patient");
     if (!recipe) return passOn(recipe.error());
     recipes.push_back(std::move(*recipe));
-    FieldReader reader(files.back().string());
-    checkMergeable(reader, recipes.back());
-    if (reader.problem()) return passOn(*reader.problem());
-    if (!recipes.back().contains("extends")) break;
-    const std::string name = reader.text(recipes.back(), "patient", "extends");
-    if (!reader.problem() && std::filesystem::path(name).has_parent_path())
-      reader.refuse("extends", '"' + name + '"', "the name of a file beside this one or in resources/anatomy, without a folder");
-    if (!reader.problem() && files.size() == kLongestFamily)
-      reader.refuse("extends", '"' + name + '"', "at most " + std::to_string(kLongestFamily) + " recipes that extend one another");
-    if (reader.problem()) return passOn(*reader.problem());
+    JsonReading reading = readingOf(files.back());
+    const JsonFields fields(recipes.back(), reading);
+    checkMergeable(fields);
+    if (reading.problem()) return passOn(*reading.problem());
+    if (!fields.has("extends")) break;
+    const std::string name = fields.text("extends");
+    if (std::filesystem::path(name).has_parent_path())
+      fields.refuse("extends", "the name of a file beside this one or in resources/anatomy, without a folder");
+    if (files.size() == kLongestFamily)
+      fields.refuse("extends", "left out, as at most " + std::to_string(kLongestFamily) + " recipes extend one another");
+    if (reading.problem()) return passOn(*reading.problem());
     const auto next = findNamed(name, "anatomy", files.back(), anatomies);
     if (next.empty())
       return failure(ErrorCode::notFound,
@@ -171,17 +160,17 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
                      {{"file", files.back().string()}, {"extends", name}});
     for (const auto& earlier : files) {
       if (std::filesystem::equivalent(earlier, next, ignored)) {
-        reader.refuse("extends", '"' + name + '"', "a recipe that does not extend this one in turn");
-        return passOn(*reader.problem());
+        fields.refuse("extends", "a recipe that does not extend this one in turn");
+        return passOn(*reading.problem());
       }
     }
     files.push_back(next);
   }
   json whole = std::move(recipes.back());
   for (std::size_t n = recipes.size() - 1; n-- > 0;) {
-    FieldReader reader(files[n].string());
-    whole = merged(reader, std::move(whole), recipes[n]);
-    if (reader.problem()) return passOn(*reader.problem());
+    JsonReading reading = readingOf(files[n]);
+    whole = merged(std::move(whole), JsonFields(recipes[n], reading));
+    if (reading.problem()) return passOn(*reading.problem());
   }
   return whole;
 }
@@ -189,22 +178,16 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
 /// The values of parameters, worked out as they are asked for: a default may be an expression of other parameters.
 class Parameters {
  public:
-  Parameters(FieldReader& reader, const json& recipe, const ParameterValues& given) : reader_(reader), given_(given) {
-    const auto found = recipe.find("parameters");
-    if (found == recipe.end()) return;
-    if (found->is_object())
-      described_ = *found;
-    else
-      reader.refuse("parameters", shown(*found), "an object with one entry for each name");
-    for (const auto& [name, description] : described_.items()) {
-      const std::string place = "parameters." + name;
-      reader.allow(description, place, {"default", "lowest", "highest", "unit"});
+  Parameters(const JsonFields& recipe, const ParameterValues& given) : described_(recipe.object("parameters")), given_(given) {
+    for (const auto& [name, ignored] : described_.value().items()) {
+      const JsonFields description = described_.object(name);
+      description.only({"default", "lowest", "highest", "unit"});
       const bool usable =
           !name.empty() &&
           std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }) &&
           !(name[0] >= '0' && name[0] <= '9') && name != "min" && name != "max";
-      if (!usable) reader.refuse(place, "not a usable name", "small letters, digits and _, and neither min nor max");
-      if (!reader.problem() && !description.contains("default")) reader.refuse(place + ".default", "missing", "a number or an expression");
+      if (!usable) described_.refuse(name, "not a usable name", "small letters, digits and _, and neither min nor max");
+      if (!description.has("default")) description.refuse("default", "a number or an expression");
     }
   }
 
@@ -213,8 +196,8 @@ class Parameters {
       restsOn_ = std::max(restsOn_, known->second.chain);
       return std::optional<double>(known->second.value);
     }
-    const auto description = described_.find(name);
-    if (description == described_.end()) return std::optional<double>();
+    if (!described_.has(name)) return std::optional<double>();
+    const JsonFields description = described_.object(name);
     const auto tooLong = [] {
       return tl::unexpected("parameters of which at most " + std::to_string(kLongestChain) + " rest on one another in a row");
     };
@@ -223,8 +206,8 @@ class Parameters {
     if (beingWorkedOut_.size() == kLongestChain) return tooLong();
     beingWorkedOut_.insert(name);
     const int beside = std::exchange(restsOn_, 0);
-    const std::string place = "parameters." + name;
-    json number = (*description)["default"];
+    if (!description.has("default")) return std::optional<double>();  // refused already
+    json number = *description.find("default");
     if (const auto given = given_.find(name); given != given_.end()) {
       number = given->second;
     } else if (number.is_string()) {
@@ -232,9 +215,10 @@ class Parameters {
       if (!value) return tl::unexpected(value.error());
       number = *value;
     }
-    const double lowest = reader_.number(*description, place, "lowest", -kLargestParameter, kLargestParameter);
-    const double highest = reader_.number(*description, place, "highest", -kLargestParameter, kLargestParameter);
-    const double value = reader_.number(json{{"value", number}}, place, "value", lowest, highest);
+    const auto [lowest, highest] = rangeOf(description);
+    const auto within = numberWithin(number, lowest, highest);
+    if (!within) described_.refuse(name + ".value", shown(number), rangeText(lowest, highest));
+    const double value = within.value_or(lowest);
     beingWorkedOut_.erase(name);
     // By the whole chain, not by what is left of it to be worked out: which parameter is asked for first must not decide.
     const int chain = restsOn_ + 1;
@@ -252,28 +236,30 @@ class Parameters {
 
   std::vector<PatientParameter> all() {
     std::vector<PatientParameter> list;
-    for (const auto& [name, description] : described_.items()) {
+    for (const auto& [name, ignored] : described_.value().items()) {
+      const JsonFields description = described_.object(name);
       const auto value = valueOf(name);
-      if (!value) reader_.refuse("parameters." + name + ".default", shown(description["default"]), value.error());
-      if (reader_.problem()) return list;
-      const std::string place = "parameters." + name;
-      list.push_back({name, **value, reader_.number(description, place, "lowest", -kLargestParameter, kLargestParameter),
-                      reader_.number(description, place, "highest", -kLargestParameter, kLargestParameter),
-                      reader_.text(description, place, "unit"), description.value("note", std::string())});
+      if (!value) description.refuse("default", value.error());
+      if (!described_.good()) return list;
+      const auto [lowest, highest] = rangeOf(description);
+      list.push_back({name, **value, lowest, highest, description.text("unit"), description.text("note", "", 0, kLongestNote)});
     }
     for (const auto& [name, value] : given_) {
-      if (described_.contains(name)) continue;
+      if (described_.has(name)) continue;
       const std::string names = listed(list, [](const PatientParameter& each) { return each.name; });
-      reader_.refuse("parameters." + name, "set but not there",
-                     names.empty() ? "no parameter at all: this recipe has none" : "one of " + names);
+      described_.refuse(name, "set but not there", names.empty() ? "no parameter at all: this recipe has none" : "one of " + names);
     }
     return list;
   }
 
  private:
-  FieldReader& reader_;
+  static std::pair<double, double> rangeOf(const JsonFields& description) {
+    return {description.number("lowest", -kLargestParameter, kLargestParameter),
+            description.number("highest", -kLargestParameter, kLargestParameter)};
+  }
+
+  JsonFields described_;
   const ParameterValues& given_;
-  json described_ = json::object();
   struct Known {
     double value = 0.0;
     int chain = 1;  ///< parameters that rest on one another, this one included
@@ -285,14 +271,14 @@ class Parameters {
 
 /// Replaces the expressions below `value` by their numbers.
 /// @param place of the value; as long as before when this returns
-void workOut(FieldReader& reader, Parameters& parameters, std::string& place, json& value) {
-  if (reader.problem()) return;
+void workOut(JsonReading& reading, Parameters& parameters, std::string& place, json& value) {
+  if (!reading.good()) return;
   const std::size_t here = place.size();
   if (value.is_object()) {
     for (auto& [field, inner] : value.items()) {
       if (kWords.count(field) > 0) continue;
       place += (place.empty() ? "" : ".") + field;
-      workOut(reader, parameters, place, inner);
+      workOut(reading, parameters, place, inner);
       place.resize(here);
     }
   } else if (value.is_array()) {
@@ -300,12 +286,12 @@ void workOut(FieldReader& reader, Parameters& parameters, std::string& place, js
       place += "[" + std::to_string(n) + "]";
       if (value[n].is_object() && value[n].contains("name") && value[n]["name"].is_string())
         place += " (" + value[n]["name"].get_ref<const std::string&>().substr(0, 60) + ")";
-      workOut(reader, parameters, place, value[n]);
+      workOut(reading, parameters, place, value[n]);
       place.resize(here);
     }
   } else if (value.is_string() && value.get_ref<const std::string&>().rfind('=', 0) == 0) {
     const auto number = parameters.ofText(value.get<std::string>());
-    if (!number) return reader.refuse(place, shown(value), number.error());
+    if (!number) return reading.refuse(place, shown(value), number.error());
     value = *number;
   }
 }
@@ -331,20 +317,20 @@ std::filesystem::path findNamed(const std::string& name, const std::string& kind
 
 Result<WholeRecipe> readWholeRecipe(const std::filesystem::path& file, const std::filesystem::path& mannequins,
                                     const ParameterValues& values) {
-  auto recipe = readFamily(file, mannequins.empty() ? mannequins : mannequins.parent_path() / "anatomy");
+  const auto recipe = readFamily(file, mannequins.empty() ? mannequins : mannequins.parent_path() / "anatomy");
   if (!recipe) return passOn(recipe.error());
-  FieldReader reader(file.string());
-  if (recipe->contains("remove")) reader.refuse("remove", "here", "it only in a recipe that extends another");
-  Parameters parameters(reader, *recipe, values);
-  if (reader.problem()) return passOn(*reader.problem());
+  JsonReading reading = readingOf(file);
+  const JsonFields fields(*recipe, reading);
+  if (fields.has("remove")) fields.refuse("remove", "here", "only in a recipe that extends another");
+  Parameters parameters(fields, values);
   WholeRecipe whole;
   whole.parameters = parameters.all();
-  if (reader.problem()) return passOn(*reader.problem());
-  recipe->erase("parameters");
+  if (reading.problem()) return passOn(*reading.problem());
+  whole.json = *recipe;
+  whole.json.erase("parameters");
   std::string place;
-  workOut(reader, parameters, place, *recipe);
-  if (reader.problem()) return passOn(*reader.problem());
-  whole.json = std::move(*recipe);
+  workOut(reading, parameters, place, whole.json);
+  if (reading.problem()) return passOn(*reading.problem());
   return whole;
 }
 
