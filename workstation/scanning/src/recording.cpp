@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "ew/core/nesting.h"
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/core/version.h"
 #include "ew/imaging/settings_json.h"
@@ -88,49 +88,46 @@ tl::unexpected<Error> badEvent(const fs::path& file, const std::string& where, c
                  {{"file", file.string()}, {"field", where}, {"expected", expected}});
 }
 
-Result<ScanEvent> eventOf(const json& object, const fs::path& file, const std::string& where) {
-  const auto numberAt = [](const json& value) { return value.is_number() ? std::optional(value.get<double>()) : std::nullopt; };
-  const auto time_s = object.is_object() && object.contains("time_s") ? numberAt(object["time_s"]) : std::nullopt;
-  if (!time_s) return badEvent(file, where, "an event with its time_s");
-  if (object.contains("probe")) {
-    const json& id = object.value("probe_id", json());
-    auto probe = probeFromJson(object["probe"], id.is_string() ? id.get<std::string>() : std::string(), where + " of " + file.string());
+/// @param where of the file, as sentences name it: "frame 3 of scan.mha"
+Result<ScanEvent> eventOf(const json& object, const std::string& where) {
+  constexpr double kLongest_s = 1e9, kFarthestPan_mm = 1e6;
+  JsonReading reading(where);
+  const JsonFields fields(object, reading);
+  ScanEvent event{fields.number("time_s", -kLongest_s, kLongest_s), Note{}};
+  if (!reading.good()) return passOn(*reading.problem());
+  if (fields.has("probe")) {
+    auto probe = probeFromJson(*fields.find("probe"), fields.text("probe_id", "", 0), where);
     if (!probe) return passOn(probe.error());
-    return ScanEvent{*time_s, ProbeChosen{std::move(*probe)}};
-  }
-  if (object.contains("settings")) {
-    auto knobs = knobsFromJson(object["settings"], where + " of " + file.string());
+    event.what = ProbeChosen{std::move(*probe)};
+  } else if (fields.has("settings")) {
+    auto knobs = knobsFromJson(*fields.find("settings"), where);
     if (!knobs) return passOn(knobs.error());
     SettingsChanged settings{*knobs, {}};
-    if (object.contains("pan_mm")) {
-      const json& pan = object["pan_mm"];
-      const auto lateral_mm = pan.is_array() && pan.size() == 2 ? numberAt(pan[0]) : std::nullopt;
-      const auto axial_mm = pan.is_array() && pan.size() == 2 ? numberAt(pan[1]) : std::nullopt;
-      if (!lateral_mm || !axial_mm) return badEvent(file, where + ", pan_mm", "two numbers");
-      settings.pan = {*lateral_mm, *axial_mm};
-    }
-    return ScanEvent{*time_s, std::move(settings)};
-  }
-  if (object.contains("scene")) {
-    auto scene = sceneFromJson(object["scene"], where + " of " + file.string());
+    if (const auto pan = fields.numbers("pan_mm", 2, 2, -kFarthestPan_mm, kFarthestPan_mm, false); !pan.empty())
+      settings.pan = {pan[0], pan[1]};
+    event.what = std::move(settings);
+  } else if (fields.has("scene")) {
+    auto scene = sceneFromJson(*fields.find("scene"), where);
     if (!scene) return passOn(scene.error());
-    return ScanEvent{*time_s, SceneChanged{std::move(*scene)}};
+    event.what = SceneChanged{std::move(*scene)};
+  } else if (fields.has("frozen")) {
+    event.what = FreezeChanged{fields.flag("frozen")};
+  } else {
+    if (!fields.has("note")) fields.refuseWhole(shown(object), "an event that this program knows");
+    event.what = Note{fields.text("note", "", 0), fields.has("what") ? *fields.find("what") : json()};
   }
-  if (object.contains("frozen")) {
-    if (!object["frozen"].is_boolean()) return badEvent(file, where + ", frozen", "true or false");
-    return ScanEvent{*time_s, FreezeChanged{object["frozen"].get<bool>()}};
-  }
-  if (!object.contains("note") || !object["note"].is_string()) return badEvent(file, where, "an event that this program knows");
-  return ScanEvent{*time_s, Note{object["note"].get<std::string>(), object.value("what", json())}};
+  if (reading.problem()) return passOn(*reading.problem());
+  return event;
 }
 
 Result<void> takeEvents(const SequenceFrame& frame, const fs::path& file, const std::string& where, ScanLog& log) {
   const std::string text = joinedText(frame.otherFields, kEventsField);
   if (text.empty()) return {};
-  const json events = nestsDeeperThan(text) ? json() : json::parse(text, nullptr, false);
-  if (!events.is_array()) return badEvent(file, where, "a list of events");
-  for (const json& object : events) {
-    auto event = eventOf(object, file, where);
+  const auto events = parseJson(text, where + " of " + file.string());
+  if (!events) return passOn(events.error());
+  if (!events->is_array()) return badEvent(file, where, "a list of events");
+  for (const json& object : *events) {
+    auto event = eventOf(object, where + " of " + file.string());
     if (!event) return passOn(event.error());
     log.add(std::move(*event));
   }
@@ -220,10 +217,11 @@ Result<ScanRecording> readRecording(const fs::path& file, Progress& progress) {
   ScanRecording recording;
   recording.notes = std::move(sequence->notes);
   std::erase_if(recording.notes, [](const std::string& note) { return note == "The recording has poses but no images."; });
-  const json subject = json::parse(joinedText(sequence->otherFields, kSubjectField), nullptr, false);
-  if (subject.is_object()) {
-    if (const auto found = subject.find("case"); found != subject.end() && found->is_string()) recording.caseId = found->get<std::string>();
-    if (const auto found = subject.find("title"); found != subject.end() && found->is_string()) recording.title = found->get<std::string>();
+  if (const auto subject = parseJsonObject(joinedText(sequence->otherFields, kSubjectField), file.string())) {
+    JsonReading reading(file.string());
+    const JsonFields fields(*subject, reading);
+    recording.caseId = fields.text("case", "", 0);
+    recording.title = fields.text("title", "", 0);
   }
   const auto size = parseIntegers(valueOf(sequence->otherFields, kSizeField));
   if (!size || size->size() != 2 || std::any_of(size->begin(), size->end(), [](long long n) { return n < 1 || n > 8192; }))
