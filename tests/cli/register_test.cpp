@@ -153,7 +153,7 @@ TEST_F(RegisterCommand, AFailureSaysWhyAndLeavesNothing) {
   const auto before = folder.names();
   const std::vector<std::pair<std::vector<std::string>, std::string>> failing{
       {{"--landmarks", folder / "none.json"}, "none.json"},
-      {{"--landmarks", folder / "broken.json"}, "landmarks[0].fixed_mm must be a list of three numbers"},
+      {{"--landmarks", folder / "broken.json"}, "'landmarks[0].fixed_mm' in "},
       {{"--landmarks", folder / "pairs.json", "--coverage-fixed", folder / "m.mha"}, "lies on another grid"},
       {{"--landmarks", folder / "pairs.json", "--confidence-moving", folder / "f.mha"}, "lies on another grid"},
       {{"--landmarks", folder / "pairs.json", "--field", folder / "none/field.mha"}, "does not exist"}};

@@ -1,36 +1,21 @@
 #include "registration_files.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ew/core/frames.h"
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/vector_file.h"
-#include "ew/library/schema.h"
 
 namespace ew::cli {
 namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-tl::unexpected<Error> badLandmark(const fs::path& file, const std::string& field, const std::string& expected) {
-  return failure(ErrorCode::badField, "'" + file.string() + "': " + field + " must be " + expected + ".",
-                 {{"file", file.string()}, {"field", field}, {"expected", expected}});
-}
-
-Result<glm::dvec3> pointOf(const json& entry, const std::string& field, const fs::path& file, const std::string& where) {
-  const auto found = entry.find(field);
-  const auto bad = [&] { return badLandmark(file, where + "." + field, "a list of three numbers, in mm"); };
-  if (found == entry.end() || !found->is_array() || found->size() != 3) return bad();
-  glm::dvec3 point;
-  for (int axis = 0; axis < 3; ++axis) {
-    const json& number = (*found)[static_cast<std::size_t>(axis)];
-    if (!number.is_number() || !std::isfinite(number.get<double>())) return bad();
-    point[axis] = number.get<double>();
-  }
-  return point;
-}
+constexpr double kFarthestLandmark_mm = 1e6;
+constexpr std::size_t kMostLandmarks = 100000, kLongestLandmarkName = 1000;
+constexpr double kSmallestPickError_mm = 1e-9, kLargestPickError_mm = 1e6;
 
 }  // namespace
 
@@ -73,37 +58,23 @@ Result<LandmarkFile> readLandmarks(const fs::path& file) {
   const auto document = parseJson(*text, file.filename().string());
   if (!document) return passOn(document.error());
   LandmarkFile found;
-  const json* list = &*document;
-  if (document->is_object()) {
-    for (const auto& [key, value] : document->items())
-      if (key != "landmarks" && key != "pick_error_mm")
-        return badLandmark(file, key, "left out: only landmarks and pick_error_mm are known");
-    const auto landmarks = document->find("landmarks");
-    if (landmarks == document->end()) return badLandmark(file, "landmarks", "there: a list of objects with fixed_mm and moving_mm");
-    list = &*landmarks;
-    if (const auto pick = document->find("pick_error_mm"); pick != document->end()) {
-      if (!pick->is_number() || !(pick->get<double>() > 0.0)) return badLandmark(file, "pick_error_mm", "a length above 0 mm");
-      found.pickError_mm = pick->get<double>();
-    }
-  }
-  if (!list->is_array()) return badLandmark(file, "landmarks", "a list of objects with fixed_mm and moving_mm");
-  for (const json& entry : *list) {
-    const std::string where = "landmarks[" + std::to_string(found.pairs.size()) + "]";
-    if (!entry.is_object()) return badLandmark(file, where, "an object with fixed_mm and moving_mm");
+  JsonReading reading("'" + file.string() + "'");
+  const json whole = document->is_array() ? json{{"landmarks", *document}} : *document;
+  const JsonFields fields(whole, reading);
+  fields.only({"landmarks", "pick_error_mm"});
+  if (fields.has("pick_error_mm"))
+    found.pickError_mm = fields.number("pick_error_mm", kSmallestPickError_mm, kLargestPickError_mm, {}, "a length above 0 mm");
+  constexpr const char* kLandmarks = "a list of objects with fixed_mm and moving_mm";
+  if (!fields.has("landmarks")) fields.refuse("landmarks", kLandmarks);
+  for (const JsonFields& entry : fields.objects("landmarks", 0, kMostLandmarks, kLandmarks)) {
     registration::LandmarkPair pair;
-    pair.name = std::to_string(found.pairs.size() + 1);
-    if (const auto name = entry.find("name"); name != entry.end()) {
-      if (!name->is_string()) return badLandmark(file, where + ".name", "a text");
-      if (!name->get_ref<const std::string&>().empty()) pair.name = name->get<std::string>();
-    }
-    const auto fixed = pointOf(entry, "fixed_mm", file, where);
-    if (!fixed) return passOn(fixed.error());
-    const auto moving = pointOf(entry, "moving_mm", file, where);
-    if (!moving) return passOn(moving.error());
-    pair.fixed_mm = *fixed;
-    pair.moving_mm = *moving;
+    pair.name = entry.text("name", "", 0, kLongestLandmarkName);
+    if (pair.name.empty()) pair.name = std::to_string(found.pairs.size() + 1);
+    pair.fixed_mm = entry.point("fixed_mm", kFarthestLandmark_mm, {}, "a list of three numbers, in mm");
+    pair.moving_mm = entry.point("moving_mm", kFarthestLandmark_mm, {}, "a list of three numbers, in mm");
     found.pairs.push_back(std::move(pair));
   }
+  if (reading.problem()) return passOn(*reading.problem());
   return found;
 }
 
