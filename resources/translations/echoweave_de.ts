@@ -1205,8 +1205,16 @@
         <translation>„%1“ im Stitching-Projekt ist %2; es muss %3 sein.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; in the stitch project is not a field of it; correct the name or remove the field.</source>
-        <translation>„%1“ ist kein Feld eines Stitching-Projekts; berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
+        <source>not known here</source>
+        <translation>hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
     </message>
     <message>
         <source>The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.</source>
@@ -1217,12 +1225,12 @@
         <translation>Die Transformation in „%1“ ist nicht zu gebrauchen. %2</translation>
     </message>
     <message>
-        <source>The stitch project nests too deeply to be one; check that it is the right file.</source>
-        <translation>Das Stitching-Projekt ist zu tief verschachtelt, um eines zu sein; prüfen Sie, ob es die richtige Datei ist.</translation>
+        <source>The stitch project nests deeper than %1 levels, which no file of this program does; check that it is the right file.</source>
+        <translation>Das Stitching-Projekt ist tiefer als %1 Ebenen geschachtelt, wie keine Datei dieses Programms; prüfen Sie, ob es die richtige Datei ist.</translation>
     </message>
     <message>
-        <source>The stitch project is not valid JSON; correct the place named at the end of this message or choose another file (%1).</source>
-        <translation>Das Stitching-Projekt ist kein gültiges JSON; berichtigen Sie die Stelle, die am Ende dieser Meldung steht, oder wählen Sie eine andere Datei (%1).</translation>
+        <source>The stitch project is not valid JSON: it breaks at line %1, column %2; correct it there or restore an earlier copy.</source>
+        <translation>Das Stitching-Projekt ist kein gültiges JSON: Es bricht in Zeile %1, Spalte %2 ab; berichtigen Sie es dort oder nehmen Sie eine frühere Kopie.</translation>
     </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be written (%2); choose one you may write to.</source>
