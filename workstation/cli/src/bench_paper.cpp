@@ -328,7 +328,9 @@ Result<json> paperRows(const GreyImage& fixed, const GreyImage& moving, double p
   return rows;
 }
 
-Result<json> benchPaper(const PaperBenchOptions& options, const PaperPlace& placeOf, Progress& progress) {
+namespace {
+
+Result<void> checkPaperOptions(const PaperBenchOptions& options) {
   for (const auto& [value, low, high, name] :
        {std::tuple{options.peak_mm, 0.5, 12.0, "peak"}, std::tuple{options.seamPeak_mm, 0.5, 12.0, "seam peak"},
         std::tuple{options.sweep_mm, 8.0, 60.0, "sweep"}}) {
@@ -336,115 +338,162 @@ Result<json> benchPaper(const PaperBenchOptions& options, const PaperPlace& plac
       return failure(ErrorCode::badUsage,
                      std::string("The ") + name + " must lie between " + fixedText(low, 1) + " and " + fixedText(high, 1) + " mm.");
   }
-  const auto write = [&](const GreyImage& picture, const std::string& name) -> Result<void> {
-    if (!placeOf) return {};
-    const auto place = placeOf(name);
-    return place ? writeImage(viewOf(picture), kPixel_mm, *place) : Result<void>(passOn(place.error()));
-  };
-  auto first = Recorder::make(options.seed, 0.0), second = Recorder::make(options.seed, 4.0);
-  if (!first) return passOn(first.error());
-  if (!second) return passOn(second.error());
-  json report{{"machine", machineName()}, {"seed", options.seed}};
+  return {};
+}
 
-  // Figure 8. What rests at p is found at p + u(p) in the moving image: u is the truth on the fixed one.
+using NamedPictures = std::vector<std::pair<std::string, GreyImage>>;
+
+Result<void> writePictures(const NamedPictures& pictures, const PaperPlace& placeOf) {
+  if (!placeOf) return {};
+  for (const auto& [name, picture] : pictures) {
+    const auto place = placeOf(name);
+    if (!place) return passOn(place.error());
+    if (auto written = writeImage(viewOf(picture), kPixel_mm, *place); !written) return written;
+  }
+  return {};
+}
+
+Result<void> writePages(const json& report, const PaperPlace& placeOf) {
+  if (!placeOf) return {};
+  for (const auto& [name, text] : {std::pair{"paper.json", report.dump(2) + "\n"}, std::pair{"paper.html", page(report)}}) {
+    const auto place = placeOf(name);
+    if (!place) return passOn(place.error());
+    if (auto written = writeFileSafely(*place, text); !written) return written;
+  }
+  return {};
+}
+
+/// What rests at p is found at p + u(p) in the moving image: u is the truth on the fixed one.
+Result<json> figureEight(const PaperBenchOptions& options, Recorder& first, Recorder& second, const PaperPlace& placeOf,
+                         Progress& progress) {
   const InPlaneBend bend(options.peak_mm);
-  const GreyImage fixed = first->frameAt(0.0, restingBody(), 1), moving = second->frameAt(0.0, bend, 2);
+  const GreyImage fixed = first.frameAt(0.0, restingBody(), 1), moving = second.frameAt(0.0, bend, 2);
   const double left_mm = -0.5 * (fixed.width - 1) * kPixel_mm;
   const PlanarTruth truth = [&](const glm::dvec2& p) { return bend.at(p.x + left_mm, p.y + 2.0); };
   std::vector<GreyImage> seen;
-  PartOfProgress early(progress, 0.05, 0.2);
-  auto rows = paperRows(fixed, moving, kPixel_mm, truth, &seen, early);
+  auto rows = paperRows(fixed, moving, kPixel_mm, truth, &seen, progress);
   if (!rows) return passOn(rows.error());
-  report["figure8"] = {{"pixel_mm", kPixel_mm}, {"peak_mm", options.peak_mm}, {"mean_motion_mm", (*rows)[0]["error_mm"]}, {"rows", *rows}};
-  for (const auto& [picture, name] :
-       {std::pair{&fixed, std::string("figure-8-fixed.png")}, std::pair{&moving, std::string("figure-8-moving.png")}})
-    if (auto written = write(*picture, name); !written) return passOn(written.error());
-  for (std::size_t n = 1; n < seen.size(); ++n)
-    if (auto written = write(seen[n], "figure-8-" + std::to_string(n) + ".png"); !written) return passOn(written.error());
+  NamedPictures pictures{{"figure-8-fixed.png", fixed}, {"figure-8-moving.png", moving}};
+  for (std::size_t n = 1; n < seen.size(); ++n) pictures.emplace_back("figure-8-" + std::to_string(n) + ".png", seen[n]);
+  if (auto written = writePictures(pictures, placeOf); !written) return passOn(written.error());
+  return json{{"pixel_mm", kPixel_mm}, {"peak_mm", options.peak_mm}, {"mean_motion_mm", (*rows)[0]["error_mm"]}, {"rows", *rows}};
+}
 
-  // Figures 6 and 7: two sweeps that meet at x = 0 and overlap by 4 mm to either side, the tissue bent between them.
+/// Mean distance between where points of the tangent plane went and where they were found, mm.
+double errorOnTangentPlane_mm(const registration::Deformation& fixedToMoving, const InPlaneBend& moved) {
+  double error_mm = 0.0;
+  int points = 0;
+  for (double y = 12.0; y < 92.0; y += 4.0) {
+    for (double z = -40.0; z < 41.0; z += 4.0, ++points) {
+      const glm::dvec3 p(0.0, y, z);
+      error_mm += glm::length(registration::movingPoint(fixedToMoving, p) - moved.moved(p));
+    }
+  }
+  return error_mm / points;
+}
+
+/// A plane across the seam: x to the right, y down.
+Grid planeAcross(double sweep_mm, const Grid& volume) {
+  const int half = static_cast<int>(sweep_mm / kPixel_mm);
+  Grid across;
+  across.dims = {2 * half + 1, volume.dims.y, 1};
+  across.spacing_mm = glm::dvec3(kPixel_mm);
+  across.origin_mm = {-kPixel_mm * half, volume.origin_mm.y, -18.0};
+  return across;
+}
+
+GreyImage pictureOfPlane(const Volume& plane) {
+  GreyImage out(plane.grid.dims.x, plane.grid.dims.y);
+  out.pixels = plane.echo;
+  return out;
+}
+
+/// Two planes across the seam in one picture, blended over `half_mm` to either side of the middle; 0: pasted.
+GreyImage joinedAcross(const Volume& left, const Volume& right, double half_mm) {
+  // The second view's mean is brought to the first's in the overlap: figure 7 is about geometry.
+  double sumLeft = 0.0, sumRight = 0.0;
+  for (std::size_t n = 0; n < left.echo.size(); ++n) {
+    if (left.coverageAt(n) == Coverage::absent || right.coverageAt(n) == Coverage::absent) continue;
+    sumLeft += left.echo[n];
+    sumRight += right.echo[n];
+  }
+  const double scale = sumRight > 0.0 ? sumLeft / sumRight : 1.0;
+  GreyImage out(left.grid.dims.x, left.grid.dims.y);
+  for (int y = 0; y < out.height; ++y) {
+    for (int x = 0; x < out.width; ++x) {
+      const std::size_t n = left.grid.indexOf(x, y, 0);
+      const double at_mm = (x - left.grid.dims.x / 2) * kPixel_mm;
+      double share = half_mm > 0.0 ? std::clamp(0.5 + at_mm / (2.0 * half_mm), 0.0, 1.0) : (at_mm < 0.0 ? 0.0 : 1.0);
+      if (left.coverageAt(n) == Coverage::absent) share = 1.0;
+      if (right.coverageAt(n) == Coverage::absent) share = 0.0;
+      out.pixels[n] = static_cast<std::uint8_t>(std::clamp((1.0 - share) * left.echo[n] + share * scale * right.echo[n] + 0.5, 0.0, 255.0));
+    }
+  }
+  return out;
+}
+
+/// Figures 6 and 7: two sweeps that meet at x = 0 and overlap by 4 mm to either side, the tissue bent between them.
+Result<json> figureSeven(const PaperBenchOptions& options, Recorder& first, Recorder& second, const PaperPlace& placeOf,
+                         Progress& progress) {
   constexpr double kOverlap_mm = 4.0;
   const InPlaneBend moved(options.seamPeak_mm);
   PartOfProgress recordingFirst(progress, 0.2, 0.5), recordingSecond(progress, 0.5, 0.8), joining(progress, 0.8, 1.0);
-  const auto a = sweptVolume(*first, -options.sweep_mm, kOverlap_mm, restingBody(), recordingFirst);
+  const auto a = sweptVolume(first, -options.sweep_mm, kOverlap_mm, restingBody(), recordingFirst);
   if (!a) return passOn(a.error());
-  const auto b = sweptVolume(*second, -kOverlap_mm, options.sweep_mm, moved, recordingSecond);
+  const auto b = sweptVolume(second, -kOverlap_mm, options.sweep_mm, moved, recordingSecond);
   if (!b) return passOn(b.error());
   registration::TangentWarpOptions warp;
   warp.slices.threads = 1;
   const auto found = registration::registerTangentSlices({&*a, {}}, {&*b, {}}, glm::dmat4(1.0), glm::dvec3(0.0, 50.0, 0.0),
                                                          glm::dvec3(1.0, 0.0, 0.0), warp, joining);
   if (!found) return passOn(found.error());
-  double error_mm = 0.0;
-  int points = 0;
-  for (double y = 12.0; y < 92.0; y += 4.0) {
-    for (double z = -40.0; z < 41.0; z += 4.0, ++points) {
-      const glm::dvec3 p(0.0, y, z);
-      error_mm += glm::length(registration::movingPoint(found->fixedToMoving, p) - moved.moved(p));
-    }
-  }
-  // A plane across the seam: x to the right, y down.
-  Grid across;
-  across.dims = {2 * static_cast<int>(options.sweep_mm / kPixel_mm) + 1, a->grid.dims.y, 1};
-  across.spacing_mm = glm::dvec3(kPixel_mm);
-  across.origin_mm = {-kPixel_mm * static_cast<int>(options.sweep_mm / kPixel_mm), a->grid.origin_mm.y, -18.0};
+  const Grid across = planeAcross(options.sweep_mm, a->grid);
   const auto cut = [&](const Volume& volume, const registration::Deformation& deformation) -> Result<Volume> {
     return registration::warped(volume, deformation, across, 1, noProgress());
   };
   const auto left = cut(*a, {}), right = cut(*b, {}), bent = cut(*b, found->fixedToMoving);
   for (const auto* each : {&left, &right, &bent})
     if (!*each) return passOn(each->error());
+  const GreyImage pasted = joinedAcross(*left, *right, 0.0), blended = joinedAcross(*left, *right, kOverlap_mm),
+                  smooth = joinedAcross(*left, *bent, kOverlap_mm);
+  if (auto written = writePictures({{"figure-6-first.png", pictureOfPlane(*left)},
+                                    {"figure-6-second.png", pictureOfPlane(*right)},
+                                    {"figure-7-pasted.png", pasted},
+                                    {"figure-7-blended.png", blended},
+                                    {"figure-7-warped.png", smooth}},
+                                   placeOf);
+      !written)
+    return passOn(written.error());
   const int middle = across.dims.x / 2;
-  const auto joined = [&](const Volume& other, double half_mm) {
-    // The second view's mean is brought to the first's in the overlap: figure 7 is about geometry.
-    double sumA = 0.0, sumB = 0.0;
-    for (std::size_t n = 0; n < left->echo.size(); ++n) {
-      if (left->coverageAt(n) == Coverage::absent || other.coverageAt(n) == Coverage::absent) continue;
-      sumA += left->echo[n];
-      sumB += other.echo[n];
-    }
-    const double scale = sumB > 0.0 ? sumA / sumB : 1.0;
-    GreyImage out(across.dims.x, across.dims.y);
-    for (int y = 0; y < out.height; ++y) {
-      for (int x = 0; x < out.width; ++x) {
-        const std::size_t n = across.indexOf(x, y, 0);
-        const double at_mm = (x - middle) * kPixel_mm;
-        double share = half_mm > 0.0 ? std::clamp(0.5 + at_mm / (2.0 * half_mm), 0.0, 1.0) : (at_mm < 0.0 ? 0.0 : 1.0);
-        if (left->coverageAt(n) == Coverage::absent) share = 1.0;
-        if (other.coverageAt(n) == Coverage::absent) share = 0.0;
-        out.pixels[n] =
-            static_cast<std::uint8_t>(std::clamp((1.0 - share) * left->echo[n] + share * scale * other.echo[n] + 0.5, 0.0, 255.0));
-      }
-    }
-    return out;
-  };
-  const auto alone = [&](const Volume& volume) {
-    GreyImage out(across.dims.x, across.dims.y);
-    out.pixels = volume.echo;
-    return out;
-  };
-  const GreyImage pasted = joined(*right, 0.0), blended = joined(*right, kOverlap_mm), smooth = joined(*bent, kOverlap_mm);
-  for (const auto& [picture, name] :
-       {std::pair{alone(*left), "figure-6-first.png"}, std::pair{alone(*right), "figure-6-second.png"},
-        std::pair{pasted, "figure-7-pasted.png"}, std::pair{blended, "figure-7-blended.png"}, std::pair{smooth, "figure-7-warped.png"}})
-    if (auto written = write(picture, name); !written) return passOn(written.error());
-  report["figure7"] = {{"motion_mm", options.seamPeak_mm},
-                       {"found_mm", found->slices.largestMotion_mm},
-                       {"error_mm", error_mm / points},
-                       {"correlation_before", found->slices.correlationBefore},
-                       {"correlation_after", found->slices.correlationAfter},
-                       {"fall_off_mm", found->fallOff_mm},
-                       {"smallest_jacobian", found->jacobian.smallest},
-                       {"seam",
-                        {{"pasted", seamVisibility(pasted, middle - 1)},
-                         {"blended", seamVisibility(blended, middle - 1)},
-                         {"warped", seamVisibility(smooth, middle - 1)}}}};
-  if (placeOf)
-    for (const auto& [name, text] : {std::pair{"paper.json", report.dump(2) + "\n"}, std::pair{"paper.html", page(report)}}) {
-      const auto place = placeOf(name);
-      if (!place) return passOn(place.error());
-      if (auto written = writeFileSafely(*place, text); !written) return passOn(written.error());
-    }
+  return json{{"motion_mm", options.seamPeak_mm},
+              {"found_mm", found->slices.largestMotion_mm},
+              {"error_mm", errorOnTangentPlane_mm(found->fixedToMoving, moved)},
+              {"correlation_before", found->slices.correlationBefore},
+              {"correlation_after", found->slices.correlationAfter},
+              {"fall_off_mm", found->fallOff_mm},
+              {"smallest_jacobian", found->jacobian.smallest},
+              {"seam",
+               {{"pasted", seamVisibility(pasted, middle - 1)},
+                {"blended", seamVisibility(blended, middle - 1)},
+                {"warped", seamVisibility(smooth, middle - 1)}}}};
+}
+
+}  // namespace
+
+Result<json> benchPaper(const PaperBenchOptions& options, const PaperPlace& placeOf, Progress& progress) {
+  if (auto usable = checkPaperOptions(options); !usable) return passOn(usable.error());
+  auto first = Recorder::make(options.seed, 0.0), second = Recorder::make(options.seed, 4.0);
+  if (!first) return passOn(first.error());
+  if (!second) return passOn(second.error());
+  json report{{"machine", machineName()}, {"seed", options.seed}};
+  PartOfProgress early(progress, 0.05, 0.2);
+  auto eight = figureEight(options, *first, *second, placeOf, early);
+  if (!eight) return passOn(eight.error());
+  report["figure8"] = std::move(*eight);
+  auto seven = figureSeven(options, *first, *second, placeOf, progress);
+  if (!seven) return passOn(seven.error());
+  report["figure7"] = std::move(*seven);
+  if (auto written = writePages(report, placeOf); !written) return passOn(written.error());
   progress.report("Figures of the paper", 1.0);
   return report;
 }
