@@ -38,6 +38,30 @@ void chooseIn(QComboBox* box, int data) {
   if (at >= 0) box->setCurrentIndex(at);
 }
 
+QComboBox* smallCombo(const char* name, const QString& hint) {
+  auto* box = new QComboBox;
+  box->setObjectName(QLatin1String(name));
+  box->setToolTip(hint);
+  box->setProperty("small", true);
+  box->setFocusPolicy(Qt::TabFocus);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(5);
+  box->setMinimumWidth(72);
+  box->setMaximumWidth(128);
+  return box;
+}
+
+QPushButton* smallToggle(const QString& text, const QString& hint, const char* name) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(QLatin1String(name));
+  button->setCheckable(true);
+  button->setProperty("compact", true);
+  button->setProperty("small", true);
+  button->setToolTip(hint);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
 }  // namespace
 
 StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
@@ -49,6 +73,28 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
 
+  makeViews();
+  makeCutControls();
+  makeOverlayControls();
+  makeFourthChoice();
+  makeBrush();
+  inspector_ = new PairInspector(session_, tools_);
+  inspector_->setFixedWidth(kInspectorWidth_px);
+  connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
+  row->addWidget(makeGrid(), 1);
+  auto* line = new QWidget;
+  line->setFixedWidth(1);
+  line->setAutoFillBackground(true);
+  line->setBackgroundRole(QPalette::Mid);
+  row->addWidget(line);
+  row->addWidget(inspector_);
+
+  connectSession();
+  showTitles();
+  setFourth(tools_.fourth);
+}
+
+void StitchStage::makeViews() {
   const auto view = [&](SliceView::Kind kind, const char* name) {
     auto* made = new SliceView(kind, session_, tools_);
     made->setObjectName(QLatin1String(name));
@@ -63,38 +109,21 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   fourthPages_ = new QStackedWidget;
   fourthPages_->addWidget(placement_);
   fourthPages_->addWidget(fourth_);
+}
 
-  const auto combo = [](const char* name, const QString& hint) {
-    auto* box = new QComboBox;
-    box->setObjectName(QLatin1String(name));
-    box->setToolTip(hint);
-    box->setProperty("small", true);
-    box->setFocusPolicy(Qt::TabFocus);
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(5);
-    box->setMinimumWidth(72);
-    box->setMaximumWidth(128);
-    return box;
-  };
-  const auto toggle = [](const QString& text, const QString& hint, const char* name) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(QLatin1String(name));
-    button->setCheckable(true);
-    button->setProperty("compact", true);
-    button->setProperty("small", true);
-    button->setToolTip(hint);
-    button->setFocusPolicy(Qt::TabFocus);
-    return button;
-  };
-  cut_ = combo("cut", tr("Which way the plane lies (1, 2, 3); right drag in a view turns it"));
+void StitchStage::makeCutControls() {
+  cut_ = smallCombo("cut", tr("Which way the plane lies (1, 2, 3); right drag in a view turns it"));
   cut_->addItem(tr("axial"), static_cast<int>(Cut::axial));
   cut_->addItem(tr("coronal"), static_cast<int>(Cut::coronal));
   cut_->addItem(tr("sagittal"), static_cast<int>(Cut::sagittal));
   connect(cut_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setCut(static_cast<Cut>(cut_->currentData().toInt())); });
   linked_ =
-      toggle(tr("Linked"), tr("Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)"), "linked");
+      smallToggle(tr("Linked"), tr("Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)"), "linked");
   connect(linked_, &QPushButton::clicked, this, [this](bool on) { session_.setLinked(on); });
-  overlay_ = combo("overlay", tr("How both are laid over each other (C)"));
+}
+
+void StitchStage::makeOverlayControls() {
+  overlay_ = smallCombo("overlay", tr("How both are laid over each other (C)"));
   overlay_->addItem(tr("checkerboard"), static_cast<int>(Overlay::checkerboard));
   overlay_->addItem(tr("difference"), static_cast<int>(Overlay::difference));
   overlay_->addItem(tr("flicker"), static_cast<int>(Overlay::flicker));
@@ -104,18 +133,21 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   overlay_->setMaximumWidth(136);
   connect(overlay_, qOverload<int>(&QComboBox::activated), this,
           [this] { setOverlay(static_cast<Overlay>(overlay_->currentData().toInt())); });
-  stageChoice_ = combo("stageChoice", tr("As it was at the start, as matched, or with the elastic step (X)"));
+  stageChoice_ = smallCombo("stageChoice", tr("As it was at the start, as matched, or with the elastic step (X)"));
   connect(stageChoice_, qOverload<int>(&QComboBox::activated), this,
           [this] { session_.setStage(static_cast<StitchSession::Stage>(stageChoice_->currentData().toInt())); });
-  halves_ =
-      toggle(QStringLiteral("◧"), tr("Before and after side by side: the start at the left, the present at the right (B)"), "beforeAfter");
+  halves_ = smallToggle(QStringLiteral("◧"), tr("Before and after side by side: the start at the left, the present at the right (B)"),
+                        "beforeAfter");
   halves_->setAccessibleName(tr("Before and after"));
   halves_->setFixedWidth(32);
   connect(halves_, &QPushButton::clicked, this, [this](bool on) {
     tools_.sideBySide = on;
     toolsChanged();
   });
-  fourthChoice_ = combo("fourthChoice", tr("What this view shows (G)"));
+}
+
+void StitchStage::makeFourthChoice() {
+  fourthChoice_ = smallCombo("fourthChoice", tr("What this view shows (G)"));
   fourthChoice_->addItem(tr("placement"), static_cast<int>(Tools::Fourth::placement));
   fourthChoice_->addItem(tr("displacement"), static_cast<int>(Tools::Fourth::displacement));
   fourthChoice_->addItem(tr("seam"), static_cast<int>(Tools::Fourth::seam));
@@ -123,13 +155,16 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   fourthChoice_->setMinimumWidth(124);
   connect(fourthChoice_, qOverload<int>(&QComboBox::activated), this,
           [this] { setFourth(static_cast<Tools::Fourth>(fourthChoice_->currentData().toInt())); });
+}
+
+void StitchStage::makeBrush() {
   brushRow_ = new QWidget;
   auto* brushes = new QHBoxLayout(brushRow_);
   brushes->setContentsMargins(0, 0, 0, 0);
   brushes->setSpacing(kGap_px / 2);
-  paint_ = toggle(tr("Prefer"), tr("Paint where a view is to be preferred (V); here and in the overlap"), "paintSeam");
+  paint_ = smallToggle(tr("Prefer"), tr("Paint where a view is to be preferred (V); here and in the overlap"), "paintSeam");
   connect(paint_, &QPushButton::clicked, this, [this](bool on) { setHand(on ? Tools::Hand::paint : Tools::Hand::look); });
-  brushView_ = combo("brushView", tr("The view that is preferred where you paint"));
+  brushView_ = smallCombo("brushView", tr("The view that is preferred where you paint"));
   brushView_->setMinimumContentsLength(1);
   brushView_->setMinimumWidth(48);
   connect(brushView_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
@@ -149,7 +184,9 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   brushes->addWidget(paint_);
   brushes->addWidget(brushView_);
   brushes->addWidget(brush_);
+}
 
+QWidget* StitchStage::makeGrid() {
   auto* grid = new QWidget;
   auto* cells = new QGridLayout(grid);
   cells->setContentsMargins(0, 0, 0, 0);
@@ -162,17 +199,10 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
     cells->setRowStretch(n, 1);
     cells->setColumnStretch(n, 1);
   }
-  inspector_ = new PairInspector(session_, tools_);
-  inspector_->setFixedWidth(kInspectorWidth_px);
-  connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
-  row->addWidget(grid, 1);
-  auto* line = new QWidget;
-  line->setFixedWidth(1);
-  line->setAutoFillBackground(true);
-  line->setBackgroundRole(QPalette::Mid);
-  row->addWidget(line);
-  row->addWidget(inspector_);
+  return grid;
+}
 
+void StitchStage::connectSession() {
   flicker_.setInterval(450);
   connect(&flicker_, &QTimer::timeout, this, [this] {
     tools_.flickerSecond = !tools_.flickerSecond;
@@ -184,8 +214,6 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent) : QWidget(pare
   connect(&session_, &StitchSession::resultMade, this, [this] {
     if (tools_.fourth != Tools::Fourth::seam) setFourth(Tools::Fourth::result);  // a seam that is being edited stays in view
   });
-  showTitles();
-  setFourth(tools_.fourth);
 }
 
 QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vector<QWidget*>& controls) {
@@ -309,10 +337,17 @@ std::vector<std::pair<std::string, std::string>> StitchStage::keyLines() {
           line("Ctrl+Z, Ctrl+Shift+Z, Ctrl+S", tr("undo, redo, save the project"))};
 }
 
-bool StitchStage::handleKey(QKeyEvent& event, bool act) {
+bool StitchStage::handleKey(const QKeyEvent& event, bool act) {
+  if (event.modifiers().testFlag(Qt::AltModifier)) return false;
+  if (nudgeByKey(event, act)) return true;
+  if (event.modifiers().testFlag(Qt::ControlModifier)) return false;
+  return lookByKey(event, act) || chooseViewByKey(event, act) || useHandByKey(event, act) || judgeByKey(event, act);
+}
+
+/// Moves and turns the moving volume: with Shift far, with Ctrl a little.
+bool StitchStage::nudgeByKey(const QKeyEvent& event, bool act) {
   const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
   const bool ctrl = event.modifiers().testFlag(Qt::ControlModifier);
-  if (event.modifiers().testFlag(Qt::AltModifier)) return false;
   const double mm = ctrl ? 0.1 : shift ? 2.0 : 0.5;
   const double deg = shift ? 5.0 : 1.0;
   const auto nudge = [&](const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
@@ -336,29 +371,32 @@ bool StitchStage::handleKey(QKeyEvent& event, bool act) {
     default:
       break;
   }
-  if (!ctrl) {  // with Ctrl these letters are the window's
-    switch (event.key()) {
-      case Qt::Key_Q:
-        return nudge({}, {0, 0, -deg});
-      case Qt::Key_E:
-        return nudge({}, {0, 0, deg});
-      case Qt::Key_A:
-        return nudge({}, {0, -deg, 0});
-      case Qt::Key_D:
-        return nudge({}, {0, deg, 0});
-      case Qt::Key_W:
-        return nudge({}, {-deg, 0, 0});
-      case Qt::Key_S:
-        return nudge({}, {deg, 0, 0});
-      default:
-        break;
-    }
+  if (ctrl) return false;  // with Ctrl the letters are the window's
+  switch (event.key()) {
+    case Qt::Key_Q:
+      return nudge({}, {0, 0, -deg});
+    case Qt::Key_E:
+      return nudge({}, {0, 0, deg});
+    case Qt::Key_A:
+      return nudge({}, {0, -deg, 0});
+    case Qt::Key_D:
+      return nudge({}, {0, deg, 0});
+    case Qt::Key_W:
+      return nudge({}, {-deg, 0, 0});
+    case Qt::Key_S:
+      return nudge({}, {deg, 0, 0});
+    default:
+      return false;
   }
-  if (ctrl) return false;
+}
+
+/// The plane that all views show.
+bool StitchStage::lookByKey(const QKeyEvent& event, bool act) {
   const auto run = [act](auto&& does) {
     if (act) does();
     return true;
   };
+  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
   switch (event.key()) {
     case Qt::Key_1:
     case Qt::Key_2:
@@ -386,8 +424,18 @@ bool StitchStage::handleKey(QKeyEvent& event, bool act) {
         plane.pixel_mm = std::clamp(plane.pixel_mm * (event.key() == Qt::Key_Minus ? 1.2 : 1.0 / 1.2), 0.01, 5.0);
         session_.setPlane(plane);
       });
-    case Qt::Key_N:
-      return run([&] { Q_EMIT session_.nextPairAsked(shift ? -1 : 1); });
+    default:
+      return false;
+  }
+}
+
+/// What the views show of it.
+bool StitchStage::chooseViewByKey(const QKeyEvent& event, bool act) {
+  const auto run = [act](auto&& does) {
+    if (act) does();
+    return true;
+  };
+  switch (event.key()) {
     case Qt::Key_C:
       return run([&] { setOverlay(static_cast<Overlay>((static_cast<int>(tools_.overlay) + 1) % 4)); });
     case Qt::Key_X:
@@ -404,6 +452,18 @@ bool StitchStage::handleKey(QKeyEvent& event, bool act) {
       return run([&] { setFourth(static_cast<Tools::Fourth>((static_cast<int>(tools_.fourth) + 1) % 4)); });
     case Qt::Key_L:
       return run([&] { session_.setLinked(!session_.isLinked()); });
+    default:
+      return false;
+  }
+}
+
+/// What a click in a view does.
+bool StitchStage::useHandByKey(const QKeyEvent& event, bool act) {
+  const auto run = [act](auto&& does) {
+    if (act) does();
+    return true;
+  };
+  switch (event.key()) {
     case Qt::Key_P:
       return run([&] { setHand(tools_.hand == Tools::Hand::pick ? Tools::Hand::look : Tools::Hand::pick); });
     case Qt::Key_V:
@@ -420,6 +480,20 @@ bool StitchStage::handleKey(QKeyEvent& event, bool act) {
           setHand(Tools::Hand::look);
         inspector_->refresh();
       });
+    default:
+      return false;
+  }
+}
+
+bool StitchStage::judgeByKey(const QKeyEvent& event, bool act) {
+  const auto run = [act](auto&& does) {
+    if (act) does();
+    return true;
+  };
+  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+  switch (event.key()) {
+    case Qt::Key_N:
+      return run([&] { Q_EMIT session_.nextPairAsked(shift ? -1 : 1); });
     case Qt::Key_Delete:
       return run([&] { session_.removeLandmark(session_.chosenLandmark()); });
     case Qt::Key_Return:

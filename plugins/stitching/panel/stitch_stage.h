@@ -34,7 +34,20 @@ class StitchStage final : public QWidget {
 
  private:
   QWidget* makeFrame(QLabel*& title, QWidget* content, const std::vector<QWidget*>& controls);
-  [[nodiscard]] bool handleKey(QKeyEvent& event, bool act);
+  void makeViews();
+  void makeCutControls();
+  void makeOverlayControls();
+  void makeFourthChoice();
+  void makeBrush();
+  QWidget* makeGrid();
+  void connectSession();
+  /// @param act false: only asked whether the key is one of the stage's. @return whether it is
+  [[nodiscard]] bool handleKey(const QKeyEvent& event, bool act);
+  [[nodiscard]] bool nudgeByKey(const QKeyEvent& event, bool act);
+  [[nodiscard]] bool lookByKey(const QKeyEvent& event, bool act);
+  [[nodiscard]] bool chooseViewByKey(const QKeyEvent& event, bool act);
+  [[nodiscard]] bool useHandByKey(const QKeyEvent& event, bool act);
+  [[nodiscard]] bool judgeByKey(const QKeyEvent& event, bool act);  ///< the pair in front, or another one
   void showTitles();
   void setFourth(Tools::Fourth fourth);
   void setHand(Tools::Hand hand);
