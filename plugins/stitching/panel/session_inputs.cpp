@@ -67,11 +67,60 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
   return *state->volumes.front();
 }
 
+/// Reads lines before they are added: a file that is no volume never becomes one. @error the first of `into.failed`, cancelled
+Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& folder, std::timed_mutex& turn, sdk::Volumes& volumes,
+                       sdk::Files& files, FilesRead& into, Progress& whole) {
+  ProgressInWords progress(whole);
+  const auto mine = waitForTurn(turn, progress);
+  if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+  const double share = 1.0 / static_cast<double>(lines.size());
+  std::optional<Error> first;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
+    part.report(lines[n].name, 0.0);
+    const bool isSweep = isSweepFile(lines[n].file, volumes);
+    if (isSweep) into.sweeps.insert(lines[n].file);
+    auto volume = readOne(lines[n], isSweep, folder, volumes, files, part);
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+    if (volume) {
+      into.volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
+      continue;
+    }
+    ++into.failed;
+    if (!first) first = volume.error();
+    if (!isSweep || !canBeMended(volume.error())) continue;
+    into.volumes.emplace_back(lines[n], nullptr);
+    into.reasons[keyOf(lines[n])] = volume.error().sentence;
+  }
+  if (first) return passOn(*first);
+  return {};
+}
+
 }  // namespace
 
 void StitchSession::addFiles(const std::vector<fs::path>& files) {
   Q_EMIT problem({});
   if (!files.empty()) keepFolderOf(words(files.front().string()));
+  if (files.size() == 1 && isProject(files.front()) && project().volumes.empty()) {
+    openProject(files.front());
+    return;
+  }
+  std::vector<ProjectVolume> lines = linesOf(files);
+  if (lines.empty()) return;
+  auto read = std::make_shared<FilesRead>();
+  const QPointer<StitchSession> here(this);
+  const QString what = lines.size() == 1 ? tr("Reading %1").arg(words(lines.front().name))
+                                         : tr("Reading %n volumes", nullptr, static_cast<int>(lines.size()));
+  host_.jobs().start(
+      what.toStdString(),
+      [read, lines = std::move(lines), &volumes = host_.volumes(), &texts = host_.files(), folder = readingFolder(),
+       turn = readingTurn_](Progress& progress) { return readLines(lines, folder, *turn, volumes, texts, *read, progress); },
+      [here, read](const Result<void>& outcome) {
+        if (StitchSession* session = here.data()) session->takeRead(*read, outcome);
+      });
+}
+
+std::vector<ProjectVolume> StitchSession::linesOf(const std::vector<fs::path>& files) {
   std::vector<ProjectVolume> lines;
   QStringList known;
   // The same file twice is a slip of the hand: it would be stitched with itself.
@@ -84,10 +133,6 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
   };
   for (const auto& file : files) {
     if (isProject(file)) {
-      if (project().volumes.empty() && files.size() == 1) {
-        openProject(file);
-        return;
-      }
       auto text = host_.files().readText(file);
       if (!text) {
         say(text.error());
@@ -109,72 +154,30 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
     }
   }
   if (!known.isEmpty()) Q_EMIT problem(tr("%1: in the list already.").arg(known.join(QStringLiteral(", "))));
-  if (lines.empty()) return;
-  // Read before they are added: a file that is no volume never becomes a line.
-  struct Read {
-    std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
-    std::map<std::string, std::string> reasons;                                    ///< of these, by keyOf
-    std::set<fs::path> sweeps;
-    int failed = 0;
-  };
-  auto read = std::make_shared<Read>();
-  const QPointer<StitchSession> here(this);
-  const QString what = lines.size() == 1 ? tr("Reading %1").arg(words(lines.front().name))
-                                         : tr("Reading %n volumes", nullptr, static_cast<int>(lines.size()));
-  auto& volumes = host_.volumes();
-  auto& texts = host_.files();
-  host_.jobs().start(
-      what.toStdString(),
-      [read, lines, &volumes, &texts, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
-        ProgressInWords progress(whole);
-        const auto mine = waitForTurn(*turn, progress);
-        if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
-        const double share = 1.0 / static_cast<double>(lines.size());
-        std::optional<Error> first;
-        for (std::size_t n = 0; n < lines.size(); ++n) {
-          PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
-          part.report(lines[n].name, 0.0);
-          const bool isSweep = isSweepFile(lines[n].file, volumes);
-          if (isSweep) read->sweeps.insert(lines[n].file);
-          auto volume = readOne(lines[n], isSweep, folder, volumes, texts, part);
-          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
-          if (volume) {
-            read->volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
-            continue;
-          }
-          ++read->failed;
-          if (!first) first = volume.error();
-          if (!isSweep || !canBeMended(volume.error())) continue;
-          read->volumes.emplace_back(lines[n], nullptr);
-          read->reasons[keyOf(lines[n])] = volume.error().sentence;
-        }
-        if (first) return passOn(*first);
-        return {};
-      },
-      [here, read](const Result<void>& outcome) {
-        StitchSession* session = here.data();
-        if (session == nullptr) return;
-        std::vector<ProjectVolume> added;
-        for (auto& [line, volume] : read->volumes) {
-          if (volume)
-            session->volumes_[keyOf(line)] = volume;
-          else
-            session->unreadable_[keyOf(line)] = read->reasons[keyOf(line)];
-          added.push_back(line);
-        }
-        session->sweeps_.merge(read->sweeps);
-        if (!added.empty()) {
-          const QString step = added.size() == 1 ? tr("add %1").arg(words(added.front().name))
-                                                 : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
-          session->edit(withVolumes(session->project(), std::move(added)), step);
-          if (!read->reasons.empty()) session->chooseVolume(session->project().volumes.size() - 1);  // where it can be mended
-        }
-        if (outcome) return;
-        session->say(outcome.error());
-        if (read->failed > 1)
-          Q_EMIT session->problem(phraseOf(outcome.error().sentence) + QLatin1Char(' ') +
-                                  tr("%n more could not be read either.", nullptr, read->failed - 1));
-      });
+  return lines;
+}
+
+void StitchSession::takeRead(FilesRead& read, const Result<void>& outcome) {
+  std::vector<ProjectVolume> added;
+  for (auto& [line, volume] : read.volumes) {
+    if (volume)
+      volumes_[keyOf(line)] = volume;
+    else
+      unreadable_[keyOf(line)] = read.reasons[keyOf(line)];
+    added.push_back(line);
+  }
+  sweeps_.merge(read.sweeps);
+  if (!added.empty()) {
+    const QString step =
+        added.size() == 1 ? tr("add %1").arg(words(added.front().name)) : tr("add %n volumes", nullptr, static_cast<int>(added.size()));
+    edit(withVolumes(project(), std::move(added)), step);
+    if (!read.reasons.empty()) chooseVolume(project().volumes.size() - 1);  // where it can be mended
+  }
+  if (outcome) return;
+  say(outcome.error());
+  if (read.failed > 1)
+    Q_EMIT problem(phraseOf(outcome.error().sentence) + QLatin1Char(' ') +
+                   tr("%n more could not be read either.", nullptr, read.failed - 1));
 }
 
 void StitchSession::readVolumes() {

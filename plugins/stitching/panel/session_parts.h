@@ -1,7 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <mutex>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "panel/stitch_session.h"
@@ -13,6 +18,21 @@ namespace ew::stitching {
 struct StitchSession::Inbox {
   std::mutex mutex;
   std::vector<LevelSeen> levels;
+};
+
+/// Files that were read before they become lines of the project.
+struct FilesRead {
+  std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
+  std::map<std::string, std::string> reasons;                                    ///< of these, by keyOf
+  std::set<std::filesystem::path> sweeps;
+  int failed = 0;
+};
+
+/// What a run of the chain brought.
+struct ChainMade {
+  ChainState state;
+  bool any = false;
+  std::shared_ptr<const Volume> result;  ///< null: it did not come so far
 };
 
 /// What makes two lines of a project the same voxels.

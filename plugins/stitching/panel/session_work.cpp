@@ -35,6 +35,32 @@ void takeUpRead(const fs::path& reading, const fs::path& work) {
     for (const fs::path& name : *names) fs::create_hard_link(from / name, to / name, ignored);
 }
 
+/// Runs the chain as far as `until`, or as far as it was finished before, and reads the volume it made.
+Result<void> makeChain(const StitchProject& asked, const fs::path& folder, ChainOptions options, std::optional<Step> until,
+                       sdk::Volumes& volumes, sdk::Files& files, ChainMade& made, Progress& whole) {
+  ProgressInWords progress(whole);
+  std::optional<Step> last = until;
+  if (!last) {  // as far as it was finished before
+    auto known = forecastChain(asked, folder, options, volumes, files);
+    if (!known) return passOn(known.error());
+    for (const StepOutcome& step : known->steps)
+      if (step.done) last = step.step;
+    if (!last) return {};
+  }
+  options.until = *last;
+  auto state = runChain(asked, folder, options, volumes, files, progress);
+  if (!state) return passOn(state.error());
+  made.state = std::move(*state);
+  made.any = true;
+  if (made.state.volume.empty()) return {};
+  auto volume = volumes.read(made.state.volume, progress);
+  if (!volume) return passOn(volume.error());
+  if (!made.state.coverage.empty())
+    if (auto covered = volumes.readCoverageInto(*volume, made.state.coverage, progress); !covered) return covered;
+  made.result = std::make_shared<const Volume>(std::move(*volume));
+  return {};
+}
+
 }  // namespace
 
 fs::path StitchSession::workFolder() const {
@@ -105,12 +131,7 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
   for (const auto& line : project().volumes) runningKeys_.push_back(keyOf(line));
   inbox_ = std::make_shared<Inbox>();
   poll_.start();
-  struct Made {
-    ChainState state;
-    bool any = false;
-    std::shared_ptr<const Volume> result;
-  };
-  auto made = std::make_shared<Made>();
+  auto made = std::make_shared<ChainMade>();
   const StitchProject asked = project();
   ChainOptions options;
   options.keepVolumes = until.has_value();
@@ -120,67 +141,47 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
     const std::lock_guard lock(inbox->mutex);
     inbox->levels.push_back({fixed, moving, level});
   };
-  auto& volumes = host_.volumes();
-  auto& files = host_.files();
   const QPointer<StitchSession> here(this);
   host_.jobs().start(
       title.toStdString(),
-      [made, asked, options, until, &volumes, &files, folder = workFolder(),
-       reading = readingFolder()](Progress& whole) mutable -> Result<void> {
-        ProgressInWords progress(whole);
+      [made, asked, options, until, &volumes = host_.volumes(), &files = host_.files(), folder = workFolder(),
+       reading = readingFolder()](Progress& progress) {
         std::error_code ignored;
         fs::create_directories(folder, ignored);
         if (until) takeUpRead(reading, folder);
-        std::optional<Step> last = until;
-        if (!last) {  // as far as it was finished before
-          auto known = forecastChain(asked, folder, options, volumes, files);
-          if (!known) return passOn(known.error());
-          for (const StepOutcome& step : known->steps)
-            if (step.done) last = step.step;
-          if (!last) return {};
-        }
-        options.until = *last;
-        auto state = runChain(asked, folder, options, volumes, files, progress);
-        if (!state) return passOn(state.error());
-        made->state = std::move(*state);
-        made->any = true;
-        if (made->state.volume.empty()) return {};
-        auto volume = volumes.read(made->state.volume, progress);
-        if (!volume) return passOn(volume.error());
-        if (!made->state.coverage.empty())
-          if (auto covered = volumes.readCoverageInto(*volume, made->state.coverage, progress); !covered) return covered;
-        made->result = std::make_shared<const Volume>(std::move(*volume));
-        return {};
+        return makeChain(asked, folder, options, until, volumes, files, *made, progress);
       },
-      [here, made, asked, until, project = projectNumber_](const Result<void>& outcome) {
-        StitchSession* session = here.data();
-        if (session == nullptr) return;
-        session->running_ = false;
-        session->poll_.stop();
-        session->inbox_.reset();
-        const bool another = session->projectNumber_ != project;  // opened meanwhile: this is no answer about it
-        if (!outcome && until) {
-          session->say(outcome.error());
-        } else if (!outcome) {  // nobody asked; a run will say it
-          session->host_.log().info(outcome.error().sentence);
-        } else if (made->any && !another) {
-          if (made->result) {
-            const ChainState& state = made->state;
-            session->result_ = made->result;
-            session->resultFiles_ = {state.volume, state.coverage, state.source, state.provenance};
-            session->resultAsked_ = asked;
-          }
-          session->settle(std::move(made->state), asked);
-          if (until && session->isResultFresh()) Q_EMIT session->resultMade();
-        }
-        if (another) session->takeUp();
-        Q_EMIT session->changed();
-        Q_EMIT session->lookChanged();
-        Q_EMIT session->levelsChanged();
-        session->tell();
+      [here, made, asked, until, number = projectNumber_](const Result<void>& outcome) {
+        if (StitchSession* session = here.data()) session->finish(outcome, *made, asked, until.has_value(), number);
       });
   Q_EMIT changed();
   Q_EMIT levelsChanged();
+}
+
+void StitchSession::finish(const Result<void>& outcome, ChainMade& made, const StitchProject& asked, bool wasAsked, int number) {
+  running_ = false;
+  poll_.stop();
+  inbox_.reset();
+  const bool another = projectNumber_ != number;  // opened meanwhile: this is no answer about it
+  if (!outcome && wasAsked) {
+    say(outcome.error());
+  } else if (!outcome) {  // nobody asked; a run will say it
+    host_.log().info(outcome.error().sentence);
+  } else if (made.any && !another) {
+    if (made.result) {
+      const ChainState& state = made.state;
+      result_ = made.result;
+      resultFiles_ = {state.volume, state.coverage, state.source, state.provenance};
+      resultAsked_ = asked;
+    }
+    settle(std::move(made.state), asked);
+    if (wasAsked && isResultFresh()) Q_EMIT resultMade();
+  }
+  if (another) takeUp();
+  Q_EMIT changed();
+  Q_EMIT lookChanged();
+  Q_EMIT levelsChanged();
+  tell();
 }
 
 void StitchSession::settle(ChainState state, StitchProject asked) {

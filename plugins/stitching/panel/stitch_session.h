@@ -19,6 +19,9 @@
 
 namespace ew::stitching {
 
+struct ChainMade;
+struct FilesRead;
+
 struct CaseWithVolume;
 
 /// What panel and stage share: the project with its history, what was found, what is looked at. All on the window's thread; long work runs
@@ -225,7 +228,12 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void keep();
   void tell();
   void say(const Error& error);
+  [[nodiscard]] std::vector<ProjectVolume> linesOf(const std::vector<std::filesystem::path>& files);  ///< says which are listed already
+  void takeRead(FilesRead& read, const Result<void>& outcome);
+  /// @param until empty: as far as it was finished before
   void begin(std::optional<Step> until, const QString& title);
+  /// @param wasAsked somebody waits for the answer @param number of the project that was worked on
+  void finish(const Result<void>& outcome, ChainMade& made, const StitchProject& asked, bool wasAsked, int number);
   void forgetFound();
   void settle(ChainState state, StitchProject asked);
   [[nodiscard]] std::optional<std::size_t> foundIndex(std::size_t volume) const;
