@@ -120,6 +120,11 @@ TEST(JsonFields, RefuseAPoseThatIsNotRigid) {
   ASSERT_TRUE(reading.problem());
   EXPECT_EQ(reading.problem()->code, ErrorCode::notRigid);
   EXPECT_EQ(reading.problem()->sentence.rfind("'pose' in a.json cannot be used. ", 0), 0u) << *reading.problem();
+  JsonReading endless("a.json");
+  mirrored[0] = std::nan("");
+  const json unbounded = {{"pose", mirrored}};
+  EXPECT_FALSE(JsonFields(unbounded, endless).rigid("pose"));
+  EXPECT_EQ(endless.problem()->code, ErrorCode::notRigid) << "16 numbers, but not of a pose";
   EXPECT_FALSE(JsonFields(document, other).rigid("short"));
   EXPECT_EQ(other.problem()->code, ErrorCode::badField);
 }

@@ -207,11 +207,15 @@ glm::dvec3 JsonFields::point(std::string_view key, double farthest, std::optiona
 }
 
 std::optional<glm::dmat4> JsonFields::rigid(std::string_view key, const std::string& expected) const {
-  constexpr double kLargestEntry = 1e9;
-  const auto values = numbers(key, 16, 16, -kLargestEntry, kLargestEntry, false, expected.empty() ? "16 numbers, row by row" : expected);
-  if (values.size() != 16) return std::nullopt;
+  const json* found = good() ? find(key) : nullptr;
+  if (found == nullptr) return std::nullopt;
   std::array<double, 16> rows{};
-  std::copy(values.begin(), values.end(), rows.begin());
+  bool fits = found->is_array() && found->size() == rows.size();
+  for (std::size_t n = 0; fits && n < rows.size(); ++n) {
+    fits = (*found)[n].is_number();
+    if (fits) rows[n] = (*found)[n].get<double>();
+  }
+  if (!fits) return refuse(key, expected.empty() ? "16 numbers, row by row" : expected), std::nullopt;
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (auto checked = checkRigid(matrix); !checked) {
     Error problem = std::move(checked.error());
