@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "ew/acquisition/sweep_geometry.h"
 #include "ew/io/volume_file.h"
 #include "recordings.h"
 
@@ -144,9 +145,9 @@ TEST_F(ImportSweep, TakesClipSpacingAndMethodFromTheDeviceSetOnlyWhenAllowed) {
   EXPECT_EQ(clipped->grid.dims, glm::ivec3(9, 5, 9));
   EXPECT_EQ(clipped->reconstruct.interpolation, Interpolation::nearest);
   options.clipFromCalibration = false;
-  options.spacingFromCalibration = true;
-  options.interpolationFromCalibration = true;
-  options.compoundingFromCalibration = true;
+  options.usual.spacing = true;
+  options.usual.interpolation = true;
+  options.usual.compounding = true;
   const auto whole = planImport(written(sweep()), options, noProgress());
   ASSERT_TRUE(whole.has_value()) << whole.error();
   EXPECT_EQ(whole->grid.dims, glm::ivec3(11, 6, 5));  // round(9.5) + 1 and round(4.5) + 1
@@ -158,13 +159,13 @@ TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
   SweepImportOptions options;
   for (const auto& [word, expected] : {std::pair{"On", Compounding::mean}, {"OFF", Compounding::latest}}) {
     options = nearestAt(0.5, deviceSet(std::string("Compounding=\"") + word + "\""));
-    options.compoundingFromCalibration = true;
+    options.usual.compounding = true;
     const auto plan = planImport(written(sweep()), options, noProgress());
     ASSERT_TRUE(plan.has_value()) << plan.error();
     EXPECT_EQ(plan->reconstruct.compounding, expected) << word;
   }
   options = nearestAt(0.5, deviceSet("Compounding=\"Sometimes\""));
-  options.compoundingFromCalibration = true;
+  options.usual.compounding = true;
   const auto refused = planImport(written(sweep()), options, noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.error().sentence.find("--compounding"), std::string::npos) << refused.error();
@@ -223,18 +224,41 @@ TEST_F(ImportSweep, RefusesConfidenceThatCannotBe) {
 
 TEST_F(ImportSweep, RefusesASpacingOfTheDeviceSetThatDiffersBetweenAxes) {
   SweepImportOptions options = nearestAt(0.5, deviceSet("OutputSpacing=\"1 1 2\""));
-  options.spacingFromCalibration = true;
+  options.usual.spacing = true;
   const auto plan = planImport(written(sweep()), options, noProgress());
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, ErrorCode::badField);
 }
 
-TEST_F(ImportSweep, TakesTheSpacingAskedForWhenTheDeviceSetNamesNone) {
+TEST_F(ImportSweep, ChoosesSpacingAndReachFromTheFramesWhereNobodyNamesThem) {
   SweepImportOptions options = nearestAt(0.75, deviceSet(""));
-  options.spacingFromCalibration = true;
-  const auto plan = planImport(written(sweep()), options, noProgress());
-  ASSERT_TRUE(plan.has_value()) << plan.error();
-  EXPECT_EQ(plan->reconstruct.spacing_mm, 0.75);
+  options.usual = {.spacing = true, .interpolation = true, .compounding = true, .fillReach = true};
+  auto opened = openSweep(written(sweep()), options, noProgress());
+  ASSERT_TRUE(opened.has_value()) << opened.error();
+  const auto frames = posedFrames(*opened);
+  const ReconstructOptions& planned = opened->plan.reconstruct;
+  EXPECT_EQ(planned.spacing_mm, carriedSpacing_mm(frames));
+  EXPECT_EQ(planned.fillReach_mm, usualFillReach_mm(frames, planned.spacing_mm));
+  EXPECT_EQ(planned.interpolation, Interpolation::linear);
+  EXPECT_EQ(planned.compounding, Compounding::mean);
+  std::vector<std::string> notes;
+  const auto asked = defaultsFor(frames, nullptr, options.usual, {}, notes);
+  ASSERT_TRUE(asked.has_value()) << asked.error();
+  EXPECT_EQ(planned.spacing_mm, asked->spacing_mm) << "the plan asks the function that everybody asks";
+  EXPECT_EQ(planned.fillReach_mm, asked->fillReach_mm);
+  EXPECT_EQ(opened->plan.grid.spacing_mm.x, planned.spacing_mm);
+}
+
+TEST_F(ImportSweep, LeavesWhatWasChosenAsItIs) {
+  std::vector<std::string> notes;
+  const ReconstructOptions said{
+      .spacing_mm = 0.75, .interpolation = Interpolation::nearest, .compounding = Compounding::maximum, .fillReach_mm = 7.0};
+  const auto made = defaultsFor({}, nullptr, {}, said, notes);
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(made->spacing_mm, 0.75);
+  EXPECT_EQ(made->interpolation, Interpolation::nearest);
+  EXPECT_EQ(made->compounding, Compounding::maximum);
+  EXPECT_EQ(made->fillReach_mm, 7.0);
 }
 
 TEST_F(ImportSweep, RefusesASpacingThatMakesOneVoxelOfTheRecording) {
@@ -347,9 +371,9 @@ TEST(ImportSpinePhantom, AgreesWithTheThreeReferencesOfAnotherProgram) {
                              0.99, false}}) {
     SweepImportOptions options;
     options.calibrations = {data / c.device};
-    options.spacingFromCalibration = true;
-    options.interpolationFromCalibration = true;
-    options.compoundingFromCalibration = true;
+    options.usual.spacing = true;
+    options.usual.interpolation = true;
+    options.usual.compounding = true;
     options.reconstruct.keepWeights = true;
     const auto imported = importSweep(data / "SpinePhantomFreehand.igs.mha", options, noProgress());
     ASSERT_TRUE(imported.has_value()) << imported.error();

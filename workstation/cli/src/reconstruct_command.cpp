@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "asked_option.h"
 #include "command.h"
+#include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/import.h"
@@ -25,6 +26,7 @@ struct ReconstructArguments {
   std::string confidence;     // empty: beamwise
   std::optional<double> fillReach_mm;
   std::optional<int> fillReach_voxels;
+  bool fill = false;
   std::string fillMethod = "sweep";
   int threads = 0;
   std::optional<std::vector<double>> clip_px;  // x y width height
@@ -32,47 +34,6 @@ struct ReconstructArguments {
   bool noClip = false;
   AcquisitionArguments acquisition;
 };
-
-const char* nameOf(Interpolation interpolation) {
-  switch (interpolation) {
-    case Interpolation::nearest:
-      return "nearest";
-    case Interpolation::centred:
-      return "centred";
-    case Interpolation::linear:
-      return "linear";
-  }
-  return "linear";
-}
-
-const char* nameOf(ConfidenceMethod method) { return method == ConfidenceMethod::randomWalk ? "randomwalk" : "beamwise"; }
-
-const char* nameOf(FillMethod method) { return method == FillMethod::sweep ? "sweep" : "bridges"; }
-
-const char* nameOf(Compounding compounding) {
-  switch (compounding) {
-    case Compounding::mean:
-      return "mean";
-    case Compounding::maximum:
-      return "maximum";
-    case Compounding::latest:
-      return "latest";
-    case Compounding::weighted:
-      return "weighted";
-  }
-  return "mean";
-}
-
-Interpolation interpolationOf(const std::string& word) {
-  if (word == "centred") return Interpolation::centred;
-  return word == "nearest" ? Interpolation::nearest : Interpolation::linear;
-}
-
-Compounding compoundingOf(const std::string& word) {
-  if (word == "maximum") return Compounding::maximum;
-  if (word == "weighted") return Compounding::weighted;
-  return word == "latest" ? Compounding::latest : Compounding::mean;
-}
 
 Clip clipOf(const ReconstructArguments& arguments) {
   Clip clip;
@@ -110,17 +71,18 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
   options.calibrations.assign(arguments.calibrations.begin(), arguments.calibrations.end());
   options.toFrame = arguments.toFrame;
   options.clipFromCalibration = !arguments.noClip && !arguments.clip_px && !arguments.fan;
-  options.spacingFromCalibration = !arguments.spacing_mm;
-  options.interpolationFromCalibration = arguments.interpolation.empty();
-  options.compoundingFromCalibration = arguments.compounding.empty();
-  if (arguments.confidence == "randomwalk") options.confidence.method = ConfidenceMethod::randomWalk;
+  options.usual = {.spacing = !arguments.spacing_mm,
+                   .interpolation = arguments.interpolation.empty(),
+                   .compounding = arguments.compounding.empty(),
+                   .fillReach = arguments.fill};
+  options.confidence.method = meaningOf(kConfidenceMethodWords, arguments.confidence).value_or(options.confidence.method);
   auto& reconstruction = options.reconstruct;
   if (arguments.spacing_mm) reconstruction.spacing_mm = *arguments.spacing_mm;
-  if (!arguments.interpolation.empty()) reconstruction.interpolation = interpolationOf(arguments.interpolation);
-  if (!arguments.compounding.empty()) reconstruction.compounding = compoundingOf(arguments.compounding);
+  if (!arguments.interpolation.empty()) reconstruction.interpolation = *meaningOf(kInterpolationWords, arguments.interpolation);
+  if (!arguments.compounding.empty()) reconstruction.compounding = *meaningOf(kCompoundingWords, arguments.compounding);
   reconstruction.fillReach_mm = arguments.fillReach_mm.value_or(0.0);
   options.fillReach_voxels = arguments.fillReach_voxels;
-  reconstruction.fillMethod = arguments.fillMethod == "bridges" ? FillMethod::bridges : FillMethod::sweep;
+  reconstruction.fillMethod = meaningOf(kFillMethodWords, arguments.fillMethod).value_or(reconstruction.fillMethod);
   reconstruction.keepSource = !arguments.provenance.empty();
   reconstruction.threads = arguments.threads;
   reconstruction.clip = clipOf(arguments);
@@ -132,11 +94,12 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
   return {{"calibration", arguments.calibrations},
           {"image_to", plan.toFrame},
           {"spacing_mm", done.spacing_mm},
-          {"interpolation", nameOf(done.interpolation)},
-          {"compounding", nameOf(done.compounding)},
-          {"confidence", done.compounding == Compounding::weighted ? nlohmann::json(nameOf(plan.confidence.method)) : nlohmann::json()},
+          {"interpolation", wordOf(kInterpolationWords, done.interpolation)},
+          {"compounding", wordOf(kCompoundingWords, done.compounding)},
+          {"confidence", done.compounding == Compounding::weighted ? nlohmann::json(wordOf(kConfidenceMethodWords, plan.confidence.method))
+                                                                   : nlohmann::json()},
           {"fill_reach_mm", done.fillReach_mm},
-          {"fill_method", nameOf(done.fillMethod)},
+          {"fill_method", wordOf(kFillMethodWords, done.fillMethod)},
           {"threads", done.threads},
           {"clip", toJson(done.clip)}};
 }
@@ -152,6 +115,8 @@ std::vector<std::uint16_t> usedFrames(const SweepPoses& poses) {
 Result<void> checkReconstruction(const ReconstructArguments& arguments) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
     return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
+  if (arguments.fill && (arguments.fillReach_mm || arguments.fillReach_voxels))
+    return failure(ErrorCode::badUsage, "--fill chooses the reach itself; leave it out beside --fill-reach-mm and --fill-reach.");
   if (arguments.fillReach_mm && arguments.fillReach_voxels)
     return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
   if (!arguments.confidence.empty() && arguments.compounding != "weighted")
@@ -268,7 +233,8 @@ void addReconstruct(CLI::App& root, Selection& selection) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--image-to", arguments->toFrame, "The recording's frame that becomes the world (Reference, else Tracker, else World)")
       ->type_name("FRAME");
-  addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6}, "Size of a voxel in mm (the calibration file's, else 0.5)");
+  addNumber(app, "--spacing", arguments->spacing_mm, {1e-6, 1e6},
+            "Size of a voxel in mm (the calibration file's, else from pixels and the distance of the frames, 0.3 to 1)");
   app.add_option(
          "--interpolation", arguments->interpolation,
          "nearest: a pixel goes into one voxel; linear: it is shared among eight, smoother and slower; centred: as nearest, then each "
@@ -289,6 +255,10 @@ void addReconstruct(CLI::App& root, Selection& selection) {
   addNumber(app, "--fill-reach-mm", arguments->fillReach_mm, {0.0, 1e6},
             "Fill holes between measured voxels that are at most so many mm apart, whatever the spacing; 0: none (0)");
   addCount(app, "--fill-reach", arguments->fillReach_voxels, 0, 1000, "The same, counted in voxels of the spacing");
+  app.add_flag(
+      "--fill", arguments->fill,
+      "Fill the holes of the sweep as far as the window and stitching do: three voxels or 2.5 times the distance of the frames. Without "
+      "it and the two above holes stay, so that every voxel of the file was measured");
   app.add_option("--fill-method", arguments->fillMethod,
                  "sweep: between successive frames along the way of the probe, then bridges for what is left; bridges: between measured "
                  "voxels in 13 directions (sweep)")

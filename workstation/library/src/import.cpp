@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ew/acquisition/line_data.h"
+#include "ew/acquisition/sweep_geometry.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
@@ -160,24 +161,6 @@ Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& option
   return {};
 }
 
-Result<ReconstructOptions> effectiveOptions(const SweepImportOptions& options, const DeviceSet* device, std::vector<std::string>& notes) {
-  ReconstructOptions effective = options.reconstruct;
-  if (device == nullptr) return effective;
-  if (options.clipFromCalibration) {
-    if (auto clip = clipOf(*device, "device set", notes)) effective.clip = *clip;
-  }
-  if (options.spacingFromCalibration) {
-    if (const auto taken = takeSpacing(*device, effective); !taken) return passOn(taken.error());
-  }
-  if (options.interpolationFromCalibration) {
-    if (const auto taken = takeInterpolation(*device, effective); !taken) return passOn(taken.error());
-  }
-  if (options.compoundingFromCalibration) {
-    if (const auto taken = takeCompounding(*device, effective, notes); !taken) return passOn(taken.error());
-  }
-  return effective;
-}
-
 /// Pictures that know the size of their pixels alone (frame Picture of the import) before a probe whose face lies at the middle of their
 /// upper edge.
 std::optional<Transform<frame::Probe, frame::Image>> faceAtUpperEdge(const Sequence& sequence) {
@@ -252,6 +235,27 @@ Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& option
 
 }  // namespace
 
+Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration, const SweepDefaults& usual,
+                                       const ReconstructOptions& said, std::vector<std::string>& notes) {
+  ReconstructOptions made = said;
+  const DeviceSet none;
+  const DeviceSet& device = calibration != nullptr ? *calibration : none;
+  if (usual.spacing) {
+    made.spacing_mm = carriedSpacing_mm(frames);
+    if (const auto taken = takeSpacing(device, made); !taken) return passOn(taken.error());
+  }
+  if (usual.interpolation) {
+    made.interpolation = Interpolation::linear;
+    if (const auto taken = takeInterpolation(device, made); !taken) return passOn(taken.error());
+  }
+  if (usual.compounding) {
+    made.compounding = Compounding::mean;
+    if (const auto taken = takeCompounding(device, made, notes); !taken) return passOn(taken.error());
+  }
+  if (usual.fillReach) made.fillReach_mm = usualFillReach_mm(frames, made.spacing_mm);
+  return made;
+}
+
 std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
   std::vector<PosedFrame> frames;
   frames.reserve(opened.poses.usable);
@@ -324,9 +328,13 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   plan.notes.insert(plan.notes.end(), opened.poses.notes.begin(), opened.poses.notes.end());
   if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
   if (const auto moved = takeDelayAway(opened, options, progress); !moved) return passOn(moved.error());
-  auto effective = effectiveOptions(options, calibration, plan.notes);
-  if (!effective) return passOn(effective.error());
-  plan.reconstruct = *effective;
+  const auto frames = posedFrames(opened);
+  ReconstructOptions said = options.reconstruct;
+  if (options.clipFromCalibration && calibration != nullptr)
+    if (auto clip = clipOf(*calibration, "device set", plan.notes)) said.clip = *clip;
+  auto made = defaultsFor(frames, calibration, options.usual, said, plan.notes);
+  if (!made) return passOn(made.error());
+  plan.reconstruct = *made;
   if (sector && plan.reconstruct.clip == Clip{}) {
     plan.reconstruct.clip = *sector;
     plan.notes.insert(plan.notes.end(), sectorNotes.begin(), sectorNotes.end());
@@ -337,7 +345,7 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
 
   ReconstructOptions unlimited = plan.reconstruct;
   unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
-  const auto grid = gridFor(posedFrames(opened), unlimited);
+  const auto grid = gridFor(frames, unlimited);
   if (!grid) return passOn(grid.error());
   if (grid->voxelCount() == 1)
     return failure(ErrorCode::badField,

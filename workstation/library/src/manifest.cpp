@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/json_fields.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
@@ -184,12 +185,8 @@ namespace {
 CaseReconstruction reconstructionOf(const json& object) {
   CaseReconstruction made;
   made.spacing_mm = object.value("spacing_mm", made.spacing_mm);
-  made.interpolation = object.value("interpolation", "linear") == "nearest" ? Interpolation::nearest : Interpolation::linear;
-  const std::string compounding = object.value("compounding", "mean");
-  made.compounding = compounding == "maximum"    ? Compounding::maximum
-                     : compounding == "latest"   ? Compounding::latest
-                     : compounding == "weighted" ? Compounding::weighted
-                                                 : Compounding::mean;
+  made.interpolation = meaningOf(kInterpolationWords, object.value("interpolation", "")).value_or(made.interpolation);
+  made.compounding = meaningOf(kCompoundingWords, object.value("compounding", "")).value_or(made.compounding);
   made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
   made.feather_mm = object.value("feather_mm", made.feather_mm);
   made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
@@ -197,14 +194,12 @@ CaseReconstruction reconstructionOf(const json& object) {
 }
 
 ordered_json toJson(const CaseReconstruction& reconstruct) {
-  const char* compounding = reconstruct.compounding == Compounding::maximum    ? "maximum"
-                            : reconstruct.compounding == Compounding::latest   ? "latest"
-                            : reconstruct.compounding == Compounding::weighted ? "weighted"
-                                                                               : "mean";
-  return {
-      {"spacing_mm", reconstruct.spacing_mm}, {"interpolation", reconstruct.interpolation == Interpolation::nearest ? "nearest" : "linear"},
-      {"compounding", compounding},           {"fill_reach_mm", reconstruct.fillReach_mm},
-      {"feather_mm", reconstruct.feather_mm}, {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
+  return {{"spacing_mm", reconstruct.spacing_mm},
+          {"interpolation", wordOf(kInterpolationWords, reconstruct.interpolation)},
+          {"compounding", wordOf(kCompoundingWords, reconstruct.compounding)},
+          {"fill_reach_mm", reconstruct.fillReach_mm},
+          {"feather_mm", reconstruct.feather_mm},
+          {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
 }
 
 std::optional<double> numberIn(const json& object, const char* field) {

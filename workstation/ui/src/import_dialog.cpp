@@ -302,7 +302,7 @@ void ImportDialog::addMethodRows(QFormLayout& form) {
   connect(spacing_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this, choose] { choose(spacingChosen_); });
   connect(interpolation_, qOverload<int>(&QComboBox::activated), this, [this, choose] { choose(interpolationChosen_); });
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this, choose] { choose(compoundingChosen_); });
-  connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ImportDialog::showPlan);
+  connect(fill_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [choose, this] { choose(fillChosen_); });
   connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
 }
 
@@ -380,9 +380,8 @@ void ImportDialog::readAgain() {
   reading_ = 0;
   auto asked = options();
   if (asked) {
-    asked->spacingFromCalibration = !spacingChosen_;
-    asked->interpolationFromCalibration = !interpolationChosen_;
-    asked->compoundingFromCalibration = !compoundingChosen_;
+    asked->usual = {
+        .spacing = !spacingChosen_, .interpolation = !interpolationChosen_, .compounding = !compoundingChosen_, .fillReach = !fillChosen_};
   }
   if (!asked) {
     seen_ = std::make_shared<Seen>();
@@ -441,8 +440,9 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
   seen_ = found;
   {
     const ReconstructOptions& planned = found->plan->reconstruct;
-    const QSignalBlocker quiet(spacing_);
+    const QSignalBlocker quiet(spacing_), quietToo(fill_);
     spacing_->setValue(planned.spacing_mm);
+    fill_->setValue(planned.fillReach_mm);
     interpolation_->setCurrentIndex(interpolation_->findData(static_cast<int>(planned.interpolation)));
     compounding_->setCurrentIndex(compounding_->findData(static_cast<int>(planned.compounding)));
   }

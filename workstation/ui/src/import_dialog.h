@@ -68,6 +68,7 @@ class ImportDialog final : public FormDialog {
   bool spacingChosen_ = false;  ///< by a person: the device set does not change it any more; the two below likewise
   bool interpolationChosen_ = false;
   bool compoundingChosen_ = false;
+  bool fillChosen_ = false;
   QComboBox* interpolation_ = nullptr;
   QComboBox* compounding_ = nullptr;
   QDoubleSpinBox* fill_ = nullptr;

@@ -2,10 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+#include "ew/acquisition/sweep_geometry.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/io/volume_stream.h"
@@ -14,85 +11,18 @@
 namespace ew::door {
 namespace {
 
-constexpr double kFinestChosen_mm = 0.3;
-constexpr double kCoarsestChosen_mm = 1.0;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// How far the middles of successive frames lie apart, in the middle of the sweep; 0 for a single frame.
-double frameDistance_mm(const std::vector<PosedFrame>& frames) {
-  std::vector<double> distances;
-  for (std::size_t n = 1; n < frames.size(); ++n) {
-    const auto middleOf = [](const PosedFrame& frame) {
-      return glm::dvec3(frame.imageToWorld.matrix * glm::dvec4(0.5 * (frame.pixels.width - 1), 0.5 * (frame.pixels.height - 1), 0.0, 1.0));
-    };
-    distances.push_back(glm::distance(middleOf(frames[n - 1]), middleOf(frames[n])));
-  }
-  return median(std::move(distances));
-}
-
-/// What the frames carry: no finer than two pixels, nor much finer than they lie apart; rounded, so that a name for it is short.
-double chosenSpacing_mm(const std::vector<PosedFrame>& frames) {
-  if (frames.empty()) return kCoarsestChosen_mm;
-  const glm::dmat4& matrix = frames.front().imageToWorld.matrix;
-  const double pixel_mm = std::max(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])));
-  const double carried_mm = std::max(2.0 * pixel_mm, 0.6 * frameDistance_mm(frames));
-  return std::round(20.0 * std::clamp(carried_mm, kFinestChosen_mm, kCoarsestChosen_mm)) / 20.0;
-}
-
-Result<OpenedSweep> openWithSpacing(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
+Result<OpenedSweep> openAsAsked(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
   SweepImportOptions import;
   if (!options.calibration.empty()) import.calibrations = {options.calibration};
   import.reconstruct.threads = options.threads;
   import.reconstruct.maxBytes = options.maxBytes;
-  import.reconstruct.spacing_mm = options.spacing_mm > 0.0 ? options.spacing_mm : kCoarsestChosen_mm;
-  auto opened = openSweep(sweep, import, progress);
-  if (!opened) return passOn(opened.error());
-  const auto frames = posedFrames(*opened);
-  ReconstructOptions& how = opened->plan.reconstruct;
-  if (options.spacing_mm <= 0.0) how.spacing_mm = chosenSpacing_mm(frames);
-  how.fillReach_mm = std::max(3.0 * how.spacing_mm, 2.5 * frameDistance_mm(frames));
-  ReconstructOptions unlimited = how;
-  unlimited.maxBytes = std::numeric_limits<std::uint64_t>::max();
-  const auto grid = gridFor(frames, unlimited);
-  if (!grid) return passOn(grid.error());
-  opened->plan.grid = *grid;
-  opened->plan.bytes = importBytes(opened->plan, *grid, how);
-  return opened;
+  import.reconstruct.spacing_mm = options.spacing_mm;
+  import.usual = {.spacing = options.spacing_mm <= 0.0, .interpolation = true, .compounding = true, .fillReach = true};
+  return openSweep(sweep, import, progress);
 }
 
 /// The maps of all frames, and while they are pasted the finished volume.
 std::uint64_t bytesWithConfidence(const ImportPlan& plan) { return plan.bytes + plan.frameBytes + 2 * plan.grid.voxelCount(); }
-
-/// The way the apex of the fan went, from one end to the other: the pair of places that lie farthest apart, found from the first.
-Beams::Fan wayOfApex(const std::vector<PosedFrame>& frames, const glm::dvec2& apex_px) {
-  std::vector<glm::dvec3> places;
-  for (const PosedFrame& frame : frames) places.emplace_back(frame.imageToWorld.matrix * glm::dvec4(apex_px, 0.0, 1.0));
-  const auto farthestFrom = [&](const glm::dvec3& from) {
-    return *std::max_element(places.begin(), places.end(),
-                             [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(from, a) < glm::distance(from, b); });
-  };
-  const glm::dvec3 one = farthestFrom(places.front());
-  return {one, farthestFrom(one)};
-}
-
-/// The columns of the images are beams, or with a fan all that leave its apex.
-std::optional<Beams> beamsOf(const std::vector<PosedFrame>& frames, const Clip& clip) {
-  glm::dvec3 sum(0.0);
-  for (const PosedFrame& frame : frames) {
-    const glm::dvec3 down(frame.imageToWorld.matrix[1]);
-    if (glm::length(down) > 0.0) sum += glm::normalize(down);
-  }
-  if (!(glm::length(sum) > 1e-3 * static_cast<double>(frames.size()))) return std::nullopt;
-  Beams beams{glm::normalize(sum)};
-  if (clip.fan) beams.fan = wayOfApex(frames, clip.fan->origin_px);
-  return beams;
-}
 
 Result<sdk::SweepVolume> reconstructSweep(const OpenedSweep& opened, const sdk::SweepOptions& options, Progress& progress) {
   const ImportPlan& plan = opened.plan;
@@ -152,7 +82,7 @@ Result<void> FileVolumes::writeConfidence(const Grid& grid, std::span<const std:
   return ew::writeConfidence(grid, confidence, file, progress);
 }
 Result<sdk::SweepPlan> FileVolumes::planSweep(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
-  auto opened = openWithSpacing(sweep, options, progress);
+  auto opened = openAsAsked(sweep, options, progress);
   if (!opened) return passOn(opened.error());
   const ImportPlan& plan = opened->plan;
   return sdk::SweepPlan{plan.grid, plan.reconstruct.spacing_mm, bytesWithConfidence(plan), plan.frames.used};
@@ -160,7 +90,7 @@ Result<sdk::SweepPlan> FileVolumes::planSweep(const std::filesystem::path& sweep
 Result<sdk::SweepVolume> FileVolumes::reconstruct(const std::filesystem::path& sweep, const sdk::SweepOptions& options,
                                                   Progress& progress) {
   PartOfProgress reading(progress, 0.0, 0.3);
-  auto opened = openWithSpacing(sweep, options, reading);
+  auto opened = openAsAsked(sweep, options, reading);
   if (!opened) return passOn(opened.error());
   return reconstructSweep(*opened, options, progress);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ namespace ew {
 /// For SweepImportOptions::motor: the fields of the recording itself describe the motor.
 inline constexpr const char* kRecordedMotor = "recorded";
 
+/// Which choices of a reconstruction nobody made: they are the recording's own, see defaultsFor. The window, the command, stitching and
+/// whoever else makes a volume of a recording leave them to it; a case's recipe names its own numbers.
+struct SweepDefaults {
+  bool spacing = false;
+  bool interpolation = false;
+  bool compounding = false;
+  bool fillReach = false;
+};
+
 /// How a recorded sweep becomes a volume. The defaults need no knowledge of the recording; what a device set says about geometry is used
 /// where the switches below allow it, and what was used is in the plan.
 struct SweepImportOptions {
@@ -29,9 +39,7 @@ struct SweepImportOptions {
   std::string toFrame;                              ///< the file's name of the frame that becomes the world; empty: see sweepPoses
   ReconstructOptions reconstruct = {};              ///< its clip is replaced when the device set has one and clipFromCalibration is on
   bool clipFromCalibration = true;                  ///< clip rectangle and fan of the device set
-  bool spacingFromCalibration = false;              ///< OutputSpacing of the device set instead of reconstruct.spacing_mm
-  bool interpolationFromCalibration = false;        ///< Interpolation of the device set instead of reconstruct.interpolation
-  bool compoundingFromCalibration = false;          ///< CompoundingMode of the device set instead of reconstruct.compounding
+  SweepDefaults usual = {};                         ///< what is taken from defaultsFor instead of from `reconstruct`
   std::optional<int> fillReach_voxels;              ///< voxels of the spacing that will be used; replaces reconstruct.fillReach_mm
   ConfidenceOptions confidence = {};                ///< with Compounding::weighted: how the weight of each pixel is found
   std::string motor = {};                      ///< where poses come from a motor: its file, or kRecordedMotor; empty: the tracker's poses
@@ -83,6 +91,16 @@ struct ImportedSweep {
 ///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
 [[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+/// The one answer to how a recording becomes a volume when nobody says: for each choice of `usual` what the device set says (OutputSpacing,
+/// Interpolation, CompoundingMode), else what the frames carry (carriedSpacing_mm), linear and mean; holes as far as usualFillReach_mm.
+/// @param frames      of the recording, those with a pose
+/// @param calibration its device set; null: there is none
+/// @param said        what was chosen; returned with the choices of `usual` made
+/// @error badField (an OutputSpacing, interpolation or compounding of the device set that cannot be used, when it is asked for)
+[[nodiscard]] Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration,
+                                                     const SweepDefaults& usual, const ReconstructOptions& said,
+                                                     std::vector<std::string>& notes);
 
 /// The frames of an opened sweep that have a pose, in order; they look into its pixels.
 [[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);
