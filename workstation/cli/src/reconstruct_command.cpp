@@ -4,10 +4,10 @@
 #include "arguments.h"
 #include "asked_option.h"
 #include "command.h"
+#include "ew/acquisition/import.h"
 #include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/import.h"
 #include "reconstruct_phases.h"
 
 namespace ew::cli {

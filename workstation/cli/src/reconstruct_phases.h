@@ -4,7 +4,7 @@
 #include <string>
 
 #include "command.h"
-#include "ew/library/import.h"
+#include "ew/acquisition/import.h"
 
 namespace ew::cli {
 

@@ -9,11 +9,11 @@
 #include <set>
 
 #include "case_truth_file.h"
+#include "ew/acquisition/import.h"
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case_truth.h"
-#include "ew/library/import.h"
 #include "ew/phantom/label_grid.h"
 #include "ew/phantom/patient.h"
 #include "ew/stitching/stitch.h"

@@ -2,54 +2,18 @@
 
 #include <spdlog/spdlog.h>
 
-#include "ew/acquisition/sweep_geometry.h"
+#include <utility>
+
+#include "ew/acquisition/sweep_volume.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/io/volume_stream.h"
-#include "ew/library/import.h"
 
 namespace ew::door {
 namespace {
 
-Result<OpenedSweep> openAsAsked(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
-  SweepImportOptions import;
-  if (!options.calibration.empty()) import.calibrations = {options.calibration};
-  import.reconstruct.threads = options.threads;
-  import.reconstruct.maxBytes = options.maxBytes;
-  import.reconstruct.spacing_mm = options.spacing_mm;
-  import.usual = {.spacing = options.spacing_mm <= 0.0, .interpolation = true, .compounding = true, .fillReach = true};
-  return openSweep(sweep, import, progress);
-}
-
-/// The maps of all frames, and while they are pasted the finished volume.
-std::uint64_t bytesWithConfidence(const ImportPlan& plan) { return plan.bytes + plan.frameBytes + 2 * plan.grid.voxelCount(); }
-
-Result<sdk::SweepVolume> reconstructSweep(const OpenedSweep& opened, const sdk::SweepOptions& options, Progress& progress) {
-  const ImportPlan& plan = opened.plan;
-  if (const std::uint64_t bytes = bytesWithConfidence(plan); bytes > options.maxBytes)
-    return failure(ErrorCode::tooLarge,
-                   "The sweep would become " + std::to_string(plan.grid.dims.x) + " x " + std::to_string(plan.grid.dims.y) + " x " +
-                       std::to_string(plan.grid.dims.z) + " voxels and need " + std::to_string(bytes >> 20) + " MiB, more than the " +
-                       std::to_string(options.maxBytes >> 20) + " MiB allowed; give a coarser spacing_mm.",
-                   {{"forecast_bytes", std::to_string(bytes)}});
-  auto frames = posedFrames(opened);
-  PartOfProgress pasting(progress, 0.3, 0.55);
-  auto echoes = reconstructOnto(plan.grid, frames, plan.reconstruct, pasting);
-  if (!echoes) return passOn(echoes.error());
-  PartOfProgress judging(progress, 0.55, 0.75);
-  const auto maps = confidenceOfFrames(frames, plan.reconstruct.clip, plan.confidence, plan.reconstruct.threads, judging);
-  if (!maps) return passOn(maps.error());
-  sdk::SweepVolume made;
-  made.beams = beamsOf(frames, plan.reconstruct.clip);
-  made.notes = plan.notes;
-  // Confidence goes the way of the echoes, so that it lies where they do.
-  for (std::size_t n = 0; n < frames.size(); ++n) frames[n].pixels = viewOf((*maps)[n]);
-  PartOfProgress again(progress, 0.75, 1.0);
-  auto confidence = reconstructOnto(plan.grid, frames, plan.reconstruct, again);
-  if (!confidence) return passOn(confidence.error());
-  made.volume = std::move(echoes->volume);
-  made.confidence = std::move(confidence->volume.echo);
-  return made;
+SweepVolumeOptions optionsOf(const sdk::SweepOptions& asked) {
+  return {asked.spacing_mm, asked.calibration, asked.threads, asked.maxBytes};
 }
 
 }  // namespace
@@ -82,17 +46,19 @@ Result<void> FileVolumes::writeConfidence(const Grid& grid, std::span<const std:
   return ew::writeConfidence(grid, confidence, file, progress);
 }
 Result<sdk::SweepPlan> FileVolumes::planSweep(const std::filesystem::path& sweep, const sdk::SweepOptions& options, Progress& progress) {
-  auto opened = openAsAsked(sweep, options, progress);
+  auto opened = openSweepVolume(sweep, optionsOf(options), progress);
   if (!opened) return passOn(opened.error());
   const ImportPlan& plan = opened->plan;
-  return sdk::SweepPlan{plan.grid, plan.reconstruct.spacing_mm, bytesWithConfidence(plan), plan.frames.used};
+  return sdk::SweepPlan{plan.grid, plan.reconstruct.spacing_mm, sweepVolumeBytes(plan), plan.frames.used};
 }
 Result<sdk::SweepVolume> FileVolumes::reconstruct(const std::filesystem::path& sweep, const sdk::SweepOptions& options,
                                                   Progress& progress) {
-  PartOfProgress reading(progress, 0.0, 0.3);
-  auto opened = openAsAsked(sweep, options, reading);
+  PartOfProgress reading(progress, 0.0, 0.3), making(progress, 0.3, 1.0);
+  auto opened = openSweepVolume(sweep, optionsOf(options), reading);
   if (!opened) return passOn(opened.error());
-  return reconstructSweep(*opened, options, progress);
+  auto made = makeSweepVolume(*opened, making);
+  if (!made) return passOn(made.error());
+  return sdk::SweepVolume{std::move(made->volume), std::move(made->confidence), made->beams, std::move(made->notes)};
 }
 
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "ew/acquisition/gating.h"
+#include "ew/acquisition/import.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
-#include "ew/library/import.h"
 
 namespace ew {
 

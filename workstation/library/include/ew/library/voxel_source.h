@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "ew/acquisition/import.h"
 #include "ew/core/pose.h"
 #include "ew/imaging/display.h"
-#include "ew/library/import.h"
 
 namespace ew {
 

@@ -1,4 +1,4 @@
-#include "ew/library/import.h"
+#include "ew/acquisition/import.h"
 
 #include <gtest/gtest.h>
 
