@@ -137,10 +137,12 @@ Pair pairOf(const EffectInfo& effect, const SheetSource& source) {
       s.knobs.dgc = {0.6, 0.8, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5};
     };
   } else if (key == "focus") {
-    pair.on += ", focus near, 40 mm";
+    pair.off = "focus off";
+    pair.on = "focus near, 40 mm";
     pair.both = [](Setting& s) { s.knobs.focus_mm = 40.0; };
   } else if (key == "attenuation") {
-    pair.on += " by tissue";
+    pair.off = "no shadow";  // the whole name is wider than a small tile
+    pair.on = "shadow by tissue";
   } else if (key == "reverberation") {
     pair.both = [&source](Setting& s) { s.pose = source.interfacePose; };
   } else if (key == "noise") {
