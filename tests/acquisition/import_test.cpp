@@ -249,6 +249,28 @@ TEST_F(ImportSweep, ChoosesSpacingAndReachFromTheFramesWhereNobodyNamesThem) {
   EXPECT_EQ(opened->plan.grid.spacing_mm.x, planned.spacing_mm);
 }
 
+TEST_F(ImportSweep, IsPlannedAgainWithoutItsFile) {
+  const SweepImportOptions first = nearestAt(0.5, deviceSet(""));
+  SweepImportOptions second = nearestAt(1.0, deviceSet("ClipRectangleOrigin=\"4 2\" ClipRectangleSize=\"8 4\""));
+  const fs::path file = written(sweep());
+  const auto expected = openSweep(file, second, noProgress());
+  ASSERT_TRUE(expected.has_value()) << expected.error();
+  second.toFrame = "Nowhere";
+  auto opened = openSweep(file, first, noProgress());
+  ASSERT_TRUE(opened.has_value()) << opened.error();
+  fs::remove(file);
+  EXPECT_FALSE(planAgain(*opened, second, noProgress())) << "a frame that is not there; the images stay";
+  second.toFrame.clear();
+  ASSERT_TRUE(planAgain(*opened, second, noProgress()));
+  EXPECT_EQ(opened->plan.grid, expected->plan.grid);
+  EXPECT_EQ(opened->plan.notes, expected->plan.notes);
+  EXPECT_EQ(opened->plan.bytes, expected->plan.bytes);
+  EXPECT_EQ(opened->plan.reconstruct.clip, expected->plan.reconstruct.clip);
+  const auto made = importSweep(std::move(*opened), noProgress());
+  ASSERT_TRUE(made.has_value()) << made.error();
+  EXPECT_GT(made->reconstruction.measuredVoxels, 0u);
+}
+
 TEST_F(ImportSweep, LeavesWhatWasChosenAsItIs) {
   std::vector<std::string> notes;
   const ReconstructOptions said{

@@ -94,6 +94,16 @@ TEST_F(ReconstructCommand, FillsHolesOnlyWhenAsked) {
   EXPECT_EQ(readJson(folder / "r.json")["quality"]["voxels_interpolated"], 8 * 6 * 4);
   EXPECT_EQ(readJson(folder / "r.json")["options"]["fill_reach_mm"], 4.0);
   EXPECT_EQ(reconstruct({"--fill-reach-mm", "4", "--fill-reach", "4"}).status, 2);
+  ASSERT_EQ(reconstruct({"--spacing", "1", "--fill", "--report", folder / "r.json"}).status, 0);
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["fill_reach_mm"], 7.5) << "2.5 times the 3 mm between frames";
+  EXPECT_GT(readJson(folder / "r.json")["quality"]["voxels_interpolated"], 0);
+  EXPECT_EQ(reconstruct({"--fill", "--fill-reach", "4"}).status, 2);
+}
+
+TEST_F(ReconstructCommand, ChoosesVoxelsThatTheFramesCarry) {
+  ASSERT_EQ(reconstruct({"--report", folder / "r.json"}).status, 0);
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["spacing_mm"], 1.0) << "two pixels would be 2 mm, and voxels are at most 1 mm";
+  EXPECT_EQ(readJson(folder / "r.json")["options"]["fill_reach_mm"], 0.0) << "as PLUS does, unless asked";
 }
 
 TEST_F(ReconstructCommand, WritesWhichFrameOfTheFileEachVoxelCameFrom) {

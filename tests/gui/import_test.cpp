@@ -294,6 +294,7 @@ class ImportTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(chosen(compounding), static_cast<int>(Compounding::maximum), static_cast<int>(ew::test::kPatience_ms));
     QCOMPARE(chosen(interpolation), static_cast<int>(Interpolation::nearest));
     QCOMPARE(spacing->value(), 0.8);
+    std::filesystem::remove(folder / "sweep.igs.mha");  // it was read; another calibration needs its poses alone
     compounding->setCurrentIndex(compounding->findData(static_cast<int>(Compounding::latest)));
     Q_EMIT compounding->activated(compounding->currentIndex());
     device.outputSpacing_mm = glm::dvec3(0.6);

@@ -11,6 +11,7 @@
 
 #include "ew/acquisition/line_data.h"
 #include "ew/acquisition/sweep_geometry.h"
+#include "ew/core/contract.h"
 #include "ew/core/numbers.h"
 #include "ew/io/gating_fields.h"
 
@@ -283,50 +284,33 @@ std::uint64_t importBytes(const ImportPlan& plan, const Grid& grid, const Recons
   return plan.frameBytes + maps + forecastBytes(grid, options);
 }
 
-Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
-  const auto started = Clock::now();
+namespace {
+
+Result<std::optional<DeviceSet>> deviceOf(const SweepImportOptions& options) {
   std::optional<DeviceSet> device;
-  if (!options.calibrations.empty()) {
-    auto read = readDeviceSets(options.calibrations);
-    if (!read) return passOn(read.error());
-    device = std::move(*read);
-  }
-  const DeviceSet* const calibration = device ? &*device : nullptr;
-  // Before minutes of reading: what the header says tells already whether images and a way into the world are there.
-  const auto usable = [&](const Sequence& described) -> Result<void> {
-    if (const auto checked = checkImages(described); !checked) return passOn(checked.error());
-    if (holdsScanLines(described)) return {};
-    const auto poses = acquiredPoses(described, calibration, options);
-    return poses ? Result<void>() : passOn(poses.error());
-  };
-  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes}, usable);
-  if (!sequence) return passOn(sequence.error());
-  std::optional<Clip> sector;
-  std::vector<std::string> notes, sectorNotes;
-  if (holdsScanLines(*sequence)) {
-    const auto geometry = lineGeometryOf(*sequence, calibration);
-    if (!geometry) return passOn(geometry.error());
-    auto converted = convertLines(std::move(*sequence), *geometry, options.reconstruct.threads, progress, options.reconstruct.maxBytes);
-    if (!converted) return passOn(converted.error());
-    sequence = std::move(converted);
-    sector = clipOf(*geometry);
-    notes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) + " x " +
-                    std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
-  }
+  if (options.calibrations.empty()) return device;
+  auto read = readDeviceSets(options.calibrations);
+  if (!read) return passOn(read.error());
+  device = std::move(*read);
+  return device;
+}
+
+/// Everything about an opened sweep but its pixels.
+Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const SweepImportOptions& options, Progress& progress) {
+  opened.plan = {};
+  std::optional<Clip> sector = opened.sectorOfScanLines;
+  std::vector<std::string> sectorNotes;
   if (!sector && options.clipFromCalibration) {
-    const auto stated = clipStatedIn(*sequence);
+    const auto stated = clipStatedIn(opened.sequence);
     if (!stated) return passOn(stated.error());
     sector = clipOf(*stated, "recording", sectorNotes);
   }
-  auto poses = acquiredPoses(*sequence, calibration, options);
+  auto poses = acquiredPoses(opened.sequence, calibration, options);
   if (!poses) return passOn(poses.error());
-
-  OpenedSweep opened{std::move(*sequence), std::move(*poses), {}, 0.0};
+  opened.poses = std::move(*poses);
   ImportPlan& plan = opened.plan;
-  plan.notes = opened.sequence.notes;
-  plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
-  plan.notes.insert(plan.notes.end(), opened.poses.notes.begin(), opened.poses.notes.end());
-  if (const auto turned = turnToMarkerFar(opened.sequence, plan.notes, progress); !turned) return passOn(turned.error());
+  for (const auto* notes : {&opened.readNotes, &opened.poses.notes, &opened.turnNotes})
+    plan.notes.insert(plan.notes.end(), notes->begin(), notes->end());
   if (const auto moved = takeDelayAway(opened, options, progress); !moved) return passOn(moved.error());
   const auto frames = posedFrames(opened);
   ReconstructOptions said = options.reconstruct;
@@ -357,8 +341,49 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   plan.confidence = options.confidence;
   plan.bytes = importBytes(plan, plan.grid, plan.reconstruct);
   plan.fits = plan.bytes <= plan.reconstruct.maxBytes;
+  return {};
+}
+
+}  // namespace
+
+Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
+  const auto started = Clock::now();
+  const auto device = deviceOf(options);
+  if (!device) return passOn(device.error());
+  const DeviceSet* const calibration = *device ? &**device : nullptr;
+  // Before minutes of reading: what the header says tells already whether images and a way into the world are there.
+  const auto usable = [&](const Sequence& described) -> Result<void> {
+    if (const auto checked = checkImages(described); !checked) return passOn(checked.error());
+    if (holdsScanLines(described)) return {};
+    const auto poses = acquiredPoses(described, calibration, options);
+    return poses ? Result<void>() : passOn(poses.error());
+  };
+  auto sequence = readSequence(sweep, progress, {options.reconstruct.maxBytes}, usable);
+  if (!sequence) return passOn(sequence.error());
+  OpenedSweep opened;
+  if (holdsScanLines(*sequence)) {
+    const auto geometry = lineGeometryOf(*sequence, calibration);
+    if (!geometry) return passOn(geometry.error());
+    auto converted = convertLines(std::move(*sequence), *geometry, options.reconstruct.threads, progress, options.reconstruct.maxBytes);
+    if (!converted) return passOn(converted.error());
+    sequence = std::move(converted);
+    opened.sectorOfScanLines = clipOf(*geometry);
+    opened.readNotes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) +
+                               " x " + std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
+  }
+  opened.readNotes.insert(opened.readNotes.begin(), sequence->notes.begin(), sequence->notes.end());
+  opened.sequence = std::move(*sequence);
+  if (const auto turned = turnToMarkerFar(opened.sequence, opened.turnNotes, progress); !turned) return passOn(turned.error());
+  if (const auto arranged = arrange(opened, calibration, options, progress); !arranged) return passOn(arranged.error());
   opened.readSeconds = secondsSince(started);
   return opened;
+}
+
+Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
+  EW_EXPECTS(!opened.sectorOfScanLines);
+  const auto device = deviceOf(options);
+  if (!device) return passOn(device.error());
+  return arrange(opened, *device ? &**device : nullptr, options, progress);
 }
 
 Result<ImportPlan> planImport(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {

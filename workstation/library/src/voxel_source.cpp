@@ -10,20 +10,27 @@ Result<TracedSweep> importTracedSweep(const std::filesystem::path& sweep, const 
   kept.reconstruct.keepSource = true;
   auto opened = openSweep(sweep, kept, reading);
   if (!opened) return passOn(opened.error());
+  return importTracedSweep(std::move(*opened), sweep, kept, reconstructing);
+}
+
+Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem::path& sweep, const SweepImportOptions& options,
+                                      Progress& progress) {
+  EW_EXPECTS(opened.plan.reconstruct.keepSource);
+  SweepImportOptions kept = options;
   // A delay that was found out need not be found out again.
-  if (const auto& delay = opened->plan.poseDelay) {
+  if (const auto& delay = opened.plan.poseDelay) {
     kept.estimatePoseDelay = false;
     if (delay->verdict != DelayVerdict::cannotTell) kept.poseDelay_s = delay->delay_s;
   }
   Provenance provenance;
   provenance.sweep = sweep;
   provenance.options = kept;
-  provenance.width_px = opened->sequence.width;
-  provenance.height_px = opened->sequence.height;
-  provenance.recordedFrames = opened->sequence.frames.size();
+  provenance.width_px = opened.sequence.width;
+  provenance.height_px = opened.sequence.height;
+  provenance.recordedFrames = opened.sequence.frames.size();
   for (std::size_t n = 0; n < provenance.recordedFrames; ++n)
-    if (const auto& pose = opened->poses.imageToWorld[n]) provenance.frames.push_back({n, opened->sequence.frames[n].time_s, *pose});
-  auto imported = importSweep(std::move(*opened), reconstructing);
+    if (const auto& pose = opened.poses.imageToWorld[n]) provenance.frames.push_back({n, opened.sequence.frames[n].time_s, *pose});
+  auto imported = importSweep(std::move(opened), progress);
   if (!imported) return passOn(imported.error());
   provenance.grid = imported->reconstruction.volume.grid;
   provenance.source = std::move(imported->reconstruction.source);

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <mutex>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -37,6 +38,23 @@ struct ImportDialog::Seen {
   std::optional<ImportPlan> plan;
   std::vector<std::string> frames;  ///< that can be reached from the image
   GreyImage picture;                ///< the first frame, turned as clips count it
+};
+
+/// The sweep as it was read, so that it is not read again for every change and once more to make the volume.
+struct ImportDialog::Frames {
+  std::mutex guard;  ///< a reading that was cancelled may still be at work when the next one starts
+  std::optional<OpenedSweep> opened;
+
+  /// Plans the sweep with `chosen`, and reads it when it has not been read. Scan lines become images by their calibration, so they are
+  /// read anew.
+  Result<void> plan(const std::filesystem::path& sweep, const SweepImportOptions& chosen, Progress& progress) {
+    if (opened && !opened->sectorOfScanLines) return planAgain(*opened, chosen, progress);
+    opened.reset();
+    auto read = openSweep(sweep, chosen, progress);
+    if (!read) return passOn(read.error());
+    opened = std::move(*read);
+    return {};
+  }
 };
 
 namespace {
@@ -135,7 +153,8 @@ ImportDialog::ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& message
       sweep_(sweep),
       jobs_(jobs),
       messages_(messages),
-      seen_(std::make_shared<Seen>()) {
+      seen_(std::make_shared<Seen>()),
+      kept_(std::make_shared<Frames>()) {
   setObjectName(QStringLiteral("importDialog"));
   setWindowTitle(tr("Make a volume from a sweep"));
   addRows();
@@ -397,22 +416,22 @@ void ImportDialog::readAgain() {
   auto id = std::make_shared<int>(0);
   *id = jobs_.start(
       tr("Reading %1").arg(QFileInfo(sweep_).fileName()),
-      [found, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
+      [found, kept = kept_, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
         std::vector<NamedTransform> calibration;
         if (!chosen.calibrations.empty()) {
           auto device = readDeviceSets(chosen.calibrations);
           if (!device) return passOn(device.error());
           calibration = std::move(device->transforms);
         }
-        auto opened = openSweep(sweep, chosen, progress);
-        if (!opened) return passOn(opened.error());
-        const Sequence& sequence = opened->sequence;
+        const std::lock_guard alone(kept->guard);
+        if (auto planned = kept->plan(sweep, chosen, progress); !planned) return planned;
+        const Sequence& sequence = kept->opened->sequence;
         found->frames = framesOf(sequence, calibration);
         const auto first = sequence.framePixels(0);
         found->picture.width = sequence.width;
         found->picture.height = sequence.height;
         found->picture.pixels.assign(first.begin(), first.end());
-        found->plan = std::move(opened->plan);
+        found->plan = kept->opened->plan;
         return {};
       },
       [here, found, id](const Result<void>& outcome) {
@@ -525,8 +544,14 @@ void ImportDialog::start() {
   hide();
   jobs_.start(
       tr("Making a volume from %1").arg(title),
-      [made, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
-        PartOfProgress most(progress, 0.0, 0.95), rest(progress, 0.95, 1.0);
+      [made, kept = kept_, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
+        PartOfProgress planning(progress, 0.0, 0.1), most(progress, 0.1, 0.95), rest(progress, 0.95, 1.0);
+        std::optional<OpenedSweep> opened;
+        {
+          const std::lock_guard alone(kept->guard);
+          if (auto planned = kept->plan(sweep, chosen, planning); !planned) return planned;
+          opened.swap(kept->opened);  // its frames are freed while the volume is finished
+        }
         const auto take = [&](Volume& volume) -> Result<void> {
           auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(volume)), rest);
           if (!voxels) return passOn(voxels.error());
@@ -534,12 +559,12 @@ void ImportDialog::start() {
           return {};
         };
         if (chosen.reconstruct.keepSource) {
-          auto traced = importTracedSweep(sweep, chosen, most);
+          auto traced = importTracedSweep(std::move(*opened), sweep, chosen, most);
           if (!traced) return passOn(traced.error());
           made->provenance = std::make_shared<const Provenance>(std::move(traced->provenance));
           return take(traced->imported.reconstruction.volume);
         }
-        auto result = importSweep(sweep, chosen, most);
+        auto result = importSweep(std::move(*opened), most);
         if (!result) return passOn(result.error());
         return take(result->reconstruction.volume);
       },

@@ -37,6 +37,7 @@ class ImportDialog final : public FormDialog {
 
  private:
   struct Seen;
+  struct Frames;
   void addRows();
   void addPoseRows(QFormLayout& form);
   void addMethodRows(QFormLayout& form);
@@ -54,6 +55,7 @@ class ImportDialog final : public FormDialog {
   Jobs& jobs_;
   MessageBar& messages_;
   std::shared_ptr<Seen> seen_;
+  std::shared_ptr<Frames> kept_;  ///< the recording, read once; as large as its images, gone with the dialog
   QTimer soon_;
   int reading_ = 0;  ///< job that reads the sweep; 0: none
   QLineEdit* calibration_ = nullptr;

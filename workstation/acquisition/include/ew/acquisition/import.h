@@ -75,6 +75,9 @@ struct OpenedSweep {
   SweepPoses poses;
   ImportPlan plan;
   double readSeconds = 0.0;
+  std::vector<std::string> readNotes = {};     ///< of the file, what it holds and what was converted
+  std::vector<std::string> turnNotes = {};     ///< how its images were turned
+  std::optional<Clip> sectorOfScanLines = {};  ///< when the file holds scan lines: the part of the images they were converted to
 };
 
 struct ImportedSweep {
@@ -91,6 +94,12 @@ struct ImportedSweep {
 ///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
 [[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+
+/// Poses, delay, grid and memory of an opened sweep anew, with other options, without reading the file again. After an error `opened` has
+/// its frames and can be planned once more; importSweep needs a plan that succeeded.
+/// @param opened not of scan lines, whose images depend on the calibration: such a sweep is opened again (sectorOfScanLines says so)
+/// @error as openSweep, but for reading
+[[nodiscard]] Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress);
 
 /// The one answer to how a recording becomes a volume when nobody says: for each choice of `usual` what the device set says (OutputSpacing,
 /// Interpolation, CompoundingMode), else what the frames carry (carriedSpacing_mm), linear and mean; holes as far as usualFillReach_mm.

@@ -39,6 +39,9 @@ struct TracedSweep {
 /// @error as importSweep; tooLarge also for more than 65534 frames with a pose
 [[nodiscard]] Result<TracedSweep> importTracedSweep(const std::filesystem::path& sweep, const SweepImportOptions& options,
                                                     Progress& progress);
+/// The same of a sweep that is open already. @param options those it was planned with, keepSource among them; @param sweep its file
+[[nodiscard]] Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem::path& sweep,
+                                                    const SweepImportOptions& options, Progress& progress);
 
 /// What is known of a point of the picture.
 struct VoxelSource {
