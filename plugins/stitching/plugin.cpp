@@ -3,7 +3,7 @@
 
 #include "ew/sdk/plugin.h"
 
-#include "logic/chain.h"
+#include "logic/command.h"
 #include "panel/stitch_panel.h"
 #include "panel/stitch_stage.h"
 
@@ -13,9 +13,7 @@ class StitchingPlugin final : public ew::sdk::Plugin {
  public:
   explicit StitchingPlugin(ew::sdk::Host& host) {
     const std::string usage = std::string(ew::stitching::kStitchUsage) + "\n\n" + ew::stitching::kStitchHelp;
-    host.commands().add("stitch", usage, [&host](const std::vector<std::string>& args, ew::Progress& progress) {
-      return ew::stitching::runStitchCommand(args, host.volumes(), host.files(), progress);
-    });
+    host.commands().add("stitch", usage, ew::stitching::runStitchCommand);
     // Without a window there is no panel, and the command line stays free of timers and folders.
     if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) return;
     session_ = std::make_unique<ew::stitching::StitchSession>(host);

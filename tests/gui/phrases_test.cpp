@@ -102,6 +102,7 @@ class PhrasesTest : public QObject {
   void everySentenceOfTheLibrariesIsRegistered() {
     QStringList files = sourcesIn(QStringLiteral("plugins/stitching/logic")) + sourcesIn(QStringLiteral("workstation/stitching/src")) +
                         sourcesIn(QStringLiteral("workstation/registration/src"));
+    files << QStringLiteral("workstation/io/src/content_key.cpp") << QStringLiteral("workstation/io/src/step_store.cpp");
     int found = 0;
     QStringList missing;
     for (const QString& file : files) {

@@ -198,6 +198,27 @@ TEST_F(CasePipeline, MakesAgainOnlyWhatDependsOnAChangedSweep) {
   EXPECT_FALSE(caseNeedsPreparation(opened(folder / "case"))) << "words shape no voxel";
 }
 
+TEST_F(CasePipeline, JoinsSweepsAlongASeamUnlessTheCaseAsksForAFeather) {
+  const auto cut = loadCaseVolume(opened(folder / "case"), noProgress());
+  ASSERT_TRUE(cut) << cut.error();
+  json manifest = json::parse(textOf(folder / "case/case.json"));
+  manifest["volume"]["reconstruct"]["seam"] = "feather";
+  writeText(folder / "case/case.json", manifest.dump());
+  EXPECT_EQ(opened(folder / "case").volume.reconstruct.seam, stitching::SeamMethod::feather);
+  EXPECT_EQ(manifestOf(opened(folder / "case"))["volume"]["reconstruct"]["seam"], "feather");
+  CancelAt watched;
+  const auto feathered = loadCaseVolume(opened(folder / "case"), watched);
+  ASSERT_TRUE(feathered) << feathered.error();
+  EXPECT_FALSE(watched.steps.count("Reconstructing the sweep 'upper'")) << "the sweeps stay";
+  EXPECT_EQ(feathered->volume.grid, cut->volume.grid);
+  EXPECT_NE(feathered->volume.echo, cut->volume.echo);
+  EXPECT_FALSE(fs::exists(folder / "cache/joins") && !fs::is_empty(folder / "cache/joins"))
+      << "the chain's own steps have done their service";
+  manifest["volume"]["reconstruct"]["seam"] = "glue";
+  writeText(folder / "case/case.json", manifest.dump());
+  EXPECT_EQ(loadCase(folder / "case").error().code, ErrorCode::badField);
+}
+
 TEST_F(CasePipeline, RecordsASweepOnceForTwoCasesThatShareItAndArePreparedTogether) {
   makeSmallCase(folder / "other");
   json manifest = json::parse(textOf(folder / "other/case.json"));
@@ -219,8 +240,8 @@ TEST_F(CasePipeline, MakesAgainAVolumeWhoseHeaderWasChangedToAnotherPlace) {
   const auto whole = loadCaseVolume(small, noProgress());
   ASSERT_TRUE(whole) << whole.error();
   int changed = 0;
-  for (const auto& entry : fs::directory_iterator(folder / "cache/recipes")) {
-    if (entry.path().extension() != ".mha") continue;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "cache/steps")) {
+    if (entry.path().extension() != ".mha" || entry.path().parent_path().filename() == "sweeps") continue;
     std::string text = textOf(entry.path());
     const auto spacing = text.find("ElementSpacing = ");
     ASSERT_NE(spacing, std::string::npos);
@@ -241,7 +262,8 @@ TEST_F(CasePipeline, MakesAgainWhatWasDamagedInTheCache) {
   ASSERT_TRUE(first) << first.error();
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder / "cache"))
-    if (entry.is_regular_file() && entry.path().extension() != ".lock" && entry.path().filename() != "speed.json")
+    if (entry.is_regular_file() && entry.path().extension() != ".lock" && entry.path().filename() != ".lock" &&
+        entry.path().filename() != "speed.json")
       files.push_back(entry.path());
   EXPECT_GE(files.size(), 10u) << "two sweeps, the volume, its labels and the truth";
   for (const auto& file : files) {
@@ -404,8 +426,8 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
     EXPECT_EQ(truth->structures[0].label, 1);
   }
   // A copy in the cache that says something else, as long as before.
-  for (const auto& entry : fs::directory_iterator(folder / "cache/recipes")) {
-    if (!entry.path().string().ends_with(".truth.json")) continue;
+  for (const auto& entry : fs::directory_iterator(folder / "cache/steps/truths")) {
+    if (entry.path().extension() != ".json") continue;
     std::string text = textOf(entry.path());
     const auto value = text.find("\"value\": 2");
     ASSERT_NE(value, std::string::npos) << text;

@@ -1,4 +1,4 @@
-#include "logic/beside.h"
+#include "chain/beside.h"
 
 #include <gtest/gtest.h>
 

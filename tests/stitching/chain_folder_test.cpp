@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
+#include "chain/file_contents.h"
 #include "ew/io/sequence.h"
-#include "logic/file_contents.h"
-#include "logic/result_files.h"
-#include "logic/step_store.h"
+#include "ew/io/step_store.h"
+#include "ew/stitching/result_files.h"
 #include "stitching/chain_world.h"
 
 namespace ew::stitching::chain_folder_test {
@@ -114,7 +114,7 @@ TEST(ChainFolder, MakesAgainWhatAMediumDamagedWithoutAChangeOfSize) {
     ASSERT_TRUE(state) << name << ": " << state.error();
     EXPECT_EQ(ChainWorld::resultIn(into), expected) << name;
   }
-  for (const std::string& step : StepStore::folders()) EXPECT_TRUE(folders.contains("steps/" + step)) << step << " keeps no file";
+  for (const std::string& step : stepFolders()) EXPECT_TRUE(folders.contains("steps/" + step)) << step << " keeps no file";
 }
 
 TEST(ChainFolder, FindsASeamInWhichTwoViewsWereExchangedAndMakesItAgain) {
@@ -286,7 +286,6 @@ TEST(ChainFolder, KnowsItsOwnResultsByTheStepsOrByTheProvenance) {
 
 TEST(ChainFolder, AResultThatCannotBePutInItsPlaceLeavesTheOneBefore) {
   const test::TemporaryFolder folder;
-  door::TextFiles files;
   const fs::path out = folder / "out", made = folder / "made";
   fs::create_directories(out);
   fs::create_directories(made);
@@ -295,7 +294,7 @@ TEST(ChainFolder, AResultThatCannotBePutInItsPlaceLeavesTheOneBefore) {
   for (const char* name : kResults) test::writeText(out / name, std::string("old ") + name);
   written = *resultFilesAt({std::begin(kResults), std::end(kResults)}, there);
   const auto before = everythingIn(out);
-  const auto seen = ResultFiles::look(out, written, files, noProgress());
+  const auto seen = ResultFiles::look(out, written, noProgress());
   ASSERT_TRUE(seen && seen->checkOwn());
   for (const char* name : kResults) test::writeText(made / name, std::string("new ") + name);
   const ResultFiles::Waiting waiting = [&](const char* name) { return made / name; };
@@ -317,9 +316,7 @@ TEST(ChainFolder, CopiesAResultAndAsksBeforeItReplacesWhatSomebodyElseMade) {
   const auto state = world.run(into);
   ASSERT_TRUE(state) << state.error();
   const std::array<fs::path, 4> result = {state->volume, state->coverage, state->source, state->provenance};
-  const auto copy = [&](bool replaceForeign) {
-    return copyResult(result, world.project, copies, replaceForeign, world.files, noProgress());
-  };
+  const auto copy = [&](bool replaceForeign) { return copyResult(result, world.project, copies, replaceForeign, noProgress()); };
   ASSERT_TRUE(copy(false));
   EXPECT_EQ(ChainWorld::resultIn(copies), ChainWorld::resultIn(into));
   EXPECT_TRUE(copy(false)) << "its own earlier copy is no question";

@@ -1,4 +1,4 @@
-#include "logic/chain.h"
+#include "ew/stitching/chain.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <numbers>
 #include <thread>
 
+#include "chain/pair_match.h"
 #include "counted_stop.h"
-#include "logic/pair_match.h"
-#include "logic/step_store.h"
+#include "ew/io/step_store.h"
 #include "stitching/chain_world.h"
 #include "stitching/memory_watch.h"
 
@@ -364,54 +364,16 @@ TEST(Chain, MakesAgainWhatWasDamagedBetweenRuns) {
   }
 }
 
-/// Texts as they are; what is no text is too large for one.
-class TextsAlone final : public sdk::Files {
- public:
-  Result<std::string> readText(const fs::path& file) override {
-    if (file.extension() == ".bin") return failure(ErrorCode::tooLarge, "This is too large for a text.");
-    return files_.readText(file);
-  }
-  Result<void> writeText(const fs::path& file, const std::string& text) override { return files_.writeText(file, text); }
-
- private:
-  door::TextFiles files_;
-};
-
-TEST(Chain, FindsSeamsAndBendsAgainThatAreLargerThanAnyText) {
+TEST(Chain, FindsSeamsAndBendsAgain) {
   ChainWorld world;
-  TextsAlone texts;
   const fs::path into = world.folder / "out";
-  const auto first = runChain(world.project, into, {}, world.volumes, texts, noProgress());
+  const auto first = world.run(into);
   ASSERT_TRUE(first) << first.error();
-  const auto second = runChain(world.project, into, {}, world.volumes, texts, noProgress());
+  const auto second = world.run(into);
   ASSERT_TRUE(second) << second.error();
   EXPECT_EQ(redone(*second), std::vector<std::string>{});
   EXPECT_EQ(second->seams, first->seams);
   EXPECT_EQ(second->bends, first->bends);
-}
-
-TEST(StepStore, ReadsFilesLargerThanATextMayBeAndNoneOfAnotherSize) {
-  const test::TemporaryFolder folder;
-  door::TextFiles files;
-  const auto store = StepStore::open(folder.path(), files);
-  ASSERT_TRUE(store);
-  ASSERT_TRUE(store->prepare("seam"));
-  const std::size_t count = (33u << 20) + 5;  // two bytes each: more than 64 MiB
-  std::string bytes(2 * count, '\0');
-  bytes[2 * count - 2] = 7;
-  const std::string key(32, '7');
-  ASSERT_TRUE(files.writeText(store->fileOf("seam", key, "levels-0.bin"), bytes));
-  EXPECT_FALSE(files.readText(store->fileOf("seam", key, "levels-0.bin")));
-  std::vector<std::int16_t> offsets;
-  EXPECT_FALSE(store->readValues("seam", key, "levels-0.bin", count, offsets)) << "it belongs to no result yet";
-  ASSERT_TRUE(store->keep("seam", key, {}, {"levels-0.bin"}));
-  ASSERT_TRUE(store->readValues("seam", key, "levels-0.bin", count, offsets));
-  EXPECT_EQ(offsets.size(), count);
-  EXPECT_EQ(offsets.back(), 7);
-  EXPECT_FALSE(store->readValues("seam", key, "levels-0.bin", count + 1, offsets));
-  EXPECT_FALSE(store->readValues("seam", key, "levels-0.bin", count - 1, offsets));
-  EXPECT_FALSE(store->readValues("seam", key, "levels-1.bin", 0, offsets));
-  EXPECT_EQ(offsets.size(), count) << "left as it was";
 }
 
 TEST(Chain, TakesAwayWhatEarlierRunsLeftTheLongestUnusedFirst) {
@@ -530,17 +492,17 @@ TEST(Chain, TakesNoMoreInAnyStepThanItsForecast) {
 
 TEST(Chain, ForecastsWhatIsLeftToDoAndNeed) {
   ChainWorld world;
-  const auto fresh = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  const auto fresh = forecastChain(world.project, world.folder / "out", {});
   ASSERT_TRUE(fresh) << fresh.error();
   EXPECT_GT(fresh->peak_bytes, 3u * 36u * 32u * 28u);
   for (const auto& step : fresh->steps) EXPECT_FALSE(step.done);
   EXPECT_FALSE(fs::exists(world.folder / "out")) << "a forecast leaves nothing";
   ASSERT_TRUE(world.run(world.folder / "out"));
-  const auto later = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  const auto later = forecastChain(world.project, world.folder / "out", {});
   ASSERT_TRUE(later) << later.error();
   for (const auto& step : later->steps) EXPECT_TRUE(step.done) << nameOf(step.step);
   world.project.settings.fallOff_mm = 33.0;
-  const auto changed = forecastChain(world.project, world.folder / "out", {}, world.volumes, world.files);
+  const auto changed = forecastChain(world.project, world.folder / "out", {});
   ASSERT_TRUE(changed);
   for (const auto& step : changed->steps) EXPECT_EQ(step.done, step.step < Step::elastic) << nameOf(step.step);
 }

@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "ew/door/host_parts.h"
 #include "ew/io/volume_file.h"
+#include "ew/stitching/chain.h"
 #include "library/temporary_folder.h"
-#include "logic/chain.h"
 
 namespace ew::test {
 
@@ -89,7 +88,7 @@ class ChainWorld {
 
   Result<stitching::ChainState> run(const std::filesystem::path& into, Progress& progress = noProgress(),
                                     const stitching::ChainOptions& options = {}) {
-    return stitching::runChain(project, into, options, volumes, files, progress);
+    return stitching::runChain(project, into, options, progress);
   }
 
   /// The bytes of the four files of a result.
@@ -129,8 +128,6 @@ class ChainWorld {
 
   TemporaryFolder folder;
   stitching::StitchProject project;
-  door::FileVolumes volumes;
-  door::TextFiles files;
 };
 
 }  // namespace ew::test

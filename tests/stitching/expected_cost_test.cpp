@@ -1,4 +1,4 @@
-#include "logic/expected_cost.h"
+#include "ew/stitching/expected_cost.h"
 
 #include <gtest/gtest.h>
 

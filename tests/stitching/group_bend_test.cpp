@@ -1,4 +1,4 @@
-#include "logic/group_bend.h"
+#include "chain/group_bend.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "logic/overlap.h"
+#include "chain/overlap.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "logic/pair_match.h"
+#include "chain/pair_match.h"
 
 namespace ew::stitching::overlap_test {
 namespace {

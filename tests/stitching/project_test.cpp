@@ -1,34 +1,16 @@
-#include "logic/project.h"
+#include "ew/stitching/project.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "logic/chain.h"
-
 #include "library/temporary_folder.h"
-#include "stitching/fake_host.h"
-
-namespace ew::test {
-
-Result<std::string> PlainFiles::readText(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return failure(ErrorCode::notFound, "There is no file '" + file.string() + "'; check the name.");
-  return textOf(file);
-}
-Result<void> PlainFiles::writeText(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-  return {};
-}
-
-}  // namespace ew::test
 
 namespace ew::stitching {
 namespace {
 
 using nlohmann::json;
-using test::MemoryVolumes;
-using test::PlainFiles;
 using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
@@ -36,8 +18,7 @@ using test::writeText;
 json identity() { return rowsOf(glm::dmat4(1.0)); }
 
 Error refused(const json& project) {
-  PlainFiles files;
-  const auto parsed = parseProject(project.dump(), "/nowhere", files);
+  const auto parsed = parseProject(project.dump(), "/nowhere");
   EXPECT_FALSE(parsed) << project;
   return parsed ? Error{} : parsed.error();
 }
@@ -100,27 +81,25 @@ StitchProject fullProject() {
 }
 
 TEST(StitchProject, IsReadBackEqual) {
-  PlainFiles files;
   const StitchProject project = fullProject();
   const std::string text = projectText(project, "/data");
   EXPECT_NE(text.find("\"a.mha\""), std::string::npos) << "below the project's folder: relative";
   EXPECT_NE(text.find("\"maps/a.mha\""), std::string::npos);
   EXPECT_NE(text.find("\"/elsewhere/b.igs.mha\""), std::string::npos);
-  const auto read = parseProject(text, "/data", files);
+  const auto read = parseProject(text, "/data");
   ASSERT_TRUE(read) << read.error();
   EXPECT_EQ(*read, project);
   EXPECT_EQ(projectText(*read, "/data"), text);
   StitchProject plain;
   plain.volumes = {project.volumes[2]};
-  const auto defaults = parseProject(R"({"format": 2, "volumes": [{"file": "c.nrrd"}]})", "/data", files);
+  const auto defaults = parseProject(R"({"format": 2, "volumes": [{"file": "c.nrrd"}]})", "/data");
   ASSERT_TRUE(defaults) << defaults.error();
   EXPECT_EQ(*defaults, plain) << "what is left out is what a new project has";
 }
 
 TEST(StitchProject, DiffersFromItselfWithAnyFieldOfTheFileChanged) {
-  PlainFiles files;
   const json all = json::parse(projectText(fullProject(), "/data")).flatten();
-  const auto plain = [&] { return *parseProject(all.unflatten().dump(), "/data", files); };
+  const auto plain = [&] { return *parseProject(all.unflatten().dump(), "/data"); };
   for (const auto& [pointer, value] : all.items()) {
     json changed = all;
     if (value.is_number() && pointer.find("to_world") == std::string::npos && pointer.find("start") == std::string::npos &&
@@ -131,7 +110,7 @@ TEST(StitchProject, DiffersFromItselfWithAnyFieldOfTheFileChanged) {
     } else {
       continue;
     }
-    const auto read = parseProject(changed.unflatten().dump(), "/data", files);
+    const auto read = parseProject(changed.unflatten().dump(), "/data");
     ASSERT_TRUE(read) << pointer << read.error();
     EXPECT_FALSE(*read == plain()) << pointer;
   }
@@ -184,10 +163,9 @@ TEST(StitchProject, HasTheFieldsOfItsSchemaAndNoOthers) {
 }
 
 TEST(StitchProject, OfTheFirstFormatJoinsVolumesAsTheyLie) {
-  PlainFiles files;
   const auto read = parseProject(R"({"format": 1, "volumes": [{"file": "a.mha", "name": "x"}, {"file": "b.mha", "name": "x"},
                                      {"file": "b.mha"}], "spacing_mm": 0.5, "feather_mm": 4, "axes": "world"})",
-                                 "/data", files);
+                                 "/data");
   ASSERT_TRUE(read) << read.error();
   EXPECT_EQ(read->settings.trackerError_mm, 0.0);
   EXPECT_FALSE(read->settings.elastic);
@@ -199,19 +177,18 @@ TEST(StitchProject, OfTheFirstFormatJoinsVolumesAsTheyLie) {
   EXPECT_EQ(read->volumes[0].name, "x");
   EXPECT_EQ(read->volumes[1].name, "b.mha") << "names could repeat; now each has its own";
   EXPECT_EQ(read->volumes[2].name, "b.mha (2)");
-  const auto again = parseProject(projectText(*read, "/data"), "/data", files);
+  const auto again = parseProject(projectText(*read, "/data"), "/data");
   ASSERT_TRUE(again) << again.error();
   EXPECT_EQ(*again, *read) << "saved as format 2 it says the same";
 }
 
 TEST(StitchProject, TurnsAPairThatIsWrittenTheOtherWayRound) {
-  PlainFiles files;
   json project = {{"format", 2}, {"volumes", {{{"file", "a.mha"}}, {{"file", "b.mha"}}}}};
   project["pairs"] = {{{"fixed", "b.mha"},
                        {"moving", "a.mha"},
                        {"start", rowsOf(oddPlace())},
                        {"landmarks", {{{"fixed_mm", {1, 2, 3}}, {"moving_mm", {4, 5, 6}}}}}}};
-  const auto read = parseProject(project.dump(), "/data", files);
+  const auto read = parseProject(project.dump(), "/data");
   ASSERT_TRUE(read) << read.error();
   ASSERT_EQ(read->pairs.size(), 1u);
   const ProjectPair& pair = read->pairs[0];
@@ -226,23 +203,21 @@ TEST(StitchProject, TurnsAPairThatIsWrittenTheOtherWayRound) {
 
 TEST(StitchProject, TakesAPlaceFromAFileOfSixteenNumbers) {
   const TemporaryFolder folder;
-  PlainFiles files;
   writeText(folder / "a.txt", "1 0 0 10\n0 1 0 20\n0 0 1 30\n0 0 0 1\n");
   const json project = {{"volumes", {{{"file", "a.mha"}, {"to_world", "a.txt"}}}}};
-  const auto read = parseProject(project.dump(), folder.path(), files);
+  const auto read = parseProject(project.dump(), folder.path());
   ASSERT_TRUE(read) << read.error();
   EXPECT_EQ(glm::dvec3(read->volumes[0].toWorld[3]), glm::dvec3(10, 20, 30));
   EXPECT_EQ(read->volumes[0].file, folder / "a.mha");
   EXPECT_EQ(read->volumes[0].name, "a.mha");
   writeText(folder / "a.txt", "1 0 0 10\n0 1 0 20\n");
-  EXPECT_EQ(parseProject(project.dump(), folder.path(), files).error().code, ErrorCode::badField);
+  EXPECT_EQ(parseProject(project.dump(), folder.path()).error().code, ErrorCode::badField);
   writeText(folder / "a.txt", "2 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
-  EXPECT_EQ(parseProject(project.dump(), folder.path(), files).error().code, ErrorCode::notRigid);
+  EXPECT_EQ(parseProject(project.dump(), folder.path()).error().code, ErrorCode::notRigid);
 }
 
 TEST(StitchProject, ThatNestsWithoutEndIsRefused) {
-  PlainFiles files;
-  const auto project = parseProject("{\"volumes\": " + std::string(1000000, '[') + std::string(1000000, ']') + "}", "/nowhere", files);
+  const auto project = parseProject("{\"volumes\": " + std::string(1000000, '[') + std::string(1000000, ']') + "}", "/nowhere");
   ASSERT_FALSE(project);
   EXPECT_EQ(project.error().code, ErrorCode::badHeader);
 }
@@ -290,9 +265,8 @@ TEST(StitchProject, NamesTheFieldThatIsWrong) {
   json newer = good;
   newer["format"] = 3;
   EXPECT_EQ(refused(newer).code, ErrorCode::newerFormat);
-  PlainFiles files;
-  EXPECT_EQ(parseProject("{\"volumes\": [", "/", files).error().code, ErrorCode::badHeader);
-  EXPECT_EQ(parseProject("[]", "/", files).error().code, ErrorCode::badField);
+  EXPECT_EQ(parseProject("{\"volumes\": [", "/").error().code, ErrorCode::badHeader);
+  EXPECT_EQ(parseProject("[]", "/").error().code, ErrorCode::badField);
 }
 
 TEST(StitchProject, NamesTheFieldOfTheSecondFormatThatIsWrong) {
@@ -339,141 +313,6 @@ TEST(StitchProject, NamesTheFieldOfTheSecondFormatThatIsWrong) {
                      {"/seam/strokes/0/view", "nobody", "seam.strokes[0].view"},
                      {"/seam/strokes/0/at_mm", json::array({1, 2, 1e9}), "seam.strokes[0].at_mm"},
                      {"/seam/strokes/0/radius_mm", -2, "seam.strokes[0].radius_mm"}});
-}
-
-/// A project of two overlapping constants in memory, run as the command.
-class StitchCommand : public testing::Test {
- protected:
-  StitchCommand() {
-    Volume a;
-    a.grid.dims = {8, 4, 4};
-    a.echo.assign(128, 40);
-    volumes.volumes[(folder / "a.mha").string()] = a;
-    a.echo.assign(128, 80);
-    volumes.volumes[(folder / "b.mha").string()] = a;
-    json place = identity();
-    place[3] = 4.0;
-    writeText(folder / "p.json", json{{"volumes", {{{"file", "a.mha"}}, {{"file", "b.mha"}, {"to_world", place}}}}}.dump());
-  }
-  Result<sdk::Commands::Outcome> run(const std::vector<std::string>& args) {
-    auto outcome = runStitchCommand(args, volumes, files, noProgress());
-    if (outcome && outcome->putInPlace)
-      if (auto put = outcome->putInPlace(); !put) return passOn(put.error());
-    return outcome;
-  }
-  std::size_t entriesOf(const std::filesystem::path& where) const {
-    std::size_t entries = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(where)) ++entries;
-    return entries;
-  }
-
-  TemporaryFolder folder;
-  PlainFiles files;
-  MemoryVolumes volumes{files};
-};
-
-TEST_F(StitchCommand, WritesVolumeCoverageSourceAndProvenance) {
-  const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string(), "--threads", "2"});
-  ASSERT_TRUE(outcome) << outcome.error();
-  EXPECT_EQ(outcome->outputs.size(), 4u);
-  for (const auto& file : outcome->outputs) EXPECT_TRUE(std::filesystem::exists(file)) << file;
-  EXPECT_EQ(entriesOf(folder / "out"), 5u) << "and the folder of the steps";
-  EXPECT_EQ(volumes.writtenAs("volume.mha").grid.dims, glm::ivec3(12, 4, 4));
-  const json provenance = json::parse(textOf(folder / "out/provenance.json"));
-  EXPECT_EQ(provenance["inputs"].size(), 2u);
-  EXPECT_EQ(provenance["inputs"][1]["to_world"][3], 4.0);
-  EXPECT_NEAR(provenance["overlap_share"].get<double>(), 4.0 / 12.0, 1e-12);
-}
-
-TEST_F(StitchCommand, LeavesNoHalfResultWhenWritingFails) {
-  const std::string out = (folder / "out").string();
-  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
-  const std::string before = textOf(folder / "out/provenance.json");
-  json project = json::parse(textOf(folder / "p.json"));
-  project["spacing_mm"] = 2.0;
-  writeText(folder / "p.json", project.dump());
-  for (const int writes : {0, 1, 2}) {
-    volumes.writesLeft = writes;
-    const auto outcome = run({(folder / "p.json").string(), "-o", out});
-    ASSERT_FALSE(outcome);
-    EXPECT_EQ(outcome.error().code, ErrorCode::notWritable);
-    EXPECT_EQ(textOf(folder / "out/provenance.json"), before) << "the result of last week";
-    EXPECT_EQ(entriesOf(folder / "out"), 5u);
-  }
-  volumes.writesLeft = 1000;
-  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
-  EXPECT_NE(textOf(folder / "out/provenance.json"), before);
-}
-
-TEST_F(StitchCommand, AResultWaitsUntilItIsPutInPlaceAndIsNotMadeAgain) {
-  const std::string out = (folder / "out").string();
-  {
-    const auto outcome = runStitchCommand({(folder / "p.json").string(), "-o", out}, volumes, files, noProgress());
-    ASSERT_TRUE(outcome) << outcome.error();
-    EXPECT_EQ(entriesOf(out), 1u) << "the folder of the steps";
-  }
-  volumes.writesLeft = 0;
-  ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
-  EXPECT_EQ(entriesOf(out), 5u);
-}
-
-TEST_F(StitchCommand, NeverWritesOverItsInputsNorOverAForeignResult) {
-  writeText(folder / "volume.mha", "my only copy");
-  const auto foreign = run({(folder / "p.json").string(), "-o", folder.path().string()});
-  ASSERT_FALSE(foreign);
-  EXPECT_EQ(foreign.error().code, ErrorCode::notWritable) << foreign.error();
-  EXPECT_EQ(textOf(folder / "volume.mha"), "my only copy");
-  EXPECT_FALSE(std::filesystem::exists(folder / "steps")) << "refused before anything is made";
-  volumes.volumes[(folder / "volume.mha").string()] = volumes.volumes[(folder / "a.mha").string()];
-  writeText(folder / "p.json", json{{"volumes", {{{"file", "volume.mha"}}}}}.dump());
-  const auto input = run({(folder / "p.json").string(), "-o", folder.path().string()});
-  ASSERT_FALSE(input);
-  EXPECT_EQ(input.error().code, ErrorCode::badUsage) << input.error();
-  EXPECT_EQ(textOf(folder / "volume.mha"), "my only copy");
-}
-
-TEST_F(StitchCommand, TellsHowEachPairEndedAndWhatNothingChecks) {
-  json project = json::parse(textOf(folder / "p.json"));
-  project["format"] = 2;
-  project["settings"] = {{"elastic", false}};
-  for (auto& volume : project["volumes"]) {
-    volume["placement"] = "unknown";
-    volume.erase("to_world");
-  }
-  json start = identity();
-  start[3] = -4.0;
-  project["pairs"] = {{{"fixed", "a.mha"}, {"moving", "b.mha"}, {"method", "by hand"}, {"start", start}}};
-  writeText(folder / "p.json", project.dump());
-  const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
-  ASSERT_TRUE(outcome) << outcome.error();
-  ASSERT_GE(outcome->notes.size(), 2u);
-  EXPECT_EQ(outcome->notes[0], "'a.mha' with 'b.mha': by hand, not checked. Placed by hand.");
-  EXPECT_NE(outcome->notes[1].find("No loop checks"), std::string::npos) << outcome->notes[1];
-}
-
-TEST_F(StitchCommand, SaysHowItIsUsed) {
-  const std::string project = (folder / "p.json").string();
-  for (const auto& args : std::vector<std::vector<std::string>>{{},
-                                                                {project},
-                                                                {"-o", "x"},
-                                                                {project, "-o"},
-                                                                {project, "-o", "x", "--threads", "-2"},
-                                                                {project, "-o", "x", "--threads", "many"},
-                                                                {project, "-o", "x", "--quick"},
-                                                                {project, project, "-o", "x"}}) {
-    const auto outcome = run(args);
-    ASSERT_FALSE(outcome);
-    EXPECT_EQ(outcome.error().code, ErrorCode::badUsage);
-    EXPECT_NE(outcome.error().sentence.find(kStitchUsage), std::string::npos) << outcome.error();
-  }
-  EXPECT_EQ(run({"nowhere.json", "-o", "x"}).error().code, ErrorCode::notFound);
-}
-
-TEST_F(StitchCommand, SaysWhichVolumeIsNotThere) {
-  volumes.volumes.erase((folder / "b.mha").string());
-  const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
-  ASSERT_FALSE(outcome);
-  EXPECT_NE(outcome.error().sentence.find("b.mha"), std::string::npos);
 }
 
 }  // namespace

@@ -13,10 +13,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ew/door/host_parts.h"
 #include "ew/io/image_file.h"
+#include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
+#include "ew/stitching/chain.h"
 #include "library/temporary_folder.h"
-#include "logic/chain.h"
 #include "six_subvolumes/recordings.h"
 #include "stitching/memory_watch.h"
 
@@ -188,17 +189,17 @@ class Judge {
 };
 
 /// How far each view's voxels are to be trusted, as the chain kept it.
-std::vector<std::vector<std::uint8_t>> confidencesOf(const ChainState& state, const fs::path& out, sdk::Volumes& volumes) {
+std::vector<std::vector<std::uint8_t>> confidencesOf(const ChainState& state, const fs::path& out) {
   std::vector<std::vector<std::uint8_t>> found(state.volumes.size());
   for (const auto& entry : fs::directory_iterator(out / "steps/reconstruct")) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with("-confidence.mha")) continue;
     const std::string volumeName = name.substr(0, name.size() - std::string("confidence.mha").size()) + "volume.mha";
-    const auto volume = volumes.read(entry.path().parent_path() / volumeName, noProgress());
+    const auto volume = readVolume(entry.path().parent_path() / volumeName, noProgress());
     if (!volume) continue;
     for (std::size_t v = 0; v < found.size(); ++v)
-      if (state.volumes[v]->echo == volume->echo)
-        if (auto read = volumes.readConfidence(volume->grid, entry.path(), noProgress())) found[v] = std::move(*read);
+      if (state.volumes[v]->echo == volume->volume.echo)
+        if (auto read = readConfidence(volume->volume.grid, entry.path(), noProgress())) found[v] = std::move(*read);
   }
   return found;
 }
@@ -296,11 +297,9 @@ void runAndJudge(const Asked& asked) {
   test::SixRecordings truth;
   truth.make(home.path(), asked.outOfFrame);
   if (testing::Test::HasFatalFailure()) return;
-  door::FileVolumes volumes;
-  door::TextFiles files;
-  const auto text = files.readText(kSource / "tests/stitching/six_subvolumes" / (std::string(asked.project) + ".json"));
+  const auto text = readTextFile(kSource / "tests/stitching/six_subvolumes" / (std::string(asked.project) + ".json"));
   ASSERT_TRUE(text);
-  auto project = parseProject(*text, home.path(), files);
+  auto project = parseProject(*text, home.path());
   ASSERT_TRUE(project) << project.error();
   const fs::path out = home.path() / "out";
   ChainOptions options;
@@ -329,7 +328,7 @@ void runAndJudge(const Asked& asked) {
     anyReused = anyReused || outcome.reused;
     memory.forgetPeak();
   };
-  auto state = runChain(*project, out, options, volumes, files, noProgress());
+  auto state = runChain(*project, out, options, noProgress());
   ASSERT_TRUE(state) << state.error();
   processor_s -= begun_s;
   std::cout << "whole: " << wall_s << " s, processor " << processor_s << " s, forecast " << forecast_mib << " MiB, peak " << peak_mib
@@ -345,7 +344,7 @@ void runAndJudge(const Asked& asked) {
 
   options.keepVolumes = true;
   options.onStep = nullptr;
-  state = runChain(*project, out, options, volumes, files, noProgress());  // what was found, with the volumes
+  state = runChain(*project, out, options, noProgress());  // what was found, with the volumes
   ASSERT_TRUE(state) << state.error();
   ASSERT_TRUE(state->report);
   const Judge judge(truth, *state);
@@ -365,28 +364,29 @@ void runAndJudge(const Asked& asked) {
             << ", disagree " << state->bendSummary.disagreementMedian_mm << " / " << state->bendSummary.disagreement95_mm << " mm\n";
   EXPECT_GT(state->bendSummary.smallestJacobian, 0.1);
 
-  const auto joined = volumes.read(state->volume, noProgress());
+  const auto joined = readVolume(state->volume, noProgress());
   ASSERT_TRUE(joined);
-  const auto source = volumes.read(state->source, noProgress());
+  const auto source = readVolume(state->source, noProgress());
   ASSERT_TRUE(source);
   printVisibility("seam", state->report->seam);
-  printVisibility("seam of the joined volume alone", seamVisibility(*joined, source->echo, project->settings.join.seam.blend_mm));
+  printVisibility("seam of the joined volume alone",
+                  seamVisibility(joined->volume, source->volume.echo, project->settings.join.seam.blend_mm));
   EXPECT_NEAR(state->report->seam.derivativeRatio, 1.0, 0.05);
   EXPECT_NEAR(state->report->seam.speckleRatio, 1.0, 0.05);
   EXPECT_LT(std::abs(state->report->seam.meanStep_db), 0.5);
-  const auto confidences = confidencesOf(*state, out, volumes);
+  const auto confidences = confidencesOf(*state, out);
   auto views = viewsOf(*state, confidences);
-  const Shadows shadows = shadowsOf(views, joined->grid, source->echo);
+  const Shadows shadows = shadowsOf(views, joined->volume.grid, source->volume.echo);
   std::cout << "shadows that another view sees into: " << shadows.share << " of the overlap, filled " << shadows.filledShare << "\n";
   EXPECT_GT(shadows.filledShare, 0.9);
 
   // Before: pasted and feathered where the tracker said, grey levels as they came.
   const fs::path pictures = home.path() / "pictures";
   fs::create_directories(pictures);
-  const glm::ivec3 middle = joined->grid.dims / 2;
-  drawPlanes(*joined, middle, "after", pictures);
-  Volume labels = *joined;
-  for (std::size_t n = 0; n < labels.echo.size(); ++n) labels.echo[n] = static_cast<std::uint8_t>(40 * source->echo[n]);
+  const glm::ivec3 middle = joined->volume.grid.dims / 2;
+  drawPlanes(joined->volume, middle, "after", pictures);
+  Volume labels = joined->volume;
+  for (std::size_t n = 0; n < labels.echo.size(); ++n) labels.echo[n] = static_cast<std::uint8_t>(40 * source->volume.echo[n]);
   drawPlanes(labels, middle, "views", pictures);
   for (std::size_t v = 0; v < views.size(); ++v) {
     views[v].correction = {};
@@ -398,9 +398,9 @@ void runAndJudge(const Asked& asked) {
   for (const SeamMethod method : {SeamMethod::nearest, SeamMethod::feather}) {
     plain.seam.method = method;
     plain.seam.blend_mm = 0.0;
-    const auto seams = findSeams(views, joined->grid, plain.seam, noProgress());
+    const auto seams = findSeams(views, joined->volume.grid, plain.seam, noProgress());
     ASSERT_TRUE(seams) << seams.error();
-    const auto made = join(views, *seams, joined->grid, plain, noProgress());
+    const auto made = join(views, *seams, joined->volume.grid, plain, noProgress());
     ASSERT_TRUE(made) << made.error();
     const bool pasted = method == SeamMethod::nearest;
     printVisibility(pasted ? "before, pasted" : "before, feathered", made->report.seam);

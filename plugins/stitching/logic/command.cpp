@@ -1,6 +1,9 @@
+#include "logic/command.h"
+
 #include <algorithm>
 
-#include "logic/chain.h"
+#include "ew/io/safe_file.h"
+#include "ew/stitching/chain.h"
 
 namespace ew::stitching {
 namespace {
@@ -71,6 +74,7 @@ std::vector<std::string> notesOf(const StitchProject& project, const ChainState&
   if (state.graph && !state.pairs.empty() && state.verdict == registration::Verdict::aligned && !state.reason.empty())
     notes.push_back(state.reason);
   if (state.report) notes.insert(notes.end(), state.report->notes.begin(), state.report->notes.end());
+  notes.insert(notes.end(), state.notes.begin(), state.notes.end());
   return notes;
 }
 
@@ -98,8 +102,7 @@ const char* const kStitchHelp =
     "them; placement is \"tracker\" (recorded), \"hand\" (a start) or \"unknown\" (found without one). Of pairs only those need an entry\n"
     "about which there is something to say. Every field: resources/docs/stitching.md.";
 
-Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, sdk::Volumes& volumes, sdk::Files& files,
-                                                Progress& progress) {
+Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, Progress& progress) {
   const auto usage = [](const std::string& what) { return failure(ErrorCode::badUsage, what + " Usage: echoweave " + kStitchUsage + "."); };
   std::string projectFile;
   std::string folder;
@@ -134,13 +137,13 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   if (projectFile.empty()) return usage("The project file is missing.");
   if (folder.empty()) return usage("The output folder is missing.");
 
-  auto text = files.readText(projectFile);
+  auto text = readTextFile(projectFile);
   if (!text) return passOn(text.error());
-  auto project = parseProject(*text, fs::path(projectFile).parent_path(), files);
+  auto project = parseProject(*text, fs::path(projectFile).parent_path());
   if (!project) return passOn(project.error());
   options.keepVolumes = false;
   options.putInPlaceLater = true;
-  auto state = runChain(*project, folder, options, volumes, files, progress);
+  auto state = runChain(*project, folder, options, progress);
   if (!state) return passOn(state.error());
   sdk::Commands::Outcome outcome;
   outcome.putInPlace = std::move(state->putInPlace);

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 
 namespace ew::stitching {
 namespace {

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "logic/places.h"
-#include "logic/value_json.h"
+#include "ew/stitching/places.h"
+#include "ew/stitching/value_json.h"
 
 namespace ew::stitching {
 namespace {
@@ -210,7 +210,7 @@ void StitchDocument::clear() { begin({}, {}, {}, {}); }
 Result<void> StitchDocument::open(const fs::path& file) {
   auto text = files_.readText(file);
   if (!text) return passOn(text.error());
-  auto project = parseProject(*text, file.parent_path(), files_);
+  auto project = parseProject(*text, file.parent_path());
   if (!project) return passOn(project.error());
   StitchProject same = *project;
   begin(std::move(*project), std::move(same), file, std::move(*text));
@@ -262,7 +262,7 @@ Result<std::optional<StitchDocument::Left>> StitchDocument::leftIn(const fs::pat
     return failure(ErrorCode::badHeader, "The file that keeps unsaved work ('" + recovery.string() +
                                              "') is damaged; it is left where it is and nothing was reopened.");
   }
-  auto project = parseProject(around.at(kRecoveryProject).dump(), recovery.parent_path(), files_);
+  auto project = parseProject(around.at(kRecoveryProject).dump(), recovery.parent_path());
   if (!project) return passOn(project.error());
   return Left{around.at(kRecoveryFile).get<std::string>(), std::move(*project)};
 }
@@ -273,7 +273,7 @@ void StitchDocument::takeOver(const Left& left) {
   // What the file holds now, so that "not saved" is true; a file that is gone counts as never saved.
   if (!left.file.empty()) {
     if (auto text = files_.readText(left.file)) {
-      if (auto project = parseProject(*text, left.file.parent_path(), files_)) saved = std::move(*project);
+      if (auto project = parseProject(*text, left.file.parent_path())) saved = std::move(*project);
       textOfFile = std::move(*text);
     }
   }

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "logic/project.h"
+#include "ew/sdk/host.h"
+#include "ew/stitching/project.h"
 
 namespace ew::stitching {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ew/core/chart_axis.h"
-#include "logic/expected_cost.h"
+#include "ew/stitching/expected_cost.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/look.h"
 #include "panel/reasons.h"
 

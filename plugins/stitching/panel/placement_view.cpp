@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/look.h"
 
 namespace ew::stitching {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "logic/chain.h"
+#include "ew/stitching/chain.h"
 
 /// What the libraries say about a result, in the language of the window.
 namespace ew::stitching {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/folders.h"
 #include "panel/phrases.h"
 #include "panel/session_parts.h"
@@ -47,8 +47,7 @@ bool isSweepFile(const fs::path& file, sdk::Volumes& volumes) {
 bool canBeMended(const Error& problem) { return problem.code == ErrorCode::missingCalibration || problem.code == ErrorCode::tooLarge; }
 
 /// A volume as it is, a sweep as the chain's first step makes one of it.
-Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& folder, sdk::Volumes& volumes, sdk::Files& files,
-                       Progress& progress) {
+Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& folder, sdk::Volumes& volumes, Progress& progress) {
   if (!isSweep && line.confidence.empty()) {
     auto volume = volumes.read(line.file, progress);
     if (volume && !line.coverage.empty())
@@ -60,7 +59,7 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
   ChainOptions options;
   options.until = Step::reconstruct;
   options.isFolderOwn = true;
-  auto state = runChain(one, folder, options, volumes, files, progress);
+  auto state = runChain(one, folder, options, progress);
   if (!state) return passOn(state.error());
   if (state->volumes.empty() || !state->volumes.front())
     return failure(ErrorCode::notReadable, "'" + line.file.string() + "' gave no volume; check what kind of file it is.");
@@ -69,7 +68,7 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
 
 /// Reads lines before they are added: a file that is no volume never becomes one. @error the first of `into.failed`, cancelled
 Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& folder, std::timed_mutex& turn, sdk::Volumes& volumes,
-                       sdk::Files& files, FilesRead& into, Progress& whole) {
+                       FilesRead& into, Progress& whole) {
   ProgressInWords progress(whole);
   const auto mine = waitForTurn(turn, progress);
   if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
@@ -80,7 +79,7 @@ Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& 
     part.report(lines[n].name, 0.0);
     const bool isSweep = isSweepFile(lines[n].file, volumes);
     if (isSweep) into.sweeps.insert(lines[n].file);
-    auto volume = readOne(lines[n], isSweep, folder, volumes, files, part);
+    auto volume = readOne(lines[n], isSweep, folder, volumes, part);
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
     if (volume) {
       into.volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
@@ -113,8 +112,9 @@ void StitchSession::addFiles(const std::vector<fs::path>& files) {
                                          : tr("Reading %n volumes", nullptr, static_cast<int>(lines.size()));
   host_.jobs().start(
       what.toStdString(),
-      [read, lines = std::move(lines), &volumes = host_.volumes(), &texts = host_.files(), folder = readingFolder(),
-       turn = readingTurn_](Progress& progress) { return readLines(lines, folder, *turn, volumes, texts, *read, progress); },
+      [read, lines = std::move(lines), &volumes = host_.volumes(), folder = readingFolder(), turn = readingTurn_](Progress& progress) {
+        return readLines(lines, folder, *turn, volumes, *read, progress);
+      },
       [here, read](const Result<void>& outcome) {
         if (StitchSession* session = here.data()) session->takeRead(*read, outcome);
       });
@@ -138,7 +138,7 @@ std::vector<ProjectVolume> StitchSession::linesOf(const std::vector<fs::path>& f
         say(text.error());
         continue;
       }
-      auto other = parseProject(*text, file.parent_path(), host_.files());
+      auto other = parseProject(*text, file.parent_path());
       if (!other) {
         say(other.error());
         continue;
@@ -196,10 +196,9 @@ void StitchSession::readVolumes() {
   auto read = std::make_shared<Read>();
   const QPointer<StitchSession> here(this);
   auto& volumes = host_.volumes();
-  auto& texts = host_.files();
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
-      [read, lines, &volumes, &texts, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
+      [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
         const auto mine = waitForTurn(*turn, progress);
         if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
@@ -209,7 +208,7 @@ void StitchSession::readVolumes() {
           part.report(lines[n].name, 0.0);
           const bool isSweep = isSweepFile(lines[n].file, volumes);
           if (isSweep) read->sweeps.insert(lines[n].file);
-          auto volume = readOne(lines[n], isSweep, folder, volumes, texts, part);
+          auto volume = readOne(lines[n], isSweep, folder, volumes, part);
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
           if (!volume && !read->first) read->first = volume.error();
           if (!volume) read->reasons[keyOf(lines[n])] = volume.error().sentence;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {

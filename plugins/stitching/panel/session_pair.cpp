@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/charts.h"
 #include "panel/session_parts.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
+#include "ew/stitching/result_files.h"
 #include "logic/case_volume.h"
-#include "logic/result_files.h"
 #include "panel/phrases.h"
 #include "panel/session_parts.h"
 
@@ -48,7 +48,7 @@ void StitchSession::saveResult(const fs::path& folder) {
     Q_EMIT problem(tr("There is no stitched volume yet; run 'Seams and blend' first."));
     return;
   }
-  const auto seen = ResultFiles::look(folder, {}, host_.files(), noProgress());
+  const auto seen = ResultFiles::look(folder, {}, noProgress());
   if (!seen) return say(seen.error());
   const QStringList foreign = [&] {
     QStringList all;
@@ -57,12 +57,11 @@ void StitchSession::saveResult(const fs::path& folder) {
   }();
   if (!foreign.isEmpty() && !mayReplace(folder, foreign)) return;
   const QPointer<StitchSession> here(this);
-  auto& texts = host_.files();
   host_.jobs().startSaving(
       tr("Saving the stitched volume").toStdString(),
-      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty(), &texts](Progress& whole) -> Result<void> {
+      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
-        return copyResult(parts, asked, folder, mayReplaceAll, texts, progress);
+        return copyResult(parts, asked, folder, mayReplaceAll, progress);
       },
       [here, folder](const Result<void>& outcome) {
         StitchSession* session = here.data();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ew/sdk/panel.h"
-#include "logic/places.h"
+#include "ew/stitching/places.h"
 #include "panel/phrases.h"
 #include "panel/reasons.h"
 #include "panel/session_parts.h"
@@ -37,18 +37,18 @@ void takeUpRead(const fs::path& reading, const fs::path& work) {
 
 /// Runs the chain as far as `until`, or as far as it was finished before, and reads the volume it made.
 Result<void> makeChain(const StitchProject& asked, const fs::path& folder, ChainOptions options, std::optional<Step> until,
-                       sdk::Volumes& volumes, sdk::Files& files, ChainMade& made, Progress& whole) {
+                       sdk::Volumes& volumes, ChainMade& made, Progress& whole) {
   ProgressInWords progress(whole);
   std::optional<Step> last = until;
   if (!last) {  // as far as it was finished before
-    auto known = forecastChain(asked, folder, options, volumes, files);
+    auto known = forecastChain(asked, folder, options);
     if (!known) return passOn(known.error());
     for (const StepOutcome& step : known->steps)
       if (step.done) last = step.step;
     if (!last) return {};
   }
   options.until = *last;
-  auto state = runChain(asked, folder, options, volumes, files, progress);
+  auto state = runChain(asked, folder, options, progress);
   if (!state) return passOn(state.error());
   made.state = std::move(*state);
   made.any = true;
@@ -144,12 +144,11 @@ void StitchSession::begin(std::optional<Step> until, const QString& title) {
   const QPointer<StitchSession> here(this);
   host_.jobs().start(
       title.toStdString(),
-      [made, asked, options, until, &volumes = host_.volumes(), &files = host_.files(), folder = workFolder(),
-       reading = readingFolder()](Progress& progress) {
+      [made, asked, options, until, &volumes = host_.volumes(), folder = workFolder(), reading = readingFolder()](Progress& progress) {
         std::error_code ignored;
         fs::create_directories(folder, ignored);
         if (until) takeUpRead(reading, folder);
-        return makeChain(asked, folder, options, until, volumes, files, *made, progress);
+        return makeChain(asked, folder, options, until, volumes, *made, progress);
       },
       [here, made, asked, until, number = projectNumber_](const Result<void>& outcome) {
         if (StitchSession* session = here.data()) session->finish(outcome, *made, asked, until.has_value(), number);
@@ -168,6 +167,7 @@ void StitchSession::finish(const Result<void>& outcome, ChainMade& made, const S
   } else if (!outcome) {  // nobody asked; a run will say it
     host_.log().info(outcome.error().sentence);
   } else if (made.any && !another) {
+    for (const std::string& note : made.state.notes) host_.log().warn(note);
     if (made.result) {
       const ChainState& state = made.state;
       result_ = made.result;

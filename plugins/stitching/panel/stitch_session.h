@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "ew/sdk/host.h"
-#include "logic/chain.h"
-#include "logic/expected_cost.h"
+#include "ew/stitching/chain.h"
+#include "ew/stitching/expected_cost.h"
 #include "logic/recovery.h"
 #include "logic/slices.h"
 #include "logic/stitch_document.h"

@@ -10,13 +10,16 @@
 
 #include "case_truth_file.h"
 #include "ew/acquisition/import.h"
+#include "ew/acquisition/sweep_volume.h"
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
+#include "ew/io/content_key.h"
 #include "ew/io/safe_file.h"
+#include "ew/io/volume_file.h"
 #include "ew/library/case_truth.h"
 #include "ew/phantom/label_grid.h"
 #include "ew/phantom/patient.h"
-#include "ew/stitching/stitch.h"
+#include "ew/stitching/chain.h"
 #include "guarded_case.h"
 #include "machine_speed.h"
 #include "old_results.h"
@@ -30,7 +33,7 @@ namespace fs = std::filesystem;
 using PatientPtr = std::shared_ptr<const Patient>;
 
 /// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
-constexpr std::uint64_t kPreparationFormat = 3;
+constexpr int kPreparationFormat = 4;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "Preparing the case was stopped."); }
@@ -52,15 +55,14 @@ double frameArea_mm2(const Probe& probe, double depth_mm) {
   return probe.halfAngle_rad * (far * far - near * near);
 }
 
-void addOptions(ContentHash& hash, const CaseReconstruction& reconstruct) {
-  hash.add(reconstruct.spacing_mm)
-      .add(static_cast<std::uint64_t>(reconstruct.interpolation))
-      .add(static_cast<std::uint64_t>(reconstruct.compounding))
+void addOptions(ContentKey& key, const CaseReconstruction& reconstruct) {
+  key.add(reconstruct.spacing_mm)
+      .add(static_cast<int>(reconstruct.interpolation))
+      .add(static_cast<int>(reconstruct.compounding))
       .add(reconstruct.fillReach_mm);
 }
 
-Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient,
-                             const fs::path& steps) {
+Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient) {
   auto file = fileOfCase(opened.folder, relative, "volume.sweeps");
   if (!file) return passOn(file.error());
   auto text = readTextFile(*file, kLargestSweepFile_bytes);
@@ -81,14 +83,11 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
   planned.name = fs::path(relative).stem().string();
   planned.recipe = std::move(*recipe);
   planned.probe = std::move(*probe);
-  planned.key = ContentHash().add(kPreparationFormat).add(patient).add(*text).add(*probeText).text();
-  planned.recording = steps / (planned.key + ".igs.mha");
-  planned.calibration = steps / (planned.key + ".xml");
-  planned.lock = steps / (planned.key + ".lock");
-  ContentHash volume;
-  volume.add(planned.key);
+  planned.recording = ContentKey().add(kPreparationFormat).add(patient).add(*text).add(*probeText).text();
+  ContentKey volume;
+  volume.add("sweep").add(planned.recording);
   addOptions(volume, opened.volume.reconstruct);
-  planned.store = PreparedStore(steps, volume.text());
+  planned.volume = volume.text();
   planned.work = recordingWork(planned.probe, planned.recipe);
   return planned;
 }
@@ -118,34 +117,123 @@ class Onward final : public Progress {
   double furthest_ = 0.0;
 };
 
+// Files of a result.
+constexpr const char* kVolumeFile = "volume.mha";
+constexpr const char* kCoverageFile = "coverage.mha";
+constexpr const char* kConfidenceFile = "confidence.mha";
+constexpr const char* kLabelsFile = "labels.mha";
+constexpr const char* kImagesFile = "images.igs.mha";
+constexpr const char* kDeviceSetFile = "device-set.xml";
+
+/// Speckle hardly compresses, and an uncompressed file opens several times faster.
+constexpr WriteOptions kPlain{.compress = false};
+
+bool hasVoxels(const Volume& volume) { return !volume.echo.empty(); }
+
+/// Whether a result is there and its files hold what they held.
+bool isWhole(const StepStore& store, const char* step, const std::string& key, std::initializer_list<const char*> names) {
+  return store.find(step, key) && std::all_of(names.begin(), names.end(), [&](const char* name) { return store.isSound(step, key, name); });
+}
+
+tl::unexpected<Error> damagedInCache(const StepStore& store, const char* step, const std::string& key) {
+  return failure(ErrorCode::badHeader, "A prepared volume in the cache was damaged; it is made again.",
+                 {{"file", store.fileOf(step, key, {}).string()}});
+}
+
+/// @error as readVolume; badHeader (damaged)
+Result<Volume> readKeptVolume(const StepStore& store, const char* step, const std::string& key, Progress& progress) {
+  if (!isWhole(store, step, key, {kVolumeFile, kCoverageFile})) return damagedInCache(store, step, key);
+  auto loaded = readVolume(store.fileOf(step, key, kVolumeFile), progress);
+  if (!loaded) return passOn(loaded.error());
+  if (auto read = readCoverageInto(loaded->volume, store.fileOf(step, key, kCoverageFile), progress); !read) return passOn(read.error());
+  return std::move(loaded->volume);
+}
+
+Result<Volume> readKeptLabels(const StepStore& store, const char* step, const std::string& key, Progress& progress) {
+  if (!isWhole(store, step, key, {kLabelsFile})) return damagedInCache(store, step, key);
+  auto labels = readLabelVolume(store.fileOf(step, key, kLabelsFile), progress);
+  if (!labels) return passOn(labels.error());
+  return std::move(labels->volume);
+}
+
+/// @error notWritable, cancelled
+Result<void> keepPrepared(const StepStore& store, const char* step, const std::string& key, const Prepared& made, Progress& progress) {
+  if (auto room = store.prepare(step); !room) return room;
+  PartOfProgress first(progress, 0.0, 0.33), second(progress, 0.33, 0.67), third(progress, 0.67, 1.0);
+  std::vector<std::string> names;
+  const auto fileFor = [&](const char* name) { return store.fileOf(step, key, names.emplace_back(name)); };
+  if (hasVoxels(made.volume)) {
+    if (auto written = writeVolume(made.volume, fileFor(kVolumeFile), first, kPlain); !written) return written;
+    if (auto written = writeCoverage(made.volume, fileFor(kCoverageFile), second, kPlain); !written) return written;
+  }
+  if (hasVoxels(made.labels))
+    if (auto written = writeVolume(made.labels, fileFor(kLabelsFile), third, kPlain); !written) return written;
+  return store.keep(step, key, {}, names);
+}
+
+constexpr const char* kJoins = "joins";  ///< of the cache: a folder for each chain that is at work
+constexpr const char* kWaiting = "Waiting for another EchoWeave that prepares the same case";
+
 /// One case's way from recipe to volume.
 class Preparation {
  public:
-  Preparation(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress,
-              std::vector<std::string>& notes)
-      : case_(opened), plan_(plan), options_(options), notes_(notes), clock_(progress, stepsOf(opened, plan)), silent_(progress) {}
+  /// @param store shared, of `home`: the cache, or a folder of its own when that cannot be written
+  Preparation(const Case& opened, const CasePlan& plan, fs::path home, const StepStore& store, const PreparationOptions& options,
+              Progress& progress, std::vector<std::string>& notes)
+      : case_(opened),
+        plan_(plan),
+        home_(std::move(home)),
+        store_(store),
+        options_(options),
+        notes_(notes),
+        clock_(progress, stepsOf(opened, plan, store)),
+        silent_(progress) {}
 
-  Result<Prepared> run() {
-    if (plan_.volume.isThere()) {  // killed between stitching and labelling
-      if (auto kept = plan_.volume.read(silent_)) {
-        begin(PreparationStep::stitch, "Labelling the tissues");
-        auto labels = labelsOf(kept->volume.grid);
-        if (!labels) return passOn(labels.error());
-        kept->labels = std::move(*labels);
-        return kept;
+  Result<Prepared> run() { return plan_.sweeps.empty() ? voxelised() : joined(); }
+
+  /// Whether what could not be written is the folder somebody named for the recordings.
+  [[nodiscard]] bool isNamedFolderInTheWay() const { return isNamedFolderInTheWay_; }
+
+  [[nodiscard]] static std::vector<PreparationClock::Step> stepsOf(const Case& opened, const CasePlan& plan, const StepStore& store) {
+    const MachineSpeed speed = readMachineSpeed(cacheFolder());
+    std::vector<PreparationClock::Step> steps;
+    const auto add = [&](PreparationStep kind, double work) { steps.push_back({static_cast<int>(kind), speed.of(kind) * work}); };
+    if (plan.sweeps.empty()) {
+      add(PreparationStep::patient, 1.0);
+      add(PreparationStep::voxelise, voxeliseWork(opened.volume.recipeSpacing_mm));
+      return steps;
+    }
+    bool hasPatient = false;
+    for (const PlannedSweep& sweep : plan.sweeps) {
+      if (store.find(kSweeps, sweep.volume)) continue;
+      if (!store.find(kRecordings, sweep.recording)) {
+        if (!hasPatient) add(PreparationStep::patient, 1.0);
+        hasPatient = true;
+        add(PreparationStep::record, sweep.work);
       }
+      add(PreparationStep::reconstruct, sweep.work);
     }
-    std::vector<Prepared> parts;
-    for (const PlannedSweep& sweep : plan_.sweeps) {
-      auto part = sweptVolume(sweep);
-      if (!part) return passOn(part.error());
-      parts.push_back(std::move(*part));
-    }
-    begin(PreparationStep::stitch, "Stitching");
+    add(PreparationStep::stitch, stitchWork(plan, opened.volume.reconstruct.spacing_mm));
+    return steps;
+  }
+
+ private:
+  void begin(PreparationStep kind, std::string what) { clock_.begin(static_cast<int>(kind), std::move(what)); }
+
+  Result<Prepared> joined() {
     Prepared made;
-    auto stitched = stitchedVolume(std::move(parts));
-    if (!stitched) return passOn(stitched.error());
-    made.volume = std::move(*stitched);
+    auto kept = readKeptVolume(store_, kVolumes, plan_.volume, silent_);  // there when it was killed before it labelled
+    if (!kept && kept.error().code == ErrorCode::cancelled) return passOn(kept.error());
+    if (kept) {
+      begin(PreparationStep::stitch, "Labelling the tissues");
+    } else {
+      for (const PlannedSweep& sweep : plan_.sweeps)
+        if (auto swept = makeSweep(sweep); !swept) return passOn(swept.error());
+      begin(PreparationStep::stitch, "Stitching");
+      kept = stitchedVolume();
+      if (!kept) return passOn(kept.error());
+    }
+    made.volume = std::move(*kept);
     auto labels = labelsOf(made.volume.grid);
     if (!labels) return passOn(labels.error());
     made.labels = std::move(*labels);
@@ -165,37 +253,10 @@ class Preparation {
     Prepared made{std::move(voxels->volume), {}};
     made.labels = {made.volume.grid, std::move(voxels->labels), {}};
     PartOfProgress rest(clock_, 0.9, 1.0);
-    if (auto kept = keep(plan_.volume, made, rest); !kept) return passOn(kept.error());
+    if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, rest); !kept) return passOn(kept.error());
     keepTruth();
     return made;
   }
-
-  [[nodiscard]] static std::vector<PreparationClock::Step> stepsOf(const Case& opened, const CasePlan& plan) {
-    const MachineSpeed speed = readMachineSpeed(cacheFolder());
-    std::vector<PreparationClock::Step> steps;
-    const auto add = [&](PreparationStep kind, double work) { steps.push_back({static_cast<int>(kind), speed.of(kind) * work}); };
-    if (plan.sweeps.empty()) {
-      add(PreparationStep::patient, 1.0);
-      add(PreparationStep::voxelise, voxeliseWork(opened.volume.recipeSpacing_mm));
-      return steps;
-    }
-    bool hasPatient = false;
-    std::error_code ignored;
-    for (const PlannedSweep& sweep : plan.sweeps) {
-      if (sweep.store.isThere()) continue;
-      if (!fs::exists(sweep.recording, ignored)) {
-        if (!hasPatient) add(PreparationStep::patient, 1.0);
-        hasPatient = true;
-        add(PreparationStep::record, sweep.work);
-      }
-      add(PreparationStep::reconstruct, sweep.work);
-    }
-    add(PreparationStep::stitch, stitchWork(plan, opened.volume.reconstruct.spacing_mm));
-    return steps;
-  }
-
- private:
-  void begin(PreparationStep kind, std::string what) { clock_.begin(static_cast<int>(kind), std::move(what)); }
 
   Result<PatientPtr> patientOf() {
     if (patient_) return patient_;
@@ -208,155 +269,145 @@ class Preparation {
     return patient_;
   }
 
-  /// Without a cache the case still opens; it is only made anew next time, and the user is told why, once. A cancel, though, is a cancel.
-  Result<void> keep(const PreparedStore& store, const Prepared& made, Progress& progress) {
-    auto written = store.write(made, progress);
-    if (written || written.error().code == ErrorCode::cancelled) return written;
-    sayUnkept(written.error());
-    return {};
-  }
-
-  void sayUnkept(const Error& why) {
-    if (!saidUnkept_)
-      notes_.push_back("The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. " +
-                       why.sentence);
-    saidUnkept_ = true;
-  }
-
   void keepTruth() {
     if (!patient_) return;
-    if (const auto truth = truthOfPatient(*patient_, silent_)) static_cast<void>(writeFileSafely(plan_.truth, *truth));
+    if (auto truth = truthOfPatient(*patient_, silent_)) static_cast<void>(store_.keep(kTruths, plan_.truth, std::move(*truth)));
   }
 
   /// A recording on disk, as a laboratory has it: the tracked images and the device set with calibration and sector.
-  struct Recording {
-    fs::path images;
-    fs::path calibration;
-  };
-
-  Result<void> writeRecording(const VirtualSweep& swept, const Recording& recording, Progress& progress) {
-    std::error_code ignored;
-    fs::create_directories(recording.images.parent_path(), ignored);
-    if (auto written = writeDeviceSet(swept.deviceSet, recording.calibration); !written) return written;
-    return writeSequence(swept.sequence, recording.images, progress);
-  }
-
-  Result<Recording> recorded(const PlannedSweep& sweep) {
-    const Recording kept{sweep.recording, sweep.calibration};
-    std::error_code ignored;
-    if (fs::exists(kept.images, ignored) && fs::exists(kept.calibration, ignored)) return kept;
+  Result<void> record(const PlannedSweep& sweep) {
+    if (isWhole(store_, kRecordings, sweep.recording, {kImagesFile, kDeviceSetFile})) return {};
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
     begin(PreparationStep::record, "Recording the sweep '" + sweep.name + "'");
-    PartOfProgress most(clock_, 0.0, 0.9);
-    auto swept = recordSweep(*patient, sweep.probe, sweep.recipe, options_.threads, most, options_.maxBytes);
+    PartOfProgress most(clock_, 0.0, 0.9), rest(clock_, 0.9, 1.0);
+    const auto swept = recordSweep(*patient, sweep.probe, sweep.recipe, options_.threads, most, options_.maxBytes);
     if (!swept) return passOn(swept.error());
-    PartOfProgress rest(clock_, 0.9, 1.0);
-    Recording made = kept;
-    auto written = writeRecording(*swept, made, rest);
-    if (!written && written.error().code != ErrorCode::cancelled) {
-      // The cache cannot be written; the road leads through a file all the same, in a folder that nobody else can write to.
-      sayUnkept(written.error());
-      if (!aside_) aside_ = PrivateFolder::make();
-      if (aside_) {
-        made = {aside_->path() / (sweep.key + ".igs.mha"), aside_->path() / (sweep.key + ".xml")};
-        written = writeRecording(*swept, made, rest);
-      }
-    }
-    if (!written) return passOn(written.error());
+    if (auto room = store_.prepare(kRecordings); !room) return room;
+    if (auto written = writeDeviceSet(swept->deviceSet, fileOf(sweep, kDeviceSetFile)); !written) return written;
+    if (auto written = writeSequence(swept->sequence, fileOf(sweep, kImagesFile), rest); !written) return written;
+    if (auto kept = store_.keep(kRecordings, sweep.recording, {}, {kDeviceSetFile, kImagesFile}); !kept) return kept;
     keepMachineSpeed(cacheFolder(), PreparationStep::record, sweep.work, clock_.sinceBegin_s());
-    return made;
+    return {};
   }
 
-  Result<ImportedSweep> reconstructed(const PlannedSweep& sweep, const Recording& recording) {
+  /// Of the recording of a sweep.
+  [[nodiscard]] fs::path fileOf(const PlannedSweep& sweep, const char* name) const {
+    return store_.fileOf(kRecordings, sweep.recording, name);
+  }
+
+  /// The way a user's recording goes into a volume for stitching, with the options of the case.
+  Result<void> reconstruct(const PlannedSweep& sweep) {
     begin(PreparationStep::reconstruct, "Reconstructing the sweep '" + sweep.name + "'");
     const CaseReconstruction& asked = case_.volume.reconstruct;
     SweepImportOptions import;
-    import.calibrations = {recording.calibration};
+    import.calibrations = {fileOf(sweep, kDeviceSetFile)};
     import.reconstruct.spacing_mm = asked.spacing_mm;
     import.reconstruct.interpolation = asked.interpolation;
     import.reconstruct.compounding = asked.compounding;
     import.reconstruct.fillReach_mm = asked.fillReach_mm;
     import.reconstruct.threads = options_.threads;
     import.reconstruct.maxBytes = options_.maxBytes;
-    return importSweep(recording.images, import, clock_);
+    PartOfProgress reading(clock_, 0.0, 0.2), making(clock_, 0.2, 1.0);
+    const auto opened = openSweep(fileOf(sweep, kImagesFile), import, reading);
+    if (!opened) return passOn(opened.error());
+    const auto made = makeSweepVolume(*opened, making);
+    if (!made) return passOn(made.error());
+    if (auto room = store_.prepare(kSweeps); !room) return room;
+    const auto file = [&](const char* name) { return store_.fileOf(kSweeps, sweep.volume, name); };
+    if (auto w = writeVolume(made->volume, file(kVolumeFile), silent_, kPlain); !w) return w;
+    if (auto w = writeCoverage(made->volume, file(kCoverageFile), silent_, kPlain); !w) return w;
+    if (auto w = writeConfidence(made->volume.grid, made->confidence, file(kConfidenceFile), silent_, kPlain); !w) return w;
+    return store_.keep(kSweeps, sweep.volume, {}, {kVolumeFile, kCoverageFile, kConfidenceFile});
   }
 
-  static void remove(const Recording& recording) {
-    std::error_code ignored;
-    fs::remove(recording.images, ignored);
-    fs::remove(recording.calibration, ignored);
-  }
-
-  Result<Prepared> sweptVolume(const PlannedSweep& sweep) {
+  /// Leaves the volume of a sweep in the store.
+  Result<void> makeSweep(const PlannedSweep& sweep) {
     // Cases may share a patient and a sweep: whoever comes second finds what the first one kept, and never a recording that goes while he
     // reads it.
-    const auto lock = PreparationLock::take(sweep.lock, silent_);
-    if (!lock) return passOn(lock.error());
-    if (sweep.store.isThere()) {
-      auto kept = sweep.store.read(silent_);
-      if (kept || kept.error().code == ErrorCode::cancelled) return kept;
-      notes_.push_back("A part of the case in the cache could not be used and was made again. " + kept.error().sentence);
-    }
-    auto recording = recorded(sweep);
+    const auto recording = store_.lock(kRecordings, sweep.recording, kWaiting, silent_);
     if (!recording) return passOn(recording.error());
-    auto imported = reconstructed(sweep, *recording);
-    if (!imported && imported.error().code != ErrorCode::cancelled && imported.error().code != ErrorCode::tooLarge) {
-      remove(*recording);  // damaged in the cache: made again, once
-      recording = recorded(sweep);
-      if (!recording) return passOn(recording.error());
-      imported = reconstructed(sweep, *recording);
+    const auto volume = store_.lock(kSweeps, sweep.volume, kWaiting, silent_);
+    if (!volume) return passOn(volume.error());
+    if (store_.find(kSweeps, sweep.volume)) {
+      if (isWhole(store_, kSweeps, sweep.volume, {kVolumeFile, kCoverageFile, kConfidenceFile})) return {};
+      notes_.push_back("A part of the case in the cache could not be used and was made again. " +
+                       damagedInCache(store_, kSweeps, sweep.volume).value().sentence);
     }
-    if (!imported) return passOn(imported.error());
-    Prepared made{std::move(imported->reconstruction.volume), {}};
-    if (auto kept = keep(sweep.store, made, silent_); !kept) return passOn(kept.error());
-    if (auto moved = putAway(*recording, sweep); !moved) return passOn(moved.error());
+    if (auto recorded = record(sweep); !recorded) return recorded;
+    if (auto made = reconstruct(sweep); !made) return made;
+    if (auto moved = putAway(sweep); !moved) return moved;
     keepMachineSpeed(cacheFolder(), PreparationStep::reconstruct, sweep.work, clock_.sinceBegin_s());
-    return made;
-  }
-
-  /// A recording has done its service once its volume is kept; whoever wants to look at it names a folder.
-  Result<void> putAway(const Recording& recording, const PlannedSweep& sweep) {
-    if (!options_.keepSweeps.empty()) {
-      std::error_code error;
-      fs::create_directories(options_.keepSweeps, error);
-      for (const auto& [from, ending] : {std::pair{recording.images, ".igs.mha"}, std::pair{recording.calibration, ".xml"}}) {
-        const fs::path target = options_.keepSweeps / (sweep.name + ending);
-        error.clear();
-        fs::copy_file(from, target, error);  // never over a file that is there
-        if (error)
-          return failure(ErrorCode::notWritable,
-                         "The recording cannot be written to '" + target.string() + "' (" + error.message() + "); choose another folder.",
-                         {{"file", target.string()}});
-      }
-    }
-    remove(recording);
     return {};
   }
 
-  Result<Volume> stitchedVolume(std::vector<Prepared> parts) {
-    std::vector<stitching::PlacedView> views;
-    for (std::size_t n = 0; n < parts.size(); ++n) views.push_back({&parts[n].volume, glm::dmat4(1.0), plan_.sweeps[n].name});
-    stitching::StitchOptions how;
-    how.spacing_mm = case_.volume.reconstruct.spacing_mm;
-    how.featherWidth_mm = case_.volume.reconstruct.feather_mm;
-    how.axes = stitching::GridAxes::world;
+  /// A recording has done its service once its volume is kept; whoever wants to look at it names a folder.
+  Result<void> putAway(const PlannedSweep& sweep) {
+    if (!options_.keepSweeps.empty()) {
+      std::error_code error;
+      fs::create_directories(options_.keepSweeps, error);
+      for (const auto& [name, ending] : {std::pair{kImagesFile, ".igs.mha"}, std::pair{kDeviceSetFile, ".xml"}}) {
+        const fs::path target = options_.keepSweeps / (sweep.name + ending);
+        error.clear();
+        fs::copy_file(fileOf(sweep, name), target, error);  // never over a file that is there
+        if (!error) continue;
+        isNamedFolderInTheWay_ = true;
+        return failure(ErrorCode::notWritable,
+                       "The recording cannot be written to '" + target.string() + "' (" + error.message() + "); choose another folder.",
+                       {{"file", target.string()}});
+      }
+    }
+    store_.remove(kRecordings, sweep.recording);
+    return {};
+  }
+
+  /// What is asked of the chain of stitching. The poses of a virtual patient's sweeps are the truth, and labels and targets are placed by
+  /// them: nothing is registered.
+  [[nodiscard]] stitching::StitchProject project() const {
+    const CaseReconstruction& asked = case_.volume.reconstruct;
+    stitching::StitchProject project;
+    for (const PlannedSweep& sweep : plan_.sweeps) {
+      stitching::ProjectVolume volume;
+      volume.file = store_.fileOf(kSweeps, sweep.volume, kVolumeFile);
+      volume.coverage = store_.fileOf(kSweeps, sweep.volume, kCoverageFile);
+      volume.confidence = store_.fileOf(kSweeps, sweep.volume, kConfidenceFile);
+      volume.name = sweep.name;
+      project.volumes.push_back(std::move(volume));
+    }
+    project.settings.trackerError_mm = project.settings.trackerError_deg = 0.0;
+    project.settings.elastic = false;
+    project.settings.join.grid.spacing_mm = asked.spacing_mm;
+    project.settings.join.grid.axes = stitching::GridAxes::world;
+    project.settings.join.grid.featherWidth_mm = asked.feather_mm;
+    project.settings.join.seam.method = asked.seam;
+    return project;
+  }
+
+  Result<Volume> stitchedVolume() {
+    const fs::path folder = home_ / kJoins / plan_.volume;  // of the chain's own steps; gone when the volume is kept
+    stitching::ChainOptions how;
     how.threads = options_.threads;
     how.maxBytes = options_.maxBytes;
-    PartOfProgress most(clock_, 0.0, 0.6);
-    auto stitched = stitching::stitch(views, how, most);
-    if (!stitched) return passOn(stitched.error());
-    Prepared made{std::move(stitched->volume), {}};
-    PartOfProgress saving(clock_, 0.6, 0.65);
-    if (auto kept = keep(plan_.volume, made, saving); !kept) return passOn(kept.error());
+    how.keepVolumes = false;
+    how.isFolderOwn = true;
+    how.streamAbove_voxels = 0;  // uncompressed
+    PartOfProgress most(clock_, 0.0, 0.6), saving(clock_, 0.6, 0.65);
+    const auto state = stitching::runChain(project(), folder, how, most);
+    if (!state) return passOn(state.error());
+    auto loaded = readVolume(state->volume, silent_);
+    if (!loaded) return passOn(loaded.error());
+    Prepared made{std::move(loaded->volume), {}};
+    if (auto read = readCoverageInto(made.volume, state->coverage, silent_); !read) return passOn(read.error());
+    if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, saving); !kept) return passOn(kept.error());
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
     return std::move(made.volume);
   }
 
   Result<Volume> labelsOf(const Grid& grid) {
-    if (plan_.labels.isThere()) {
-      auto kept = plan_.labels.read(silent_);
-      if (kept) return std::move(kept->labels);
-      if (kept.error().code == ErrorCode::cancelled) return passOn(kept.error());
+    if (store_.find(kLabels, plan_.labels)) {
+      auto kept = readKeptLabels(store_, kLabels, plan_.labels, silent_);
+      if (kept || kept.error().code == ErrorCode::cancelled) return kept;
     }
     if (!patient_) {
       auto read = readPatient(plan_.patientFile, plan_.mannequins, {}, silent_);
@@ -367,37 +418,55 @@ class Preparation {
     coarse.spacing_mm = glm::dvec3(case_.volume.reconstruct.labelsSpacing_mm);
     for (int axis = 0; axis < 3; ++axis)
       coarse.dims[axis] = static_cast<int>(std::ceil((grid.dims[axis] - 1) * grid.spacing_mm[axis] / coarse.spacing_mm[axis])) + 1;
-    PartOfProgress labelling(clock_, 0.65, 0.95);
+    PartOfProgress labelling(clock_, 0.65, 0.95), saving(clock_, 0.95, 1.0);
     auto labels = labelsOn(*patient_, coarse, options_.threads, labelling, options_.maxBytes);
     if (!labels) return passOn(labels.error());
     Prepared made{{}, {coarse, std::move(*labels), {}}};
-    PartOfProgress saving(clock_, 0.95, 1.0);
-    if (auto kept = keep(plan_.labels, made, saving); !kept) return passOn(kept.error());
+    const auto lock = store_.lock(kLabels, plan_.labels, kWaiting, silent_);
+    if (!lock) return passOn(lock.error());
+    if (auto kept = keepPrepared(store_, kLabels, plan_.labels, made, saving); !kept) return passOn(kept.error());
     keepTruth();
     return std::move(made.labels);
   }
 
   const Case& case_;
   const CasePlan& plan_;
+  const fs::path home_;
+  const StepStore& store_;
   const PreparationOptions& options_;
   std::vector<std::string>& notes_;
   PreparationClock clock_;
   QuietProgress silent_;
   PatientPtr patient_;
-  std::optional<PrivateFolder> aside_;  ///< for recordings, when the cache cannot be written
-  bool saidUnkept_ = false;
+  bool isNamedFolderInTheWay_ = false;
 };
 
-/// What the cache holds in full.
-Result<Prepared> readDone(const CasePlan& plan, Progress& progress) {
-  PartOfProgress first(progress, 0.0, 0.7);
-  auto found = plan.volume.read(first);
-  if (!found || plan.sweeps.empty()) return found;
-  PartOfProgress second(progress, 0.7, 1.0);
-  auto labels = plan.labels.read(second);
+/// What a store holds in full.
+Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress& progress) {
+  PartOfProgress first(progress, 0.0, 0.7), second(progress, 0.7, 1.0);
+  auto volume = readKeptVolume(store, kVolumes, plan.volume, first);
+  if (!volume) return passOn(volume.error());
+  auto labels =
+      plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
   if (!labels) return passOn(labels.error());
-  found->labels = std::move(labels->labels);
-  return found;
+  return Prepared{std::move(*volume), std::move(*labels)};
+}
+
+/// Folders of chains that were stopped and never gone on with.
+void removeOldJoins(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> old;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (isContentKey(entry->path().filename().string()) && fs::file_time_type::clock::now() - entry->last_write_time(error) > kOldResult)
+      old.push_back(entry->path());
+  for (const fs::path& each : old) fs::remove_all(each, error);
+}
+
+/// What nobody will come back for, of this version and of those that kept results in other places.
+void removeOld(const StepStore& cache) {
+  cache.removeUnused(kOldResult);
+  removeOldJoins(cacheFolder() / kJoins);
+  for (const char* each : {"recipes", "steps"}) removeOldResults(cacheFolder() / each);
 }
 
 Result<CasePlan> unguardedPlanOf(const Case& opened) {
@@ -411,29 +480,26 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   // The phantom library answers for everything that shapes the patient: recipe, what it extends, mannequin and its own way of drawing.
   const auto patient = fingerprintOfPatient(plan.patientFile, plan.mannequins);
   if (!patient) return passOn(patient.error());
-  const fs::path folder = cacheFolder() / "recipes";
-  ContentHash whole;
+  ContentKey whole;
   whole.add(kPreparationFormat).add(*patient);
   if (opened.volume.sweeps.empty()) {
-    whole.add(std::string_view("voxelised")).add(opened.volume.recipeSpacing_mm);
+    whole.add("voxelised").add(opened.volume.recipeSpacing_mm);
   } else {
     std::set<std::string> names;
     for (const std::string& relative : opened.volume.sweeps) {
-      auto sweep = sweepOf(opened, relative, *resources, *patient, cacheFolder() / "steps");
+      auto sweep = sweepOf(opened, relative, *resources, *patient);
       if (!sweep) return passOn(sweep.error());
       if (!names.insert(sweep->name).second)
         return failure(ErrorCode::badField, "Two sweeps of the case are called '" + sweep->name + "'; give each a name of its own.",
                        {{"field", "volume.sweeps"}, {"found", sweep->name}});
-      whole.add(std::string_view(sweep->store.name()));
+      whole.add(sweep->name).add(sweep->volume);
       plan.sweeps.push_back(std::move(*sweep));
     }
-    whole.add(opened.volume.reconstruct.feather_mm);
+    whole.add(static_cast<int>(opened.volume.reconstruct.seam)).add(opened.volume.reconstruct.feather_mm);
   }
-  const std::string name = whole.text();
-  plan.volume = PreparedStore(folder, name);
-  plan.labels = PreparedStore(folder, ContentHash().add(std::string_view(name)).add(opened.volume.reconstruct.labelsSpacing_mm).text());
-  plan.truth = folder / (name + ".truth.json");
-  plan.lock = folder / (name + ".lock");
+  plan.volume = whole.text();
+  plan.labels = ContentKey().add("labels").add(plan.volume).add(opened.volume.reconstruct.labelsSpacing_mm).text();
+  plan.truth = ContentKey().add("truth").add(kPreparationFormat).add(*patient).text();
   return plan;
 }
 
@@ -443,38 +509,67 @@ Result<CasePlan> planOf(const Case& opened) {
   return guardedCase("The case '" + opened.folder.string() + "'", [&] { return unguardedPlanOf(opened); });
 }
 
+const std::vector<std::string>& preparationSteps() {
+  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kTruths};
+  return names;
+}
+
+bool CasePlan::isDoneIn(const StepStore& store) const {
+  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels));
+}
+
+bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }
+
 PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
-  if (plan.isDone()) return {0.0, true};
+  const StepStore store = StepStore::peek(cacheFolder(), preparationSteps());
+  if (plan.isDoneIn(store)) return {0.0, true};
   PreparationEstimate estimate;
   estimate.measured = readMachineSpeed(cacheFolder()).measured;
-  for (const auto& step : Preparation::stepsOf(opened, plan)) estimate.seconds += step.expected_s;
+  for (const auto& step : Preparation::stepsOf(opened, plan, store)) estimate.seconds += step.expected_s;
   return estimate;
 }
 
 Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& whole,
                               std::vector<std::string>& notes) {
   Onward progress(whole);
-  const auto readOrNote = [&]() -> Result<Prepared> {
-    auto cached = readDone(plan, progress);
+  const auto cache = StepStore::share(cacheFolder(), preparationSteps());
+  const auto readOrNote = [&](const StepStore& store) -> Result<Prepared> {
+    auto cached = readDone(plan, store, progress);
     if (!cached && cached.error().code != ErrorCode::cancelled)
       notes.push_back("The prepared volume in the cache could not be used and was made again. " + cached.error().sentence);
     return cached;
   };
-  if (plan.isDone()) {
-    auto cached = readOrNote();
-    if (cached || cached.error().code == ErrorCode::cancelled) return cached;
-  }
   const bool wasThere = plan.isDone();
-  const auto lock = PreparationLock::take(plan.lock, progress);
-  if (!lock) return passOn(lock.error());
-  if (!wasThere && plan.isDone()) {
-    auto cached = readOrNote();
+  if (wasThere) {
+    auto cached = cache ? readOrNote(*cache) : readOrNote(StepStore::peek(cacheFolder(), preparationSteps()));
     if (cached || cached.error().code == ErrorCode::cancelled) return cached;
   }
-  if (progress.cancelRequested()) return stopped();
-  for (const char* each : {"recipes", "steps"}) removeOldResults(cacheFolder() / each);
-  Preparation preparation(opened, plan, options, progress, notes);
-  return plan.sweeps.empty() ? preparation.voxelised() : preparation.run();
+  bool isNamedFolderInTheWay = false;
+  Result<Prepared> made = [&]() -> Result<Prepared> {
+    if (!cache) return passOn(cache.error());
+    const auto lock = cache->lock(kVolumes, plan.volume, kWaiting, progress);
+    if (!lock) return passOn(lock.error());
+    if (!wasThere && plan.isDoneIn(*cache)) {
+      auto cached = readOrNote(*cache);
+      if (cached || cached.error().code == ErrorCode::cancelled) return cached;
+    }
+    if (progress.cancelRequested()) return stopped();
+    removeOld(*cache);
+    Preparation preparation(opened, plan, cacheFolder(), *cache, options, progress, notes);
+    auto prepared = preparation.run();
+    isNamedFolderInTheWay = preparation.isNamedFolderInTheWay();
+    return prepared;
+  }();
+  if (made || made.error().code != ErrorCode::notWritable || isNamedFolderInTheWay) return made;
+  // Without a cache the case still opens; it is only made anew next time, and the user is told why, once. The way leads through files all
+  // the same, in a folder that nobody else can write to.
+  notes.push_back("The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. " +
+                  made.error().sentence);
+  const auto aside = PrivateFolder::make();
+  if (!aside) return made;
+  const auto store = StepStore::share(aside->path(), preparationSteps());
+  if (!store) return passOn(store.error());
+  return Preparation(opened, plan, aside->path(), *store, options, progress, notes).run();
 }
 
 }  // namespace ew

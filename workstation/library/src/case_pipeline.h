@@ -5,35 +5,46 @@
 #include <vector>
 
 #include "ew/imaging/probe.h"
+#include "ew/io/step_store.h"
 #include "ew/library/preparation.h"
 #include "ew/phantom/virtual_sweep.h"
-#include "prepared_store.h"
 
 namespace ew {
 
-/// A sweep of a case and the places of what comes of it.
+/// What a preparation made. A part without voxels is one that it does not make.
+struct Prepared {
+  Volume volume;  ///< with coverage
+  Volume labels;  ///< a label per voxel in its `echo`
+};
+
+/// The folders of the cache, below steps, in which results of preparations lie: each with what was made in a step, under its key.
+inline constexpr const char* kRecordings = "recordings";  ///< of sweeps, until those are reconstructed
+inline constexpr const char* kSweeps = "sweeps";          ///< reconstructed
+inline constexpr const char* kVolumes = "volumes";        ///< joined, or voxelised with their labels
+inline constexpr const char* kLabels = "labels";          ///< of joined volumes
+inline constexpr const char* kTruths = "truths";
+[[nodiscard]] const std::vector<std::string>& preparationSteps();
+
+/// A sweep of a case and the keys of what comes of it.
 struct PlannedSweep {
   std::string name;  ///< file name without folder and ending: "subcostal"
   SweepRecipe recipe;
   Probe probe;
-  std::string key;                    ///< of the recording
-  std::filesystem::path recording;    ///< while it is not reconstructed yet
-  std::filesystem::path calibration;  ///< the device set beside it, written first
-  std::filesystem::path lock;         ///< of the recording, for as long as it is there
-  PreparedStore store;                ///< the reconstructed volume
-  double work = 0.0;                  ///< of recording: resolution cells, in millions
+  std::string recording;  ///< key in kRecordings
+  std::string volume;     ///< key in kSweeps
+  double work = 0.0;      ///< of recording: resolution cells, in millions
 };
 
-/// The steps of a preparation, what each depends on, and where its result is kept. Nothing is built for it.
+/// The steps of a preparation, and the key of everything that each depends on. Nothing is built for it.
 struct CasePlan {
   std::filesystem::path patientFile;
   std::filesystem::path mannequins;
   std::vector<PlannedSweep> sweeps;  ///< none: the patient is voxelised
-  PreparedStore volume;              ///< stitched, or voxelised with its labels
-  PreparedStore labels;              ///< of a stitched volume
-  std::filesystem::path truth;
-  std::filesystem::path lock;
-  [[nodiscard]] bool isDone() const { return volume.isThere() && (sweeps.empty() || labels.isThere()); }
+  std::string volume;                ///< key in kVolumes
+  std::string labels;                ///< key in kLabels
+  std::string truth;                 ///< key in kTruths
+  [[nodiscard]] bool isDoneIn(const StepStore& store) const;
+  [[nodiscard]] bool isDone() const;  ///< in the cache
 };
 
 /// Never throws: the window's own thread asks.

@@ -5,9 +5,8 @@
 #include "case_pipeline.h"
 #include "case_truth_file.h"
 #include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/step_store.h"
 #include "ew/phantom/truth.h"
-#include "prepared_store.h"
 
 namespace ew {
 namespace {
@@ -33,35 +32,21 @@ Result<json> named(const json& list, const std::string& name, const std::string&
                  {{"field", field}, {"found", name}, {"expected", names}});
 }
 
-std::string hashOf(const json& truth) { return ContentHash().add(std::string_view(truth.dump())).text(); }
-
-/// Whether a truth from the cache is what was put there; takes its hash out.
-bool isAsWritten(json& truth) {
-  if (!truth.is_object() || !truth.contains("hash")) return false;
-  const json hash = truth["hash"];
-  truth.erase("hash");
-  return hash == hashOf(truth);
-}
-
 /// The patient's truth, from the cache or from the patient.
 Result<json> patientTruth(const Case& opened, Progress& progress) {
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
-  if (const auto kept = readTextFile(plan->truth, kLargestTruthFile_bytes)) {
-    auto truth = parseJson(*kept, "the patient's truth");
-    if (truth && isAsWritten(*truth)) return truth;
-  }
+  if (auto kept = StepStore::peek(cacheFolder(), preparationSteps()).find(kTruths, plan->truth)) return std::move(*kept);
   progress.report("Reading the patient", 0.1);
   PartOfProgress reading(progress, 0.1, 0.8);
   const auto patient = readPatient(plan->patientFile, plan->mannequins, {}, reading);
   if (!patient) return passOn(patient.error());
   if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Opening the case was stopped.");
-  const auto text = truthOfPatient(**patient, progress);
-  if (!text) return passOn(text.error());
-  std::error_code ignored;
-  std::filesystem::create_directories(plan->truth.parent_path(), ignored);
-  static_cast<void>(writeFileSafely(plan->truth, *text));  // the next start works it out again otherwise
-  return parseJson(*text, "the patient's truth");
+  auto truth = truthOfPatient(**patient, progress);
+  if (!truth) return passOn(truth.error());
+  if (const auto store = StepStore::share(cacheFolder(), preparationSteps()))
+    static_cast<void>(store->keep(kTruths, plan->truth, *truth));  // the next start works it out again otherwise
+  return truth;
 }
 
 /// One target after the other; `truth` is null for a case without a patient, where the manifest says everything itself.
@@ -119,7 +104,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
 
 }  // namespace
 
-Result<std::string> truthOfPatient(const Patient& patient, Progress& progress) {
+Result<json> truthOfPatient(const Patient& patient, Progress& progress) {
   const auto measured = measurementsOf(patient, {}, progress);
   if (!measured) return passOn(measured.error());
   json truth = {{"measurements", json::array()}, {"planes", json::array()}, {"organs", json::array()}};
@@ -140,8 +125,7 @@ Result<std::string> truthOfPatient(const Patient& patient, Progress& progress) {
                                {"angle_tolerance_deg", each.angleTolerance_deg},
                                {"shows", each.shows}});
   for (const OrganName& each : organsOf(patient)) truth["organs"].push_back({{"name", each.name}, {"label", each.label}});
-  truth["hash"] = hashOf(truth);
-  return truth.dump(1) + "\n";
+  return truth;
 }
 
 Result<CaseTruth> loadCaseTruth(const Case& opened, Progress& progress) {
@@ -156,8 +140,7 @@ Result<CaseTruth> loadCaseTruth(const Case& opened, Progress& progress) {
   } catch (const json::exception&) {
     // A truth file that someone edited: it is only a copy.
     const auto plan = planOf(opened);
-    std::error_code ignored;
-    if (plan) std::filesystem::remove(plan->truth, ignored);
+    if (plan) StepStore::peek(cacheFolder(), preparationSteps()).remove(kTruths, plan->truth);
     return failure(ErrorCode::badHeader, "The patient's truth in the cache was damaged and has been taken away; open the case again.");
   }
 }

@@ -8,6 +8,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
+#include "ew/stitching/project.h"
 
 namespace ew {
 namespace {
@@ -22,8 +23,8 @@ constexpr std::array<std::string_view, 19> kTopFields = {
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
 constexpr std::array<std::string_view, 7> kVolumeFields = {"file",   "labels",      "recipe",       "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
-constexpr std::array<std::string_view, 6> kReconstructFields = {"spacing_mm",    "interpolation", "compounding",
-                                                                "fill_reach_mm", "feather_mm",    "labels_spacing_mm"};
+constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
+                                                                "seam",       "feather_mm",    "labels_spacing_mm"};
 constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", "findings"};
 constexpr std::array<std::string_view, 9> kTargetFields = {
     "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ", "reveals_finding"};
@@ -188,6 +189,9 @@ CaseReconstruction reconstructionOf(const json& object) {
   made.interpolation = meaningOf(kInterpolationWords, object.value("interpolation", "")).value_or(made.interpolation);
   made.compounding = meaningOf(kCompoundingWords, object.value("compounding", "")).value_or(made.compounding);
   made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
+  const std::string seam = object.value("seam", stitching::nameOf(made.seam));
+  for (const auto method : {stitching::SeamMethod::feather, stitching::SeamMethod::nearest, stitching::SeamMethod::graphCut})
+    if (seam == stitching::nameOf(method)) made.seam = method;
   made.feather_mm = object.value("feather_mm", made.feather_mm);
   made.labelsSpacing_mm = object.value("labels_spacing_mm", made.labelsSpacing_mm);
   return made;
@@ -198,6 +202,7 @@ ordered_json toJson(const CaseReconstruction& reconstruct) {
           {"interpolation", wordOf(kInterpolationWords, reconstruct.interpolation)},
           {"compounding", wordOf(kCompoundingWords, reconstruct.compounding)},
           {"fill_reach_mm", reconstruct.fillReach_mm},
+          {"seam", stitching::nameOf(reconstruct.seam)},
           {"feather_mm", reconstruct.feather_mm},
           {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
 }

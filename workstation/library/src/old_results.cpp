@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ew/core/output_set.h"
+#include "ew/io/content_key.h"
 
 namespace ew {
 namespace {
@@ -24,11 +25,9 @@ constexpr auto kSettled = std::chrono::hours(24);  // another machine may write 
 constexpr std::array<std::string_view, 9> kEndings{".json", ".mha",     ".coverage.mha", ".labels.mha", ".truth.json",
                                                    ".lock", ".igs.mha", ".xml",          ".raw"};
 
-bool isKey(std::string_view text) { return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string_view::npos; }
-
 /// The key of one of the pipeline's own files; empty for any other name.
 std::string keyOf(std::string_view name) {
-  if (name.size() <= kDigits || !isKey(name.substr(0, kDigits))) return {};
+  if (name.size() <= kDigits || !isContentKey(name.substr(0, kDigits))) return {};
   const auto ending = name.substr(kDigits);
   return std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end() ? std::string() : std::string(name.substr(0, kDigits));
 }

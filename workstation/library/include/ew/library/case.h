@@ -13,6 +13,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/imaging/frame.h"
+#include "ew/stitching/join.h"
 
 namespace ew {
 
@@ -25,14 +26,16 @@ struct CasePatient {
   bool operator==(const CasePatient&) const = default;
 };
 
-/// How the virtual sweeps of a case become its volume: each is reconstructed as a user's recording is, then they are stitched.
+/// How the virtual sweeps of a case become its volume: each is reconstructed as a user's recording is, then they are joined by the chain of
+/// stitching (ew/stitching/chain.h).
 struct CaseReconstruction {
   double spacing_mm = 0.8;  ///< of the volume, 0.1 to 10
   Interpolation interpolation = Interpolation::linear;
   Compounding compounding = Compounding::mean;  ///< weighted: by beam-wise confidence
   double fillReach_mm = 4.0;                    ///< holes between measured voxels at most this far apart are filled, 0 to 30
-  double feather_mm = 10.0;                     ///< over which a sweep fades in from its border, 0 to 100
-  double labelsSpacing_mm = 1.6;                ///< of the label volume, which comes from the patient's truth, 0.1 to 10
+  stitching::SeamMethod seam = stitching::SeamMethod::graphCut;  ///< how sweeps are joined where they overlap
+  double feather_mm = 10.0;       ///< of SeamMethod::feather: over which a sweep fades in from its border, 0 to 100
+  double labelsSpacing_mm = 1.6;  ///< of the label volume, which comes from the patient's truth, 0.1 to 10
   bool operator==(const CaseReconstruction&) const = default;
 };
 
@@ -179,8 +182,8 @@ struct PreparationOptions {
 
 /// Echo and labels of a case, both placed in the world: from its files, or from its recipe by way of the cache, making them when they
 /// are not there (see preparation.h).
-/// @error as readVolume, readLabelVolume, readPatient, voxelise, readSweepRecipe, recordSweep, importSweep, stitch; cancelled (within 0.5
-/// s);
+/// @error as readVolume, readLabelVolume, readPatient, voxelise, readSweepRecipe, recordSweep, openSweep, makeSweepVolume, runChain;
+/// cancelled (within 0.5 s);
 ///        notWritable for the cache is recovered (noted), not an error
 [[nodiscard]] Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options = {});
 

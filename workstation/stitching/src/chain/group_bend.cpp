@@ -1,0 +1,270 @@
+#include "chain/group_bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "ew/core/parallel.h"
+#include "ew/stitching/places.h"
+
+namespace ew::stitching {
+namespace {
+
+constexpr double kRidge = 0.002;    ///< share of a pair's motion that is given up inside its overlap, so that nodes have one answer
+constexpr int kRounds = 6;          ///< of looking up a pair's motion where the fixed view's own bend has moved it
+constexpr double kStill_mm = 1e-3;  ///< a lattice that moves no more is none
+constexpr std::uint64_t kMostNodes = 4u << 20;
+
+Grid latticeOver(std::span<const Grid> placedGrids, double margin_mm, double node_mm) {
+  Bounds box{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
+  for (const Grid& grid : placedGrids) {
+    const Bounds each = boundsOf(grid);
+    box.lowest_mm = glm::min(box.lowest_mm, each.lowest_mm);
+    box.highest_mm = glm::max(box.highest_mm, each.highest_mm);
+  }
+  Grid lattice;
+  for (;;) {
+    lattice.spacing_mm = glm::dvec3(node_mm);
+    // On whole multiples of the spacing, so that a volume more at one side does not move the nodes.
+    const glm::dvec3 first = glm::floor((box.lowest_mm - margin_mm) / node_mm);
+    lattice.origin_mm = first * node_mm;
+    lattice.dims = glm::ivec3(glm::ceil((box.highest_mm + margin_mm) / node_mm) - first) + 1;
+    if (lattice.voxelCount() <= kMostNodes) return lattice;
+    node_mm *= 1.25;
+  }
+}
+
+/// Squared distance to the nearest node where `inside`, exact, one axis after the other.
+std::vector<float> distanceTo_mm(const Grid& lattice, const std::vector<bool>& inside) {
+  constexpr float kFar = 1e12f;
+  std::vector<float> squared(inside.size());
+  for (std::size_t n = 0; n < inside.size(); ++n) squared[n] = inside[n] ? 0.0f : kFar;
+  const auto h2 = static_cast<float>(lattice.spacing_mm.x * lattice.spacing_mm.x);
+  std::vector<float> line, best;
+  const glm::ivec3 dims = lattice.dims;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int other = (axis + 1) % 3, third = (axis + 2) % 3;
+    const auto length = static_cast<std::size_t>(dims[axis]);
+    line.resize(length);
+    best.resize(length);
+    glm::ivec3 at(0);
+    for (at[third] = 0; at[third] < dims[third]; ++at[third])
+      for (at[other] = 0; at[other] < dims[other]; ++at[other]) {
+        bool any = false;
+        for (at[axis] = 0; at[axis] < dims[axis]; ++at[axis]) {
+          line[static_cast<std::size_t>(at[axis])] = squared[lattice.indexOf(at.x, at.y, at.z)];
+          any = any || line[static_cast<std::size_t>(at[axis])] < kFar;
+        }
+        if (!any) continue;
+        for (std::size_t to = 0; to < length; ++to) {
+          best[to] = kFar;
+          for (std::size_t from = 0; from < length; ++from) {
+            const float apart = static_cast<float>(to) - static_cast<float>(from);
+            best[to] = std::min(best[to], line[from] + h2 * apart * apart);
+          }
+        }
+        for (at[axis] = 0; at[axis] < dims[axis]; ++at[axis])
+          squared[lattice.indexOf(at.x, at.y, at.z)] = best[static_cast<std::size_t>(at[axis])];
+      }
+  }
+  for (float& each : squared) each = std::sqrt(each);
+  return squared;
+}
+
+/// 1 inside the overlap, falling smoothly to 0 at `fallOff_mm`.
+double shareAt(double distance_mm, double fallOff_mm) {
+  const double t = std::clamp(distance_mm / fallOff_mm, 0.0, 1.0);
+  return 1.0 - t * t * t * (10.0 + t * (6.0 * t - 15.0));
+}
+
+/// Symmetric positive definite, size x size, three right sides at once; both are overwritten.
+void solve(std::vector<double>& matrix, std::vector<glm::dvec3>& right, std::size_t size) {
+  for (std::size_t pivot = 0; pivot < size; ++pivot) {
+    const double inverse = 1.0 / matrix[pivot * size + pivot];
+    for (std::size_t row = pivot + 1; row < size; ++row) {
+      const double factor = matrix[row * size + pivot] * inverse;
+      if (factor == 0.0) continue;
+      for (std::size_t column = pivot; column < size; ++column) matrix[row * size + column] -= factor * matrix[pivot * size + column];
+      right[row] -= factor * right[pivot];
+    }
+  }
+  for (std::size_t row = size; row-- > 0;) {
+    for (std::size_t column = row + 1; column < size; ++column) right[row] -= matrix[row * size + column] * right[column];
+    right[row] /= matrix[row * size + row];
+  }
+}
+
+/// One pair on the lattice.
+struct Meeting {
+  const PairBend* pair = nullptr;
+  glm::dmat4 toFixed{1.0};
+  glm::dmat4 toWorld{1.0};  ///< of the moving view
+  std::vector<float> distance_mm;
+  [[nodiscard]] glm::dvec3 motionAt(const glm::dvec3& p_world) const {
+    return carried(toWorld, registration::movingPoint(pair->fixedToMoving, carried(toFixed, p_world))) - p_world;
+  }
+};
+
+bool covers(const Volume& volume, const glm::dmat4& worldToVoxel, const glm::dvec3& p_world) {
+  const glm::ivec3 voxel(glm::floor(carried(worldToVoxel, p_world) + 0.5));
+  return volume.grid.contains(voxel) && volume.coverageAt(volume.grid.indexOf(voxel.x, voxel.y, voxel.z)) != Coverage::absent;
+}
+
+/// Takes the folds out of a lattice: smoothed where that helps, and made smaller where it does not.
+void unfold(registration::ControlGrid& bend, double leastJacobian) {
+  constexpr int kSmoothings = 12;
+  const Grid& nodes = bend.nodes;
+  for (int round = 0; registration::jacobianOf(bend).smallest < leastJacobian; ++round) {
+    if (round >= kSmoothings) {
+      for (auto& each : bend.displacement_mm) each *= 0.85f;
+      continue;
+    }
+    const auto before = bend.displacement_mm;
+    for (int k = 0; k < nodes.dims.z; ++k)
+      for (int j = 0; j < nodes.dims.y; ++j)
+        for (int i = 0; i < nodes.dims.x; ++i) {
+          glm::vec3 sum(0.0f);
+          for (int side = 0; side < 6; ++side) {
+            glm::ivec3 at(i, j, k);
+            at[side / 2] = std::clamp(at[side / 2] + (side % 2 == 0 ? -1 : 1), 0, nodes.dims[side / 2] - 1);
+            sum += before[nodes.indexOf(at.x, at.y, at.z)];
+          }
+          const std::size_t n = nodes.indexOf(i, j, k);
+          bend.displacement_mm[n] = 0.5f * before[n] + sum / 12.0f;
+        }
+  }
+}
+
+double quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+std::uint64_t forecastBends_bytes(std::span<const Grid> placedGrids, std::size_t pairs, const BendOptions& options) {
+  const std::uint64_t nodes = latticeOver(placedGrids, options.fallOff_mm, options.node_mm).voxelCount();
+  return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
+}
+
+Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
+                             const BendOptions& options, Progress& progress) {
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The stitching was cancelled."); };
+  std::vector<Grid> grids;
+  for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
+  const Grid lattice = latticeOver(grids, options.fallOff_mm, options.node_mm);
+  const glm::dmat4 nodeToWorld = lattice.voxelToWorld().matrix;
+  const std::size_t nodes = lattice.voxelCount();
+
+  std::vector<Meeting> meetings(pairs.size());
+  PartOfProgress looking(progress, 0.0, 0.3);
+  const bool looked = forEachTask(static_cast<int>(pairs.size()), options.threads, looking, "Looking at overlaps", [&](int task) {
+    const auto n = static_cast<std::size_t>(task);
+    const PairBend& pair = pairs[n];
+    Meeting& meeting = meetings[n];
+    meeting.pair = &pair;
+    meeting.toFixed = rigidInverse(toWorld[pair.fixed]);
+    meeting.toWorld = toWorld[pair.moving];
+    const glm::dmat4 fixedVoxel = views[pair.fixed]->volume->grid.worldToVoxel().matrix * meeting.toFixed;
+    const glm::dmat4 movingVoxel = views[pair.moving]->volume->grid.worldToVoxel().matrix * rigidInverse(toWorld[pair.moving]);
+    std::vector<bool> inside(nodes);
+    std::size_t node = 0;
+    for (int k = 0; k < lattice.dims.z; ++k)
+      for (int j = 0; j < lattice.dims.y; ++j)
+        for (int i = 0; i < lattice.dims.x; ++i, ++node) {
+          const glm::dvec3 p = carried(nodeToWorld, glm::dvec3(i, j, k));
+          inside[node] = covers(*views[pair.fixed]->volume, fixedVoxel, p) && covers(*views[pair.moving]->volume, movingVoxel, p);
+        }
+    if (!progress.cancelRequested()) meeting.distance_mm = distanceTo_mm(lattice, inside);
+  });
+  if (!looked || progress.cancelRequested()) return cancelled();
+
+  GroupBends group;
+  group.bends.assign(views.size(), {lattice, std::vector<glm::vec3>(nodes, glm::vec3(0.0f))});
+  std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice.dims.z));
+  PartOfProgress solving(progress, 0.3, 0.9);
+  const auto solveSlice = [&](int k) {
+    std::vector<double> matrix;
+    std::vector<glm::dvec3> right, bend;
+    std::vector<std::size_t> members, place(views.size());
+    std::vector<std::pair<const Meeting*, double>> here;
+    for (int j = 0; j < lattice.dims.y; ++j) {
+      if (progress.cancelRequested()) return;
+      for (int i = 0; i < lattice.dims.x; ++i) {
+        const std::size_t node = lattice.indexOf(i, j, k);
+        const glm::dvec3 p = carried(nodeToWorld, glm::dvec3(i, j, k));
+        here.clear();
+        members.clear();
+        for (const Meeting& meeting : meetings) {
+          const double share = shareAt(static_cast<double>(meeting.distance_mm[node]), options.fallOff_mm);
+          if (share <= 0.0) continue;
+          // With one pair alone each side gets half of its motion times `share`.
+          here.emplace_back(&meeting, meeting.pair->trust * 0.5 * share / (1.0 - share + kRidge));
+          members.push_back(meeting.pair->fixed);
+          members.push_back(meeting.pair->moving);
+        }
+        if (here.empty()) continue;
+        std::sort(members.begin(), members.end());
+        members.erase(std::unique(members.begin(), members.end()), members.end());
+        const std::size_t size = members.size();
+        for (std::size_t m = 0; m < size; ++m) place[members[m]] = m;
+        bend.assign(size, glm::dvec3(0.0));
+        for (int round = 0; round < kRounds; ++round) {
+          matrix.assign(size * size, 0.0);
+          right.assign(size, glm::dvec3(0.0));
+          for (std::size_t m = 0; m < size; ++m) matrix[m * size + m] = 1.0;
+          for (const auto& [meeting, weight] : here) {
+            const std::size_t f = place[meeting->pair->fixed], m = place[meeting->pair->moving];
+            // The fixed view shows at p what lies at p + bend there, so that is where the pair has to be asked.
+            const glm::dvec3 pull = weight * meeting->motionAt(p + bend[f]);
+            matrix[f * size + f] += weight;
+            matrix[m * size + m] += weight;
+            matrix[f * size + m] -= weight;
+            matrix[m * size + f] -= weight;
+            right[m] += pull;
+            right[f] -= pull;
+          }
+          solve(matrix, right, size);
+          bend = right;
+        }
+        for (std::size_t m = 0; m < size; ++m) group.bends[members[m]].displacement_mm[node] = glm::vec3(bend[m]);
+        for (const auto& [meeting, weight] : here) {
+          if (meeting->distance_mm[node] > 0.0f || meeting->pair->trust < 0.5) continue;
+          const glm::dvec3 fixed = bend[place[meeting->pair->fixed]], moving = bend[place[meeting->pair->moving]];
+          slices[static_cast<std::size_t>(k)].push_back(glm::distance(moving - fixed, meeting->motionAt(p + fixed)));
+        }
+      }
+    }
+  };
+  if (!forEachTask(lattice.dims.z, options.threads, solving, "Sharing the bends", solveSlice) || progress.cancelRequested())
+    return cancelled();
+
+  std::vector<double> disagreements;
+  for (const auto& slice : slices) disagreements.insert(disagreements.end(), slice.begin(), slice.end());
+  group.disagreementMedian_mm = quantile(disagreements, 0.5);
+  group.disagreement95_mm = quantile(disagreements, 0.95);
+  group.largest_mm.assign(views.size(), 0.0);
+  std::vector<double> jacobians(views.size(), 1.0);
+  PartOfProgress unfolding(progress, 0.9, 1.0);
+  const bool unfolded = forEachTask(static_cast<int>(views.size()), options.threads, unfolding, "Unfolding", [&](int task) {
+    const auto v = static_cast<std::size_t>(task);
+    registration::ControlGrid& bend = group.bends[v];
+    for (const glm::vec3& each : bend.displacement_mm)
+      group.largest_mm[v] = std::max(group.largest_mm[v], static_cast<double>(glm::length(each)));
+    if (group.largest_mm[v] < kStill_mm) {
+      bend = {};
+      group.largest_mm[v] = 0.0;
+      return;
+    }
+    unfold(bend, options.leastJacobian);
+    jacobians[v] = registration::jacobianOf(bend).smallest;
+  });
+  if (!unfolded || progress.cancelRequested()) return cancelled();
+  group.smallestJacobian = *std::min_element(jacobians.begin(), jacobians.end());
+  return group;
+}
+
+}  // namespace ew::stitching
