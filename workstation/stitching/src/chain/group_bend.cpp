@@ -143,113 +143,153 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-}  // namespace
+/// What the nodes of one slice take while they are solved, so that they allocate nothing.
+struct NodeScratch {
+  std::vector<double> matrix;
+  std::vector<glm::dvec3> right, bend;                  ///< one per member
+  std::vector<std::size_t> members, place;              ///< views that meet at the node, and where each stands among them
+  std::vector<std::pair<const Meeting*, double>> here;  ///< with their weights
+};
 
-std::uint64_t forecastBends_bytes(std::span<const Grid> placedGrids, std::size_t pairs, const BendOptions& options) {
-  const std::uint64_t nodes = latticeOver(placedGrids, options.fallOff_mm, options.node_mm).voxelCount();
-  return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
-}
+/// Views that bend together, on one lattice.
+class BendingGroup {
+ public:
+  BendingGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
+               const BendOptions& options)
+      : views_(views), toWorld_(toWorld), pairs_(pairs), options_(options) {
+    std::vector<Grid> grids;
+    for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
+    lattice_ = latticeOver(grids, options.fallOff_mm, options.node_mm);
+    nodeToWorld_ = lattice_.voxelToWorld().matrix;
+    group.bends.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0f))});
+    group.largest_mm.assign(views.size(), 0.0);
+  }
 
-Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
-                             const BendOptions& options, Progress& progress) {
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The stitching was cancelled."); };
-  std::vector<Grid> grids;
-  for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
-  const Grid lattice = latticeOver(grids, options.fallOff_mm, options.node_mm);
-  const glm::dmat4 nodeToWorld = lattice.voxelToWorld().matrix;
-  const std::size_t nodes = lattice.voxelCount();
-
-  std::vector<Meeting> meetings(pairs.size());
-  PartOfProgress looking(progress, 0.0, 0.3);
-  const bool looked = forEachTask(static_cast<int>(pairs.size()), options.threads, looking, "Looking at overlaps", [&](int task) {
-    const auto n = static_cast<std::size_t>(task);
-    const PairBend& pair = pairs[n];
-    Meeting& meeting = meetings[n];
-    meeting.pair = &pair;
-    meeting.toFixed = rigidInverse(toWorld[pair.fixed]);
-    meeting.toWorld = toWorld[pair.moving];
-    const glm::dmat4 fixedVoxel = views[pair.fixed]->volume->grid.worldToVoxel().matrix * meeting.toFixed;
-    const glm::dmat4 movingVoxel = views[pair.moving]->volume->grid.worldToVoxel().matrix * rigidInverse(toWorld[pair.moving]);
-    std::vector<bool> inside(nodes);
-    std::size_t node = 0;
-    for (int k = 0; k < lattice.dims.z; ++k)
-      for (int j = 0; j < lattice.dims.y; ++j)
-        for (int i = 0; i < lattice.dims.x; ++i, ++node) {
-          const glm::dvec3 p = carried(nodeToWorld, glm::dvec3(i, j, k));
-          inside[node] = covers(*views[pair.fixed]->volume, fixedVoxel, p) && covers(*views[pair.moving]->volume, movingVoxel, p);
-        }
-    if (!progress.cancelRequested()) meeting.distance_mm = distanceTo_mm(lattice, inside);
-  });
-  if (!looked || progress.cancelRequested()) return cancelled();
+  /// Each returns false when it was cancelled.
+  bool lookAtOverlaps(Progress& progress);
+  bool shareBends(Progress& progress);
+  bool unfoldAll(Progress& progress);
 
   GroupBends group;
-  group.bends.assign(views.size(), {lattice, std::vector<glm::vec3>(nodes, glm::vec3(0.0f))});
-  std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice.dims.z));
-  PartOfProgress solving(progress, 0.3, 0.9);
-  const auto solveSlice = [&](int k) {
-    std::vector<double> matrix;
-    std::vector<glm::dvec3> right, bend;
-    std::vector<std::size_t> members, place(views.size());
-    std::vector<std::pair<const Meeting*, double>> here;
-    for (int j = 0; j < lattice.dims.y; ++j) {
-      if (progress.cancelRequested()) return;
-      for (int i = 0; i < lattice.dims.x; ++i) {
-        const std::size_t node = lattice.indexOf(i, j, k);
-        const glm::dvec3 p = carried(nodeToWorld, glm::dvec3(i, j, k));
-        here.clear();
-        members.clear();
-        for (const Meeting& meeting : meetings) {
-          const double share = shareAt(static_cast<double>(meeting.distance_mm[node]), options.fallOff_mm);
-          if (share <= 0.0) continue;
-          // With one pair alone each side gets half of its motion times `share`.
-          here.emplace_back(&meeting, meeting.pair->trust * 0.5 * share / (1.0 - share + kRidge));
-          members.push_back(meeting.pair->fixed);
-          members.push_back(meeting.pair->moving);
-        }
-        if (here.empty()) continue;
-        std::sort(members.begin(), members.end());
-        members.erase(std::unique(members.begin(), members.end()), members.end());
-        const std::size_t size = members.size();
-        for (std::size_t m = 0; m < size; ++m) place[members[m]] = m;
-        bend.assign(size, glm::dvec3(0.0));
-        for (int round = 0; round < kRounds; ++round) {
-          matrix.assign(size * size, 0.0);
-          right.assign(size, glm::dvec3(0.0));
-          for (std::size_t m = 0; m < size; ++m) matrix[m * size + m] = 1.0;
-          for (const auto& [meeting, weight] : here) {
-            const std::size_t f = place[meeting->pair->fixed], m = place[meeting->pair->moving];
-            // The fixed view shows at p what lies at p + bend there, so that is where the pair has to be asked.
-            const glm::dvec3 pull = weight * meeting->motionAt(p + bend[f]);
-            matrix[f * size + f] += weight;
-            matrix[m * size + m] += weight;
-            matrix[f * size + m] -= weight;
-            matrix[m * size + f] -= weight;
-            right[m] += pull;
-            right[f] -= pull;
-          }
-          solve(matrix, right, size);
-          bend = right;
-        }
-        for (std::size_t m = 0; m < size; ++m) group.bends[members[m]].displacement_mm[node] = glm::vec3(bend[m]);
-        for (const auto& [meeting, weight] : here) {
-          if (meeting->distance_mm[node] > 0.0f || meeting->pair->trust < 0.5) continue;
-          const glm::dvec3 fixed = bend[place[meeting->pair->fixed]], moving = bend[place[meeting->pair->moving]];
-          slices[static_cast<std::size_t>(k)].push_back(glm::distance(moving - fixed, meeting->motionAt(p + fixed)));
-        }
+
+ private:
+  [[nodiscard]] Meeting meetingOf(const PairBend& pair, const Progress& progress) const;
+  [[nodiscard]] bool gather(std::size_t node, NodeScratch& at) const;
+  void solveNode(const glm::dvec3& p, NodeScratch& at) const;
+  void shareSlice(int k, const Progress& progress, std::vector<double>& disagreements);
+
+  std::span<const LoadedView* const> views_;
+  std::span<const glm::dmat4> toWorld_;
+  std::span<const PairBend> pairs_;
+  const BendOptions& options_;
+  Grid lattice_;
+  glm::dmat4 nodeToWorld_{1.0};
+  std::vector<Meeting> meetings_;
+};
+
+Meeting BendingGroup::meetingOf(const PairBend& pair, const Progress& progress) const {
+  Meeting meeting{&pair, rigidInverse(toWorld_[pair.fixed]), toWorld_[pair.moving], {}};
+  const Volume &fixed = *views_[pair.fixed]->volume, &moving = *views_[pair.moving]->volume;
+  const glm::dmat4 fixedVoxel = fixed.grid.worldToVoxel().matrix * meeting.toFixed;
+  const glm::dmat4 movingVoxel = moving.grid.worldToVoxel().matrix * rigidInverse(toWorld_[pair.moving]);
+  std::vector<bool> inside(lattice_.voxelCount());
+  std::size_t node = 0;
+  for (int k = 0; k < lattice_.dims.z; ++k)
+    for (int j = 0; j < lattice_.dims.y; ++j)
+      for (int i = 0; i < lattice_.dims.x; ++i, ++node) {
+        const glm::dvec3 p = carried(nodeToWorld_, glm::dvec3(i, j, k));
+        inside[node] = covers(fixed, fixedVoxel, p) && covers(moving, movingVoxel, p);
+      }
+  if (!progress.cancelRequested()) meeting.distance_mm = distanceTo_mm(lattice_, inside);
+  return meeting;
+}
+
+bool BendingGroup::lookAtOverlaps(Progress& progress) {
+  meetings_.resize(pairs_.size());
+  const bool looked = forEachTask(static_cast<int>(pairs_.size()), options_.threads, progress, "Looking at overlaps", [&](int task) {
+    const auto n = static_cast<std::size_t>(task);
+    meetings_[n] = meetingOf(pairs_[n], progress);
+  });
+  return looked && !progress.cancelRequested();
+}
+
+/// The pairs that speak of a node, and the views they are of. @return whether there are any
+bool BendingGroup::gather(std::size_t node, NodeScratch& at) const {
+  at.here.clear();
+  at.members.clear();
+  for (const Meeting& meeting : meetings_) {
+    const double share = shareAt(static_cast<double>(meeting.distance_mm[node]), options_.fallOff_mm);
+    if (share <= 0.0) continue;
+    // With one pair alone each side gets half of its motion times `share`.
+    at.here.emplace_back(&meeting, meeting.pair->trust * 0.5 * share / (1.0 - share + kRidge));
+    at.members.push_back(meeting.pair->fixed);
+    at.members.push_back(meeting.pair->moving);
+  }
+  std::sort(at.members.begin(), at.members.end());
+  at.members.erase(std::unique(at.members.begin(), at.members.end()), at.members.end());
+  for (std::size_t m = 0; m < at.members.size(); ++m) at.place[at.members[m]] = m;
+  return !at.here.empty();
+}
+
+/// The displacements of least squares of the members at a node, into at.bend.
+void BendingGroup::solveNode(const glm::dvec3& p, NodeScratch& at) const {
+  const std::size_t size = at.members.size();
+  at.bend.assign(size, glm::dvec3(0.0));
+  for (int round = 0; round < kRounds; ++round) {
+    at.matrix.assign(size * size, 0.0);
+    at.right.assign(size, glm::dvec3(0.0));
+    for (std::size_t m = 0; m < size; ++m) at.matrix[m * size + m] = 1.0;
+    for (const auto& [meeting, weight] : at.here) {
+      const std::size_t f = at.place[meeting->pair->fixed], m = at.place[meeting->pair->moving];
+      // The fixed view shows at p what lies at p + bend there, so that is where the pair has to be asked.
+      const glm::dvec3 pull = weight * meeting->motionAt(p + at.bend[f]);
+      at.matrix[f * size + f] += weight;
+      at.matrix[m * size + m] += weight;
+      at.matrix[f * size + m] -= weight;
+      at.matrix[m * size + f] -= weight;
+      at.right[m] += pull;
+      at.right[f] -= pull;
+    }
+    solve(at.matrix, at.right, size);
+    at.bend = at.right;
+  }
+}
+
+void BendingGroup::shareSlice(int k, const Progress& progress, std::vector<double>& disagreements) {
+  NodeScratch at;
+  at.place.resize(views_.size());
+  for (int j = 0; j < lattice_.dims.y; ++j) {
+    if (progress.cancelRequested()) return;
+    for (int i = 0; i < lattice_.dims.x; ++i) {
+      const std::size_t node = lattice_.indexOf(i, j, k);
+      if (!gather(node, at)) continue;
+      const glm::dvec3 p = carried(nodeToWorld_, glm::dvec3(i, j, k));
+      solveNode(p, at);
+      for (std::size_t m = 0; m < at.members.size(); ++m) group.bends[at.members[m]].displacement_mm[node] = glm::vec3(at.bend[m]);
+      for (const auto& [meeting, weight] : at.here) {
+        if (meeting->distance_mm[node] > 0.0f || meeting->pair->trust < 0.5) continue;
+        const glm::dvec3 fixed = at.bend[at.place[meeting->pair->fixed]], moving = at.bend[at.place[meeting->pair->moving]];
+        disagreements.push_back(glm::distance(moving - fixed, meeting->motionAt(p + fixed)));
       }
     }
-  };
-  if (!forEachTask(lattice.dims.z, options.threads, solving, "Sharing the bends", solveSlice) || progress.cancelRequested())
-    return cancelled();
+  }
+}
 
+bool BendingGroup::shareBends(Progress& progress) {
+  std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice_.dims.z));
+  const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, "Sharing the bends",
+                                  [&](int k) { shareSlice(k, progress, slices[static_cast<std::size_t>(k)]); });
+  if (!shared || progress.cancelRequested()) return false;
   std::vector<double> disagreements;
   for (const auto& slice : slices) disagreements.insert(disagreements.end(), slice.begin(), slice.end());
   group.disagreementMedian_mm = quantile(disagreements, 0.5);
   group.disagreement95_mm = quantile(disagreements, 0.95);
-  group.largest_mm.assign(views.size(), 0.0);
-  std::vector<double> jacobians(views.size(), 1.0);
-  PartOfProgress unfolding(progress, 0.9, 1.0);
-  const bool unfolded = forEachTask(static_cast<int>(views.size()), options.threads, unfolding, "Unfolding", [&](int task) {
+  return true;
+}
+
+bool BendingGroup::unfoldAll(Progress& progress) {
+  std::vector<double> jacobians(views_.size(), 1.0);
+  const bool unfolded = forEachTask(static_cast<int>(views_.size()), options_.threads, progress, "Unfolding", [&](int task) {
     const auto v = static_cast<std::size_t>(task);
     registration::ControlGrid& bend = group.bends[v];
     for (const glm::vec3& each : bend.displacement_mm)
@@ -259,12 +299,28 @@ Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span
       group.largest_mm[v] = 0.0;
       return;
     }
-    unfold(bend, options.leastJacobian);
+    unfold(bend, options_.leastJacobian);
     jacobians[v] = registration::jacobianOf(bend).smallest;
   });
-  if (!unfolded || progress.cancelRequested()) return cancelled();
+  if (!unfolded || progress.cancelRequested()) return false;
   group.smallestJacobian = *std::min_element(jacobians.begin(), jacobians.end());
-  return group;
+  return true;
+}
+
+}  // namespace
+
+std::uint64_t forecastBends_bytes(std::span<const Grid> placedGrids, std::size_t pairs, const BendOptions& options) {
+  const std::uint64_t nodes = latticeOver(placedGrids, options.fallOff_mm, options.node_mm).voxelCount();
+  return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
+}
+
+Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
+                             const BendOptions& options, Progress& progress) {
+  PartOfProgress looking(progress, 0.0, 0.3), solving(progress, 0.3, 0.9), unfolding(progress, 0.9, 1.0);
+  BendingGroup bending(views, toWorld, pairs, options);
+  if (!bending.lookAtOverlaps(looking) || !bending.shareBends(solving) || !bending.unfoldAll(unfolding))
+    return failure(ErrorCode::cancelled, "The stitching was cancelled.");
+  return std::move(bending.group);
 }
 
 }  // namespace ew::stitching
