@@ -129,6 +129,21 @@ class StitchingJourneyTest : public StitchingFixture {
     QCOMPARE(QString::fromStdString(manifest["volume"]["file"].get<std::string>()), QStringLiteral("volumes/stitched.mha"));
     QVERIFY(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched.mha")));
     QVERIFY(!window_->document().hasUnsavedChanges());
+    for (const char* ending : {"-coverage.mha", "-source.mha", "-provenance.json"})
+      QVERIFY2(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched") + QLatin1String(ending)), ending);
+    // What is scanned from now on is this volume, as the case's own.
+    const auto stitched = readVolume((folder + QStringLiteral("/volumes/stitched.mha")).toStdString());
+    QVERIFY(stitched.has_value());
+    const auto scansIt = [&] {
+      const auto& subject = session().subject();
+      return subject && subject->voxels.volume() && subject->voxels.volume()->echo == stitched->volume.echo;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(scansIt(), 60000);
+    window_->setWorkspace(Workspace::explore);
+    const std::uint64_t frames = session().framesMade();
+    session().setHold(session().hold());
+    QTRY_VERIFY_WITH_TIMEOUT(session().framesMade() > frames, 60000);
+    window_->setWorkspace(Workspace::author);
     keepPicture("11-in-the-case");
   }
 

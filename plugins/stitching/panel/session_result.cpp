@@ -4,10 +4,13 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
+#include "ew/core/output_set.h"
 #include "ew/sdk/panel.h"
 #include "ew/stitching/result_files.h"
 #include "logic/case_volume.h"
@@ -20,10 +23,36 @@ namespace {
 namespace fs = std::filesystem;
 using sdk::words;
 
+/// How the files of a result end in a case, in the order of ResultFiles::kNames.
+constexpr std::array<const char*, 4> kEndings = {".mha", "-coverage.mha", "-source.mha", "-provenance.json"};
+
+/// Copies the files of a result beside each other into a case, all or none.
+Result<void> putIntoCase(const std::array<fs::path, 4>& result, const fs::path& caseFolder, const std::string& name, Progress& progress) {
+  const fs::path volumes = caseFolder / "volumes";
+  OutputSet outputs;
+  if (auto made = outputs.announceFolder(volumes); !made) return made;
+  std::error_code error;
+  for (std::size_t n = 0; n < result.size(); ++n)
+    if (!result[n].empty())
+      if (auto announced = outputs.announce(volumes / (name + kEndings[n])); !announced) return announced;
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    if (result[n].empty()) continue;
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Saving was cancelled.");
+    const fs::path target = volumes / (name + kEndings[n]);
+    fs::copy_file(result[n], outputs.staged(target), error);
+    if (error)
+      return failure(ErrorCode::notWritable,
+                     "'" + target.string() + "' cannot be written (" + error.message() + "); choose another folder.",
+                     {{"file", target.string()}});
+    progress.report("Copying", static_cast<double>(n + 1) / static_cast<double>(result.size()));
+  }
+  return outputs.commit();
+}
+
 /// What was written for a case that does not use it after all.
 void takeOutOfCase(const fs::path& caseFolder, const std::string& name) {
   std::error_code ignored;
-  for (const char* ending : {".mha", "-coverage.mha"}) fs::remove(caseFolder / "volumes" / (name + ending), ignored);
+  for (const char* ending : kEndings) fs::remove(caseFolder / "volumes" / (name + ending), ignored);
   if (fs::is_empty(caseFolder / "volumes", ignored)) fs::remove(caseFolder / "volumes", ignored);
 }
 
@@ -84,12 +113,13 @@ void StitchSession::handToCase() {
     return;
   }
   const auto nextName = [&cases] {  // volumes are never written over: an older attempt or another case may still speak of them
-    std::error_code ignored;
+    const auto isTaken = [&cases](const std::string& name) {
+      std::error_code ignored;
+      return std::any_of(kEndings.begin(), kEndings.end(),
+                         [&](const char* ending) { return fs::exists(cases.currentFolder() / "volumes" / (name + ending), ignored); });
+    };
     std::string name = "stitched";
-    for (int n = 2; fs::exists(cases.currentFolder() / "volumes" / (name + ".mha"), ignored) ||
-                    fs::exists(cases.currentFolder() / "volumes" / (name + "-coverage.mha"), ignored);
-         ++n)
-      name = "stitched-" + std::to_string(n);
+    for (int n = 2; isTaken(name); ++n) name = "stitched-" + std::to_string(n);
     return name;
   };
   const auto wanted = [&cases](const std::string& name) {
@@ -108,21 +138,12 @@ void StitchSession::handToCase() {
 }
 
 void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
-  const auto read = result_;
   const QPointer<StitchSession> here(this);
-  auto& volumes = host_.volumes();
   host_.jobs().startSaving(
       tr("Handing the volume to the case").toStdString(),
-      [read, &volumes, caseFolder, name](Progress& whole) -> Result<void> {
+      [parts = resultFiles_, caseFolder, name](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
-        std::error_code unmade;
-        fs::create_directories(caseFolder / "volumes", unmade);
-        PartOfProgress first(progress, 0.0, 0.6), second(progress, 0.6, 1.0);
-        auto written = volumes.write(*read, caseFolder / "volumes" / (name + ".mha"), first);
-        if (written && !read->coverage.empty())
-          written = volumes.writeCoverage(*read, caseFolder / "volumes" / (name + "-coverage.mha"), second);
-        if (!written) takeOutOfCase(caseFolder, name);
-        return written;
+        return putIntoCase(parts, caseFolder, name, progress);
       },
       [here, caseFolder, name](const Result<void>& outcome) {
         if (StitchSession* session = here.data()) {
