@@ -15,6 +15,8 @@ using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
 
+constexpr std::uint32_t kOlderAbi = sdk::kAbi ^ 0x10000u;
+
 /// Runs a command; its output is the failure's message.
 void runOrFail(const std::string& command, const fs::path& log) {
   const int status = std::system((command + " > '" + log.string() + "' 2>&1").c_str());
@@ -30,13 +32,13 @@ class OutOfTree : public testing::Test {
     runOrFail(std::string(CMAKE_PROGRAM) + " --install '" EW_BINARY_DIR "' --component sdk --prefix '" + (f / "sdk").string() + "'",
               f / "log");
     build(f / "sdk", f / "build");
-    // The same SDK one interface older: what an author who has not updated would build against.
+    // The same SDK with another interface: what an author who has not updated would build against.
     fs::copy(f / "sdk", f / "older-sdk", fs::copy_options::recursive);
-    const fs::path header = f / "older-sdk/include/ew/sdk/abi.h";
+    const fs::path header = f / "older-sdk/include/ew/sdk/abi_number.h";
     std::string text = textOf(header);
-    const std::string now = "kInterfaceVersion = " + std::to_string(sdk::kInterfaceVersion);
+    const std::string now = "kAbi = " + std::to_string(sdk::kAbi);
     ASSERT_NE(text.find(now), std::string::npos);
-    text.replace(text.find(now), now.size(), "kInterfaceVersion = " + std::to_string(sdk::kInterfaceVersion - 1));
+    text.replace(text.find(now), now.size(), "kAbi = " + std::to_string(kOlderAbi));
     writeText(header, text);
     build(f / "older-sdk", f / "older-build");
   }
@@ -89,19 +91,23 @@ TEST_F(OutOfTree, TheStitchingPluginConfiguresAgainstTheInstalledSdkAlone) {
   EXPECT_TRUE(fs::exists(f / "sdk/include/ew/stitching/stitch.h"));
 }
 
-TEST_F(OutOfTree, AWordThatIsNotKnownStopsTheConfigurationInsteadOfAPluginWithoutItsPanel) {
+TEST_F(OutOfTree, AWordThatIsNotKnownOrSaysNothingStopsTheConfigurationInsteadOfAPluginWithoutItsPanel) {
   const auto& f = *folder_;
-  std::string text = textOf(EW_SOURCE_DIR "/tests/example_plugin/CMakeLists.txt");
+  const std::string wholeText = textOf(EW_SOURCE_DIR "/tests/example_plugin/CMakeLists.txt");
   const std::string entry = "ENTRY mean_echo.cpp";
-  ASSERT_NE(text.find(entry), std::string::npos);
-  text.replace(text.find(entry), entry.size(), entry + "\n  PANELS panel.cpp");  // all it should say is PANEL
-  writeText(f / "slip/CMakeLists.txt", text);
-  fs::copy_file(EW_SOURCE_DIR "/tests/example_plugin/mean_echo.cpp", f / "slip/mean_echo.cpp");
-  const std::string configure = std::string(CMAKE_PROGRAM) + " -S '" + (f / "slip").string() + "' -B '" + (f / "slip-build").string() +
-                                "' -G '" CMAKE_GENERATOR "' -DCMAKE_CXX_COMPILER='" CMAKE_CXX "' -DCMAKE_PREFIX_PATH='" +
-                                (f / "sdk").string() + "' > '" + (f / "log").string() + "' 2>&1";
-  EXPECT_NE(std::system(configure.c_str()), 0);
-  EXPECT_NE(textOf(f / "log").find("PANELS"), std::string::npos) << textOf(f / "log");
+  ASSERT_NE(wholeText.find(entry), std::string::npos);
+  for (const auto& [name, instead, said] : {std::tuple{"slip", "ENTRY mean_echo.cpp\n  PANELS panel.cpp", "PANELS"},
+                                            std::tuple{"nothing", "PANEL\n  ENTRY mean_echo.cpp", "PANEL"}}) {
+    std::string text = wholeText;
+    text.replace(text.find(entry), entry.size(), instead);
+    writeText(f / name / "CMakeLists.txt", text);
+    fs::copy_file(EW_SOURCE_DIR "/tests/example_plugin/mean_echo.cpp", f / name / "mean_echo.cpp");
+    const std::string configure = std::string(CMAKE_PROGRAM) + " -S '" + (f / name).string() + "' -B '" + (f / name).string() +
+                                  "-build' -G '" CMAKE_GENERATOR "' -DCMAKE_CXX_COMPILER='" CMAKE_CXX "' -DCMAKE_PREFIX_PATH='" +
+                                  (f / "sdk").string() + "' > '" + (f / "log").string() + "' 2>&1";
+    EXPECT_NE(std::system(configure.c_str()), 0) << name;
+    EXPECT_NE(textOf(f / "log").find(said), std::string::npos) << textOf(f / "log");
+  }
 }
 
 TEST_F(OutOfTree, APluginBuiltAgainstAnOlderSdkIsRefusedByItsManifest) {
@@ -111,7 +117,7 @@ TEST_F(OutOfTree, APluginBuiltAgainstAnOlderSdkIsRefusedByItsManifest) {
   ASSERT_EQ(plugins.states().size(), 1u);
   EXPECT_EQ(plugins.states()[0].state, PluginState::otherAbi);
   EXPECT_NE(plugins.states()[0].sentence.find(std::to_string(sdk::kAbi)), std::string::npos);
-  EXPECT_NE(plugins.states()[0].sentence.find(std::to_string(sdk::kAbi - 0x10000)), std::string::npos);
+  EXPECT_NE(plugins.states()[0].sentence.find(std::to_string(kOlderAbi)), std::string::npos);
   EXPECT_EQ(host.find("mean-echo"), nullptr);
   RecordProperty("message", plugins.states()[0].sentence);
 }
@@ -121,7 +127,7 @@ TEST_F(OutOfTree, AManifestThatLiesAboutItsAbiIsFoundOutBeforeAnythingElseIsCall
   fs::create_directories(liar);
   fs::copy(*folder_ / "older-build/lib/plugins/mean_echo", liar / "mean_echo", fs::copy_options::recursive);
   std::string manifest = textOf(liar / "mean_echo/plugin.json");
-  const std::string older = std::to_string(sdk::kAbi - 0x10000);
+  const std::string older = std::to_string(kOlderAbi);
   ASSERT_NE(manifest.find(older), std::string::npos);
   manifest.replace(manifest.find(older), older.size(), std::to_string(sdk::kAbi));
   writeText(liar / "mean_echo/plugin.json", manifest);

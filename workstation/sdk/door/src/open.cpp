@@ -1,5 +1,7 @@
 #include <dlfcn.h>
 
+#include <array>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,9 +13,12 @@
 namespace ew::door {
 namespace {
 
-/// "interface 2, GCC 12" for a number made as in ew/sdk/abi.h: people can act on that, not on 134161.
+/// "2893710604 (interface ac7b0f, compiler 12)" for a number made as in abi_number.h: people can act on the compiler, and see that the
+/// interface is another one.
 std::string readable(std::uint32_t abi) {
-  return std::to_string(abi) + " (interface " + std::to_string(abi >> 16) + ", compiler " + std::to_string((abi >> 8) & 0xffu) + ")";
+  std::array<char, 8> interface {};
+  std::snprintf(interface.data(), interface.size(), "%06x", abi >> 8);
+  return std::to_string(abi) + " (interface " + interface.data() + ", compiler " + std::to_string(abi & 0xffu) + ")";
 }
 
 void refuse(PluginStatus& status, PluginState state, std::string sentence) {

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstddef>  // defines _GLIBCXX_USE_CXX11_ABI
-#include <cstdint>
+#include <glm/glm.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <tl/expected.hpp>
 
-namespace ew::sdk {
+#include "ew/sdk/abi_number.h"  // kAbi, made when EchoWeave is configured
 
-/// Changes with the headers of sdk/ and core/. The door compares the full number below before it calls anything else.
-inline constexpr std::uint32_t kInterfaceVersion = 7;
-
-/// Interface version, compiler generation and standard library ABI folded into one number: what must agree for C++ values to cross.
-inline constexpr std::uint32_t kAbi = (kInterfaceVersion << 16) | (static_cast<std::uint32_t>(__GNUC__) << 8) |
-                                      (static_cast<std::uint32_t>(_GLIBCXX_USE_CXX11_ABI) << 4) | 0x1u;
-
-}  // namespace ew::sdk
+// The door compares kAbi before it calls anything else, so a plugin that carries the number must be built as the program is: with another
+// compiler or another version of these libraries it does not compile.
+static_assert(__GNUC__ == EW_ABI_COMPILER, "EchoWeave was built by another generation of the compiler; build the plugin by the same one");
+static_assert(_GLIBCXX_USE_CXX11_ABI == EW_ABI_CXX11, "EchoWeave was built with the other ABI of std::string; set _GLIBCXX_USE_CXX11_ABI");
+static_assert(GLM_VERSION == EW_ABI_GLM, "EchoWeave was built with another version of GLM; its vectors cross the door");
+static_assert(TL_EXPECTED_VERSION_MAJOR == EW_ABI_EXPECTED,
+              "EchoWeave was built with another version of tl::expected; it crosses the door");
+static_assert(NLOHMANN_JSON_VERSION_MAJOR * 100 + NLOHMANN_JSON_VERSION_MINOR == EW_ABI_JSON,
+              "EchoWeave was built with another version of the JSON library; its values cross the door");
