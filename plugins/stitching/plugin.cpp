@@ -16,16 +16,16 @@ class StitchingPlugin final : public ew::sdk::Plugin {
     host.commands().add("stitch", usage, ew::stitching::runStitchCommand);
     // Without a window there is no panel, and the command line stays free of timers and folders.
     if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) return;
-    session_ = std::make_unique<ew::stitching::StitchSession>(host);
+    session_ = std::make_shared<ew::stitching::StitchSession>(host);
     ew::stitching::StitchSession& session = *session_;
     host.panels().addStaged({"stitching", QCoreApplication::translate("ew::stitching", "Stitching").toStdString(),
                              [&session](QWidget* parent) -> QWidget* { return new ew::stitching::StitchPanel(session, parent); },
-                             [&session](QWidget* parent) -> QWidget* { return new ew::stitching::StitchStage(session, parent); }, &session,
+                             [&session](QWidget* parent) -> QWidget* { return new ew::stitching::StitchStage(session, parent); }, session_,
                              ew::stitching::StitchStage::keyLines()});
   }
 
  private:
-  std::unique_ptr<ew::stitching::StitchSession> session_;
+  std::shared_ptr<ew::stitching::StitchSession> session_;
 };
 
 }  // namespace

@@ -262,6 +262,22 @@
         <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
     </message>
     <message>
+        <source>The plugin &apos;%1&apos; could not follow the scan (%3); what it shows may be out of date.</source>
+        <translation>Die Erweiterung „%1“ konnte dem Scan nicht folgen (%3); was sie zeigt, kann veraltet sein.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not move the probe (%3); press Escape to take the probe back.</source>
+        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%3); mit Esc nehmen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; of the plugin &apos;%1&apos; did not come to its end (%3); please report it with what you did.</source>
+        <translation>„%2“ der Erweiterung „%1“ kam nicht zu Ende (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not say what it still holds (%3); save your work before you close the window.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%3); speichern Sie Ihre Arbeit, bevor Sie das Fenster schließen.</translation>
+    </message>
+    <message>
         <source>The plugin &apos;%1&apos; met a problem that it did not foresee (%3); save your work, and please report it with what you did.</source>
         <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%3); speichern Sie Ihre Arbeit, und bitte melden Sie es und was Sie getan haben.</translation>
     </message>
@@ -4366,6 +4382,14 @@
         <translation>DGC zurücksetzen</translation>
     </message>
     <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -5048,6 +5072,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>mark this moment of a recording</source>
         <translation>diesen Augenblick der Aufzeichnung markieren</translation>
+    </message>
+    <message>
+        <source>The probe is moved for you. Escape takes it back.</source>
+        <translation>Der Schallkopf wird für Sie bewegt. Esc nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>A recording is shown. Close it (Escape) to move the probe yourself.</source>

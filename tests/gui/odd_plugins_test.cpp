@@ -10,6 +10,7 @@
 
 #include "ew/door/door.h"
 #include "guarded_application.h"
+#include "gui/answers.h"
 #include "gui/window_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -79,6 +80,7 @@ class OddPluginsTest final : public testing::WindowFixture {
   void init() {
     qunsetenv("ODD_WINDOW");
     qunsetenv("ODD_WINDOW_NUMBER");
+    qunsetenv("ODD_WINDOW_UNSAVED");
   }
   void cleanup() { window_.reset(); }
 
@@ -140,6 +142,22 @@ class OddPluginsTest final : public testing::WindowFixture {
     QVERIFY(testing::waitUntil([this] { return window_->isSettled(); }));
     QVERIFY(openCase(folder_));  // the window still does what it is for
     QCOMPARE(window_->messages().count(), 0);
+  }
+
+  void aDocumentThatIsNotSavedIsAskedAboutBeforeTheWindowCloses() {
+    qputenv("ODD_WINDOW_UNSAVED", "yes");
+    openWindow();
+    const QString question = QStringLiteral("unsavedPluginQuestion");
+    {
+      const testing::Answers answers({{question, testing::press(QMessageBox::Save)}});
+      QVERIFY(!window_->close());  // its document cannot be saved, so nothing is lost by closing
+      QCOMPARE(answers.asked, QStringList{question});
+      QCOMPARE(answers.texts, QStringList{QStringLiteral("The odd project is not saved.")});
+    }
+    QVERIFY(saysOnce(QStringLiteral("could not save")));
+    const testing::Answers answers({{question, testing::press(QMessageBox::Discard)}});
+    QVERIFY(window_->close());
+    QCOMPARE(answers.asked, QStringList{question});
   }
 
   void whatAHandlerOfTheWindowThrowsIsASentenceAndUnsavedWorkStays() {

@@ -5,6 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/door/headless_host.h"
+#include "ew/door/host_parts.h"
+#include "ew/sdk/overlays.h"
+#include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/workspaces.h"
 #include "library/temporary_folder.h"
 #include "sdk/panel_host.h"
 
@@ -36,6 +41,110 @@ PluginStatus opened(const std::string& manifestText, const std::string& library)
   return status;
 }
 
+/// Callbacks with tickets.
+template <class Call>
+class Kept {
+ public:
+  [[nodiscard]] sdk::Ticket keep(Call call) {
+    auto kept = std::make_shared<Call>(std::move(call));
+    calls_.push_back(kept);
+    return kept;
+  }
+  /// Those whose ticket is still held.
+  [[nodiscard]] std::vector<std::shared_ptr<Call>> all() const {
+    std::vector<std::shared_ptr<Call>> held;
+    for (const auto& weak : calls_)
+      if (auto call = weak.lock()) held.push_back(std::move(call));
+    return held;
+  }
+
+ private:
+  std::vector<std::weak_ptr<Call>> calls_;
+};
+
+/// A scan whose images are made when the test says so.
+class KeepingScan final : public sdk::Scan {
+ public:
+  struct Driver {
+    std::shared_ptr<const PoseSource> source;
+    std::function<void()> takenBack;
+  };
+  [[nodiscard]] std::optional<ScanState> state() const override { return ScanState{}; }
+  [[nodiscard]] Picture picture() const override { return {}; }
+  [[nodiscard]] DisplayGeometry geometry() const override { return {}; }
+  [[nodiscard]] Knobs knobs() const override { return {}; }
+  [[nodiscard]] double now_s() const override { return 0.0; }
+  [[nodiscard]] sdk::Ticket onEvent(EventCallback callback) override { return events.keep(std::move(callback)); }
+  [[nodiscard]] sdk::Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) override {
+    return drivers.keep({std::move(source), std::move(takenBack)});
+  }
+  Result<void> apply(const Knobs&) override { return {}; }
+  Result<void> chooseProbe(const std::string&) override { return {}; }
+  Result<void> setFrozen(bool) override { return {}; }
+  [[nodiscard]] sdk::Ticket keepSettings() override { return nullptr; }
+  void makeFrame() {
+    for (const auto& callback : events.all()) (*callback)({0.0, FrameMade{}});
+  }
+
+  Kept<EventCallback> events;
+  Kept<Driver> drivers;
+};
+
+class KeepingWorkspaces final : public sdk::Workspaces {
+ public:
+  void add(const sdk::Workspace& workspace) override { added.push_back(workspace); }
+  void show(const std::string&) override {}
+  [[nodiscard]] std::string shown() const override { return "author"; }
+  std::vector<sdk::Workspace> added;
+};
+
+class KeepingOverlays final : public sdk::Overlays {
+ public:
+  template <class Drawing>
+  struct Shown final : sdk::Overlay<Drawing> {
+    void show(Drawing drawing) override { latest = std::move(drawing); }
+    Drawing latest;
+  };
+  [[nodiscard]] std::shared_ptr<sdk::ScanOverlay> overScan() override {
+    auto shown = std::make_shared<Shown<sdk::ScanDrawing>>();
+    scan.push_back(shown);
+    return shown;
+  }
+  [[nodiscard]] std::shared_ptr<sdk::BodyOverlay> overBody() override {
+    auto shown = std::make_shared<Shown<sdk::BodyDrawing>>();
+    body.push_back(shown);
+    return shown;
+  }
+  std::vector<std::weak_ptr<Shown<sdk::ScanDrawing>>> scan;
+  std::vector<std::weak_ptr<Shown<sdk::BodyDrawing>>> body;
+};
+
+class KeepingCaseParts final : public sdk::CaseParts {
+ public:
+  [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema) override { return schemas->add(name, schema); }
+  [[nodiscard]] std::optional<nlohmann::json> read(const std::string&) const override { return std::nullopt; }
+  Result<void> edit(const std::string&, const std::optional<nlohmann::json>&, const std::string&, const std::string&) override {
+    return {};
+  }
+  [[nodiscard]] fs::path folderOf(const std::string&) const override { return {}; }
+  [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override { return opened.keep(std::move(callback)); }
+
+  std::shared_ptr<PartSchemas> schemas = std::make_shared<PartSchemas>();
+  Kept<OpenCallback> opened;
+};
+
+class KeepingWindow final : public sdk::Window {
+ public:
+  void info(const std::string&, const std::string&) override {}
+  void warn(const std::string&, const std::string&) override {}
+  void error(const std::string&, const std::string&) override {}
+  [[nodiscard]] sdk::Ticket addEntry(const sdk::MenuEntry&, std::function<void()> run) override { return entries.keep(std::move(run)); }
+  [[nodiscard]] sdk::Ticket onClosing(std::function<std::string()> unsaved) override { return closing.keep(std::move(unsaved)); }
+
+  Kept<std::function<void()>> entries;
+  Kept<std::function<std::string()>> closing;
+};
+
 /// A host that keeps what it is given, as a window does, and whose jobs run when they are asked to.
 class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs, public sdk::Log {
  public:
@@ -51,13 +160,15 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
   sdk::Jobs& jobs() override { return *this; }
   sdk::Panels& panels() override { return *this; }
   sdk::Commands& commands() override { return inner_.commands(); }
+  sdk::Scan& scan() override { return theScan; }
+  sdk::Workspaces& workspaces() override { return theWorkspaces; }
+  sdk::Overlays& overlays() override { return theOverlays; }
+  sdk::CaseParts& caseParts() override { return theParts; }
+  sdk::Window& window() override { return theWindow; }
   sdk::Log& log() override { return *this; }
 
-  void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
-    addStaged({id, title, std::move(make), {}, nullptr, {}});
-  }
   void addStaged(sdk::StagedPanel panel) override {
-    if (panel.document != nullptr) tickets_.push_back(panel.document->onChanged([] {}));
+    if (const auto document = panel.document.lock()) tickets_.push_back(document->onChanged([] {}));
     panelsKept.push_back(std::move(panel));
   }
   void start(const std::string& title, std::function<Result<void>(Progress&)> work,
@@ -78,6 +189,11 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
   [[nodiscard]] std::vector<std::string> told() { return std::exchange(errors, {}); }
 
   test::OneCase theCase;
+  KeepingScan theScan;
+  KeepingWorkspaces theWorkspaces;
+  KeepingOverlays theOverlays;
+  KeepingCaseParts theParts;
+  KeepingWindow theWindow;
   std::vector<sdk::StagedPanel> panelsKept;
   std::vector<Job> jobsKept;
   int savingJobs = 0;
@@ -118,6 +234,12 @@ TEST(HardCasesDoor, WhatAPluginRegisteredBeforeItFailedIsTakenBack) {
     EXPECT_EQ(host.panelsKept.size(), 0u) << kind << ": a panel of a plugin that is gone";
     EXPECT_EQ(host.jobsKept.size(), 0u) << kind << ": work of a plugin that is gone";
     EXPECT_EQ(host.commandsKept().size(), 0u) << kind << ": a command of a plugin that is gone";
+    EXPECT_EQ(host.theWorkspaces.added.size(), 0u) << kind << ": a workspace of a plugin that is gone";
+    EXPECT_EQ(host.theScan.events.all().size() + host.theScan.drivers.all().size(), 0u) << kind << ": it holds on to the scan";
+    EXPECT_EQ(host.theWindow.entries.all().size() + host.theWindow.closing.all().size(), 0u) << kind << ": it holds on to the window";
+    EXPECT_EQ(host.theParts.opened.all().size(), 0u) << kind;
+    EXPECT_FALSE(host.theParts.schemas->knows("odd")) << kind << ": a section of a plugin that is gone";
+    for (const auto& overlay : host.theOverlays.scan) EXPECT_TRUE(overlay.expired()) << kind << ": a drawing of a plugin that is gone";
     host.theCase.tell();  // its ticket is void
     EXPECT_TRUE(host.told().empty()) << kind;
   }
@@ -131,7 +253,7 @@ TEST(HardCasesDoor, ExceptionsOfCommandsAreErrorsThatNameThePlugin) {
   plugins.openAll(host);
   ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
   static_cast<void>(host.told());
-  ASSERT_EQ(host.commandsKept().size(), 3u);
+  ASSERT_EQ(host.commandsKept().size(), 4u);
   const auto number = host.commandsKept()[0].run({}, noProgress());
   ASSERT_FALSE(number);
   EXPECT_EQ(number.error().code, ErrorCode::internal);
@@ -180,7 +302,7 @@ TEST(HardCasesDoor, ExceptionsOfAPanelsDocumentAreTold) {
   plugins.openAll(host);
   static_cast<void>(host.told());
   ASSERT_EQ(host.panelsKept.size(), 2u);
-  sdk::PanelDocument* document = host.panelsKept[1].document;
+  const auto document = host.panelsKept[1].document.lock();
   ASSERT_NE(document, nullptr);
   EXPECT_EQ(document->title(), "Odd stage") << "something has to stand in the top bar";
   EXPECT_EQ(document->remark(), "");
@@ -196,6 +318,111 @@ TEST(HardCasesDoor, ExceptionsOfAPanelsDocumentAreTold) {
   expectOneSentence(host.told(), "the dog ate the disk");
   document->save(true);
   EXPECT_TRUE(host.told().empty());
+  EXPECT_EQ(document->unsaved(), "");
+  expectOneSentence(host.told(), "could not say what it still holds");
+}
+
+TEST(HardCasesDoor, ExceptionsOfWhateverFollowsTheScanOrTheWindowAreToldOncePerKind) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  static_cast<void>(host.told());
+  ASSERT_EQ(host.theScan.events.all().size(), 1u);
+  for (int n = 0; n < 100; ++n) host.theScan.makeFrame();
+  expectOneSentence(host.told(), "follow the scan");
+
+  ASSERT_EQ(host.theScan.drivers.all().size(), 1u);
+  const auto driver = host.theScan.drivers.all().front();
+  const Pose first = driver->source->poseAt(0.0);
+  EXPECT_EQ(first.probeToWorld.matrix[3].x, 7.0) << "the first one it can say";
+  EXPECT_EQ(driver->source->poseAt(1.0).probeToWorld.matrix[3].x, 7.0) << "where it was";
+  expectOneSentence(host.told(), "could not move the probe");
+  EXPECT_FALSE(driver->source->movesAfter(2.0)) << "a source that threw is not asked any more";
+  driver->takenBack();
+  EXPECT_TRUE(host.told().empty());
+
+  ASSERT_EQ(host.theWindow.entries.all().size(), 1u);
+  (*host.theWindow.entries.all().front())();
+  expectOneSentence(host.told(), "'Odd entry'");
+  ASSERT_EQ(host.theWindow.closing.all().size(), 1u);
+  EXPECT_EQ((*host.theWindow.closing.all().front())(), "");
+  expectOneSentence(host.told(), "before you close the window");
+  ASSERT_EQ(host.theParts.opened.all().size(), 1u);
+  (*host.theParts.opened.all().front())("/cases/one");
+  expectOneSentence(host.told(), "a change of the case");
+  EXPECT_EQ(plugins.states()[0].state, PluginState::loaded);
+}
+
+TEST(HardCasesDoor, WhatAPluginDrawsGoesWithIt) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  {
+    PluginList plugins({folder.path()});
+    plugins.openAll(host);
+    ASSERT_EQ(host.theOverlays.scan.size(), 1u);
+    const auto shown = host.theOverlays.scan.front().lock();
+    ASSERT_NE(shown, nullptr);
+    EXPECT_EQ(shown->latest.labels.size(), 1u);
+    EXPECT_TRUE(host.theParts.schemas->knows("odd"));
+    EXPECT_EQ(host.theWorkspaces.added.size(), 1u);
+  }
+  EXPECT_TRUE(host.theOverlays.scan.front().expired());
+  EXPECT_EQ(host.theScan.drivers.all().size(), 0u) << "the probe is given back";
+  EXPECT_FALSE(host.theParts.schemas->knows("odd"));
+}
+
+TEST(HardCasesDoor, ADocumentThatItsPluginHasGivenUpHasNothingToUndo) {
+  const TemporaryFolder folder;
+  putInto(folder, "callbacks");
+  KeepingHost host;
+  PluginList plugins({folder.path()});
+  plugins.openAll(host);
+  static_cast<void>(host.told());
+  const auto document = host.panelsKept[1].document.lock();
+  ASSERT_NE(document, nullptr);
+  ASSERT_EQ(host.commandsKept().size(), 4u);
+  ASSERT_TRUE(host.commandsKept()[3].run({}, noProgress())) << "gives its document up";
+  EXPECT_EQ(document->title(), "Odd stage");
+  EXPECT_EQ(document->undoText(), "");
+  document->undo();
+  document->save(false);
+  EXPECT_TRUE(host.told().empty());
+}
+
+TEST(HardCasesDoor, ASectionOfACaseIsCheckedByTheSchemaOfItsPlugin) {
+  const auto schemas = std::make_shared<PartSchemas>();
+  const std::string schema = R"({"type": "object", "required": ["steps"], "properties": {
+    "steps": {"description": "a whole number from 1 to 9", "type": "integer", "minimum": 1, "maximum": 9},
+    "name": {"description": "a small word", "type": "string", "pattern": "^[a-z]+$"}}})";
+  auto ticket = schemas->add("lesson", schema);
+  ASSERT_TRUE(ticket) << ticket.error();
+  EXPECT_EQ(schemas->add("lesson", schema).error().code, ErrorCode::badUsage) << "one owner";
+  for (const char* name : {"", "Lesson", "../x", "9", "a b"})
+    EXPECT_EQ(schemas->add(name, schema).error().code, ErrorCode::badUsage) << name;
+  for (const char* text : {"", "{", "[]", R"({"type": 7})", R"({"$ref": "file:///etc/passwd"})"})
+    EXPECT_EQ(schemas->add("other", text).error().code, ErrorCode::badHeader) << text;
+
+  EXPECT_TRUE(schemas->problems({{"parts", {{"lesson", {{"steps", 3}}}}}}).empty());
+  EXPECT_TRUE(schemas->problems({{"parts", {{"unknown", {{"steps", "x"}}}}}}).empty()) << "nobody knows it";
+  EXPECT_TRUE(schemas->problems(json::object()).empty());
+  EXPECT_TRUE(schemas->problems({{"parts", 3}}).empty());
+  const auto wrong = schemas->problems({{"parts", {{"lesson", {{"steps", 12}, {"name", "A"}}}}}});
+  ASSERT_EQ(wrong.size(), 2u);
+  EXPECT_NE(wrong[0].sentence.find("'parts.lesson."), std::string::npos) << wrong[0];
+  const auto missing = schemas->problems({{"parts", {{"lesson", json::object()}}}});
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_NE(missing[0].sentence.find("must be a whole number from 1 to 9"), std::string::npos) << missing[0];
+  const auto nothing = schemas->problems({{"parts", {{"lesson", 3}}}});
+  ASSERT_EQ(nothing.size(), 1u);
+  EXPECT_NE(nothing[0].sentence.find("'parts.lesson'"), std::string::npos) << nothing[0];
+  // A pattern recurses once per character.
+  EXPECT_EQ(schemas->problems({{"parts", {{"lesson", {{"steps", 3}, {"name", std::string(1000000, 'a')}}}}}}).size(), 1u);
+
+  ticket->reset();
+  EXPECT_FALSE(schemas->knows("lesson"));
 }
 
 TEST(HardCasesDoor, ExceptionsOfAJobAndOfItsDoneAreTold) {

@@ -3,7 +3,12 @@
 #include <new>
 #include <stdexcept>
 
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/overlays.h"
 #include "ew/sdk/plugin.h"
+#include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/workspaces.h"
 
 #define ODD_EMPTY 0
 #define ODD_ABI 1
@@ -40,7 +45,23 @@ class OddDocument final : public ew::sdk::PanelDocument {
   void undo() override { fail(true, ""); }
   void redo() override { fail(false, "nothing to redo it with"); }
   void save(bool) override { fail(false, "the dog ate the disk"); }
+  std::string unsaved() const override { fail(false, "who knows"); }
   std::shared_ptr<void> onChanged(std::function<void()>) override { fail(true, ""); }
+};
+
+/// Knows the first pose it is asked for.
+class OddPoses final : public ew::PoseSource {
+ public:
+  ew::Pose poseAt(double) const override {
+    if (asked_++ > 0) fail(true, "");
+    ew::Pose pose;
+    pose.probeToWorld.matrix[3].x = 7.0;
+    return pose;
+  }
+  bool movesAfter(double) const override { fail(false, "perhaps"); }
+
+ private:
+  mutable int asked_ = 0;
 };
 
 /// Registers a panel, a stage with a document, commands, a ticket and a job, all of which use this object and throw.
@@ -52,7 +73,7 @@ class Odd final : public ew::sdk::Plugin {
                              "Odd stage",
                              [this](QWidget*) -> QWidget* { return panel(); },
                              [this](QWidget*) -> QWidget* { return panel(); },
-                             &document_,
+                             document_,
                              {{"Ctrl+O", "Be odd"}}});
     host.commands().add("throw-number", "throw-number",
                         [this](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> { fail(alive_, ""); });
@@ -64,6 +85,11 @@ class Odd final : public ew::sdk::Plugin {
                           outcome.putInPlace = [this]() -> ew::Result<void> { fail(alive_, ""); };
                           return outcome;
                         });
+    host.commands().add("give-up", "give-up", [this](const std::vector<std::string>&, ew::Progress&) -> ew::Result<Commands::Outcome> {
+      document_.reset();
+      return Commands::Outcome{};
+    });
+    registerWithScanAndWindow(host);
     ticket_ = host.cases().onChanged([this] { fail(alive_, ""); });
     host.jobs().startSaving(
         "Odd work", [this](ew::Progress&) -> ew::Result<void> { fail(alive_, ""); },
@@ -73,11 +99,23 @@ class Odd final : public ew::sdk::Plugin {
   ~Odd() override { alive_ = false; }
 
  private:
+  void registerWithScanAndWindow(ew::sdk::Host& host) {
+    events_ = host.scan().onEvent([this](const ew::ScanEvent&) { fail(alive_, ""); });
+    drive_ = host.scan().drive(std::make_shared<OddPoses>(), [this] { fail(alive_, ""); });
+    if (auto section = host.caseParts().add("odd", "{}")) section_ = std::move(*section);
+    opened_ = host.caseParts().onOpened([this](const std::filesystem::path&) { fail(alive_, ""); });
+    entry_ = host.window().addEntry({.title = "&Odd entry"}, [this] { fail(alive_, ""); });
+    closing_ = host.window().onClosing([this]() -> std::string { fail(alive_, ""); });
+    host.workspaces().add({.id = "odd", .title = "Odd"});
+    overlay_ = host.overlays().overScan();
+    overlay_->show({.labels = {{.at = {}, .text = "odd"}}});
+  }
   [[nodiscard]] QWidget* panel() const { fail(alive_, ""); }
   ew::sdk::Host& host_;
   bool alive_ = true;
-  OddDocument document_;
-  ew::sdk::Cases::Ticket ticket_;
+  std::shared_ptr<OddDocument> document_ = std::make_shared<OddDocument>();
+  ew::sdk::Ticket ticket_, events_, drive_, section_, opened_, entry_, closing_;
+  std::shared_ptr<ew::sdk::ScanOverlay> overlay_;
 };
 
 class Good final : public ew::sdk::Plugin {

@@ -1,5 +1,6 @@
 // A plugin of the window that throws from every place where the window calls it, or from its constructor: ODD_WINDOW says which
-// ("create": once everything is registered), ODD_WINDOW_NUMBER that a number is thrown in place of an exception.
+// ("create": once everything is registered), ODD_WINDOW_NUMBER that a number is thrown in place of an exception, ODD_WINDOW_UNSAVED that
+// its document holds something.
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cstdlib>
@@ -31,6 +32,7 @@ class OddDocument final : public ew::sdk::PanelDocument {
   void undo() override { fail("the undo is gone"); }
   void redo() override { fail("the redo is gone"); }
   void save(bool) override { fail("the disk is gone"); }
+  std::string unsaved() const override { return says("ODD_WINDOW_UNSAVED", "yes") ? "The odd project is not saved." : ""; }
   std::shared_ptr<void> onChanged(std::function<void()> callback) override {
     return std::make_shared<std::function<void()>>(std::move(callback));
   }
@@ -48,7 +50,7 @@ class OddWindow final : public ew::sdk::Plugin {
                              "Odd stage",
                              [this](QWidget* parent) { return column(parent); },
                              [](QWidget* parent) { return new QWidget(parent); },
-                             &document_,
+                             document_,
                              {}});
     ticket_ = host.cases().onChanged([this] { fail((why_ + " change").c_str()); });
     if (says("ODD_WINDOW", "create")) fail("changed its mind");
@@ -77,7 +79,7 @@ class OddWindow final : public ew::sdk::Plugin {
 
   ew::sdk::Host& host_;
   std::string why_ = "odd";  // used by what is called, so that a call into a plugin that is gone is noticed
-  OddDocument document_;
+  std::shared_ptr<OddDocument> document_ = std::make_shared<OddDocument>();
   ew::sdk::Cases::Ticket ticket_;
 };
 

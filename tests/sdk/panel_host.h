@@ -73,9 +73,14 @@ class PanelHost final : public sdk::Host, public sdk::Panels, public sdk::Volume
   sdk::Jobs& jobs() override { return inner_.jobs(); }
   sdk::Panels& panels() override { return *this; }
   sdk::Commands& commands() override { return inner_.commands(); }
+  sdk::Scan& scan() override { return inner_.scan(); }
+  sdk::Workspaces& workspaces() override { return inner_.workspaces(); }
+  sdk::Overlays& overlays() override { return inner_.overlays(); }
+  sdk::CaseParts& caseParts() override { return inner_.caseParts(); }
+  sdk::Window& window() override { return inner_.window(); }
   sdk::Log& log() override { return inner_.log(); }
 
-  void add(const std::string& id, const std::string&, std::function<QWidget*(QWidget*)> make) override { made[id] = std::move(make); }
+  void addStaged(sdk::StagedPanel panel) override { made[panel.id] = std::move(panel.make); }
 
   Result<Volume> read(const std::filesystem::path& file, Progress& p) override { return inner_.volumes().read(file, p); }
   Result<void> write(const Volume& v, const std::filesystem::path& file, Progress& p) override {

@@ -4,8 +4,12 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/door/door.h"
+#include "ew/door/headless_host.h"
 #include "ew/imaging/effect_info.h"
+#include "ew/io/safe_file.h"
 #include "ew/library/preparation.h"
+#include "ew/library/schema.h"
 #include "volume_input.h"
 
 namespace ew::cli {
@@ -155,6 +159,19 @@ Result<int> show(const CaseArguments& arguments, Run& run) {
   return kDone;
 }
 
+/// What plugins say about the sections that they keep in a case. They are loaded for it, where there is such a section.
+std::vector<Error> problemsOfParts(const std::filesystem::path& place, Run& run) {
+  std::error_code ignored;
+  const auto text = readTextFile(std::filesystem::is_directory(place, ignored) ? place / "case.json" : place);
+  if (!text) return {};
+  const auto manifest = parseJson(*text, "case.json");
+  if (!manifest || !manifest->is_object() || !manifest->contains("parts")) return {};  // what else is wrong has been said
+  door::HeadlessHost host(run.progress);
+  door::PluginList plugins;
+  plugins.openAll(host);
+  return host.partProblems(*manifest);
+}
+
 Result<int> validate(const CaseArguments& arguments, Run& run) {
   std::error_code ignored;
   std::filesystem::path place = arguments.chosen;
@@ -164,7 +181,8 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
     place = found->folder;
   }
   if (auto kept = run.input(place); !kept) return passOn(kept.error());
-  const auto problems = validateCase(place);
+  auto problems = validateCase(place);
+  for (auto& problem : problemsOfParts(place, run)) problems.push_back(std::move(problem));
   run.report.quality = {{"problems", problems.size()}};
   run.report.details["problems"] = json::array();
   for (const auto& problem : problems) run.report.details["problems"].push_back(problemJson(problem));

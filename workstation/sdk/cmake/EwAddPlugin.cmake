@@ -1,8 +1,10 @@
-# ew_add_plugin(NAME LOGIC ... PANEL ... ENTRY ... [LINK ...] [PANEL_LINK ...] [DESCRIPTION text] [CAPABILITIES ...] [VERSION x.y.z]):
+# ew_add_plugin(NAME LOGIC ... PANEL ... ENTRY ... [LINK ...] [PANEL_LINK ...] [DESCRIPTION text] [CAPABILITIES ...] [VERSION x.y.z]
+#               [TRANSLATIONS NAME_de.ts ...]):
 # one plugin, the same way inside EchoWeave's own tree and outside it after find_package(EchoWeave REQUIRED COMPONENTS sdk).
 #   LOGIC  sources without Qt: the static library NAME_logic, which tests link on its own; LINK goes to it as well
 #   PANEL  Qt widgets (moc runs over them); Qt5::Widgets is linked when there are any
 #   ENTRY  the source with the three exported functions of ew/sdk/plugin.h
+#   TRANSLATIONS  its words in other languages, NAME_LANGUAGE.ts; what lrelease makes of them lies beside the manifest, and the window loads it
 # The library lands in <build>/lib/plugins/NAME/ with its manifest plugin.json beside it and installs to lib/echoweave/plugins/NAME.
 include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/EwKnownWords.cmake)
@@ -27,8 +29,8 @@ function(ew_sdk_says name result)
 endfunction()
 
 function(ew_add_plugin name)
-  cmake_parse_arguments(arg "" "DESCRIPTION;VERSION;TITLE" "LOGIC;PANEL;ENTRY;LINK;PANEL_LINK;CAPABILITIES;APART" ${ARGN})
-  ew_refuse_unknown_words("ew_add_plugin(${name})" LOGIC PANEL ENTRY LINK PANEL_LINK CAPABILITIES APART)
+  cmake_parse_arguments(arg "" "DESCRIPTION;VERSION;TITLE" "LOGIC;PANEL;ENTRY;LINK;PANEL_LINK;CAPABILITIES;APART;TRANSLATIONS" ${ARGN})
+  ew_refuse_unknown_words("ew_add_plugin(${name})" LOGIC PANEL ENTRY LINK PANEL_LINK CAPABILITIES APART TRANSLATIONS)
   if(NOT arg_ENTRY)
     message(FATAL_ERROR "ew_add_plugin(${name}): name the source with the exported functions after ENTRY.")
   endif()
@@ -110,6 +112,19 @@ function(ew_add_plugin name)
   "description": "@description@"
 }
 ]])
+  if(arg_TRANSLATIONS)
+    find_package(Qt5LinguistTools 5.15 REQUIRED)
+  endif()
+  foreach(words ${arg_TRANSLATIONS})
+    get_filename_component(stem ${words} NAME_WE)
+    if(NOT stem MATCHES "^${name}_[a-zA-Z_]+$")
+      message(FATAL_ERROR "ew_add_plugin(${name}): the translation ${words} must be called ${name}_LANGUAGE.ts, or no window finds it.")
+    endif()
+    add_custom_command(OUTPUT ${folder}/${stem}.qm DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${words}
+      COMMAND Qt5::lrelease -silent ${CMAKE_CURRENT_SOURCE_DIR}/${words} -qm ${folder}/${stem}.qm)
+    target_sources(ew_plugin_${name} PRIVATE ${folder}/${stem}.qm)
+    install(FILES ${folder}/${stem}.qm DESTINATION lib/echoweave/plugins/${name} COMPONENT runtime)
+  endforeach()
   install(TARGETS ew_plugin_${name} LIBRARY DESTINATION lib/echoweave/plugins/${name} COMPONENT runtime)
   install(FILES ${folder}/plugin.json DESTINATION lib/echoweave/plugins/${name} COMPONENT runtime)
 endfunction()

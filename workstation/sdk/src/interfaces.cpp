@@ -1,5 +1,10 @@
+#include "ew/sdk/case_parts.h"
 #include "ew/sdk/host.h"
+#include "ew/sdk/overlays.h"
 #include "ew/sdk/plugin.h"
+#include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/workspaces.h"
 
 #include <utility>
 
@@ -19,8 +24,16 @@ void Jobs::startSaving(const std::string& title, std::function<Result<void>(Prog
   start(title, std::move(work), std::move(done));
 }
 PanelDocument::~PanelDocument() = default;
+std::string PanelDocument::unsaved() const { return {}; }
 Panels::~Panels() = default;
-void Panels::addStaged(StagedPanel panel) { add(panel.id, panel.title, std::move(panel.make)); }
+void Panels::add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace) {
+  addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
+}
+Scan::~Scan() = default;
+Workspaces::~Workspaces() = default;
+Overlays::~Overlays() = default;
+CaseParts::~CaseParts() = default;
+Window::~Window() = default;
 Commands::~Commands() = default;
 Log::~Log() = default;
 Host::~Host() = default;

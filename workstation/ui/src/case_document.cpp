@@ -46,12 +46,15 @@ void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
   history_.clear();
   history_.setClean();
   Q_EMIT changed();
+  Q_EMIT this->opened();
 }
 
 void CaseDocument::close() {
+  const bool wasOpen = current_.has_value();
   current_.reset();
   history_.clear();
   Q_EMIT changed();
+  if (wasOpen) Q_EMIT closed();
 }
 
 Result<void> CaseDocument::restore(const nlohmann::json& manifest, const std::string& what, const Fingerprint& asRead) {

@@ -51,6 +51,8 @@ class CaseDocument final : public QObject {
 
  Q_SIGNALS:
   void changed();  ///< the case or its saved state
+  void opened();   ///< another case, or this one under another name
+  void closed();   ///< none is open any more
 
  private:
   friend class ReplaceCase;

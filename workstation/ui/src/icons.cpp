@@ -51,6 +51,8 @@ QIcon icon(const QString& name, const QColor& colour) {
   return QIcon(new LineIcon(file.readAll(), colour));
 }
 
+QIcon iconOf(const QByteArray& svg, const QColor& colour) { return QIcon(new LineIcon(svg, colour)); }
+
 QIcon icon(const QString& name) { return icon(name, currentTheme().text); }
 
 }  // namespace ew::ui

@@ -9,6 +9,9 @@ namespace ew::ui {
 /// One of the program's own line icons (resources/icons/NAME.svg) in a colour, sharp at every size.
 [[nodiscard]] QIcon icon(const QString& name, const QColor& colour);
 
+/// A line icon that somebody else brings: the text of an SVG whose strokes are "currentColor".
+[[nodiscard]] QIcon iconOf(const QByteArray& svg, const QColor& colour);
+
 /// In the colour of the current theme's words.
 [[nodiscard]] QIcon icon(const QString& name);
 

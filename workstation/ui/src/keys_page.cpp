@@ -111,16 +111,22 @@ void MainWindow::showKeys() {
     groups = keysOfTheScan();
     groups.push_back(keysOfEffects());
   }
-  if (p.workspace == Workspace::author) {
-    for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
-      if (panel->keys.empty() || !p.staged) continue;
-      Group group{words(panel->title), {}};
-      for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
-      groups.push_back(std::move(group));
-    }
-    groups.push_back(keysOfAuthors());
+  for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
+    if (panel->keys.empty() || panel->workspace != p.workspace || (p.isAuthor() && !p.staged)) continue;
+    Group group{words(panel->title), {}};
+    for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), words(what)});
+    groups.push_back(std::move(group));
   }
+  if (p.isAuthor()) groups.push_back(keysOfAuthors());
   groups.push_back(keysOfTheWindow());
+  for (const auto& own : p.ownWorkspaces)
+    if (!own.action->shortcut().isEmpty())
+      groups.back().lines.push_back({own.action->shortcut().toString(QKeySequence::NativeText), words(own.what.title)});
+  Group tools{MainWindow::tr("Tools"), {}};
+  for (const auto& tool : p.tools)
+    if (tool.action->isEnabled() && !tool.action->shortcut().isEmpty())
+      tools.lines.push_back({tool.action->shortcut().toString(QKeySequence::NativeText), tool.action->text().remove(QLatin1Char('&'))});
+  if (!tools.lines.empty()) groups.push_back(std::move(tools));
   p.shortcuts = new ShortcutsOverlay(groups, p.central);
 }
 

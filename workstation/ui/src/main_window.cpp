@@ -15,6 +15,8 @@
 #include "case_folder_dialog.h"
 #include "file_import_dialog.h"
 #include "guarded_application.h"
+#include "host_overlays.h"
+#include "host_scan.h"
 #include "import_dialog.h"
 #include "main_window_parts.h"
 #include "theme.h"
@@ -91,9 +93,8 @@ MainWindow::~MainWindow() {
   delete parts_->cost;
   delete parts_->source;
   delete parts_->stages;
-  delete parts_->panels;
   parts_->stages = nullptr;
-  parts_->panels = nullptr;
+  parts_->panels->clear();
   parts_->plugins.reset();
   delete takeCentralWidget();
 }
@@ -141,22 +142,10 @@ void MainWindow::makeViews() {
 /// The panels of plugins; below them room for the cards of running work, so that they cover none of a panel's buttons.
 void MainWindow::makePanelColumn() {
   Parts& p = *parts_;
-  p.panels = new QTabWidget;
-  p.panels->setObjectName(QStringLiteral("authorPanel"));
-  p.panels->setAttribute(Qt::WA_StyledBackground);
-  p.panels->setDocumentMode(true);
-  p.panels->setMinimumWidth(kPanelWidth_px);
-  p.panelColumn = new QWidget;
-  p.panelColumn->setObjectName(QStringLiteral("authorColumn"));
-  p.panelColumn->setAttribute(Qt::WA_StyledBackground);
-  auto* belowEachOther = new QVBoxLayout(p.panelColumn);
-  belowEachOther->setContentsMargins(0, 0, 1, 0);  // the line beside it
-  belowEachOther->setSpacing(0);
-  belowEachOther->addWidget(p.panels, 1);
-  p.cardRoom = new QWidget;
-  p.cardRoom->setFixedHeight(0);
-  belowEachOther->addWidget(p.cardRoom);
-  p.panelColumn->hide();
+  p.panels = new WorkspacePanels;
+  p.panels->setTabsWidth(kPanelWidth_px);
+  static_cast<void>(p.panels->of(kAuthor));  // there to be filled, and seen while nothing fills it
+  p.panels->hide();
 }
 
 void MainWindow::makeColumns() {
@@ -164,7 +153,7 @@ void MainWindow::makeColumns() {
   p.columns = new QSplitter(Qt::Horizontal);
   p.columns->setHandleWidth(kHandle_px);
   p.columns->setChildrenCollapsible(false);
-  p.columns->addWidget(p.panelColumn);
+  p.columns->addWidget(p.panels);
   p.columns->addWidget(p.body);
   p.columns->addWidget(p.scanView);
   p.stages = new QStackedWidget;
@@ -186,12 +175,23 @@ void MainWindow::watchViews() {
     return parts_->session.geometry().markerLeft ? -mm : mm;
   });
   new ScanPan(p.session, *p.scanView);  // after the hand: in a zoomed image it takes the drag; the view owns it
-  p.viewColumns = new ViewColumns(*p.columns, *p.panelColumn, *p.body, *p.scanView, *p.view3d->canvas(), this);
+  p.viewColumns = new ViewColumns(*p.columns, *p.panels, *p.body, *p.scanView, *p.view3d->canvas(), this);
   p.viewColumns->onPress = [this] { parts_->beforePress = parts_->session.hold(); };
   p.viewColumns->takeBackPress = [this] { parts_->session.setHold(parts_->beforePress); };
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
-  p.host = new WorkstationHost(p.document, p.jobs, *p.panels, this);
+  p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
+  HostOverlays& overlays = p.host->hostOverlays();
+  p.scanView->paintOver = [this, &overlays](QPainter& painter) {
+    overlays.paintOverScan(painter, [this](const Point<frame::Probe>& at) { return parts_->scanView->positionOf(at); });
+  };
+  connect(&overlays, &HostOverlays::scanChanged, p.scanView, QOverload<>::of(&QWidget::update));
+  connect(&overlays, &HostOverlays::bodyChanged, p.view3d, [this, &overlays] {
+    if (!overlays.isBodyDrawnOver()) return parts_->view3d->setOver({});
+    parts_->view3d->setOver([this, &overlays](QPainter& painter) {
+      overlays.paintOverBody(painter, [this](const Point<frame::World>& at) { return parts_->view3d->pixelOf(at.at); });
+    });
+  });
 }
 
 void MainWindow::connectParts() {
@@ -222,11 +222,14 @@ void MainWindow::connectSession() {
   });
   connect(&p.hand, &HandInput::refused, this, [this] {
     parts_->scanView->say(parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
-                                                      : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
+                          : parts_->session.isFollowing()
+                              ? tr("The probe is moved for you. Escape takes it back.")
+                              : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
   });
   connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);
   connect(&p.session, &Session::holdChanged, this, [this] {
-    if (parts_->hand.isEnabled() == (parts_->session.isFrozen() || parts_->session.isPlaying())) showRecordingState();
+    const Session& session = parts_->session;
+    if (parts_->hand.isEnabled() == (session.isFrozen() || session.isPlaying() || session.isFollowing())) showRecordingState();
   });
   connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
   connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);
@@ -250,7 +253,7 @@ void MainWindow::connectDocument() {
     showHistory();
     showTitle();
   });
-  connect(p.panels, &QTabWidget::currentChanged, this, &MainWindow::showStage);
+  connect(p.panels, &WorkspacePanels::changed, this, &MainWindow::showStage);
 }
 
 void MainWindow::connectPages() {
@@ -260,8 +263,7 @@ void MainWindow::connectPages() {
     parts_->central->layout()->activate();
     placeOverlays();
   });
-  connect(p.topBar, &TopBar::workspaceChosen, this,
-          [this](int index) { setWorkspace(index == 0 ? Workspace::explore : Workspace::author); });
+  connect(p.topBar, &TopBar::workspaceChosen, this, [this](const QString& id) { showWorkspace(id.toStdString()); });
   connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
     if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
     parts_->status->setIdle(parts_->pages->currentWidget() == parts_->startPage);
@@ -434,43 +436,60 @@ void MainWindow::backToWork() {
   parts_->scanView->setFocus();
 }
 
-void MainWindow::setWorkspace(Workspace workspace) {
+void MainWindow::setWorkspace(Workspace workspace) { showWorkspace(workspace == Workspace::author ? kAuthor : kExplore); }
+
+void MainWindow::showWorkspace(const std::string& id) {
   Parts& p = *parts_;
-  p.workspace = workspace;
-  const bool author = workspace == Workspace::author;
-  p.topBar->setWorkspace(author ? 1 : 0);
-  p.exploreAction->setChecked(!author);
-  p.authorAction->setChecked(author);
-  if (author) setScanOnly(false);
-  const bool wasAuthor = p.panelColumn->isVisible();
-  p.panelColumn->setVisible(author);
-  if (author != wasAuthor) p.viewColumns->setPanelWidth(kPanelWidth_px);
+  const auto own = std::find_if(p.ownWorkspaces.begin(), p.ownWorkspaces.end(), [&](const auto& each) { return each.what.id == id; });
+  if (id != kExplore && id != kAuthor && own == p.ownWorkspaces.end()) return;
+  p.workspace = id;
+  const bool author = p.isAuthor();
+  p.topBar->setWorkspace(words(id));
+  (own != p.ownWorkspaces.end() ? own->action : author ? p.authorAction : p.exploreAction)->setChecked(true);
+  for (const auto& tool : p.tools) tool.action->setEnabled(tool.workspace.empty() || tool.workspace == id);
+  if (id != kExplore) setScanOnly(false);
+  p.viewColumns->setKept(p.keepsBody(), p.keepsScan());
+  showPanels();
   p.status->setForAuthors(author);
   p.startPage->setForAuthors(author);
   showRecent();
   showStage();
-  // Exploring needs something to scan; authoring may begin with nothing.
-  p.pages->setCurrentWidget(!author && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
+  // Scanning needs something to scan; authoring may begin with nothing.
+  const bool needsSubject = !author && p.keepsScan();
+  p.pages->setCurrentWidget(needsSubject && !p.session.subject() ? static_cast<QWidget*>(p.startPage) : p.workspacePage);
   placeOverlays();
   showTitle();
 }
 
+void MainWindow::showPanels() {
+  Parts& p = *parts_;
+  const bool wasVisible = p.panels->isVisible();
+  const bool hasPanels = p.isAuthor() || p.panels->has(p.workspace);
+  p.panels->show(p.workspace);
+  p.panels->setVisible(hasPanels);
+  if (hasPanels != wasVisible) p.viewColumns->setPanelWidth(kPanelWidth_px);
+}
+
+const sdk::Workspace* MainWindow::Parts::ownWorkspace() const {
+  const auto own = std::find_if(ownWorkspaces.begin(), ownWorkspaces.end(), [this](const auto& each) { return each.what.id == workspace; });
+  return own != ownWorkspaces.end() ? &own->what : nullptr;
+}
+
 void MainWindow::showStage() {
   Parts& p = *parts_;
-  const bool author = p.workspace == Workspace::author;
-  const bool staged = author && p.pages->currentWidget() == p.workspacePage && p.host->hasStageInFront();
+  const bool staged = p.panels->isVisibleTo(p.columns) && p.pages->currentWidget() == p.workspacePage && p.host->hasStageInFront();
   QWidget* stage = staged ? p.host->stageInFront(p.stages) : nullptr;
   if (stage != nullptr) {
     if (p.stages->indexOf(stage) < 0) p.stages->addWidget(stage);
     p.stages->setCurrentWidget(stage);
   }
   const bool was = std::exchange(p.staged, stage != nullptr);
-  p.panels->setMinimumWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
+  p.panels->setTabsWidth(p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
   showConsole();
   if (p.scanMenu != nullptr) p.scanMenu->menuAction()->setEnabled(!p.staged);  // its keys are those of a scan that is not seen
+  p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly() && p.keepsBody());
+  p.scanView->setVisible(!p.staged && p.keepsScan());
   if (was != p.staged) {
-    p.body->setVisible(!p.staged && !p.viewColumns->isScanOnly());
-    p.scanView->setVisible(!p.staged);
     p.stages->setVisible(p.staged);
     p.status->setStaged(p.staged);
     p.viewColumns->setStaged(p.staged, p.staged ? kStagedPanelWidth_px : kPanelWidth_px);
@@ -482,8 +501,9 @@ void MainWindow::showStage() {
 
 void MainWindow::showConsole() {
   const Parts& p = *parts_;
-  const bool hasRoom = p.workspace != Workspace::author || width() >= 1440;
-  p.console->setVisible(!p.staged && !p.viewColumns->isScanOnly() && hasRoom);
+  const bool isKept = p.keepsScan() && (p.ownWorkspace() == nullptr || p.ownWorkspace()->keepsConsole);
+  const bool hasRoom = !p.panels->isVisibleTo(p.columns) || width() >= 1440;
+  p.console->setVisible(isKept && !p.staged && !p.viewColumns->isScanOnly() && hasRoom);
 }
 
 void MainWindow::setScanOnly(bool scanOnly) {
@@ -495,14 +515,14 @@ void MainWindow::setScanOnly(bool scanOnly) {
   placeOverlays();
 }
 
-sdk::PanelDocument* MainWindow::panelDocument() const {
+std::shared_ptr<sdk::PanelDocument> MainWindow::panelDocument() const {
   return parts_->staged && parts_->host != nullptr ? parts_->host->documentInFront() : nullptr;
 }
 
 void MainWindow::showHistory() {
   Parts& p = *parts_;
   const QUndoStack& history = p.document.history();
-  const sdk::PanelDocument* document = panelDocument();
+  const auto document = panelDocument();
   const QString undo = document != nullptr ? words(document->undoText()) : history.canUndo() ? history.undoText() : QString();
   const QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
   p.undoAction->setEnabled(document != nullptr ? !undo.isEmpty() : history.canUndo());
@@ -520,8 +540,8 @@ void MainWindow::placeOverlays() {
     area.setRight(area.right() - parts_->console->width());
   }
   // Beside a stage below the panel; a stage has pictures in every corner.
-  QWidget* column = parts_->panelColumn;
-  parts_->cardRoom->setFixedHeight(parts_->staged ? parts_->cards->heightWanted() : 0);
+  QWidget* column = parts_->panels;
+  parts_->panels->setCardRoom(parts_->staged ? parts_->cards->heightWanted() : 0);
   parts_->cards->placeIn(parts_->staged ? QRect(column->mapTo(parts_->central, QPoint(0, 0)), column->size()) : area);
 }
 
@@ -554,6 +574,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
+  // Before any message goes: the one that tells to press it is a message itself.
+  if (event->key() == Qt::Key_Escape && parts_->session.isFollowing() && parts_->pages->currentWidget() == parts_->workspacePage)
+    return parts_->host->hostScan().takeProbeBack();
   if (event->key() == Qt::Key_Escape && parts_->messages->count() > 0) {
     parts_->messages->dismiss();
     return;

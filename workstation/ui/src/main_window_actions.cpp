@@ -37,6 +37,8 @@ void MainWindow::makeActions() {
   addEditMenu(*bar.addMenu(tr("&Edit")));
   addViewMenu(*bar.addMenu(tr("&View")));
   addScanMenu(*bar.addMenu(tr("&Scan")));
+  parts_->toolsMenu = bar.addMenu(tr("&Tools"));
+  parts_->toolsMenu->menuAction()->setVisible(false);
   addHelpMenu(*bar.addMenu(tr("&Help")));
 }
 
@@ -76,13 +78,13 @@ void MainWindow::addFileMenu(QMenu& file) {
 void MainWindow::addEditMenu(QMenu& edit) {
   Parts& p = *parts_;
   p.undoAction = addMenuAction(edit, tr("&Undo"), {keys("Ctrl+Z")}, [this] {
-    if (auto* document = panelDocument())
+    if (const auto document = panelDocument())
       document->undo();
     else
       parts_->document.history().undo();
   });
   p.redoAction = addMenuAction(edit, tr("&Redo"), {keys("Ctrl+Shift+Z"), keys("Ctrl+Y")}, [this] {
-    if (auto* document = panelDocument())
+    if (const auto document = panelDocument())
       document->redo();
     else
       parts_->document.history().redo();
@@ -93,15 +95,16 @@ void MainWindow::addEditMenu(QMenu& edit) {
 
 void MainWindow::addViewMenu(QMenu& view) {
   Parts& p = *parts_;
-  auto* workspaces = new QActionGroup(this);
+  p.viewMenu = &view;
+  p.workspaceActions = new QActionGroup(this);
   p.exploreAction = addMenuAction(view, tr("&Explore"), {keys("Ctrl+1")}, [this] { setWorkspace(Workspace::explore); });
   p.authorAction = addMenuAction(view, tr("&Author"), {keys("Ctrl+2")}, [this] { setWorkspace(Workspace::author); });
   for (QAction* action : {p.exploreAction, p.authorAction}) {
     action->setCheckable(true);
-    workspaces->addAction(action);
+    p.workspaceActions->addAction(action);
   }
   p.exploreAction->setChecked(true);
-  view.addSeparator();
+  p.beforeLooks = view.addSeparator();
   const auto look = [&](const QString& text, const char* key, bridge::CameraPreset preset) {
     addMenuAction(view, text, {keys(key)}, [this, preset] { parts_->view3d->showFrom(preset); });
   };
@@ -117,7 +120,7 @@ void MainWindow::addViewMenu(QMenu& view) {
   addThemeMenu(*view.addMenu(tr("&Theme")));
   addLanguageMenu(*view.addMenu(tr("La&nguage")));
   p.scanOnlyAction = addMenuAction(view, tr("Scan &only"), {QKeySequence(Qt::Key_F12)}, [this] {
-    const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == Workspace::explore;
+    const bool isThere = parts_->pages->currentWidget() == parts_->workspacePage && parts_->workspace == kExplore;
     setScanOnly(isThere && !parts_->viewColumns->isScanOnly());
   });
   p.scanOnlyAction->setCheckable(true);
@@ -328,15 +331,15 @@ void MainWindow::showTitle() {
   QString remark;
   if (subject && !p.opener->showsCase()) remark = tr("a volume without a case");
   if (showsCase) {
-    title = words(p.workspace == Workspace::author ? opened->title : titleForTrainees(*opened));
+    title = words(p.isAuthor() ? opened->title : titleForTrainees(*opened));
     remark = words(opened->patient.name);
     const auto add = [&remark](const QString& more) { remark += (remark.isEmpty() ? QString() : QStringLiteral("   ")) + more; };
     // Who explores need not know whose folder a case lies in.
-    if (p.document.isShippedCase() && p.workspace == Workspace::author) add(tr("shipped case"));
+    if (p.document.isShippedCase() && p.isAuthor()) add(tr("shipped case"));
     if (p.document.hasUnsavedChanges()) add(tr("● unsaved changes"));
   }
   p.caseInfo->showCase(showsCase ? &*opened : nullptr);
-  const sdk::PanelDocument* document = panelDocument();
+  const auto document = panelDocument();
   if (document != nullptr) {
     title = words(document->title());
     remark = words(document->remark());
@@ -373,35 +376,12 @@ void MainWindow::refreshTheme() {
   const QString choice = QSettings().value(QStringLiteral("theme")).toString();
   (choice == QLatin1String("system") ? parts_->systemThemeAction : dark ? parts_->darkAction : parts_->lightAction)->setChecked(true);
   parts_->view3d->setDarkTheme(dark);
+  parts_->topBar->refreshIcons();
   parts_->caseInfo->refreshIcons();
   parts_->console->refreshIcons();
   parts_->scanView->refreshIcons();
   parts_->replayBar->refreshIcons();
   parts_->messages->refreshIcons();
-}
-
-void MainWindow::openPlugins() {
-  Parts& p = *parts_;
-  if (p.plugins) return;
-  p.plugins.emplace();
-  p.plugins->openAll(*p.host, [this](const door::PluginFault& fault) {
-    const QString pattern = QCoreApplication::translate("ew::door::PluginFault", door::patternOf(fault));
-    parts_->messages->showError(words(door::filled(pattern.toStdString(), fault)));
-  });
-  for (const door::PluginStatus& plugin : p.plugins->states()) {
-    if (plugin.state != door::PluginState::loaded && plugin.state != door::PluginState::replaced)
-      p.messages->showError(words(plugin.sentence));
-  }
-}
-
-void MainWindow::showThrown(const QObject* receiver, const Thrown& thrown) {
-  Parts& p = *parts_;
-  if (p.plugins && p.plugins->tellOfPanel(WorkstationHost::panelOf(receiver), thrown)) return;
-  p.messages->showError(
-      thrown.noMemory ? tr("There is not enough memory for this; close other programs and try again.")
-                      : tr("The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report "
-                           "this with what you did.")
-                            .arg(words(thrown.reason)));
 }
 
 void MainWindow::prepareThumbnails() {

@@ -97,7 +97,7 @@ void MainWindow::remember(const QString& path) {
 
 void MainWindow::showRecent() {
   const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
-  const bool forAuthors = parts_->workspace == Workspace::author;
+  const bool forAuthors = parts_->isAuthor();
   QStringList onCards;
   for (const Case& shown : parts_->shownCases) onCards << QDir::cleanPath(QFileInfo(wordsOf(shown.folder)).absoluteFilePath());
   parts_->startPage->showRecent(recentFilesOf(recent, forAuthors, onCards));
@@ -189,12 +189,41 @@ void MainWindow::showWaitingVolume() {
   if (mayReplaceShown(made.title)) showMade(made);
 }
 
+bool MainWindow::mayLeavePlugins() {
+  Parts& p = *parts_;
+  QMessageBox question(this);
+  question.setObjectName(QStringLiteral("unsavedPluginQuestion"));
+  question.setIcon(QMessageBox::NoIcon);
+  for (const sdk::StagedPanel* panel : p.host->panelsAdded()) {
+    const auto document = panel->document.lock();
+    const QString unsaved = document ? words(document->unsaved()) : QString();
+    if (unsaved.isEmpty()) continue;
+    question.setText(unsaved);
+    question.setInformativeText(words(panel->title));
+    question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    question.setDefaultButton(QMessageBox::Save);
+    const int answer = question.exec();
+    if (answer == QMessageBox::Discard) continue;
+    if (answer != QMessageBox::Save) return false;
+    document->save(false);
+    if (SavingDialog(p.jobs, false, this).wait() != SavingDialog::Outcome::saved || !document->unsaved().empty()) return false;
+  }
+  for (const std::string& unsaved : p.host->unsaved()) {
+    question.setText(words(unsaved));
+    question.setInformativeText({});
+    question.setStandardButtons(QMessageBox::Discard | QMessageBox::Cancel);
+    question.setDefaultButton(QMessageBox::Cancel);
+    if (question.exec() != QMessageBox::Discard) return false;
+  }
+  return true;
+}
+
 bool MainWindow::mayClose() {
   if (!mayLeaveCase({})) return false;
   const std::vector<MadeVolume> unsaved = parts_->made;
   for (const MadeVolume& made : unsaved)
     if (!mayLeaveVolume(made, {})) return false;
-  if (!mayLeaveRecording({})) return false;
+  if (!mayLeaveRecording({}) || !mayLeavePlugins()) return false;
   const auto outcome = SavingDialog(parts_->jobs, true, this).wait();
   return outcome == SavingDialog::Outcome::saved || outcome == SavingDialog::Outcome::lose;
 }
@@ -282,7 +311,7 @@ void MainWindow::restoreKeptEdits() {
 }
 
 void MainWindow::save(bool elsewhere) {
-  if (auto* document = panelDocument())
+  if (const auto document = panelDocument())
     document->save(elsewhere);
   else
     saveCase(elsewhere);

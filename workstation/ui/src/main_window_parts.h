@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 #include <QPointer>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTimer>
+#include <QTranslator>
 #include <optional>
 
 #include "case_document.h"
@@ -35,6 +37,7 @@
 #include "top_bar.h"
 #include "view3d.h"
 #include "view_columns.h"
+#include "workspace_panels.h"
 #include "workstation_host.h"
 
 namespace ew::ui {
@@ -46,6 +49,9 @@ struct MadeVolume {
   ScanVoxels voxels;
   std::shared_ptr<const Provenance> provenance;  ///< may be null
 };
+
+inline const std::string kExplore = "explore";
+inline const std::string kAuthor = "author";
 
 /// What the window is made of. Values first, so that they outlive the widgets and plugins that use them.
 struct MainWindow::Parts {
@@ -76,9 +82,7 @@ struct MainWindow::Parts {
   QStackedWidget* pages = nullptr;
   StartPage* startPage = nullptr;
   QWidget* workspacePage = nullptr;
-  QWidget* panelColumn = nullptr;  ///< panels, and room for cards below them
-  QTabWidget* panels = nullptr;
-  QWidget* cardRoom = nullptr;
+  WorkspacePanels* panels = nullptr;
   QStackedWidget* stages = nullptr;  ///< what panels bring in place of the views
   bool staged = false;
   QSplitter* columns = nullptr;
@@ -112,6 +116,10 @@ struct MainWindow::Parts {
   QAction* madeVolumeAction = nullptr;
   QAction* exploreAction = nullptr;
   QAction* authorAction = nullptr;
+  QActionGroup* workspaceActions = nullptr;
+  QMenu* viewMenu = nullptr;
+  QAction* beforeLooks = nullptr;  ///< in the view menu, behind the workspaces
+  QMenu* toolsMenu = nullptr;      ///< of plugins; seen once it has an entry
   QAction* systemThemeAction = nullptr;
   QAction* darkAction = nullptr;
   QAction* lightAction = nullptr;
@@ -123,7 +131,23 @@ struct MainWindow::Parts {
   QAction* scanOnlyAction = nullptr;
   QAction* sourceAction = nullptr;
   QMenu* recentMenu = nullptr;
-  Workspace workspace = Workspace::explore;
+  std::string workspace = kExplore;
+  struct OwnWorkspace {
+    sdk::Workspace what;
+    QAction* action;
+  };
+  std::vector<OwnWorkspace> ownWorkspaces;  ///< of plugins
+  struct ToolEntry {
+    QAction* action;
+    std::string workspace;
+  };
+  std::vector<ToolEntry> tools;
+  std::vector<std::unique_ptr<QTranslator>> pluginWords;
+  [[nodiscard]] bool isAuthor() const { return workspace == kAuthor; }
+  /// Of a plugin, when such a one is in front.
+  [[nodiscard]] const sdk::Workspace* ownWorkspace() const;
+  [[nodiscard]] bool keepsBody() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsBody; }
+  [[nodiscard]] bool keepsScan() const { return ownWorkspace() == nullptr || ownWorkspace()->keepsScan; }
 };
 
 }  // namespace ew::ui

@@ -95,6 +95,15 @@ double ScanView::yOfDepth(double depth_mm) const {
   return pictureRect().top() + (geometry.face_px.y + down * depth_mm / geometry.pixel_mm) / devicePixelRatioF();
 }
 
+QPointF ScanView::positionOf(const Point<frame::Probe>& at) const {
+  const DisplayGeometry& geometry = session_.geometry();
+  const double across = geometry.markerLeft ? -1.0 : 1.0;
+  const double down = geometry.upsideDown ? -1.0 : 1.0;
+  const double scale = 1.0 / (geometry.pixel_mm * devicePixelRatioF());
+  return QPointF(pictureRect().topLeft()) + QPointF(geometry.face_px.x, geometry.face_px.y) / devicePixelRatioF() +
+         scale * QPointF(across * at.at.x, down * at.at.y);
+}
+
 double ScanView::depthAt_mm(double y) const {
   const double top = yOfDepth(0.0);
   const double perMm = yOfDepth(1.0) - top;
@@ -190,6 +199,12 @@ void ScanView::paintEvent(QPaintEvent*) {
   paintFoci(painter);
   if (mode() != DisplayMode::mMode) paintMarker(painter);
   if (mode() == DisplayMode::both) paintMLine(painter);
+  if (paintOver && mode() != DisplayMode::mMode) {
+    painter.save();
+    painter.setClipRect(pictureRect());
+    paintOver(painter);
+    painter.restore();
+  }
   paintWords(painter);
   if (session_.isFrozen()) paintFrozen(painter);
   if (recorded_s_) paintRecording(painter);

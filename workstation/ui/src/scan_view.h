@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <optional>
 
 #include "session.h"
@@ -30,6 +31,10 @@ class ScanView final : public QWidget {
   [[nodiscard]] double yOfDepth(double depth_mm) const;
   [[nodiscard]] double depthAt_mm(double y) const;
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
+  /// Widget position of a point of the probe's image plane, wherever zoom, pan and inversion put it.
+  [[nodiscard]] QPointF positionOf(const Point<frame::Probe>& at) const;
+  /// Paints over the image, clipped to it. Not on the strip of the M-mode.
+  std::function<void(QPainter&)> paintOver;
   void refreshIcons();
   /// A sentence over the picture for a few seconds.
   void say(const QString& sentence);

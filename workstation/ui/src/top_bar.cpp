@@ -8,6 +8,9 @@
 #include <QVariant>
 #include <algorithm>
 
+#include "icons.h"
+#include "theme.h"
+
 namespace ew::ui {
 
 TopBar::TopBar(QWidget* parent) : QWidget(parent) {
@@ -22,31 +25,21 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   menus_ = new QMenuBar;
   menus_->setNativeMenuBar(false);
   menus_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-  explore_ = new QPushButton(tr("Explore"));
-  author_ = new QPushButton(tr("Author"));
-  explore_->setObjectName(QStringLiteral("workspaceExplore"));
-  author_->setObjectName(QStringLiteral("workspaceAuthor"));
-  explore_->setToolTip(tr("Scan the open case (Ctrl+1)"));
-  author_->setToolTip(tr("Edit the case and build volumes (Ctrl+2)"));
-  auto* group = new QButtonGroup(this);
+  group_ = new QButtonGroup(this);
+  switch_ = new QHBoxLayout;
+  switch_->setSpacing(8);
   row->addWidget(brand);
   row->addSpacing(16);
-  row->addWidget(explore_);
-  row->addSpacing(8);
-  row->addWidget(author_);
+  row->addLayout(switch_);
   row->addSpacing(16);
   row->addWidget(menus_);
   row->addStretch(1);
+  addWorkspace(QStringLiteral("explore"), tr("Explore"), tr("Scan the open case (Ctrl+1)"), {});
+  addWorkspace(QStringLiteral("author"), tr("Author"), tr("Edit the case and build volumes (Ctrl+2)"), {});
   disclaimer_ = new QLabel(tr("simulation, not for diagnosis"));
   disclaimer_->setProperty("quiet", true);
   row->addWidget(disclaimer_);
-  for (QPushButton* button : {explore_, author_}) {
-    button->setProperty("workspace", true);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
-    group->addButton(button);
-  }
-  explore_->setChecked(true);
+  setWorkspace(QStringLiteral("explore"));
   // The title stands in the middle of the window, whatever stands beside it; a layout would put it into the middle of what is left.
   title_ = new QLabel(this);
   title_->setObjectName(QStringLiteral("title"));
@@ -54,11 +47,32 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
   remark_ = new QLabel(this);
   remark_->setObjectName(QStringLiteral("titleRemark"));
   remark_->setProperty("quiet", true);
-  connect(explore_, &QPushButton::clicked, this, [this] { Q_EMIT workspaceChosen(0); });
-  connect(author_, &QPushButton::clicked, this, [this] { Q_EMIT workspaceChosen(1); });
 }
 
-void TopBar::setWorkspace(int index) { (index == 0 ? explore_ : author_)->setChecked(true); }
+void TopBar::addWorkspace(const QString& id, const QString& title, const QString& tip, const QByteArray& icon) {
+  auto* button = new QPushButton(title);
+  button->setObjectName(QStringLiteral("workspace") + id.left(1).toUpper() + id.mid(1));
+  button->setToolTip(tip);
+  button->setProperty("workspace", true);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
+  group_->addButton(button);
+  switch_->addWidget(button);
+  connect(button, &QPushButton::clicked, this, [this, id] { Q_EMIT workspaceChosen(id); });
+  workspaces_.push_back({id, button, icon});
+  refreshIcons();
+  if (title_ != nullptr) placeTitle();
+}
+
+void TopBar::setWorkspace(const QString& id) {
+  for (const Button& each : workspaces_)
+    if (each.id == id) each.button->setChecked(true);
+}
+
+void TopBar::refreshIcons() {
+  for (const Button& each : workspaces_)
+    if (!each.icon.isEmpty()) each.button->setIcon(iconOf(each.icon, currentTheme().text));
+}
 
 void TopBar::setTitle(const QString& title, const QString& remark) {
   fullTitle_ = title;

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
+class QButtonGroup;
+class QHBoxLayout;
 class QLabel;
 class QMenuBar;
 class QPushButton;
@@ -17,10 +20,13 @@ class TopBar final : public QWidget {
 
   [[nodiscard]] QMenuBar& menus() { return *menus_; }
   void setTitle(const QString& title, const QString& remark);
-  void setWorkspace(int index);  ///< 0 Explore, 1 Author
+  /// A button behind those that are there. @param icon the text of an SVG; empty: none
+  void addWorkspace(const QString& id, const QString& title, const QString& tip, const QByteArray& icon);
+  void setWorkspace(const QString& id);
+  void refreshIcons();
 
  Q_SIGNALS:
-  void workspaceChosen(int index);
+  void workspaceChosen(const QString& id);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -28,8 +34,14 @@ class TopBar final : public QWidget {
  private:
   void placeTitle();
   QMenuBar* menus_ = nullptr;
-  QPushButton* explore_ = nullptr;
-  QPushButton* author_ = nullptr;
+  struct Button {
+    QString id;
+    QPushButton* button;
+    QByteArray icon;
+  };
+  std::vector<Button> workspaces_;
+  QButtonGroup* group_ = nullptr;
+  QHBoxLayout* switch_ = nullptr;
   QLabel* disclaimer_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* remark_ = nullptr;

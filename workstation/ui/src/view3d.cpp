@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "ew/core/contract.h"
@@ -22,7 +23,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kMargin_px = 16;
+constexpr int kOverlayMargin_px = 16;
 constexpr int kLeastForHint_px = 280;
 constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
 
@@ -62,6 +63,22 @@ class EllipsoidSkin final : public Skin {
   static Contact at(const glm::dvec3& p_mm) { return {p_mm, glm::normalize(p_mm / (kRadii_mm * kRadii_mm))}; }
 };
 
+/// Above the drawn scene, and through it goes every click.
+class Glass final : public QWidget {
+ public:
+  explicit Glass(QWidget* view) : QWidget(view) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+  }
+  std::function<void(QPainter&)> paint;
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    if (paint) paint(painter);
+  }
+};
+
 /// Ground for the small buttons: legible over skin and over the background, in either theme.
 class OverlayBar final : public QWidget {
  public:
@@ -82,7 +99,8 @@ class OverlayBar final : public QWidget {
 }  // namespace
 
 struct View3D::Parts {
-  explicit Parts(View3D* view) : canvas(new QVTKOpenGLNativeWidget(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
+  explicit Parts(View3D* view)
+      : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new OverlayBar(view)) {
     canvas->setRenderWindow(window);
     // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
     canvas->setEnableHiDPI(true);
@@ -98,6 +116,7 @@ struct View3D::Parts {
 
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   QVTKOpenGLNativeWidget* canvas;
+  Glass* glass;
   QLabel* hint;
   QWidget* buttons;
   std::vector<QToolButton*> viewButtons;
@@ -292,6 +311,13 @@ void View3D::draw(bridge::Scene3D::Edges edges) {
   parts_->sinceDrawn.start();
   parts_->scene->render(edges);
   parts_->drawing_ms = parts_->sinceDrawn.restart();
+  parts_->glass->update();  // what lies over it moves with the camera
+}
+
+void View3D::setOver(std::function<void(QPainter&)> paint) {
+  parts_->glass->paint = std::move(paint);
+  parts_->glass->setVisible(parts_->glass->paint != nullptr);
+  parts_->glass->update();
 }
 
 std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {
@@ -319,14 +345,14 @@ void View3D::placeOverlays() {
   // A narrow view wraps the words; it never cuts them.
   hint.setWordWrap(false);
   hint.adjustSize();
-  const int room = std::max(80, width() - 2 * kMargin_px);
+  const int room = std::max(80, width() - 2 * kOverlayMargin_px);
   if (hint.width() > room) {
     hint.setWordWrap(true);
     hint.resize(room, hint.heightForWidth(room));
   }
-  hint.move(kMargin_px, height() - kMargin_px - hint.height());
+  hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
   parts_->arrangeButtons(room);
-  parts_->buttons->move(std::max(0, width() - kMargin_px - parts_->buttons->width()), kMargin_px - 4);
+  parts_->buttons->move(std::max(0, width() - kOverlayMargin_px - parts_->buttons->width()), kOverlayMargin_px - 4);
   hint.raise();
   parts_->buttons->raise();
 }
@@ -334,6 +360,7 @@ void View3D::placeOverlays() {
 void View3D::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   parts_->canvas->setGeometry(rect());
+  parts_->glass->setGeometry(rect());
   placeOverlays();
   render();
 }

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,8 @@
 #include "ew/imaging/frame.h"
 #include "ew/imaging/probe.h"
 #include "ew/tracking/hand.h"
+
+class QPainter;
 
 namespace ew::ui {
 
@@ -64,6 +67,8 @@ class View3D : public QWidget {
   [[nodiscard]] bridge::Ray rayAt(const QPointF& at) const;
   /// Whether the pixel shows the probe's housing.
   [[nodiscard]] bool isProbeAt(const QPoint& at) const;
+  /// Paints over the view whenever it is drawn, and once now; empty: nothing lies over it.
+  void setOver(std::function<void(QPainter&)> paint);
   [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
 
   /// The widget that receives mouse, wheel and keys.

@@ -48,7 +48,7 @@ ViewColumns::ViewColumns(QSplitter& columns, QWidget& panel, QWidget& body, QWid
   canvas_.installEventFilter(this);
   scan_.installEventFilter(this);
   connect(&columns_, &QSplitter::splitterMoved, this, [this] {
-    if (staged_ || scanOnly_) return;
+    if (staged_ || scanOnly_ || !keepsBody_ || !keepsScan_) return;
     if (!panel_.isHidden()) panel_px_ = panel_.width();
     const int both_px = body_.width() + scan_.width();
     if (both_px <= 0) return;
@@ -77,9 +77,15 @@ void ViewColumns::setStaged(bool staged, int panel_px) {
   arrange();
 }
 
+void ViewColumns::setKept(bool body, bool scan) {
+  keepsBody_ = body;
+  keepsScan_ = scan;
+  arrange();
+}
+
 void ViewColumns::setScanOnly(bool scanOnly) {
   scanOnly_ = scanOnly;
-  if (!staged_) body_.setVisible(!scanOnly);
+  if (!staged_) body_.setVisible(!scanOnly && keepsBody_);
   arrange();
 }
 
@@ -92,7 +98,8 @@ void ViewColumns::arrange() {
   const int panel_px = panel_.isHidden() ? 0 : panel_px_;
   const int rest_px = std::max(0, columns_.width() - panel_px);
   if (staged_) return columns_.setSizes({panel_px, 0, 0, rest_px});
-  const int body_px = scanOnly_ ? 0 : static_cast<int>(std::lround(share() * rest_px));
+  if (!keepsScan_) return columns_.setSizes({panel_px, keepsBody_ ? rest_px : 0, 0, 0});
+  const int body_px = scanOnly_ || !keepsBody_ ? 0 : static_cast<int>(std::lround(share() * rest_px));
   columns_.setSizes({panel_px, body_px, rest_px - body_px, 0});
 }
 
@@ -105,7 +112,7 @@ bool ViewColumns::eventFilter(QObject* watched, QEvent* event) {
   const bool isLeft = (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick) &&
                       static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton &&
                       static_cast<QMouseEvent*>(event)->modifiers() == Qt::NoModifier;
-  if (!isLeft || !isNarrow() || scanOnly_) return false;
+  if (!isLeft || !isNarrow() || scanOnly_ || !keepsBody_ || !keepsScan_) return false;
   if (event->type() == QEvent::MouseButtonPress) {
     if (onPress) onPress();
     return false;

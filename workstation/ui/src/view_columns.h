@@ -44,6 +44,8 @@ class ViewColumns final : public QObject {
   /// Width of the author's panels beside body and scan; what is staged there has them alone.
   void setPanelWidth(int panel_px);
   void setStaged(bool staged, int panel_px);
+  /// Which of the two a workspace keeps beside its panels.
+  void setKept(bool body, bool scan);
   /// Nothing but the scan.
   void setScanOnly(bool scanOnly);
   [[nodiscard]] bool isScanOnly() const { return scanOnly_; }
@@ -69,6 +71,7 @@ class ViewColumns final : public QObject {
   int panel_px_ = 0;
   bool staged_ = false;
   bool scanOnly_ = false;
+  bool keepsBody_ = true, keepsScan_ = true;
   bool swapped_ = false;
 };
 

@@ -8,9 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "ew/door/host_parts.h"
 #include "ew/library/case.h"
+#include "ew/sdk/case_parts.h"
+#include "host_overlays.h"
+#include "host_scan.h"
+#include "message_bar.h"
 #include "words.h"
+#include "workspace_panels.h"
 
 namespace ew::ui {
 namespace {
@@ -77,6 +84,28 @@ class LazyPanel final : public QScrollArea {
   QPointer<QWidget> stage_;
 };
 
+/// Callbacks that live as long as somebody holds their ticket.
+template <class... What>
+class TicketedCalls {
+ public:
+  using Call = std::function<void(What...)>;
+  [[nodiscard]] sdk::Ticket add(Call call) {
+    auto kept = std::make_shared<Call>(std::move(call));
+    calls_.push_back(kept);
+    return kept;
+  }
+  void tell(const What&... what) {
+    std::erase_if(calls_, [](const auto& one) { return one.expired(); });
+    const auto now = calls_;  // a callback may register another
+    for (const auto& weak : now) {
+      if (const auto call = weak.lock()) (*call)(what...);
+    }
+  }
+
+ private:
+  std::vector<std::weak_ptr<Call>> calls_;
+};
+
 class HostVolumes final : public door::FileVolumes {
  public:
   explicit HostVolumes(WorkstationHost& host) : host_(host) {}
@@ -90,7 +119,7 @@ class HostVolumes final : public door::FileVolumes {
 
 class HostCases final : public sdk::Cases {
  public:
-  explicit HostCases(CaseDocument& document) : document_(document) {}
+  HostCases(CaseDocument& document, const door::PartSchemas& parts) : document_(document), parts_(parts) {}
 
   [[nodiscard]] std::optional<nlohmann::json> current() const override {
     if (!document_.current()) return std::nullopt;
@@ -99,7 +128,12 @@ class HostCases final : public sdk::Cases {
   [[nodiscard]] std::filesystem::path currentFolder() const override {
     return document_.current() ? document_.current()->folder : std::filesystem::path();
   }
-  [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override { return checkManifest(manifest, currentFolder()); }
+  [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override {
+    auto problems = checkManifest(manifest, currentFolder());
+    auto more = parts_.problems(manifest);
+    std::move(more.begin(), more.end(), std::back_inserter(problems));
+    return problems;
+  }
   Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
     return document_.edit(manifest, what, mergeKey);
   }
@@ -111,28 +145,46 @@ class HostCases final : public sdk::Cases {
   [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
   [[nodiscard]] std::optional<Scan> scan() const override { return askScan ? askScan() : std::nullopt; }
   [[nodiscard]] Choices choices() const override { return askChoices ? askChoices() : Choices{}; }
-  Ticket onChanged(std::function<void()> callback) override {
-    auto kept = std::make_shared<std::function<void()>>(std::move(callback));
-    callbacks_.push_back(kept);
-    return kept;
-  }
+  Ticket onChanged(std::function<void()> callback) override { return callbacks_.add(std::move(callback)); }
+  void tellChanged() { callbacks_.tell(); }
 
   std::function<std::optional<Scan>()> askScan;
   std::function<Choices()> askChoices;
-
-  void tellChanged() {
-    std::erase_if(callbacks_, [](const auto& one) { return one.expired(); });
-    const auto now = callbacks_;  // a callback may register another
-    for (const auto& weak : now) {
-      if (const auto callback = weak.lock()) (*callback)();
-    }
-  }
 
   WorkstationHost::CaseSaving saving;
 
  private:
   CaseDocument& document_;
-  std::vector<std::weak_ptr<std::function<void()>>> callbacks_;
+  const door::PartSchemas& parts_;
+  TicketedCalls<> callbacks_;
+};
+
+class HostCaseParts final : public sdk::CaseParts {
+ public:
+  HostCaseParts(CaseDocument& document, door::PartSchemas& schemas) : document_(document), schemas_(schemas) {}
+
+  [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema) override { return schemas_.add(name, schema); }
+  [[nodiscard]] std::optional<nlohmann::json> read(const std::string& name) const override {
+    return door::partOf(document_.manifest(), name);
+  }
+  Result<void> edit(const std::string& name, const std::optional<nlohmann::json>& section, const std::string& what,
+                    const std::string& mergeKey) override {
+    if (!document_.current()) return failure(ErrorCode::notFound, "No case is open; open one first.");
+    if (!schemas_.knows(name)) return failure(ErrorCode::badUsage, "The section '" + name + "' of a case has no schema; add it first.");
+    if (section)
+      if (auto problems = schemas_.problems(name, *section); !problems.empty()) return passOn(std::move(problems.front()));
+    return document_.edit(door::withPart(document_.manifest(), name, section), what, mergeKey);
+  }
+  [[nodiscard]] std::filesystem::path folderOf(const std::string& name) const override {
+    return document_.current() ? document_.current()->folder / "parts" / name : std::filesystem::path();
+  }
+  [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override { return callbacks_.add(std::move(callback)); }
+  void tellOpened() { callbacks_.tell(document_.current() ? document_.current()->folder : std::filesystem::path()); }
+
+ private:
+  CaseDocument& document_;
+  door::PartSchemas& schemas_;
+  TicketedCalls<std::filesystem::path> callbacks_;
 };
 
 class HostJobs final : public sdk::Jobs {
@@ -153,30 +205,81 @@ class HostJobs final : public sdk::Jobs {
 
 class HostPanels final : public sdk::Panels {
  public:
-  HostPanels(WorkstationHost& host, QTabWidget& tabs) : host_(host), tabs_(tabs) {}
-  void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
-    addStaged({id, title, std::move(make), {}, nullptr, {}});
-  }
+  HostPanels(WorkstationHost& host, WorkspacePanels& columns) : host_(host), columns_(columns) {}
   void addStaged(sdk::StagedPanel asked) override {
     const QString id = words(asked.id);
     const QString title = words(asked.title);
-    if (asked.document != nullptr) tickets_.push_back(asked.document->onChanged([&host = host_] { Q_EMIT host.panelDocumentChanged(); }));
+    QTabWidget& tabs = columns_.of(asked.workspace);
+    if (const auto document = asked.document.lock())
+      tickets_.push_back(document->onChanged([&host = host_] { Q_EMIT host.panelDocumentChanged(); }));
     auto* panel = new LazyPanel(std::move(asked));
     panel->setObjectName(QStringLiteral("panel_") + id);
-    tabs_.addTab(panel, title);
+    tabs.addTab(panel, title);
   }
-  [[nodiscard]] LazyPanel* inFront() const { return dynamic_cast<LazyPanel*>(tabs_.currentWidget()); }
+  [[nodiscard]] LazyPanel* inFront() const {
+    const QTabWidget* tabs = columns_.inFront();
+    return tabs != nullptr ? dynamic_cast<LazyPanel*>(tabs->currentWidget()) : nullptr;
+  }
   [[nodiscard]] std::vector<const sdk::StagedPanel*> all() const {
     std::vector<const sdk::StagedPanel*> found;
-    for (int i = 0; i < tabs_.count(); ++i)
-      if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs_.widget(i))) found.push_back(&panel->panel());
+    for (const auto& [workspace, tabs] : columns_.all())
+      for (int i = 0; i < tabs->count(); ++i)
+        if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i))) found.push_back(&panel->panel());
     return found;
   }
 
  private:
   WorkstationHost& host_;
-  QTabWidget& tabs_;
+  WorkspacePanels& columns_;
   std::vector<std::shared_ptr<void>> tickets_;
+};
+
+class HostWorkspaces final : public sdk::Workspaces {
+ public:
+  void add(const sdk::Workspace& workspace) override {
+    if (theSwitch.add && !theSwitch.add(workspace))
+      spdlog::warn("A plugin brings the workspace '{}', whose name is taken or is none; it is left out.", workspace.id);
+  }
+  void show(const std::string& id) override {
+    if (theSwitch.show) theSwitch.show(id);
+  }
+  [[nodiscard]] std::string shown() const override { return theSwitch.shown ? theSwitch.shown() : std::string(); }
+
+  WorkstationHost::WorkspaceSwitch theSwitch;
+};
+
+class HostWindow final : public sdk::Window {
+ public:
+  explicit HostWindow(MessageBar& messages) : messages_(messages) {}
+  void info(const std::string& sentence, const std::string& topic) override { messages_.showNote(words(sentence), topicOf(topic)); }
+  void warn(const std::string& sentence, const std::string& topic) override {
+    spdlog::warn("{}", sentence);
+    messages_.showNote(words(sentence), topicOf(topic));
+  }
+  void error(const std::string& sentence, const std::string& topic) override {
+    spdlog::error("{}", sentence);
+    messages_.showError(words(sentence), topicOf(topic));
+  }
+  [[nodiscard]] sdk::Ticket addEntry(const sdk::MenuEntry& entry, std::function<void()> run) override {
+    return addToMenu ? addToMenu(entry, std::move(run)) : nullptr;
+  }
+  [[nodiscard]] sdk::Ticket onClosing(std::function<std::string()> ask) override {
+    return closing_.add([this, ask = std::move(ask)] { answers_.push_back(ask()); });
+  }
+  [[nodiscard]] std::vector<std::string> unsaved() {
+    answers_.clear();
+    closing_.tell();
+    std::erase(answers_, std::string());
+    return std::exchange(answers_, {});
+  }
+
+  std::function<sdk::Ticket(const sdk::MenuEntry&, std::function<void()>)> addToMenu;
+
+ private:
+  static QString topicOf(const std::string& topic) { return topic.empty() ? QString() : QStringLiteral("plugin ") + words(topic); }
+  MessageBar& messages_;
+  TicketedCalls<> closing_;
+  std::vector<std::string> answers_;
 };
 
 /// A window has no command line, so commands are not kept.
@@ -188,18 +291,35 @@ class NoCommands final : public sdk::Commands {
 }  // namespace
 
 struct WorkstationHost::Parts {
+  Parts(WorkstationHost& host, CaseDocument& document, ui::Jobs& theJobs, Session& session, WorkspacePanels& columns, MessageBar& messages)
+      : volumes(host),
+        cases(document, *schemas),
+        caseParts(document, *schemas),
+        jobs(theJobs),
+        panels(host, columns),
+        scan(session),
+        window(messages) {}
+  std::shared_ptr<door::PartSchemas> schemas = std::make_shared<door::PartSchemas>();
   HostVolumes volumes;
   door::TextFiles files;
   HostCases cases;
+  HostCaseParts caseParts;
   HostJobs jobs;
   HostPanels panels;
   NoCommands commands;
+  HostScan scan;
+  HostWorkspaces workspaces;
+  HostOverlays overlays;
+  HostWindow window;
   door::ProgramLog log;
 };
 
-WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent)
-    : QObject(parent), parts_(new Parts{HostVolumes(*this), {}, HostCases(document), HostJobs(jobs), HostPanels(*this, panels), {}, {}}) {
+WorkstationHost::WorkstationHost(CaseDocument& document, Jobs& jobs, Session& session, WorkspacePanels& panels, MessageBar& messages,
+                                 QObject* parent)
+    : QObject(parent), parts_(std::make_unique<Parts>(*this, document, jobs, session, panels, messages)) {
   connect(&document, &CaseDocument::changed, this, [this] { parts_->cases.tellChanged(); });
+  connect(&document, &CaseDocument::opened, this, [this] { parts_->caseParts.tellOpened(); });
+  connect(&document, &CaseDocument::closed, this, [this] { parts_->caseParts.tellOpened(); });
 }
 
 WorkstationHost::~WorkstationHost() = default;
@@ -207,6 +327,11 @@ WorkstationHost::~WorkstationHost() = default;
 void WorkstationHost::setCaseSaving(CaseSaving saving) { parts_->cases.saving = std::move(saving); }
 void WorkstationHost::setScan(std::function<std::optional<sdk::Cases::Scan>()> scan) { parts_->cases.askScan = std::move(scan); }
 void WorkstationHost::setChoices(std::function<sdk::Cases::Choices()> choices) { parts_->cases.askChoices = std::move(choices); }
+
+void WorkstationHost::setWorkspaceSwitch(WorkspaceSwitch theSwitch) { parts_->workspaces.theSwitch = std::move(theSwitch); }
+void WorkstationHost::setMenu(std::function<sdk::Ticket(const sdk::MenuEntry&, std::function<void()>)> addEntry) {
+  parts_->window.addToMenu = std::move(addEntry);
+}
 
 bool WorkstationHost::hasStageInFront() const {
   const LazyPanel* panel = parts_->panels.inFront();
@@ -218,10 +343,14 @@ QWidget* WorkstationHost::stageInFront(QWidget* parent) {
   return panel != nullptr ? panel->stage(parent) : nullptr;
 }
 
-sdk::PanelDocument* WorkstationHost::documentInFront() const {
+std::shared_ptr<sdk::PanelDocument> WorkstationHost::documentInFront() const {
   const LazyPanel* panel = parts_->panels.inFront();
-  return panel != nullptr ? panel->panel().document : nullptr;
+  return panel != nullptr ? panel->panel().document.lock() : nullptr;
 }
+
+std::vector<std::string> WorkstationHost::unsaved() const { return parts_->window.unsaved(); }
+HostScan& WorkstationHost::hostScan() { return parts_->scan; }
+HostOverlays& WorkstationHost::hostOverlays() { return parts_->overlays; }
 
 std::vector<const sdk::StagedPanel*> WorkstationHost::panelsAdded() const { return parts_->panels.all(); }
 
@@ -237,6 +366,11 @@ sdk::Cases& WorkstationHost::cases() { return parts_->cases; }
 sdk::Jobs& WorkstationHost::jobs() { return parts_->jobs; }
 sdk::Panels& WorkstationHost::panels() { return parts_->panels; }
 sdk::Commands& WorkstationHost::commands() { return parts_->commands; }
+sdk::Scan& WorkstationHost::scan() { return parts_->scan; }
+sdk::Workspaces& WorkstationHost::workspaces() { return parts_->workspaces; }
+sdk::Overlays& WorkstationHost::overlays() { return parts_->overlays; }
+sdk::CaseParts& WorkstationHost::caseParts() { return parts_->caseParts; }
+sdk::Window& WorkstationHost::window() { return parts_->window; }
 sdk::Log& WorkstationHost::log() { return parts_->log; }
 
 }  // namespace ew::ui

@@ -10,20 +10,27 @@
 
 #include "case_document.h"
 #include "ew/sdk/host.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/workspaces.h"
 #include "jobs.h"
-
-class QTabWidget;
 
 namespace ew::ui {
 
-/// The host of plugins in the window: cases through the undo history, jobs as cards, panels as tabs of the Author workspace. What a plugin
-/// throws does not get here: door::PluginList stops it before.
+class HostOverlays;
+class HostScan;
+class MessageBar;
+class Session;
+class WorkspacePanels;
+
+/// The host of plugins in the window: cases through the undo history, jobs as cards, panels as tabs of their workspace, the session's scan.
+/// What a plugin throws does not get here: door::PluginList stops it before.
 class WorkstationHost final : public QObject, public sdk::Host {
   Q_OBJECT
 
  public:
   /// Everything must outlive the host. @param panels receives one tab a panel
-  WorkstationHost(CaseDocument& document, Jobs& jobs, QTabWidget& panels, QObject* parent = nullptr);
+  WorkstationHost(CaseDocument& document, Jobs& jobs, Session& session, WorkspacePanels& panels, MessageBar& messages,
+                  QObject* parent = nullptr);
   ~WorkstationHost() override;
 
   sdk::Volumes& volumes() override;
@@ -32,6 +39,11 @@ class WorkstationHost final : public QObject, public sdk::Host {
   sdk::Jobs& jobs() override;
   sdk::Panels& panels() override;
   sdk::Commands& commands() override;
+  sdk::Scan& scan() override;
+  sdk::Workspaces& workspaces() override;
+  sdk::Overlays& overlays() override;
+  sdk::CaseParts& caseParts() override;
+  sdk::Window& window() override;
   sdk::Log& log() override;
 
   /// How the window saves the open case and makes it the user's own; both may ask. Without them saving asks nobody.
@@ -43,12 +55,25 @@ class WorkstationHost final : public QObject, public sdk::Host {
   /// How the open case is scanned, and what a case may choose from: the window knows.
   void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
   void setChoices(std::function<sdk::Cases::Choices()> choices);
+  /// Workspaces that plugins bring: how the window adds one (false: its id is taken), shows one and says which is in front.
+  struct WorkspaceSwitch {
+    std::function<bool(const sdk::Workspace&)> add;
+    std::function<void(const std::string& id)> show;
+    std::function<std::string()> shown;
+  };
+  void setWorkspaceSwitch(WorkspaceSwitch theSwitch);
+  /// How the window adds an entry to its menus; the ticket takes it out.
+  void setMenu(std::function<sdk::Ticket(const sdk::MenuEntry&, std::function<void()>)> addEntry);
 
   /// Of the tab in front; whether it is seen is the window's affair.
   [[nodiscard]] bool hasStageInFront() const;
   [[nodiscard]] QWidget* stageInFront(QWidget* parent);  ///< made when first asked for; null: it has none
-  [[nodiscard]] sdk::PanelDocument* documentInFront() const;
+  [[nodiscard]] std::shared_ptr<sdk::PanelDocument> documentInFront() const;
   [[nodiscard]] std::vector<const sdk::StagedPanel*> panelsAdded() const;
+  /// What would be lost if the window closed, beside what documents of panels say.
+  [[nodiscard]] std::vector<std::string> unsaved() const;
+  [[nodiscard]] HostScan& hostScan();
+  [[nodiscard]] HostOverlays& hostOverlays();
   /// Id of the panel in whose column or stage `part` lies; empty: in none.
   [[nodiscard]] static std::string panelOf(const QObject* part);
 

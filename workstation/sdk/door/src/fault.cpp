@@ -28,6 +28,14 @@ const char* patternOf(const PluginFault& fault) {
       return "The plugin '%1' could not save (%3); try another name or folder.";
     case PluginMoment::document:
       return "The plugin '%1' could not say what its panel holds (%3); save under another name before you go on.";
+    case PluginMoment::scan:
+      return "The plugin '%1' could not follow the scan (%3); what it shows may be out of date.";
+    case PluginMoment::drive:
+      return "The plugin '%1' could not move the probe (%3); press Escape to take the probe back.";
+    case PluginMoment::menu:
+      return "'%2' of the plugin '%1' did not come to its end (%3); please report it with what you did.";
+    case PluginMoment::closing:
+      return "The plugin '%1' could not say what it still holds (%3); save your work before you close the window.";
     case PluginMoment::event:
       return "The plugin '%1' met a problem that it did not foresee (%3); save your work, and please report it with what you did.";
     case PluginMoment::end:

@@ -29,10 +29,6 @@ sdk::Cases::Ticket PluginCalls::keepTicket(sdk::Cases::Ticket ticket) {
   return kept;
 }
 
-sdk::PanelDocument* PluginCalls::keepDocument(std::unique_ptr<sdk::PanelDocument> document) {
-  return documents_.emplace_back(std::move(document)).get();
-}
-
 void PluginCalls::withdraw() {
   {
     std::unique_lock lock(mutex_);

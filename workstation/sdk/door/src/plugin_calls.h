@@ -52,7 +52,7 @@ class PluginCalls {
   /// Keeps hold of a ticket, so that it can be taken back. @return the ticket to hand out
   [[nodiscard]] sdk::Cases::Ticket keepTicket(sdk::Cases::Ticket ticket);
   /// Keeps a document as long as these calls.
-  [[nodiscard]] sdk::PanelDocument* keepDocument(std::unique_ptr<sdk::PanelDocument> document);
+  void keepDocument(std::shared_ptr<sdk::PanelDocument> document) { documents_.push_back(std::move(document)); }
 
   /// Takes everything back: what waited is forgotten, tickets are given back, running work is asked to stop and waited for, later calls do
   /// not reach the plugin.
@@ -87,7 +87,7 @@ class PluginCalls {
   bool made_ = false;
   std::vector<std::function<void()>> waiting_;
   std::vector<std::weak_ptr<sdk::Cases::Ticket>> tickets_;
-  std::vector<std::unique_ptr<sdk::PanelDocument>> documents_;
+  std::vector<std::shared_ptr<sdk::PanelDocument>> documents_;
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable ended_;
   bool withdrawn_ = false;

@@ -4,56 +4,81 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "ew/sdk/case_parts.h"
+#include "ew/sdk/overlays.h"
+#include "ew/sdk/scan.h"
+#include "ew/sdk/window.h"
+#include "ew/sdk/workspaces.h"
+
 namespace ew::door {
 namespace {
 
 using Calls = std::shared_ptr<PluginCalls>;
 
-/// A document of the plugin as the window sees it: what cannot be asked is empty, the title stays the last one.
+/// A document of the plugin as the window sees it: what cannot be asked is empty, the title stays the last one. The plugin keeps the
+/// document; once it is gone there is nothing to ask.
 class GuardedDocument final : public sdk::PanelDocument {
   template <class Ask>
   auto ask(Ask&& question) const {
-    return calls_.call(PluginMoment::document, panel_, std::forward<Ask>(question));
+    return calls_.call(PluginMoment::document, panel_, [&] {
+      const auto inner = inner_.lock();
+      return inner ? question(*inner) : decltype(question(*inner))();
+    });
+  }
+  template <class Act>
+  void act(PluginMoment moment, Act&& action) {
+    static_cast<void>(calls_.call(moment, panel_, [&] {
+      if (const auto inner = inner_.lock()) action(*inner);
+    }));
   }
 
  public:
   /// Kept by `calls`, so it holds no share of them.
-  GuardedDocument(PluginCalls& calls, sdk::PanelDocument& inner, std::string panel)
-      : calls_(calls), inner_(inner), panel_(std::move(panel)), title_(panel_) {}
+  GuardedDocument(PluginCalls& calls, std::weak_ptr<sdk::PanelDocument> inner, std::string panel)
+      : calls_(calls), inner_(std::move(inner)), panel_(std::move(panel)), title_(panel_) {}
 
   [[nodiscard]] std::string title() const override {
-    if (auto title = ask([this] { return inner_.title(); })) title_ = std::move(*title);
+    if (auto title = ask([](const sdk::PanelDocument& d) { return d.title(); }); title && !inner_.expired()) title_ = std::move(*title);
     return title_;
   }
   [[nodiscard]] std::string remark() const override {
-    return ask([this] { return inner_.remark(); }).value_or(std::string());
+    return ask([](const sdk::PanelDocument& d) { return d.remark(); }).value_or(std::string());
   }
   [[nodiscard]] std::string note() const override {
-    return ask([this] { return inner_.note(); }).value_or(std::string());
+    return ask([](const sdk::PanelDocument& d) { return d.note(); }).value_or(std::string());
   }
   [[nodiscard]] std::string undoText() const override {
-    return ask([this] { return inner_.undoText(); }).value_or(std::string());
+    return ask([](const sdk::PanelDocument& d) { return d.undoText(); }).value_or(std::string());
   }
   [[nodiscard]] std::string redoText() const override {
-    return ask([this] { return inner_.redoText(); }).value_or(std::string());
+    return ask([](const sdk::PanelDocument& d) { return d.redoText(); }).value_or(std::string());
   }
   void undo() override {
-    static_cast<void>(calls_.call(PluginMoment::undo, panel_, [this] { inner_.undo(); }));
+    act(PluginMoment::undo, [](sdk::PanelDocument& d) { d.undo(); });
   }
   void redo() override {
-    static_cast<void>(calls_.call(PluginMoment::redo, panel_, [this] { inner_.redo(); }));
+    act(PluginMoment::redo, [](sdk::PanelDocument& d) { d.redo(); });
   }
   void save(bool elsewhere) override {
-    static_cast<void>(calls_.call(PluginMoment::save, panel_, [this, elsewhere] { inner_.save(elsewhere); }));
+    act(PluginMoment::save, [elsewhere](sdk::PanelDocument& d) { d.save(elsewhere); });
+  }
+  [[nodiscard]] std::string unsaved() const override {
+    return calls_
+        .call(PluginMoment::closing, panel_,
+              [this] {
+                const auto inner = inner_.lock();
+                return inner ? inner->unsaved() : std::string();
+              })
+        .value_or(std::string());
   }
   [[nodiscard]] std::shared_ptr<void> onChanged(std::function<void()> callback) override {
-    auto ticket = ask([&] { return inner_.onChanged(std::move(callback)); });
+    auto ticket = ask([&](sdk::PanelDocument& d) { return d.onChanged(std::move(callback)); });
     return calls_.keepTicket(ticket ? std::move(*ticket) : nullptr);
   }
 
  private:
   PluginCalls& calls_;
-  sdk::PanelDocument& inner_;
+  std::weak_ptr<sdk::PanelDocument> inner_;
   std::string panel_;
   mutable std::string title_;
 };
@@ -140,16 +165,15 @@ class PluginPanels final : public sdk::Panels {
  public:
   PluginPanels(Calls calls, sdk::Panels& inner) : calls_(std::move(calls)), inner_(inner) {}
 
-  void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget*)> make) override {
-    ids_.push_back(id);
-    calls_->whenMade([this, id, title, make = guardedMake(title, std::move(make))] { inner_.add(id, title, make); });
-  }
   void addStaged(sdk::StagedPanel panel) override {
     ids_.push_back(panel.id);
     panel.make = guardedMake(panel.title, std::move(panel.make));
     panel.makeStage = guardedMake(panel.title, std::move(panel.makeStage));
-    if (panel.document != nullptr)
-      panel.document = calls_->keepDocument(std::make_unique<GuardedDocument>(*calls_, *panel.document, panel.title));
+    if (!panel.document.expired()) {
+      const auto document = std::make_shared<GuardedDocument>(*calls_, panel.document, panel.title);
+      calls_->keepDocument(document);
+      panel.document = document;
+    }
     calls_->whenMade([this, panel = std::move(panel)] { inner_.addStaged(panel); });
   }
   [[nodiscard]] bool has(const std::string& id) const { return std::find(ids_.begin(), ids_.end(), id) != ids_.end(); }
@@ -190,15 +214,181 @@ class PluginCommands final : public sdk::Commands {
   sdk::Commands& inner_;
 };
 
+/// Where the plugin says the probe is. When it cannot say, the probe stays where it was.
+class GuardedPoses final : public PoseSource {
+ public:
+  GuardedPoses(Calls calls, std::shared_ptr<const PoseSource> inner) : calls_(std::move(calls)), inner_(std::move(inner)) {}
+  [[nodiscard]] Pose poseAt(double time_s) const override {
+    if (isLost_) return last_;
+    auto pose = calls_->call(PluginMoment::drive, {}, [&] { return inner_->poseAt(time_s); });
+    if (pose)
+      last_ = *pose;
+    else
+      isLost_ = true;
+    return last_;
+  }
+  [[nodiscard]] bool movesAfter(double time_s) const override {
+    if (isLost_) return false;
+    const auto moves = calls_->call(PluginMoment::drive, {}, [&] { return inner_->movesAfter(time_s); });
+    isLost_ = !moves;
+    return moves.value_or(false);
+  }
+
+ private:
+  Calls calls_;
+  std::shared_ptr<const PoseSource> inner_;
+  mutable Pose last_{.probeToWorld = {}, .status = PoseStatus::missing};
+  mutable bool isLost_ = false;
+};
+
+class PluginScan final : public sdk::Scan {
+ public:
+  PluginScan(Calls calls, sdk::Scan& inner) : calls_(std::move(calls)), inner_(inner) {}
+  [[nodiscard]] std::optional<ScanState> state() const override { return inner_.state(); }
+  [[nodiscard]] Picture picture() const override { return inner_.picture(); }
+  [[nodiscard]] DisplayGeometry geometry() const override { return inner_.geometry(); }
+  [[nodiscard]] Knobs knobs() const override { return inner_.knobs(); }
+  [[nodiscard]] double now_s() const override { return inner_.now_s(); }
+  [[nodiscard]] sdk::Ticket onEvent(EventCallback callback) override {
+    return calls_->keepTicket(inner_.onEvent([calls = calls_, callback = std::move(callback)](const ScanEvent& event) {
+      static_cast<void>(calls->call(PluginMoment::scan, {}, [&] { callback(event); }));
+    }));
+  }
+  [[nodiscard]] sdk::Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) override {
+    if (source == nullptr) return nullptr;
+    auto told = [calls = calls_, takenBack = std::move(takenBack)] {
+      if (takenBack) static_cast<void>(calls->call(PluginMoment::drive, {}, takenBack));
+    };
+    return calls_->keepTicket(inner_.drive(std::make_shared<GuardedPoses>(calls_, std::move(source)), std::move(told)));
+  }
+  Result<void> apply(const Knobs& knobs) override { return inner_.apply(knobs); }
+  Result<void> chooseProbe(const std::string& id) override { return inner_.chooseProbe(id); }
+  Result<void> setFrozen(bool frozen) override { return inner_.setFrozen(frozen); }
+  [[nodiscard]] sdk::Ticket keepSettings() override { return calls_->keepTicket(inner_.keepSettings()); }
+
+ private:
+  Calls calls_;
+  sdk::Scan& inner_;
+};
+
+class PluginWorkspaces final : public sdk::Workspaces {
+ public:
+  PluginWorkspaces(Calls calls, sdk::Workspaces& inner) : calls_(std::move(calls)), inner_(inner) {}
+  void add(const sdk::Workspace& workspace) override {
+    calls_->whenMade([this, workspace] { inner_.add(workspace); });
+  }
+  void show(const std::string& id) override {
+    calls_->whenMade([this, id] { inner_.show(id); });
+  }
+  [[nodiscard]] std::string shown() const override { return inner_.shown(); }
+
+ private:
+  Calls calls_;
+  sdk::Workspaces& inner_;
+};
+
+/// A drawing that goes when the plugin is withdrawn, although the plugin still holds it.
+template <class Drawing>
+class KeptOverlay final : public sdk::Overlay<Drawing> {
+ public:
+  KeptOverlay(PluginCalls& calls, const std::shared_ptr<sdk::Overlay<Drawing>>& inner) : inner_(inner), ticket_(calls.keepTicket(inner)) {}
+  void show(Drawing drawing) override {
+    if (const auto inner = inner_.lock()) inner->show(std::move(drawing));
+  }
+
+ private:
+  std::weak_ptr<sdk::Overlay<Drawing>> inner_;
+  sdk::Ticket ticket_;
+};
+
+class PluginOverlays final : public sdk::Overlays {
+ public:
+  PluginOverlays(Calls calls, sdk::Overlays& inner) : calls_(std::move(calls)), inner_(inner) {}
+  [[nodiscard]] std::shared_ptr<sdk::ScanOverlay> overScan() override {
+    return std::make_shared<KeptOverlay<sdk::ScanDrawing>>(*calls_, inner_.overScan());
+  }
+  [[nodiscard]] std::shared_ptr<sdk::BodyOverlay> overBody() override {
+    return std::make_shared<KeptOverlay<sdk::BodyDrawing>>(*calls_, inner_.overBody());
+  }
+
+ private:
+  Calls calls_;
+  sdk::Overlays& inner_;
+};
+
+class PluginCaseParts final : public sdk::CaseParts {
+ public:
+  PluginCaseParts(Calls calls, sdk::CaseParts& inner) : calls_(std::move(calls)), inner_(inner) {}
+  [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema) override {
+    auto ticket = inner_.add(name, schema);
+    if (!ticket) return ticket;
+    return calls_->keepTicket(std::move(*ticket));
+  }
+  [[nodiscard]] std::optional<nlohmann::json> read(const std::string& name) const override { return inner_.read(name); }
+  Result<void> edit(const std::string& name, const std::optional<nlohmann::json>& section, const std::string& what,
+                    const std::string& mergeKey) override {
+    return inner_.edit(name, section, what, mergeKey);
+  }
+  [[nodiscard]] std::filesystem::path folderOf(const std::string& name) const override { return inner_.folderOf(name); }
+  [[nodiscard]] sdk::Ticket onOpened(OpenCallback callback) override {
+    return calls_->keepTicket(inner_.onOpened([calls = calls_, callback = std::move(callback)](const std::filesystem::path& folder) {
+      static_cast<void>(calls->call(PluginMoment::caseChanged, {}, [&] { callback(folder); }));
+    }));
+  }
+
+ private:
+  Calls calls_;
+  sdk::CaseParts& inner_;
+};
+
+class PluginWindow final : public sdk::Window {
+ public:
+  PluginWindow(Calls calls, sdk::Window& inner) : calls_(std::move(calls)), inner_(inner) {}
+  void info(const std::string& sentence, const std::string& topic) override { inner_.info(sentence, topic); }
+  void warn(const std::string& sentence, const std::string& topic) override { inner_.warn(sentence, topic); }
+  void error(const std::string& sentence, const std::string& topic) override { inner_.error(sentence, topic); }
+  [[nodiscard]] sdk::Ticket addEntry(const sdk::MenuEntry& entry, std::function<void()> run) override {
+    return calls_->keepTicket(inner_.addEntry(entry, [calls = calls_, title = withoutMark(entry.title), run = std::move(run)] {
+      static_cast<void>(calls->call(PluginMoment::menu, title, run));
+    }));
+  }
+  [[nodiscard]] sdk::Ticket onClosing(std::function<std::string()> unsaved) override {
+    return calls_->keepTicket(inner_.onClosing([calls = calls_, unsaved = std::move(unsaved)] {
+      return calls->call(PluginMoment::closing, {}, unsaved).value_or(std::string());
+    }));
+  }
+
+ private:
+  static std::string withoutMark(std::string title) {
+    std::erase(title, '&');
+    return title;
+  }
+  Calls calls_;
+  sdk::Window& inner_;
+};
+
 }  // namespace
 
 struct PluginHost::Parts {
   Parts(const Calls& calls, sdk::Host& inner)
-      : cases(calls, inner.cases()), jobs(calls, inner.jobs()), panels(calls, inner.panels()), commands(calls, inner.commands()) {}
+      : cases(calls, inner.cases()),
+        jobs(calls, inner.jobs()),
+        panels(calls, inner.panels()),
+        commands(calls, inner.commands()),
+        scan(calls, inner.scan()),
+        workspaces(calls, inner.workspaces()),
+        overlays(calls, inner.overlays()),
+        caseParts(calls, inner.caseParts()),
+        window(calls, inner.window()) {}
   PluginCases cases;
   PluginJobs jobs;
   PluginPanels panels;
   PluginCommands commands;
+  PluginScan scan;
+  PluginWorkspaces workspaces;
+  PluginOverlays overlays;
+  PluginCaseParts caseParts;
+  PluginWindow window;
 };
 
 PluginHost::PluginHost(sdk::Host& inner, std::string plugin, PluginCalls::Tell tell)
@@ -213,6 +403,11 @@ sdk::Cases& PluginHost::cases() { return parts_->cases; }
 sdk::Jobs& PluginHost::jobs() { return parts_->jobs; }
 sdk::Panels& PluginHost::panels() { return parts_->panels; }
 sdk::Commands& PluginHost::commands() { return parts_->commands; }
+sdk::Scan& PluginHost::scan() { return parts_->scan; }
+sdk::Workspaces& PluginHost::workspaces() { return parts_->workspaces; }
+sdk::Overlays& PluginHost::overlays() { return parts_->overlays; }
+sdk::CaseParts& PluginHost::caseParts() { return parts_->caseParts; }
+sdk::Window& PluginHost::window() { return parts_->window; }
 sdk::Log& PluginHost::log() { return inner_.log(); }
 bool PluginHost::hasPanel(const std::string& id) const { return parts_->panels.has(id); }
 

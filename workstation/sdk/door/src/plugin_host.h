@@ -23,6 +23,11 @@ class PluginHost final : public sdk::Host {
   sdk::Jobs& jobs() override;
   sdk::Panels& panels() override;
   sdk::Commands& commands() override;
+  sdk::Scan& scan() override;
+  sdk::Workspaces& workspaces() override;
+  sdk::Overlays& overlays() override;
+  sdk::CaseParts& caseParts() override;
+  sdk::Window& window() override;
   sdk::Log& log() override;
 
   [[nodiscard]] PluginCalls& calls() { return *calls_; }

@@ -16,10 +16,18 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/sdk/ticket.h"
 
 class QWidget;  // only named here; a plugin without a panel never includes Qt
 
 namespace ew::sdk {
+
+// Each in a header of its own: ew/sdk/scan.h, workspaces.h, overlays.h, case_parts.h, window.h.
+class Scan;
+class Workspaces;
+class Overlays;
+class CaseParts;
+class Window;
 
 /// What a file holds, from its header alone.
 struct VolumeInfo {
@@ -141,7 +149,7 @@ class Cases {
 
   /// Called on the window's thread whenever the open case or its saved state changed, also by undo. Returns a ticket; the callback lives
   /// until the ticket is destroyed.
-  using Ticket = std::shared_ptr<void>;
+  using Ticket = sdk::Ticket;
   [[nodiscard]] virtual Ticket onChanged(std::function<void()> callback) = 0;
 };
 
@@ -170,6 +178,8 @@ class PanelDocument {
   virtual void undo() = 0;
   virtual void redo() = 0;
   virtual void save(bool elsewhere) = 0;  ///< asks for a file when there is none, or `elsewhere`
+  /// What would be lost if the window closed now, as a sentence; empty: nothing. The window asks before it closes, and offers to save.
+  [[nodiscard]] virtual std::string unsaved() const;
   /// As Cases::onChanged.
   [[nodiscard]] virtual std::shared_ptr<void> onChanged(std::function<void()> callback) = 0;
 };
@@ -179,20 +189,24 @@ struct StagedPanel {
   using Make = std::function<QWidget*(QWidget* parent)>;
   std::string id;
   std::string title;
-  Make make;                          ///< the column at the left; it is made first
-  Make makeStage;                     ///< in place of 3D view, scan view and console while the panel is in front; may be empty
-  PanelDocument* document = nullptr;  ///< outlives the window; null: the panel edits the open case
-  std::vector<std::pair<std::string, std::string>> keys;  ///< keys and what they do, for the page of keys
+  Make make;            ///< the column at the left; it is made first
+  Make makeStage = {};  ///< in place of 3D view, scan view and console while the panel is in front; may be empty
+  /// The plugin keeps it; once it is gone there is nothing to undo or to save. None: the panel edits the open case.
+  std::weak_ptr<PanelDocument> document = {};
+  std::vector<std::pair<std::string, std::string>> keys = {};  ///< keys and what they do, for the page of keys
+  /// Where it belongs: "explore", "author", or a workspace that a plugin adds (ew/sdk/workspaces.h). One that nobody adds is never seen.
+  std::string workspace = "author";
 };
 
-/// Panels of the Author workspace.
+/// Panels beside the views, one tab each in their workspace.
 class Panels {
  public:
   virtual ~Panels();
-  /// The widget is made when the panel is first opened. Without a window nothing is made.
-  virtual void add(const std::string& id, const std::string& title, std::function<QWidget*(QWidget* parent)> make) = 0;
-  /// The same with a stage. A host that has no place for one shows the column alone.
-  virtual void addStaged(StagedPanel panel);
+  /// Adds a panel. Its widgets are made when it is first opened; without a window nothing is made. A host that has no place for a stage
+  /// shows the column alone.
+  virtual void addStaged(StagedPanel panel) = 0;
+  /// One that is a column alone.
+  void add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace = "author");
 };
 
 /// Headless commands: `echoweave NAME args…`.
@@ -236,6 +250,11 @@ class Host {
   virtual Jobs& jobs() = 0;
   virtual Panels& panels() = 0;
   virtual Commands& commands() = 0;
+  virtual Scan& scan() = 0;
+  virtual Workspaces& workspaces() = 0;
+  virtual Overlays& overlays() = 0;
+  virtual CaseParts& caseParts() = 0;
+  virtual Window& window() = 0;
   virtual Log& log() = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "ew/core/result.h"
 #include "ew/ui/run.h"
@@ -16,9 +17,15 @@ struct ScanRecording;
 struct Thrown;
 }  // namespace ew
 
+namespace ew::door {
+struct PluginStatus;
+}
+
 namespace ew::sdk {
 class PanelDocument;
-}
+struct MenuEntry;
+struct Workspace;
+}  // namespace ew::sdk
 
 class QAction;
 class QMenu;
@@ -57,8 +64,9 @@ class MainWindow final : public QMainWindow {
   /// Makes the volumes of the shipped cases that have none yet, in the background.
   void prepareCases();
   void setWorkspace(Workspace workspace);
+  void showWorkspace(const std::string& id);  ///< "explore", "author" or one of a plugin's; any other changes nothing
   void setDarkTheme(bool dark);
-  /// Finds and opens the plugins; their panels become tabs of the Author workspace.
+  /// Finds and opens the plugins; their panels become tabs of their workspaces.
   void openPlugins();
 
   /// Nothing is being loaded, and the picture and the 3D view are drawn.
@@ -145,9 +153,10 @@ class MainWindow final : public QMainWindow {
   void showSource(const QPoint& pixel);
   void showTitle();
   void showHistory();
+  void showPanels();  ///< of the workspace in front, when it has any
   /// Puts the stage of the panel in front in place of the views, or the views back.
   void showStage();
-  [[nodiscard]] sdk::PanelDocument* panelDocument() const;  ///< of the stage that is shown
+  [[nodiscard]] std::shared_ptr<sdk::PanelDocument> panelDocument() const;  ///< of the stage that is shown
   void showConsole();
   void setScanOnly(bool scanOnly);
   /// From the start page to what is open.
@@ -177,7 +186,11 @@ class MainWindow final : public QMainWindow {
   /// Plays what was opened, once what was scanned is shown.
   void takeRecording(const QString& path, std::shared_ptr<const ScanRecording> recording);
   [[nodiscard]] bool mayLeaveRecording(const QString& next);
+  [[nodiscard]] bool mayLeavePlugins();
   [[nodiscard]] bool mayClose();
+  void loadWordsOf(const door::PluginStatus& plugin);
+  [[nodiscard]] bool addWorkspace(const sdk::Workspace& workspace);
+  [[nodiscard]] std::shared_ptr<void> addTool(const sdk::MenuEntry& entry, std::function<void()> run);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -13,11 +13,15 @@ enum class PluginMoment {
   command,      ///< a command ran
   job,          ///< the work of a job, on its thread
   jobDone,      ///< a job's result was handed over
-  caseChanged,  ///< it was told that the open case changed
+  caseChanged,  ///< it was told that the open case changed, or that another one is open
   undo,         ///< of its PanelDocument
   redo,
   save,
   document,  ///< its PanelDocument was asked for title, remark, note, texts, or to tell of changes
+  scan,      ///< it was told what happens in the scan
+  drive,     ///< it was asked where the probe is, while it moves it
+  menu,      ///< an entry of a menu was chosen
+  closing,   ///< it was asked what would be lost
   event,     ///< a widget of its panel handled a click, a key, a timer
   end        ///< it was destroyed
 };

@@ -15,8 +15,9 @@ struct Command {
   sdk::Commands::Run run;
 };
 
-/// The host without a window, for the command line and tests: jobs run at once on the calling thread, panels are ignored, no case is open,
-/// volumes and files go through io, the log through spdlog. What a plugin throws does not get here: PluginList stops it before.
+/// The host without a window, for the command line and tests: jobs run at once on the calling thread, panels, workspaces, overlays and
+/// menus are ignored, nothing is scanned, no case is open, volumes and files go through io, log and sentences through spdlog. What a plugin
+/// throws does not get here: PluginList stops it before.
 class HeadlessHost final : public sdk::Host {
  public:
   /// @param progress what jobs report to; must outlive the host
@@ -29,7 +30,15 @@ class HeadlessHost final : public sdk::Host {
   sdk::Jobs& jobs() override;
   sdk::Panels& panels() override;
   sdk::Commands& commands() override;
+  sdk::Scan& scan() override;
+  sdk::Workspaces& workspaces() override;
+  sdk::Overlays& overlays() override;
+  sdk::CaseParts& caseParts() override;
+  sdk::Window& window() override;
   sdk::Log& log() override;
+
+  /// What is wrong with the sections of a manifest that plugins have made known.
+  [[nodiscard]] std::vector<Error> partProblems(const nlohmann::json& manifest) const;
 
   /// Commands registered so far, in order. A name that is already taken is refused with a warning in the log.
   [[nodiscard]] const std::vector<Command>& registered() const;

@@ -1,5 +1,13 @@
 #pragma once
 
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ew/library/schema.h"
+#include "ew/sdk/case_parts.h"
 #include "ew/sdk/host.h"
 
 namespace ew::door {
@@ -26,6 +34,26 @@ class TextFiles final : public sdk::Files {
   Result<std::string> readText(const std::filesystem::path& file) override;
   Result<void> writeText(const std::filesystem::path& file, const std::string& text) override;
 };
+
+/// The schemas of sections that plugins keep in a case. Shared, because tickets take them out again.
+class PartSchemas : public std::enable_shared_from_this<PartSchemas> {
+ public:
+  /// As sdk::CaseParts::add.
+  [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema);
+  [[nodiscard]] bool knows(const std::string& name) const { return schemas_.contains(name); }
+  /// What the known schemas say about the sections of a manifest.
+  [[nodiscard]] std::vector<Error> problems(const nlohmann::json& manifest) const;
+  /// Of one section.
+  [[nodiscard]] std::vector<Error> problems(const std::string& name, const nlohmann::json& section) const;
+
+ private:
+  std::map<std::string, PartSchema> schemas_;
+};
+
+/// The section of a manifest; empty: it has none.
+[[nodiscard]] std::optional<nlohmann::json> partOf(const nlohmann::json& manifest, const std::string& name);
+/// The manifest with the section in place of its own, or without it; the last one takes "parts" along.
+[[nodiscard]] nlohmann::json withPart(nlohmann::json manifest, const std::string& name, const std::optional<nlohmann::json>& section);
 
 /// The log of the program, which is spdlog's default one.
 class ProgramLog final : public sdk::Log {

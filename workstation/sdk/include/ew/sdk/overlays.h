@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ew/core/frames.h"
+
+namespace ew::sdk {
+
+/// What something drawn means; the host chooses the theme's colour for it.
+enum class OverlayRole {
+  guide,    ///< where to go, what to look at: the accent colour
+  expert,   ///< of the expert: blue
+  trainee,  ///< of the trainee: orange
+  quiet,    ///< in the background of the rest: grey
+  danger    ///< what is wrong: red
+};
+
+/// A line through points, in mm of its frame. Fewer than two points draw nothing.
+template <class Frame>
+struct OverlayLine {
+  std::vector<Point<Frame>> points;
+  OverlayRole role = OverlayRole::guide;
+  bool isClosed = false;
+  bool isFilled = false;  ///< lightly, with the outline; for closed lines
+  bool isDashed = false;
+  double width_px = 1.5;
+};
+
+/// A few words beside a point.
+template <class Frame>
+struct OverlayLabel {
+  Point<Frame> at;
+  std::string text;
+  OverlayRole role = OverlayRole::guide;
+  bool hasDot = true;  ///< the point is marked
+};
+
+/// A rectangle about a point: a plane to be found.
+struct OverlayPlane {
+  Transform<frame::World, frame::Probe> probeToWorld;  ///< the plane is the probe's image plane, x lateral and y axial
+  double left_mm = -30.0, right_mm = 30.0;             ///< along x
+  double top_mm = 0.0, bottom_mm = 60.0;               ///< along y
+  OverlayRole role = OverlayRole::guide;
+};
+
+/// Drawn into the scan image: points of the probe's image plane (z is not looked at). They stay where they are in the tissue when the image
+/// is zoomed, panned or inverted.
+struct ScanDrawing {
+  std::vector<OverlayLine<frame::Probe>> lines = {};
+  std::vector<OverlayLabel<frame::Probe>> labels = {};
+};
+
+/// Drawn over the 3D view, in front of the body: points of the world.
+struct BodyDrawing {
+  std::vector<OverlayLine<frame::World>> lines = {};
+  std::vector<OverlayLabel<frame::World>> labels = {};
+  std::vector<OverlayPlane> planes = {};
+};
+
+/// One drawing of a plugin's, there until it is destroyed.
+template <class Drawing>
+class Overlay {
+ public:
+  virtual ~Overlay() = default;
+  /// Replaces what is drawn, with the next image or turn of the event loop. Points that are not finite are left out.
+  virtual void show(Drawing drawing) = 0;
+};
+using ScanOverlay = Overlay<ScanDrawing>;
+using BodyOverlay = Overlay<BodyDrawing>;
+
+/// Drawings over the views: values that the host paints in the theme's colours. On the window's thread. What is drawn over an image never
+/// gets into a saved image or a recording.
+class Overlays {
+ public:
+  virtual ~Overlays();
+  /// Never null; without a window nothing is drawn.
+  [[nodiscard]] virtual std::shared_ptr<ScanOverlay> overScan() = 0;
+  [[nodiscard]] virtual std::shared_ptr<BodyOverlay> overBody() = 0;
+};
+
+}  // namespace ew::sdk

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ew/core/result.h"
+#include "ew/imaging/display.h"
+#include "ew/imaging/picture.h"
+#include "ew/scanning/events.h"
+#include "ew/scanning/state.h"
+#include "ew/sdk/ticket.h"
+#include "ew/tracking/pose_source.h"
+
+namespace ew::sdk {
+
+/// The scan as it goes on in the workstation: what every image is made with, and a way to move probe and settings and to give them back.
+/// On the window's thread. Without a window nothing is scanned: there is no state, tickets do nothing,
+/// and what would change the scan says so.
+class Scan {
+ public:
+  virtual ~Scan();
+
+  /// All that the latest image was made with; while the probe moves fast with less quality than the console asks for. Empty: no image.
+  [[nodiscard]] virtual std::optional<ScanState> state() const = 0;
+  /// The latest image. Its pixels are valid until the call ends that asked for it; empty: no image.
+  [[nodiscard]] virtual Picture picture() const = 0;
+  /// Where the fan lies in it.
+  [[nodiscard]] virtual DisplayGeometry geometry() const = 0;
+  /// As the console has them now.
+  [[nodiscard]] virtual Knobs knobs() const = 0;
+  /// On the scan's clock, the one of states, events and pose sources.
+  [[nodiscard]] virtual double now_s() const = 0;
+
+  /// What happens, as a recording of the scan would hold it: each image (FrameMade; picture() is that image), before the first and where
+  /// they changed since the image before also probe, settings and scene, and freezing. A recording that is played tells of its own images.
+  using EventCallback = std::function<void(const ScanEvent&)>;
+  [[nodiscard]] virtual Ticket onEvent(EventCallback callback) = 0;
+
+  /// Takes the probe: until the ticket is destroyed the poses come from `source` and the hand rests; afterwards the probe is where the hand
+  /// had left it. Who takes it last has it, and gives it back to who had it before. The user may take it back at any time (Escape): then
+  /// `takenBack` is called, and the ticket has no effect any more. A source that throws leaves the probe where it was.
+  [[nodiscard]] virtual Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) = 0;
+
+  /// Sets what the console sets; brought within its limits.
+  /// @error badUsage (no scan, or a recording is played)
+  [[nodiscard]] virtual Result<void> apply(const Knobs& knobs) = 0;
+  /// @param id of one of the probes that the case allows. @error badUsage (no scan, a recording is played, no such probe)
+  [[nodiscard]] virtual Result<void> chooseProbe(const std::string& id) = 0;
+  /// Freezes the image, or lets it go on. @error badUsage (no scan, or a recording is played)
+  [[nodiscard]] virtual Result<void> setFrozen(bool frozen) = 0;
+  /// Remembers probe and settings; when the ticket is destroyed they are again what they were, unless something else is scanned by then.
+  [[nodiscard]] virtual Ticket keepSettings() = 0;
+};
+
+}  // namespace ew::sdk

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ew/sdk/scan.h"
+
+namespace ew::ui {
+
+class Session;
+
+/// The scan of a session as plugins see it, and who of them has the probe.
+class HostScan final : public QObject, public sdk::Scan {
+  Q_OBJECT
+
+ public:
+  explicit HostScan(Session& session, QObject* parent = nullptr);
+
+  [[nodiscard]] std::optional<ScanState> state() const override;
+  [[nodiscard]] Picture picture() const override;
+  [[nodiscard]] DisplayGeometry geometry() const override;
+  [[nodiscard]] Knobs knobs() const override;
+  [[nodiscard]] double now_s() const override;
+  [[nodiscard]] sdk::Ticket onEvent(EventCallback callback) override;
+  [[nodiscard]] sdk::Ticket drive(std::shared_ptr<const PoseSource> source, std::function<void()> takenBack) override;
+  [[nodiscard]] Result<void> apply(const Knobs& knobs) override;
+  [[nodiscard]] Result<void> chooseProbe(const std::string& id) override;
+  [[nodiscard]] Result<void> setFrozen(bool frozen) override;
+  [[nodiscard]] sdk::Ticket keepSettings() override;
+
+  /// The user wants the probe back: nobody drives it any more, and who did is told.
+  void takeProbeBack();
+
+ private:
+  struct Driver {
+    std::shared_ptr<const PoseSource> source;
+    std::function<void()> takenBack;
+  };
+  void followLatest();
+  void tellPicture();
+  void tell(const ScanEvent& event);
+  [[nodiscard]] Result<void> mayChange() const;
+
+  Session& session_;
+  std::vector<std::shared_ptr<Driver>> drivers_;
+  std::vector<std::weak_ptr<EventCallback>> callbacks_;
+  std::optional<ScanState> told_;  ///< the state of the last image that was told; empty: none of this subject
+  int subjects_ = 0;               ///< shown so far
+};
+
+}  // namespace ew::ui
