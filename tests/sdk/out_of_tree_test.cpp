@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "ew/door/door.h"
 #include "ew/door/headless_host.h"
@@ -79,6 +80,37 @@ TEST_F(OutOfTree, APluginBuiltAgainstTheInstalledSdkIsLoadedAndRuns) {
   ASSERT_TRUE(outcome) << outcome.error();
   EXPECT_EQ(outcome->quality.front().second, 35.0);
   EXPECT_EQ(command->run({}, noProgress()).error().code, ErrorCode::badUsage);
+}
+
+TEST(GuidedSweep, WithoutAWindowItOpensAndItsSectionOfACaseIsChecked) {
+  const fs::path built = EW_BINARY_DIR "/tests/guided_sweep/build/lib/plugins";
+  ASSERT_TRUE(fs::exists(built / "guided_sweep/guided_sweep.so")) << "ctest builds it first, as the test GuidedSweepBuild";
+  EXPECT_TRUE(fs::exists(built / "guided_sweep/guided_sweep_de.qm"));
+  HeadlessHost host;
+  PluginList plugins({built});
+  plugins.openAll(host);
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  EXPECT_NE(host.find("guided-sweep"), nullptr);
+  const nlohmann::json wrong = {{"parts", {{"guided_sweep", {{"duration_s", 600}}}}}};
+  const auto problems = host.partProblems(wrong);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].sentence.find("'parts.guided_sweep.duration_s' in case.json is 600; it must be a number from 1 to 60"),
+            std::string::npos)
+      << problems[0];
+
+#ifdef EW_PROGRAM
+  const TemporaryFolder folder;
+  writeText(folder / "case/case.json",
+            R"({"format": 1, "id": "a", "title": "A", "volume": {"recipe": "patient.json"}, "parts": )" + wrong["parts"].dump() + "}");
+  const auto validate = [&](const std::string& searched) {
+    static_cast<void>(std::system(("ECHOWEAVE_PLUGINS='" + searched + "' '" EW_PROGRAM "' case validate '" + (folder / "case").string() +
+                                   "' > '" + (folder / "said").string() + "' 2>&1")
+                                      .c_str()));
+    return textOf(folder / "said");
+  };
+  EXPECT_NE(validate(built.string()).find("parts.guided_sweep.duration_s"), std::string::npos) << textOf(folder / "said");
+  EXPECT_EQ(validate("").find("parts.guided_sweep"), std::string::npos) << "without the plugin nobody knows the section";
+#endif
 }
 
 TEST_F(OutOfTree, TheStitchingPluginConfiguresAgainstTheInstalledSdkAlone) {
