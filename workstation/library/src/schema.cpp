@@ -21,11 +21,15 @@ struct LoadedSchema {
   valijson::Schema rules;
 };
 
+void compile(LoadedSchema& schema) {
+  valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema.document), schema.rules);
+}
+
 const LoadedSchema& loadedSchema(SchemaName name) {
   const auto load = [](const char* text, LoadedSchema& into) {
     into.document = nlohmann::json::parse(text);
-    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(into.document), into.rules);
+    compile(into);
     return true;
   };
   if (name == SchemaName::caseManifest) {
@@ -108,9 +112,12 @@ bool onlyRepeatsAChild(const std::string& description) {
   return std::any_of(repeats.begin(), repeats.end(), [&](std::string_view r) { return description.starts_with(r); });
 }
 
-Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, const Path& path, const std::string& documentName) {
+/// @param place of `document` in the one that is named; empty: it is that one
+Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, const Path& path, const std::string& place,
+                const std::string& documentName) {
   const nlohmann::json* found = valueAt(document, path);
-  const std::string field = fieldName(path);
+  const std::string inside = fieldName(path);
+  const std::string field = place.empty() || inside.empty() ? place + inside : place + (inside.front() == '[' ? "" : ".") + inside;
   const std::string expected = expectedAt(schema, path);
   const std::string foundText = found == nullptr ? "missing" : shown(*found);
   if (expected.empty())
@@ -127,16 +134,13 @@ std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohma
   for (const auto& [name, rule] : schema["properties"].items()) {
     if (!rule.contains("pattern") || !document.contains(name) || !document[name].is_string()) continue;
     if (document[name].get_ref<const std::string&>().size() > rule["maxLength"].get<std::size_t>())
-      problems.push_back(problemAt(document, schema, {name}, documentName));
+      problems.push_back(problemAt(document, schema, {name}, {}, documentName));
   }
   return problems;
 }
 
-}  // namespace
-
-std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const std::string& documentName) {
-  const LoadedSchema& schema = loadedSchema(name);
-  if (auto overlong = overlongPatterns(document, schema.document, documentName); !overlong.empty()) return overlong;
+std::vector<Error> problemsOf(const nlohmann::json& document, const LoadedSchema& schema, const std::string& place,
+                              const std::string& documentName) {
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   valijson::ValidationResults results;
   if (validator.validate(schema.rules, valijson::adapters::NlohmannJsonAdapter(document), &results)) return {};
@@ -163,12 +167,67 @@ std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName nam
     } else if (onlyRepeatsAChild(each.description)) {
       continue;
     }
-    add(problemAt(document, schema.document, path, documentName));
+    add(problemAt(document, schema.document, path, place, documentName));
   }
   // Whatever valijson found must never be lost by the filters above.
   if (problems.empty())
-    add(problemAt(document, schema.document, pathOf(all.empty() ? std::vector<std::string>{} : all.front().context), documentName));
+    add(problemAt(document, schema.document, pathOf(all.empty() ? std::vector<std::string>{} : all.front().context), place, documentName));
   return problems;
+}
+
+std::size_t longestText(const nlohmann::json& value) {
+  if (value.is_string()) return value.get_ref<const std::string&>().size();
+  std::size_t longest = 0;
+  if (value.is_structured())
+    for (const auto& each : value) longest = std::max(longest, longestText(each));
+  return longest;
+}
+
+constexpr std::size_t kLongestForPatterns = 2000;
+
+}  // namespace
+
+std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const std::string& documentName) {
+  const LoadedSchema& schema = loadedSchema(name);
+  if (auto overlong = overlongPatterns(document, schema.document, documentName); !overlong.empty()) return overlong;
+  return problemsOf(document, schema, {}, documentName);
+}
+
+struct PartSchema::Loaded {
+  LoadedSchema schema;
+  bool hasPatterns = false;
+};
+
+Result<PartSchema> PartSchema::of(const std::string& text, const std::string& documentName) {
+  auto parsed = parseJson(text, documentName);
+  if (!parsed) return passOn(parsed.error());
+  auto loaded = std::make_shared<Loaded>();
+  loaded->schema.document = std::move(*parsed);
+  loaded->hasPatterns = text.find("\"pattern") != std::string::npos;
+  try {
+    compile(loaded->schema);
+  } catch (const std::exception& problem) {
+    return failure(ErrorCode::badHeader, documentName + " is no JSON Schema that can be used; correct it (" + problem.what() + ").",
+                   {{"file", documentName}, {"reason", problem.what()}});
+  }
+  PartSchema made;
+  made.loaded_ = std::move(loaded);
+  return made;
+}
+
+std::vector<Error> PartSchema::problems(const nlohmann::json& part, const std::string& place, const std::string& documentName) const {
+  const auto problem = [&](const std::string& sentence) {
+    return std::vector<Error>{{ErrorCode::badField, sentence, {{"field", place}, {"found", shown(part)}, {"expected", ""}}}};
+  };
+  // The library's patterns are std::regex, which recurses once per character.
+  if (loaded_->hasPatterns && longestText(part) > kLongestForPatterns)
+    return problem("A text of '" + place + "' in " + documentName + " is too long to be checked; shorten it to at most " +
+                   std::to_string(kLongestForPatterns) + " bytes.");
+  try {
+    return problemsOf(part, loaded_->schema, place, documentName);
+  } catch (const std::exception& thrown) {
+    return problem("'" + place + "' in " + documentName + " cannot be checked (" + thrown.what() + "); the schema of its plugin is wrong.");
+  }
 }
 
 }  // namespace ew

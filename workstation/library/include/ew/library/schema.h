@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -16,5 +17,19 @@ enum class SchemaName { caseManifest, pluginManifest };
 /// @param documentName how the file is called in the sentences: "case.json"
 /// @error codes: badField throughout
 [[nodiscard]] std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName schema, const std::string& documentName);
+
+/// A schema that comes at run time, with a plugin: what it says about a part of a document.
+class PartSchema {
+ public:
+  /// @param text JSON Schema, draft 7, that refers to no other file
+  /// @error badHeader (not JSON, or no such schema)
+  [[nodiscard]] static Result<PartSchema> of(const std::string& text, const std::string& documentName);
+  /// As schemaProblems, of a part of a document. @param place of the part in it, for the sentences: "parts.lesson"
+  [[nodiscard]] std::vector<Error> problems(const nlohmann::json& part, const std::string& place, const std::string& documentName) const;
+
+ private:
+  struct Loaded;
+  std::shared_ptr<const Loaded> loaded_;
+};
 
 }  // namespace ew
