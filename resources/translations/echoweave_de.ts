@@ -4,12 +4,12 @@
 <context>
     <name>ew::EffectInfo</name>
     <message>
-        <source>Gain and DGC</source>
-        <translation>Verstärkung und DGC</translation>
+        <source>Gain and TGC</source>
+        <translation>Verstärkung und TGC</translation>
     </message>
     <message>
-        <source>gain and DGC</source>
-        <translation>Verstärkung und DGC</translation>
+        <source>gain and TGC</source>
+        <translation>Verstärkung und TGC</translation>
     </message>
     <message>
         <source>Gain and depth compensation act on the image</source>
@@ -428,7 +428,7 @@
         <translation>Ein markiertes Feld ist so nicht brauchbar; bitte erst berichtigen oder rückgängig machen.</translation>
     </message>
     <message>
-        <source>● not saved</source>
+        <source>● unsaved changes</source>
         <translation>● nicht gespeichert</translation>
     </message>
     <message>
@@ -646,7 +646,7 @@
         <translation>gewählt: %1 mm, %2</translation>
     </message>
     <message>
-        <source>%1: %2 mm on average, 95 % below %3 mm, in %4. Click to bend this pair so.</source>
+        <source>%1: %2 mm on average, 95 % below %3 mm, in %4. Click to deform this pair so.</source>
         <translation>%1: im Mittel %2 mm, 95 % unter %3 mm, in %4. Ein Klick verformt dieses Paar so.</translation>
     </message>
     <message>
@@ -685,8 +685,8 @@
         <translation>starr</translation>
     </message>
     <message>
-        <source>bent</source>
-        <translation>elastisch</translation>
+        <source>deformed</source>
+        <translation>verformt</translation>
     </message>
 </context>
 <context>
@@ -727,8 +727,8 @@
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>This pair must not hold the whole together (Backspace)</source>
-        <translation>Dieses Paar darf das Ganze nicht zusammenhalten (Rücktaste)</translation>
+        <source>Leave this pair out of the result (Backspace)</source>
+        <translation>Dieses Paar nicht für das Ergebnis verwenden (Rücktaste)</translation>
     </message>
     <message>
         <source>Overlap</source>
@@ -783,8 +783,8 @@
         <translation>Wo das bewegte Volumen im festen liegt; in den Ansichten schieben es die Pfeiltasten</translation>
     </message>
     <message>
-        <source>place %1 by figures</source>
-        <translation>%1 mit Zahlen legen</translation>
+        <source>pose of %1 by numbers</source>
+        <translation>Lage von %1 mit Zahlen</translation>
     </message>
     <message>
         <source>Landmarks</source>
@@ -823,19 +823,19 @@
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Search without places</source>
-        <translation>Suche ohne Lagen</translation>
+        <source>Search without initial pose</source>
+        <translation>Suche ohne Anfangslage</translation>
     </message>
     <message>
         <source>Refine from here</source>
         <translation>Von hier aus verfeinern</translation>
     </message>
     <message>
-        <source>As placed by hand</source>
+        <source>As placed manually</source>
         <translation>Wie von Hand gelegt</translation>
     </message>
     <message>
-        <source>Largest turn</source>
+        <source>Maximum rotation</source>
         <translation>Größte Drehung</translation>
     </message>
     <message>
@@ -911,8 +911,8 @@
         <translation>Paar %1 zu %2</translation>
     </message>
     <message>
-        <source>Rejected by hand: it does not hold the whole together.</source>
-        <translation>Von Hand verworfen: Es hält das Ganze nicht zusammen.</translation>
+        <source>Rejected manually: the result does not use it.</source>
+        <translation>Von Hand verworfen: Das Ergebnis verwendet es nicht.</translation>
     </message>
     <message>
         <source>Match it, mark landmarks in both volumes, or nudge it with the keys.</source>
@@ -963,7 +963,7 @@
         <translation>Gemessen</translation>
     </message>
     <message>
-        <source>Bend this pair again</source>
+        <source>Deform this pair again</source>
         <translation>Dieses Paar neu verformen</translation>
     </message>
     <message>
@@ -975,11 +975,11 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm</source>
+        <source>That deforming this pair took; it correlates %1 after %2 before, and moves by up to %3 mm</source>
         <translation>Die das Verformen dieses Paares gebraucht hat; die Korrelation ist %1 nach %2 vorher, die größte Verschiebung %3 mm</translation>
     </message>
     <message>
-        <source>Changed since: bend again.</source>
+        <source>Changed since: deform again.</source>
         <translation>Seitdem geändert: neu verformen.</translation>
     </message>
     <message>
@@ -1002,7 +1002,7 @@
         </translation>
     </message>
     <message>
-        <source>Times are those of the machine of the figures until a pair was bent here.</source>
+        <source>Times are those of the machine of the figures until a pair was deformed here.</source>
         <translation>Bis hier ein Paar verformt wurde, gelten die Zeiten des Rechners, auf dem gemessen wurde.</translation>
     </message>
     <message>
@@ -1026,7 +1026,7 @@
         <translation>Nur dieses Paares</translation>
     </message>
     <message>
-        <source>by hand, accepted</source>
+        <source>manual, accepted</source>
         <translation>von Hand, angenommen</translation>
     </message>
     <message>
@@ -1046,15 +1046,15 @@
         <translation>Nach der Uhr; %1 davon hat der Prozessor gearbeitet.</translation>
     </message>
     <message>
-        <source>By the clock, as bending went here; %1 of it are work of the processor.</source>
-        <translation>Nach der Uhr, wie das Biegen hier lief; %1 davon arbeitet der Prozessor.</translation>
+        <source>By the clock, as deforming went here; %1 of it are work of the processor.</source>
+        <translation>Nach der Uhr, wie das Verformen hier lief; %1 davon arbeitet der Prozessor.</translation>
     </message>
 </context>
 <context>
     <name>ew::stitching::Phrases</name>
     <message>
-        <source>Looking at %1</source>
-        <translation>%1 wird angesehen</translation>
+        <source>Inspecting %1</source>
+        <translation>%1 wird untersucht</translation>
     </message>
     <message>
         <source>Reading %1</source>
@@ -1065,7 +1065,7 @@
         <translation>%1 und %2 werden zugeordnet</translation>
     </message>
     <message>
-        <source>Bending %1 and %2</source>
+        <source>Deforming %1 and %2</source>
         <translation>%1 und %2 werden verformt</translation>
     </message>
     <message>
@@ -1093,7 +1093,7 @@
         <translation>Schatten werden gesucht</translation>
     </message>
     <message>
-        <source>Looking for large motion</source>
+        <source>Searching for large motion</source>
         <translation>Große Bewegungen werden gesucht</translation>
     </message>
     <message>
@@ -1117,8 +1117,8 @@
         <translation>Überlappungen werden angesehen</translation>
     </message>
     <message>
-        <source>Sharing the bends</source>
-        <translation>Verformungen werden verteilt</translation>
+        <source>Combining deformations</source>
+        <translation>Verformungen werden zusammengeführt</translation>
     </message>
     <message>
         <source>Unfolding</source>
@@ -1661,8 +1661,8 @@
         <translation>%1 Zahlen</translation>
     </message>
     <message>
-        <source>Looking for motion that is left</source>
-        <translation>Übrige Bewegung wird gesucht</translation>
+        <source>Checking for residual motion</source>
+        <translation>Restbewegung wird gesucht</translation>
     </message>
     <message>
         <source>'%1' is not a result that was written here before, and would be lost; move it away or choose another folder.</source>
@@ -1739,7 +1739,7 @@
         <translation>Ziehen verschiebt einen Kasten, mit Strg dreht es ihn; rechts ziehen dreht die Ansicht</translation>
     </message>
     <message>
-        <source>turn %1 by %2°</source>
+        <source>rotate %1 by %2°</source>
         <translation>%1 um %2° drehen</translation>
     </message>
     <message>
@@ -1970,7 +1970,7 @@
         <translation>%1 mit %2</translation>
     </message>
     <message>
-        <source>the tracker&apos;s place of %1</source>
+        <source>the tracker&apos;s pose of %1</source>
         <translation>die Lage von %1 nach dem Tracker</translation>
     </message>
     <message>
@@ -1998,14 +1998,14 @@
         <translation>Keine Schleife prüft %1.</translation>
     </message>
     <message>
-        <source>The places did not settle.</source>
-        <translation>Die Lagen kamen nicht zur Ruhe.</translation>
+        <source>The optimisation of the poses did not converge.</source>
+        <translation>Die Optimierung der Lagen konvergierte nicht.</translation>
     </message>
 </context>
 <context>
     <name>ew::stitching::SliceView</name>
     <message>
-        <source>No bend has been found yet. &apos;Elastic&apos; finds one.</source>
+        <source>No deformation has been found yet. &apos;Elastic&apos; finds one.</source>
         <translation>Noch ist keine Verformung gefunden. „Elastisch“ findet eine.</translation>
     </message>
     <message>
@@ -2013,12 +2013,12 @@
         <translation>Der elastische Schritt ist in diesem Projekt ausgeschaltet.</translation>
     </message>
     <message>
-        <source>No seam has been cut yet. &apos;Seams and blend&apos; cuts it.</source>
-        <translation>Noch ist keine Naht geschnitten. „Nähte und Mischen“ schneidet sie.</translation>
+        <source>No seam has been cut yet. &apos;Compute mosaic&apos; cuts it.</source>
+        <translation>Noch ist keine Naht geschnitten. „Mosaik berechnen“ schneidet sie.</translation>
     </message>
     <message>
-        <source>There is no stitched volume yet. &apos;Seams and blend&apos; makes it.</source>
-        <translation>Noch gibt es kein zusammengefügtes Volumen. „Nähte und Mischen“ macht es.</translation>
+        <source>There is no stitched volume yet. &apos;Compute mosaic&apos; makes it.</source>
+        <translation>Noch gibt es kein zusammengefügtes Volumen. „Mosaik berechnen“ macht es.</translation>
     </message>
     <message>
         <source>Add a second volume; then pairs can be matched.</source>
@@ -2098,8 +2098,8 @@
         <translation>Ordner für das verbundene Volumen</translation>
     </message>
     <message>
-        <source>Weave volumes into one</source>
-        <translation>Volumen zu einem verweben</translation>
+        <source>Stitch volumes</source>
+        <translation>Volumen verbinden</translation>
     </message>
     <message>
         <source>Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed.</source>
@@ -2142,11 +2142,11 @@
         <translation>Finden, wie alle Teilvolumen zueinander liegen, was auch immer über ihre Lage aufgezeichnet ist</translation>
     </message>
     <message>
-        <source>Refine the places</source>
+        <source>Refine the poses</source>
         <translation>Lagen verfeinern</translation>
     </message>
     <message>
-        <source>Start from the places as they are recorded or put by hand, and let the images refine them</source>
+        <source>Start from the poses as they are recorded or set manually, and let the images refine them</source>
         <translation>Von den aufgezeichneten oder von Hand gesetzten Lagen ausgehen und sie nach den Bildern verfeinern</translation>
     </message>
     <message>
@@ -2154,7 +2154,7 @@
         <translation>Elastisch</translation>
     </message>
     <message>
-        <source>Bend the subvolumes so that they fit where they overlap</source>
+        <source>Deform the subvolumes so that they fit where they overlap</source>
         <translation>Die Teilvolumen so verformen, dass sie in der Überlappung passen</translation>
     </message>
     <message>
@@ -2162,16 +2162,16 @@
         <translation>elastischer Schritt an</translation>
     </message>
     <message>
-        <source>Seams and blend</source>
-        <translation>Nähte und Mischen</translation>
+        <source>Compute mosaic</source>
+        <translation>Mosaik berechnen</translation>
     </message>
     <message>
         <source>Choose for every place the view that saw it best, and make one volume</source>
         <translation>Für jede Stelle die Ansicht wählen, die sie am besten sah, und ein Volumen machen</translation>
     </message>
     <message>
-        <source>Into the case</source>
-        <translation>In den Fall</translation>
+        <source>Add to case</source>
+        <translation>Zum Fall hinzufügen</translation>
     </message>
     <message>
         <source>The open case takes over the stitched volume</source>
@@ -2198,7 +2198,7 @@
         <translation>feinster</translation>
     </message>
     <message>
-        <source>The bend is gone this far outside the overlap</source>
+        <source>The deformation has faded out this far outside the overlap</source>
         <translation>So weit außerhalb der Überlappung ist die Verformung abgeklungen</translation>
     </message>
     <message>
@@ -2242,7 +2242,7 @@
         <translation>Voxelabstand</translation>
     </message>
     <message>
-        <source>fall-off of the bend</source>
+        <source>fall-off of the deformation</source>
         <translation>Abklingen der Verformung</translation>
     </message>
     <message>
@@ -2273,8 +2273,8 @@
         <translation>%1 sind frei</translation>
     </message>
     <message>
-        <source>Whole: %1, %2</source>
-        <translation>Ganzes: %1, %2</translation>
+        <source>Result: %1, %2</source>
+        <translation>Ergebnis: %1, %2</translation>
     </message>
     <message>
         <source>Volumes, sweeps and stitch projects (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.json);;All files (*)</source>
@@ -2293,8 +2293,8 @@
         <translation>Älter als die letzte Bearbeitung.</translation>
     </message>
     <message>
-        <source>&apos;Seams and blend&apos; renews the stitched volume</source>
-        <translation>„Nähte und Mischen“ erneuert das zusammengefügte Volumen</translation>
+        <source>&apos;Compute mosaic&apos; renews the stitched volume</source>
+        <translation>„Mosaik berechnen“ erneuert das zusammengefügte Volumen</translation>
     </message>
     <message>
         <source>project</source>
@@ -2332,7 +2332,7 @@
         </translation>
     </message>
     <message>
-        <source>by hand</source>
+        <source>manual</source>
         <translation>von Hand</translation>
     </message>
 </context>
@@ -2391,8 +2391,8 @@
         <translation>kein Paar anzusehen</translation>
     </message>
     <message>
-        <source>%1 of %2 pairs need a look</source>
-        <translation>%1 von %2 Paaren ansehen</translation>
+        <source>%1 of %2 pairs need review</source>
+        <translation>%1 von %2 Paaren prüfen</translation>
     </message>
     <message>
         <source>The project has no volume yet; add one before it is saved.</source>
@@ -2429,7 +2429,7 @@
         </translation>
     </message>
     <message>
-        <source>forget the place of %1</source>
+        <source>clear the pose of %1</source>
         <translation>Lage von %1 vergessen</translation>
     </message>
     <message>
@@ -2437,7 +2437,7 @@
         <translation>dem Tracker bei %1 glauben</translation>
     </message>
     <message>
-        <source>take the place of %1 as a start</source>
+        <source>take the pose of %1 as a start</source>
         <translation>Lage von %1 als Anfang nehmen</translation>
     </message>
     <message>
@@ -2488,15 +2488,15 @@
         <translation>%1 verwerfen</translation>
     </message>
     <message>
-        <source>decide nothing about %1</source>
-        <translation>über %1 nichts entscheiden</translation>
+        <source>clear decision on %1</source>
+        <translation>Entscheidung über %1 löschen</translation>
     </message>
     <message>
         <source>nudge %1 by %2 mm</source>
         <translation>%1 um %2 mm schieben</translation>
     </message>
     <message>
-        <source>turn %1 by %2°</source>
+        <source>rotate %1 by %2°</source>
         <translation>%1 um %2° drehen</translation>
     </message>
     <message>
@@ -2512,7 +2512,7 @@
         <translation>Zuordnen ohne Tracker</translation>
     </message>
     <message>
-        <source>Refining the places</source>
+        <source>Refining the poses</source>
         <translation>Lagen werden verfeinert</translation>
     </message>
     <message>
@@ -2532,8 +2532,8 @@
         <translation>Zusammengefügtes Volumen</translation>
     </message>
     <message>
-        <source>There is no stitched volume yet; run &apos;Seams and blend&apos; first.</source>
-        <translation>Noch gibt es kein zusammengefügtes Volumen; führen Sie erst „Nähte und Mischen“ aus.</translation>
+        <source>There is no stitched volume yet; run &apos;Compute mosaic&apos; first.</source>
+        <translation>Noch gibt es kein zusammengefügtes Volumen; führen Sie erst „Mosaik berechnen“ aus.</translation>
     </message>
     <message>
         <source>Saving the stitched volume</source>
@@ -2548,16 +2548,16 @@
         <translation>Kein Fall ist offen, der das Volumen nehmen könnte; öffnen Sie einen (Strg+O) oder speichern Sie das Volumen als Datei.</translation>
     </message>
     <message>
-        <source>Handing the volume to the case</source>
-        <translation>Das Volumen geht in den Fall</translation>
+        <source>Adding the volume to the case</source>
+        <translation>Das Volumen wird dem Fall hinzugefügt</translation>
     </message>
     <message>
         <source>Another case was opened meanwhile; the volume lies in %1 and no case was changed.</source>
         <translation>Inzwischen wurde ein anderer Fall geöffnet; das Volumen liegt in %1, und kein Fall wurde geändert.</translation>
     </message>
     <message>
-        <source>take over the stitched volume</source>
-        <translation>das zusammengefügte Volumen übernehmen</translation>
+        <source>use the stitched volume</source>
+        <translation>das zusammengefügte Volumen verwenden</translation>
     </message>
     <message>
         <source>The case now uses volumes/%1.mha.</source>
@@ -2576,20 +2576,20 @@
         <translation>elastische Güte %1</translation>
     </message>
     <message>
-        <source>bend %1 %2</source>
+        <source>deform %1 %2</source>
         <translation>%1 verformen: %2</translation>
     </message>
     <message>
-        <source>bend %1 as all pairs</source>
+        <source>deform %1 as all pairs</source>
         <translation>%1 wie alle Paare verformen</translation>
     </message>
     <message>
-        <source>Bending %1 again</source>
+        <source>Deforming %1 again</source>
         <translation>%1 wird neu verformt</translation>
     </message>
     <message>
-        <source>Taking up what was found</source>
-        <translation>Früher Gefundenes wird gelesen</translation>
+        <source>Restoring previous results</source>
+        <translation>Frühere Ergebnisse werden gelesen</translation>
     </message>
     <message>
         <source>%1 of %2 pairs not matched</source>
@@ -2611,12 +2611,12 @@
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>by hand, not checked</source>
+        <source>manual, not checked</source>
         <translation>von Hand, ungeprüft</translation>
     </message>
     <message>
-        <source>refine the places</source>
-        <translation>die Orte verfeinern</translation>
+        <source>refine the poses</source>
+        <translation>die Lagen verfeinern</translation>
     </message>
     <message>
         <source>Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.</source>
@@ -2723,7 +2723,7 @@
         <translation>Verknüpft</translation>
     </message>
     <message>
-        <source>Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)</source>
+        <source>Both cross-hairs mark the same place; unlink them to look at each volume for itself (L)</source>
         <translation>Beide Fadenkreuze zeigen dieselbe Stelle; gelöst lässt sich jedes Volumen für sich ansehen (L)</translation>
     </message>
     <message>
@@ -2835,8 +2835,8 @@
         <translation>Gitter 10 mm</translation>
     </message>
     <message>
-        <source>the whole</source>
-        <translation>das Ganze</translation>
+        <source>the result</source>
+        <translation>das Ergebnis</translation>
     </message>
     <message>
         <source>start</source>
@@ -2859,11 +2859,11 @@
         <translation>um 0,5 mm schieben, mit Umschalt 2 mm, mit Strg 0,1 mm</translation>
     </message>
     <message>
-        <source>turn in the plane by 1°, with Shift 5°</source>
+        <source>rotate in the plane by 1°, with Shift 5°</source>
         <translation>in der Ebene um 1° drehen, mit Umschalt 5°</translation>
     </message>
     <message>
-        <source>turn out of the plane</source>
+        <source>rotate out of the plane</source>
         <translation>aus der Ebene drehen</translation>
     </message>
     <message>
@@ -2895,7 +2895,7 @@
         <translation>Rechts ziehen, Mitte ziehen</translation>
     </message>
     <message>
-        <source>turn the plane, shift it</source>
+        <source>rotate the plane, shift it</source>
         <translation>Ebene drehen, verschieben</translation>
     </message>
     <message>
@@ -2966,7 +2966,7 @@
         <translation>aufgezeichnet</translation>
     </message>
     <message>
-        <source>by hand</source>
+        <source>manual</source>
         <translation>von Hand</translation>
     </message>
     <message>
@@ -2978,7 +2978,7 @@
         <translation>Datei…</translation>
     </message>
     <message>
-        <source>Take the place from a file with 16 numbers, row by row</source>
+        <source>Read the pose from a file with 16 numbers, row by row</source>
         <translation>Die Lage aus einer Datei mit 16 Zahlen lesen, Zeile für Zeile</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
         <translation>Dieses Volumen von der Liste nehmen; seine Datei bleibt (Entf)</translation>
     </message>
     <message>
-        <source>place unknown</source>
+        <source>pose unknown</source>
         <translation>Lage unbekannt</translation>
     </message>
     <message>
@@ -3010,7 +3010,7 @@
         <translation>F2 benennt um, Alt + auf und ab verschiebt, Entf nimmt es von der Liste</translation>
     </message>
     <message>
-        <source>Place of %1</source>
+        <source>Pose of %1</source>
         <translation>Lage von %1</translation>
     </message>
     <message>
@@ -3018,8 +3018,8 @@
         <translation>Transformationen (*.txt *.tfm);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>place %1 from a file</source>
-        <translation>%1 nach einer Datei legen</translation>
+        <source>pose of %1 from a file</source>
+        <translation>Lage von %1 aus einer Datei</translation>
     </message>
     <message>
         <source>remove %1</source>
@@ -3209,7 +3209,7 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Depth of the picture (Page Up, Page Down)</source>
+        <source>Depth of the image (Page Up, Page Down)</source>
         <translation>Tiefe des Bildes (Bild auf, Bild ab)</translation>
     </message>
     <message>
@@ -3249,7 +3249,7 @@
         <translation>Einfrieren</translation>
     </message>
     <message>
-        <source>Keep the picture (Space or F)</source>
+        <source>Keep the image (Space or F)</source>
         <translation>Das Bild festhalten (Leertaste oder F)</translation>
     </message>
     <message>
@@ -3277,7 +3277,7 @@
         <translation>Sonde</translation>
     </message>
     <message>
-        <source>What the picture shows and how (F10)</source>
+        <source>What the image shows and how (F10)</source>
         <translation>Was das Bild zeigt und wie (F10)</translation>
     </message>
     <message>
@@ -3736,16 +3736,16 @@
 <context>
     <name>ew::ui::DgcColumn</name>
     <message>
-        <source>DGC %1</source>
-        <translation>DGC %1</translation>
+        <source>TGC %1</source>
+        <translation>TGC %1</translation>
     </message>
     <message>
-        <source>DGC</source>
-        <translation>DGC</translation>
+        <source>TGC</source>
+        <translation>TGC</translation>
     </message>
     <message>
-        <source>Reset DGC</source>
-        <translation>DGC zurücksetzen</translation>
+        <source>Reset TGC</source>
+        <translation>TGC zurücksetzen</translation>
     </message>
     <message>
         <source>Depth gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0)</source>
@@ -3775,11 +3775,11 @@
         <translation>nicht gewählt</translation>
     </message>
     <message>
-        <source>Text burned into the pictures may stay</source>
+        <source>Text burned into the images may stay</source>
         <translation>Eingebrannter Text in den Bildern darf bleiben</translation>
     </message>
     <message>
-        <source>Part of the picture</source>
+        <source>Part of the image</source>
         <translation>Teil des Bildes</translation>
     </message>
     <message>
@@ -3867,7 +3867,7 @@
         <translation>%1 wird gelesen</translation>
     </message>
     <message>
-        <source>the whole picture, %1 x %2 pixels</source>
+        <source>the whole image, %1 x %2 pixels</source>
         <translation>das ganze Bild, %1 x %2 Pixel</translation>
     </message>
     <message>
@@ -3875,7 +3875,7 @@
         <translation>%1 wird importiert</translation>
     </message>
     <message>
-        <source>Save the pictures as a sequence</source>
+        <source>Save the images as a sequence</source>
         <translation>Bilder als Sequenz speichern</translation>
     </message>
     <message>
@@ -3940,16 +3940,16 @@
         <translation>%1 GiB</translation>
     </message>
     <message>
-        <source>Make a volume from a sweep</source>
-        <translation>Aus einem Schwenk ein Volumen machen</translation>
+        <source>Reconstruct sweep</source>
+        <translation>Schwenk rekonstruieren</translation>
     </message>
     <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>as the sweep suggests</source>
-        <translation>wie der Schwenk vorschlägt</translation>
+        <source>default</source>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source> mm</source>
@@ -3972,16 +3972,16 @@
         <translation>nach Vertrauen gewichtet: Schatten zählen weniger</translation>
     </message>
     <message>
-        <source>brightest view</source>
-        <translation>hellste Ansicht</translation>
+        <source>maximum</source>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>latest view</source>
         <translation>letzte Ansicht</translation>
     </message>
     <message>
-        <source>leave holes</source>
-        <translation>Löcher lassen</translation>
+        <source>do not fill</source>
+        <translation>nicht füllen</translation>
     </message>
     <message>
         <source>Holes at most this far between measured voxels are filled and marked as interpolated</source>
@@ -3992,8 +3992,8 @@
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Coordinates of</source>
-        <translation>Koordinaten von</translation>
+        <source>Reference frame</source>
+        <translation>Bezugssystem</translation>
     </message>
     <message>
         <source>Voxel spacing</source>
@@ -4004,8 +4004,8 @@
         <translation>Interpolation</translation>
     </message>
     <message>
-        <source>Overlap</source>
-        <translation>Überlappung</translation>
+        <source>Compounding</source>
+        <translation>Compounding</translation>
     </message>
     <message>
         <source>Fill holes up to</source>
@@ -4024,8 +4024,8 @@
         <translation>Speicher</translation>
     </message>
     <message>
-        <source>Make the volume</source>
-        <translation>Volumen erzeugen</translation>
+        <source>Reconstruct</source>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4048,8 +4048,8 @@
         <translation>%1 wird gelesen</translation>
     </message>
     <message>
-        <source>as the sweep suggests (%1)</source>
-        <translation>wie der Schwenk vorschlägt (%1)</translation>
+        <source>default (%1)</source>
+        <translation>Vorgabe (%1)</translation>
     </message>
     <message>
         <source>%1 of %2 used (%3 invalid, %4 without a pose)</source>
@@ -4072,11 +4072,11 @@
         <translation>Aus %1 wird ein Volumen</translation>
     </message>
     <message>
-        <source>Keep which frame each voxel came from</source>
-        <translation>Behalten, aus welchem Bild jeder Voxel stammt</translation>
+        <source>Record source frame per voxel</source>
+        <translation>Quellbild je Voxel festhalten</translation>
     </message>
     <message>
-        <source>Then a point of the picture leads to its source frame; 2 bytes a voxel more</source>
+        <source>Then a point of the image leads to its source frame; 2 bytes a voxel more</source>
         <translation>Dann führt ein Punkt des Bildes zu seinem Quellbild; 2 Byte je Voxel mehr</translation>
     </message>
     <message>
@@ -4156,7 +4156,7 @@
         <translation>wie die Gerätebeschreibung sagt, sonst ganz</translation>
     </message>
     <message>
-        <source>Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the picture.</source>
+        <source>Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the image.</source>
         <translation>Von jedem Bild wird nur dieses Rechteck verwendet: x,y,Breite,Höhe in Pixeln. Es lässt sich im Bild aufziehen.</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@
         <translation>&amp;Volumen speichern unter…</translation>
     </message>
     <message>
-        <source>Save &amp;picture as…</source>
+        <source>Save &amp;image as…</source>
         <translation>&amp;Bild speichern unter…</translation>
     </message>
     <message>
@@ -4338,7 +4338,7 @@
         <translation>S&amp;prache</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>System default</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -4378,8 +4378,8 @@
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Reset DGC</source>
-        <translation>DGC zurücksetzen</translation>
+        <source>Reset TGC</source>
+        <translation>TGC zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
@@ -4442,7 +4442,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Rechts ziehen</translation>
     </message>
     <message>
-        <source>turn the body</source>
+        <source>rotate the body</source>
         <translation>den Körper drehen</translation>
     </message>
     <message>
@@ -4482,8 +4482,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Zoom</translation>
     </message>
     <message>
-        <source>reset DGC</source>
-        <translation>DGC zurücksetzen</translation>
+        <source>reset TGC</source>
+        <translation>TGC zurücksetzen</translation>
     </message>
     <message>
         <source>Window</source>
@@ -4546,7 +4546,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>Save the picture</source>
+        <source>Save the image</source>
         <translation>Das Bild speichern</translation>
     </message>
     <message>
@@ -4554,7 +4554,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.mha)</source>
+        <source>Images (*.png *.mha)</source>
         <translation>Bilder (*.png *.mha)</translation>
     </message>
     <message>
@@ -4582,7 +4582,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Das Fenster war nach %1 s nicht bereit; bitte ein kleineres Volumen versuchen.</translation>
     </message>
     <message>
-        <source>The picture cannot be written to &apos;%1&apos;; choose a folder you may write to.</source>
+        <source>The image cannot be written to &apos;%1&apos;; choose a folder you may write to.</source>
         <translation>Das Bild lässt sich nicht nach „%1“ schreiben; bitte einen Ordner wählen, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
@@ -4742,19 +4742,19 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Linearsonde schwenken, Trapez</translation>
     </message>
     <message>
-        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)</source>
+        <source>All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases (case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, images (*)</source>
         <translation>Alles, was EchoWeave liest (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Fälle (case.json);;Schwenks (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumen (*.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, Rohdaten, Bilder (*)</translation>
     </message>
     <message>
-        <source>Where does this &amp;come from?</source>
-        <translation>&amp;Woher kommt das?</translation>
+        <source>Show source &amp;frame</source>
+        <translation>&amp;Quellbild zeigen</translation>
     </message>
     <message>
         <source>which frame a point came from</source>
         <translation>aus welchem Bild ein Punkt stammt</translation>
     </message>
     <message>
-        <source>The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a point of the picture.</source>
+        <source>The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M (M), then click a point of the image.</source>
         <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten (M), dann einen Punkt des Bildes anklicken.</translation>
     </message>
     <message>
@@ -5544,7 +5544,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Bild</translation>
     </message>
     <message>
-        <source>What the picture runs, ms (median of the last frames)</source>
+        <source>What the image runs, ms (median of the last frames)</source>
         <translation>Was das Bild rechnet, ms (Median der letzten Bilder)</translation>
     </message>
     <message>
@@ -5556,7 +5556,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>gemessen</translation>
     </message>
     <message>
-        <source>From the hand to the picture, ms; pictures: %1</source>
+        <source>From the hand to the image, ms; images: %1</source>
         <translation>Von der Hand zum Bild, ms; Bilder: %1</translation>
     </message>
     <message>
@@ -5642,8 +5642,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Das ganze Volumen zeigen</translation>
     </message>
     <message>
-        <source>See through</source>
-        <translation>Durchsicht</translation>
+        <source>Translucent</source>
+        <translation>Durchscheinend</translation>
     </message>
     <message>
         <source>Make the body translucent</source>
@@ -5664,11 +5664,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::ui::PictureChooser</name>
     <message>
-        <source>The picture as the file holds it</source>
+        <source>The image as the file holds it</source>
         <translation>Das Bild, wie es in der Datei steht</translation>
     </message>
     <message>
-        <source>No picture can be shown yet.</source>
+        <source>No image can be shown yet.</source>
         <translation>Noch kann kein Bild gezeigt werden.</translation>
     </message>
 </context>

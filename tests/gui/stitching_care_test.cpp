@@ -86,14 +86,14 @@ class StitchingCareTest : public StitchingFixture {
     view("fixedView")->setFocus();
     for (int n = 0; n < 3; ++n) QTest::keyClick(view("fixedView"), Qt::Key_Right, Qt::ShiftModifier);
     QVERIFY(error_mm(0, 1) > 5.0);
-    QCOMPARE(signOfPair(), QStringLiteral("by hand, not checked"));
+    QCOMPARE(signOfPair(), QStringLiteral("manual, not checked"));
     click("elastic");
     QVERIFY(jobsEnd());
-    QCOMPARE(signOfPair(), QStringLiteral("by hand, not checked"));
+    QCOMPARE(signOfPair(), QStringLiteral("manual, not checked"));
     QCOMPARE(find<QLabel>("pairWord")->text(), QStringLiteral("1 of 1 pairs need a look"));
     keepPicture("33-by-hand");
     clickInspector("acceptPair");
-    QCOMPARE(signOfPair(), QStringLiteral("by hand, accepted"));
+    QCOMPARE(signOfPair(), QStringLiteral("manual, accepted"));
     // What was accepted stays, and that is said; what was not is matched.
     click("matchAll");
     QVERIFY(jobsEnd());

@@ -150,7 +150,7 @@ TEST(WholeFrame, EveryEffectChangesThePicture) {
     EXPECT_NE(pictureWith(knobs, scene), all) << what;
   };
   without("gain", [](Knobs& k, Scene&) { k.gain = 1.0; });
-  without("DGC", [](Knobs& k, Scene&) { k.dgc = Knobs{}.dgc; });
+  without("TGC", [](Knobs& k, Scene&) { k.dgc = Knobs{}.dgc; });
   without("dynamic range", [](Knobs& k, Scene&) { k.dynamicRange_db = 0.0; });
   without("grey map", [](Knobs& k, Scene&) { k.greyMap = GreyMap::linear; });
   without("edges", [](Knobs& k, Scene&) { k.edgeEnhancement = 0.0; });

@@ -345,7 +345,7 @@ void CasePanel::showCase() {
 
 void CasePanel::showSaved() {
   const bool unsaved = host_.cases().hasUnsavedChanges();
-  saved_->setText(unsaved ? tr("● not saved") : tr("saved"));
+  saved_->setText(unsaved ? tr("● unsaved changes") : tr("saved"));
   saved_->setProperty("quiet", !unsaved);
   saved_->setToolTip(unsaved ? tr("The case has changes that are not in its folder yet") : tr("The folder holds the case as it is shown"));
   where_->setText(sdk::words(host_.cases().currentFolder().string()));

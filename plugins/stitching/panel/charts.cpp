@@ -93,7 +93,7 @@ void LevelChart::paintDivide(QPainter& painter, const LevelPlot& plot, std::size
   painter.drawLine(QPointF(x, plot.box.top() - 6), QPointF(x, plot.box.bottom() + 4));
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(QRectF(x - 100, 0, 95, 14), Qt::AlignRight | Qt::AlignVCenter, tr("matched"));
-  painter.drawText(QRectF(x + 5, 0, 95, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("bent"));
+  painter.drawText(QRectF(x + 5, 0, 95, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("deformed"));
 }
 
 /// From hollow to full: what each level began with, and what it made of it; below, how fine it is.
@@ -241,7 +241,7 @@ bool CostChart::event(QEvent* event) {
     const int effort = under(help->pos());
     if (effort >= 0) {
       const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
-      QToolTip::showText(help->globalPos(), tr("%1: %2 mm on average, 95 % below %3 mm, in %4. Click to bend this pair so.")
+      QToolTip::showText(help->globalPos(), tr("%1: %2 mm on average, 95 % below %3 mm, in %4. Click to deform this pair so.")
                                                 .arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), number(cost.error95_mm, 2),
                                                      inSeconds(cost.seconds)));
       return true;

@@ -42,7 +42,7 @@ inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0],
     case StitchSession::Mark::landmarks:
       return StitchSession::tr("by landmarks");
     case StitchSession::Mark::byHand:
-      return StitchSession::tr("by hand, not checked");
+      return StitchSession::tr("manual, not checked");
     case StitchSession::Mark::cannotTell:
       return StitchSession::tr("cannot tell");
     case StitchSession::Mark::notAligned:

@@ -139,7 +139,7 @@ QWidget* PairInspector::makeHead() {
     return button;
   };
   accept_ = decide(tr("Accept"), tr("This pair is right, whatever the figures say (Enter)"), "acceptPair", Decision::accepted);
-  reject_ = decide(tr("Reject"), tr("This pair must not hold the whole together (Backspace)"), "rejectPair", Decision::rejected);
+  reject_ = decide(tr("Reject"), tr("Leave this pair out of the result (Backspace)"), "rejectPair", Decision::rejected);
   column->addSpacing(kGap_px / 2);
   column->addLayout(buttons);
   return box;
@@ -175,7 +175,7 @@ QWidget* PairInspector::makePose() {
   pose_ = new sdk::PlacementFields;
   pose_->onChanged = [this](const glm::dmat4& movingToFixed, const std::string& axis) {
     if (showing_ || !session_.pair()) return;
-    session_.setTransform(rigidInverse(movingToFixed), tr("place %1 by figures").arg(words(letterOf(session_.pair()->moving))),
+    session_.setTransform(rigidInverse(movingToFixed), tr("pose of %1 by numbers").arg(words(letterOf(session_.pair()->moving))),
                           "figures " + axis + ' ' + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
   };
   column->addWidget(pose_);
@@ -250,9 +250,9 @@ QWidget* PairInspector::makeRedo() {
   method_->setObjectName(QStringLiteral("pairMethod"));
   method_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   method_->addItem(tr("Automatic"), static_cast<int>(PairMethod::automatic));
-  method_->addItem(tr("Search without places"), static_cast<int>(PairMethod::search));
+  method_->addItem(tr("Search without initial pose"), static_cast<int>(PairMethod::search));
   method_->addItem(tr("Refine from here"), static_cast<int>(PairMethod::refine));
-  method_->addItem(tr("As placed by hand"), static_cast<int>(PairMethod::byHand));
+  method_->addItem(tr("As placed manually"), static_cast<int>(PairMethod::byHand));
   choice->addWidget(method_, 1);
   auto* redo = new QPushButton(tr("Match again"));
   redo->setObjectName(QStringLiteral("redoPair"));
@@ -269,7 +269,7 @@ QWidget* PairInspector::makeRedo() {
   turnRow_ = new QWidget;
   auto* turnColumn = columnIn(turnRow_);
   auto* row = new QHBoxLayout;
-  auto* name = sdk::quietLabel(tr("Largest turn"));
+  auto* name = sdk::quietLabel(tr("Maximum rotation"));
   name->setWordWrap(false);
   turn_ = new sdk::NumberField(0.0, 180.0, 0, QStringLiteral("°"));
   turn_->setObjectName(QStringLiteral("maxTurn"));
@@ -340,7 +340,7 @@ QWidget* PairInspector::makeElastic() {
   cost_ = new CostChart;
   connect(cost_, &CostChart::chosen, this, chooseEffort);
   column->addWidget(cost_);
-  bendAgain_ = new QPushButton(tr("Bend this pair again"));
+  bendAgain_ = new QPushButton(tr("Deform this pair again"));
   bendAgain_->setObjectName(QStringLiteral("bendAgain"));
   bendAgain_->setToolTip(tr("Runs the elastic step; pairs that did not change keep what they have"));
   connect(bendAgain_, &QPushButton::clicked, &session_, &StitchSession::bendAgain);
@@ -410,7 +410,7 @@ void PairInspector::showCost() {
     const QString took = inSeconds(bent->seconds > 0.0 ? bent->seconds : bent->processor_s);
     measured_->setText(bent->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(bent->effort)));
     measured_->setToolTip(
-        tr("That bending this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
+        tr("That deforming this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
             .arg(numberText(bent->after.correlation, 2), numberText(bent->before.correlation, 2), numberText(bent->largestMotion_mm, 1)) +
         (bent->processor_s > 0.0
              ? QLatin1Char('\n') + tr("By the clock; %1 of it were work of the processor.").arg(inSeconds(bent->processor_s))
@@ -418,7 +418,8 @@ void PairInspector::showCost() {
   }
   bentReason_->setVisible(bent != nullptr);
   if (bent != nullptr)
-    bentReason_->say(sentencesOf(bent->remarks, bent->reason) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: bend again.")));
+    bentReason_->say(sentencesOf(bent->remarks, bent->reason) +
+                     (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
   const auto a = session_.volume(fixed);
   const auto b = session_.volume(moving);
   searchCost_->setText(none);
@@ -442,9 +443,9 @@ void PairInspector::showCost() {
                numberText(std::min({a->grid.spacing_mm.x, a->grid.spacing_mm.y, a->grid.spacing_mm.z}), 2)) +
       QLatin1Char(' ') +
       (pace.pairs > 0 ? tr("Times are as %n pairs took here.", nullptr, static_cast<int>(pace.pairs))
-                      : tr("Times are those of the machine of the figures until a pair was bent here."));
+                      : tr("Times are those of the machine of the figures until a pair was deformed here."));
   expected_->setToolTip(from + QLatin1Char('\n') +
-                        tr("By the clock, as bending went here; %1 of it are work of the processor.").arg(inSeconds(mine.seconds)));
+                        tr("By the clock, as deforming went here; %1 of it are work of the processor.").arg(inSeconds(mine.seconds)));
   cost_->setToolTip(from);
   costHead_->say(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
   costHead_->setToolTip(from);
@@ -484,13 +485,13 @@ void PairInspector::refresh() {
   static_cast<MarkBox*>(mark_)->mark = line.mark;
   mark_->update();
   const bool isAcceptedHand = line.mark == StitchSession::Mark::byHand && said.decision == Decision::accepted;
-  word_->setText(isAcceptedHand ? tr("by hand, accepted") : wordsOfMark(line.mark));
+  word_->setText(isAcceptedHand ? tr("manual, accepted") : wordsOfMark(line.mark));
   QPalette colours = palette();
   colours.setColor(QPalette::WindowText, colourOfMark(line.mark, palette()));
   word_->setPalette(colours);
   QString reason;
   if (said.decision == Decision::rejected)
-    reason = tr("Rejected by hand: it does not hold the whole together.");
+    reason = tr("Rejected manually: the result does not use it.");
   else if (line.outcome != nullptr)
     reason = sentencesOf(line.outcome->rigid.remarks, line.outcome->rigid.reason);
   else

@@ -217,7 +217,7 @@ void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const g
   const QString letter = sdk::words(letterOf(index));
   const bool turns = turnOf_ != glm::dvec3(0.0);
   session_.setPlace(index, motionOf(wayOf_, turnOf_, middle) * heldFrom_,
-                    turns ? tr("turn %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))
+                    turns ? tr("rotate %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))
                           : tr("move %1 by %2 mm").arg(letter, locale.toString(glm::length(wayOf_), 'f', 1)),
                     "place " + std::to_string(index));
 }

@@ -179,7 +179,7 @@ QString Reasons::sayGraph(const ChainState& found, const StitchProject& asked) {
     return volume < asked.volumes.size() ? tr("'%1'").arg(words(asked.volumes[volume].name)) : QString();
   };
   const auto pairName = [&](const PairOutcome& pair) { return tr("%1 with %2").arg(nameOf(pair.fixed), nameOf(pair.moving)); };
-  const auto trackerOf = [&](std::size_t volume) { return tr("the tracker's place of %1").arg(nameOf(volume)); };
+  const auto trackerOf = [&](std::size_t volume) { return tr("the tracker's pose of %1").arg(nameOf(volume)); };
   QStringList sentences;
   if (graph.parts > 1) {
     QStringList parts;
@@ -213,7 +213,7 @@ QString Reasons::sayGraph(const ChainState& found, const StitchProject& asked) {
     sentences << tr("It could as well be %1: they lie on the same loop. Match another pair across it.").arg(listOf(suspects));
   if (!unchecked.isEmpty()) sentences << tr("No loop checks %1.").arg(listOf(unchecked));
   if (graph.stop == registration::StopReason::iterationLimit || graph.stop == registration::StopReason::singular)
-    sentences << tr("The places did not settle.");
+    sentences << tr("The optimisation of the poses did not converge.");
   return sentences.join(QLatin1Char(' '));
 }
 

@@ -140,7 +140,7 @@ QString StitchSession::standOfPairs() const {
   const int look = pairsToLookAt();
   const int left = static_cast<int>(all.size()) - static_cast<int>(matched);
   if (matched == 0) return {};
-  if (look > 0) return tr("%1 of %2 pairs need a look").arg(look).arg(all.size());
+  if (look > 0) return tr("%1 of %2 pairs need review").arg(look).arg(all.size());
   if (left > 0) return tr("%1 of %2 pairs not matched").arg(left).arg(all.size());
   return tr("no pair needs a look");
 }

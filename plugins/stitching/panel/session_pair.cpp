@@ -33,9 +33,9 @@ void StitchSession::setPlacement(std::size_t index, Placement placement) {
   if (index >= project().volumes.size()) return;
   const QString name = words(letterOf(index));
   edit(withPlace(project(), index, project().volumes[index].toWorld, placement),
-       placement == Placement::unknown   ? tr("forget the place of %1").arg(name)
+       placement == Placement::unknown   ? tr("clear the pose of %1").arg(name)
        : placement == Placement::tracker ? tr("believe the tracker about %1").arg(name)
-                                         : tr("take the place of %1 as a start").arg(name));
+                                         : tr("take the pose of %1 as a start").arg(name));
 }
 
 QString StitchSession::nameOfPair() const {
@@ -118,7 +118,7 @@ void StitchSession::setDecision(Decision decision) {
   const Decision next = before == decision ? Decision::undecided : decision;
   const QString what = next == Decision::accepted   ? tr("accept %1").arg(nameOfPair())
                        : next == Decision::rejected ? tr("reject %1").arg(nameOfPair())
-                                                    : tr("decide nothing about %1").arg(nameOfPair());
+                                                    : tr("clear decision on %1").arg(nameOfPair());
   editPair([&](ProjectPair& pair) { pair.decision = next; }, what);
 }
 
@@ -156,7 +156,7 @@ void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg
   } else {
     const glm::dmat3 turn(motion);
     const double angle = std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0)) * 180.0 / M_PI;
-    what = tr("turn %1 by %2°").arg(words(letterOf(pair_->moving)), locale.toString(angle, 'g', 3));
+    what = tr("rotate %1 by %2°").arg(words(letterOf(pair_->moving)), locale.toString(angle, 'g', 3));
   }
   if (stage_ != Stage::rigid) stage_ = Stage::rigid;
   setTransform(next, what, key);
@@ -176,10 +176,10 @@ void StitchSession::setEffort(registration::ElasticEffort effort) {
 
 void StitchSession::setPairEffort(std::optional<registration::ElasticEffort> effort) {
   editPair([&](ProjectPair& pair) { pair.effort = effort; },
-           effort ? tr("bend %1 %2").arg(nameOfPair(), nameOfEffort(*effort)) : tr("bend %1 as all pairs").arg(nameOfPair()));
+           effort ? tr("deform %1 %2").arg(nameOfPair(), nameOfEffort(*effort)) : tr("deform %1 as all pairs").arg(nameOfPair()));
 }
 
-void StitchSession::bendAgain() { run(Step::elastic, tr("Bending %1 again").arg(nameOfPair())); }
+void StitchSession::bendAgain() { run(Step::elastic, tr("Deforming %1 again").arg(nameOfPair())); }
 
 void StitchSession::redoPair(PairMethod method, std::optional<double> maxTurn_deg) {
   if (!pair_ || isBusy()) return;

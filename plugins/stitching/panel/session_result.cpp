@@ -74,7 +74,7 @@ void StitchSession::showResult() {
 
 void StitchSession::saveResult(const fs::path& folder) {
   if (!result_) {
-    Q_EMIT problem(tr("There is no stitched volume yet; run 'Seams and blend' first."));
+    Q_EMIT problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
     return;
   }
   const auto seen = ResultFiles::look(folder, {}, noProgress());
@@ -104,7 +104,7 @@ bool StitchSession::isCaseOpen() const { return host_.cases().current().has_valu
 
 void StitchSession::handToCase() {
   if (!result_) {
-    Q_EMIT problem(tr("There is no stitched volume yet; run 'Seams and blend' first."));
+    Q_EMIT problem(tr("There is no stitched volume yet; run 'Compute mosaic' first."));
     return;
   }
   auto& cases = host_.cases();
@@ -140,7 +140,7 @@ void StitchSession::handToCase() {
 void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
   const QPointer<StitchSession> here(this);
   host_.jobs().startSaving(
-      tr("Handing the volume to the case").toStdString(),
+      tr("Adding the volume to the case").toStdString(),
       [parts = resultFiles_, caseFolder, name](Progress& whole) -> Result<void> {
         ProgressInWords progress(whole);
         return putIntoCase(parts, caseFolder, name, progress);
@@ -163,7 +163,7 @@ void StitchSession::useInCase(const fs::path& caseFolder, const std::string& nam
   const CaseWithVolume next =
       caseWithVolume(*open.current(), "volumes/" + name + ".mha", [&open](const nlohmann::json& each) { return open.check(each); });
   const bool wasSaved = !open.hasUnsavedChanges();
-  if (auto edited = open.edit(next.manifest, tr("take over the stitched volume").toStdString(), {}); !edited) {
+  if (auto edited = open.edit(next.manifest, tr("use the stitched volume").toStdString(), {}); !edited) {
     takeOutOfCase(caseFolder, name);
     return say(edited.error());
   }

@@ -98,8 +98,8 @@ void StitchSession::matchAll(bool withoutPlaces) {
     if (withoutPlaces) pair.start.reset();  // else where a hand put it is where refining begins
     next = withPair(std::move(next), pair);
   }
-  if (!(next == project())) edit(std::move(next), withoutPlaces ? tr("match without tracker") : tr("refine the places"));
-  run(Step::graph, withoutPlaces ? tr("Matching without tracker") : tr("Refining the places"));
+  if (!(next == project())) edit(std::move(next), withoutPlaces ? tr("match without tracker") : tr("refine the poses"));
+  run(Step::graph, withoutPlaces ? tr("Matching without tracker") : tr("Refining the poses"));
   if (running_) {
     Q_EMIT said(leftOut.isEmpty() ? QString()
                                   : tr("Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.")
@@ -120,7 +120,7 @@ void StitchSession::run(Step until, const QString& title) {
 void StitchSession::takeUp() {
   std::error_code ignored;
   if (running_ || project().volumes.empty() || !fs::exists(workFolder() / "steps", ignored)) return;
-  begin(std::nullopt, tr("Taking up what was found"));
+  begin(std::nullopt, tr("Restoring previous results"));
 }
 
 void StitchSession::begin(std::optional<Step> until, const QString& title) {

@@ -99,7 +99,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
   const glm::dmat4 toWorld = session_.toWorld(fixed);
   if (tools_.fourth == Tools::Fourth::displacement) {
     if (!session_.hasElastic()) {
-      nothing_ = session_.project().settings.elastic ? tr("No bend has been found yet. 'Elastic' finds one.")
+      nothing_ = session_.project().settings.elastic ? tr("No deformation has been found yet. 'Elastic' finds one.")
                                                      : tr("The elastic step is switched off in this project.");
       return {};
     }
@@ -126,7 +126,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
   }
   if (tools_.fourth == Tools::Fourth::seam) {
     if (found == nullptr || !found->seams) {
-      nothing_ = tr("No seam has been cut yet. 'Seams and blend' cuts it.");
+      nothing_ = tr("No seam has been cut yet. 'Compute mosaic' cuts it.");
       return {};
     }
     std::vector<SeenView> views;
@@ -139,7 +139,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
   }
   const auto result = session_.result();
   if (!result) {
-    nothing_ = tr("There is no stitched volume yet. 'Seams and blend' makes it.");
+    nothing_ = tr("There is no stitched volume yet. 'Compute mosaic' makes it.");
     return {};
   }
   return imageOf(sliced(*result, shown, size, {glm::dmat4(1.0), nullptr, toWorld}));

@@ -84,7 +84,7 @@ StitchPanel::StitchPanel(StitchSession& session, QWidget* parent) : QWidget(pare
   add->setObjectName(QStringLiteral("addFirst"));
   connect(add, &QPushButton::clicked, this, &StitchPanel::askForFiles);
   pages_->addWidget(sdk::emptyState(
-      tr("Weave volumes into one"),
+      tr("Stitch volumes"),
       tr("Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed."), add));
   pages_->addWidget(makeWorkPage());
   column->addWidget(pages_, 1);
@@ -201,7 +201,7 @@ QWidget* StitchPanel::makeLegend() {
   int n = 0;
   using Mark = StitchSession::Mark;
   for (const auto mark : {Mark::aligned, Mark::cannotTell, Mark::landmarks, Mark::notAligned, Mark::byHand, Mark::rejected}) {
-    auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("by hand") : wordsOfMark(mark));  // that it was not checked is said at the pair
+    auto* word = sdk::quietLabel(mark == Mark::byHand ? tr("manual") : wordsOfMark(mark));  // that it was not checked is said at the pair
     word->setProperty("small", true);
     word->setWordWrap(false);
     grid->addWidget(new LegendMark(mark), n / 2, 2 * (n % 2));
@@ -228,13 +228,13 @@ QWidget* StitchPanel::makeSteps() {
                 "matchAll");
   connect(match_, &QPushButton::clicked, this, [this] { session_.matchAll(true); });
   column->addWidget(match_);
-  refine_ = step(tr("Refine the places"), tr("Start from the places as they are recorded or put by hand, and let the images refine them"),
+  refine_ = step(tr("Refine the poses"), tr("Start from the poses as they are recorded or set manually, and let the images refine them"),
                  "refine");
   connect(refine_, &QPushButton::clicked, this, [this] { session_.matchAll(false); });
   column->addWidget(refine_);
   auto* row = new QHBoxLayout;
   row->setSpacing(kGap_px);
-  elastic_ = step(tr("Elastic"), tr("Bend the subvolumes so that they fit where they overlap"), "elastic");
+  elastic_ = step(tr("Elastic"), tr("Deform the subvolumes so that they fit where they overlap"), "elastic");
   connect(elastic_, &QPushButton::clicked, this, [this] {
     if (!session_.project().settings.elastic) {
       StitchProject next = session_.project();
@@ -243,8 +243,8 @@ QWidget* StitchPanel::makeSteps() {
     }
     session_.run(Step::elastic, tr("Elastic"));
   });
-  seams_ = step(tr("Seams and blend"), tr("Choose for every place the view that saw it best, and make one volume"), "seams");
-  connect(seams_, &QPushButton::clicked, this, [this] { session_.run(Step::volume, tr("Seams and blend")); });
+  seams_ = step(tr("Compute mosaic"), tr("Choose for every place the view that saw it best, and make one volume"), "seams");
+  connect(seams_, &QPushButton::clicked, this, [this] { session_.run(Step::volume, tr("Compute mosaic")); });
   row->addWidget(elastic_, 2);
   row->addWidget(seams_, 3);
   column->addLayout(row);
@@ -268,7 +268,7 @@ QWidget* StitchPanel::makeResultBox() {
     row->addWidget(made, 1);
     return made;
   };
-  handOver_ = button(tr("Into the case"), tr("The open case takes over the stitched volume"), "handToCase");
+  handOver_ = button(tr("Add to case"), tr("The open case takes over the stitched volume"), "handToCase");
   connect(handOver_, &QPushButton::clicked, &session_, &StitchSession::handToCase);
   saveVolume_ = button(tr("Save volume…"), tr("Save volume, coverage, source and provenance in a folder"), "saveResult");
   connect(saveVolume_, &QPushButton::clicked, this, [this] {
@@ -277,7 +277,7 @@ QWidget* StitchPanel::makeResultBox() {
   });
   column->addWidget(resultBox_);
   old_ = new Paragraph(tr("Older than the last edit."));
-  old_->setToolTip(tr("'Seams and blend' renews the stitched volume"));
+  old_->setToolTip(tr("'Compute mosaic' renews the stitched volume"));
   old_->setObjectName(QStringLiteral("resultIsOld"));
   old_->setProperty("small", true);
   column->addWidget(old_);
@@ -320,7 +320,7 @@ QWidget* StitchPanel::makeOptions() {
   spacing_->setSingleStep(0.1);
   fallOff_ = new sdk::NumberField(0.0, 200.0, 0, tr("mm"));
   fallOff_->setObjectName(QStringLiteral("fallOff"));
-  fallOff_->setToolTip(tr("The bend is gone this far outside the overlap"));
+  fallOff_->setToolTip(tr("The deformation has faded out this far outside the overlap"));
   seamMethod_ = new QComboBox;
   seamMethod_->addItem(tr("cut"), static_cast<int>(SeamMethod::graphCut));
   seamMethod_->addItem(tr("deepest view"), static_cast<int>(SeamMethod::nearest));
@@ -346,7 +346,7 @@ QWidget* StitchPanel::makeOptions() {
     change(tr("voxel spacing"), "spacing", [value](ProjectSettings& settings) { settings.join.grid.spacing_mm = value; });
   });
   connect(fallOff_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [change](double value) {
-    change(tr("fall-off of the bend"), "falloff", [value](ProjectSettings& settings) { settings.fallOff_mm = value; });
+    change(tr("fall-off of the deformation"), "falloff", [value](ProjectSettings& settings) { settings.fallOff_mm = value; });
   });
   connect(seamMethod_, qOverload<int>(&QComboBox::activated), this, [this, change] {
     change(tr("seam by %1").arg(seamMethod_->currentText()), {},
@@ -427,7 +427,7 @@ void StitchPanel::showForecast() {
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
   if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));
   forecast_->setToolTip(tip);
-  forecast_->say(tr("Whole: %1, %2").arg(sizeOf(forecast->grid), needs));
+  forecast_->say(tr("Result: %1, %2").arg(sizeOf(forecast->grid), needs));
 }
 
 void StitchPanel::askForFiles() {

@@ -118,7 +118,7 @@ void StitchStage::makeCutControls() {
   cut_->addItem(tr("sagittal"), static_cast<int>(Cut::sagittal));
   connect(cut_, qOverload<int>(&QComboBox::activated), this, [this] { session_.setCut(static_cast<Cut>(cut_->currentData().toInt())); });
   linked_ =
-      smallToggle(tr("Linked"), tr("Both cross-hairs mark the same place; let them loose to look at each volume for itself (L)"), "linked");
+      smallToggle(tr("Linked"), tr("Both cross-hairs mark the same place; unlink them to look at each volume for itself (L)"), "linked");
   connect(linked_, &QPushButton::clicked, this, [this](bool on) { session_.setLinked(on); });
 }
 
@@ -257,7 +257,7 @@ void StitchStage::showTitles() {
     put(titles_[1], tr("both"), {});
     put(titles_[2], tr("moving"), {});
   }
-  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), {}, tr("the whole")};
+  const QString fourths[] = {tr("where they lie"), tr("10 mm grid"), {}, tr("the result")};
   put(titles_[3], fourths[static_cast<int>(tools_.fourth)], {});
   for (QWidget* control : {static_cast<QWidget*>(cut_), static_cast<QWidget*>(linked_), static_cast<QWidget*>(overlay_),
                            static_cast<QWidget*>(stageChoice_), static_cast<QWidget*>(halves_), static_cast<QWidget*>(fourthChoice_)})
@@ -319,12 +319,12 @@ std::vector<std::pair<std::string, std::string>> StitchStage::keyLines() {
   const auto line = [](const char* keys, const QString& what) { return std::pair(std::string(keys), what.toStdString()); };
   const auto said = [](const QString& keys, const QString& what) { return std::pair(keys.toStdString(), what.toStdString()); };
   return {said(tr("Arrows, PgUp, PgDown"), tr("nudge by 0.5 mm, with Shift 2 mm, with Ctrl 0.1 mm")),
-          line("Q, E", tr("turn in the plane by 1°, with Shift 5°")),
-          line("A, D, W, S", tr("turn out of the plane")),
+          line("Q, E", tr("rotate in the plane by 1°, with Shift 5°")),
+          line("A, D, W, S", tr("rotate out of the plane")),
           said(tr("Drag"), tr("move the cross-hairs")),
           said(tr("Wheel; , ."), tr("step through by 1 mm, with Shift 5 mm")),
           said(tr("Ctrl + wheel; + -; 0"), tr("zoom; everything in view")),
-          said(tr("Right drag, middle drag"), tr("turn the plane, shift it")),
+          said(tr("Right drag, middle drag"), tr("rotate the plane, shift it")),
           line("1, 2, 3", tr("axial, coronal, sagittal")),
           line("N, Shift+N", tr("next, previous pair")),
           line("C, X, B", tr("overlay, start or result, before and after")),

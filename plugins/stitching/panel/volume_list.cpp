@@ -140,7 +140,7 @@ QWidget* VolumeList::makeChosenBox() {
   placement_->setObjectName(QStringLiteral("placement"));
   placement_->addItem(tr("unknown"), static_cast<int>(Placement::unknown));
   placement_->addItem(tr("recorded"), static_cast<int>(Placement::tracker));
-  placement_->addItem(tr("by hand"), static_cast<int>(Placement::hand));
+  placement_->addItem(tr("manual"), static_cast<int>(Placement::hand));
   placement_->setToolTip(
       tr("Where the chosen volume's place comes from: found by matching, believed as the tracker's, or a start by hand"));
   placement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -157,7 +157,7 @@ QWidget* VolumeList::makeChosenBox() {
     row->addWidget(button);
     return button;
   };
-  connect(small(tr("File…"), tr("Take the place from a file with 16 numbers, row by row"), "placeFromFile"), &QPushButton::clicked, this,
+  connect(small(tr("File…"), tr("Read the pose from a file with 16 numbers, row by row"), "placeFromFile"), &QPushButton::clicked, this,
           &VolumeList::chooseTransform);
   connect(small(tr("Remove"), tr("Take this volume off the list; its file stays (Delete)"), "remove"), &QPushButton::clicked, this,
           &VolumeList::removeChosen);
@@ -234,9 +234,9 @@ void VolumeList::refresh() {
       item->setFlags((item->flags() | Qt::ItemIsEditable) & ~Qt::ItemIsDropEnabled);
     }
     const auto volume = session_.volume(n);
-    const QString place = volumes[n].placement == Placement::unknown   ? tr("place unknown")
+    const QString place = volumes[n].placement == Placement::unknown   ? tr("pose unknown")
                           : volumes[n].placement == Placement::tracker ? tr("recorded")
-                                                                       : tr("by hand");
+                                                                       : tr("manual");
     const auto mark = session_.markOf(n);
     item->setText(words(volumes[n].name));
     item->setData(kLine, volume                     ? sizeOf(volume->grid) + QStringLiteral(", ") + place
@@ -269,7 +269,7 @@ void VolumeList::refresh() {
 void VolumeList::chooseTransform() {
   const auto chosen = session_.chosenVolume();
   if (!chosen) return;
-  const QString file = QFileDialog::getOpenFileName(this, tr("Place of %1").arg(words(session_.project().volumes[*chosen].name)),
+  const QString file = QFileDialog::getOpenFileName(this, tr("Pose of %1").arg(words(session_.project().volumes[*chosen].name)),
                                                     lastFolder(), tr("Transforms (*.txt *.tfm);;All files (*)"));
   if (file.isEmpty()) return;
   keepFolderOf(file);
@@ -279,7 +279,7 @@ void VolumeList::chooseTransform() {
   if (!matrix) return Q_EMIT problem(phraseOf(matrix.error().sentence));
   Q_EMIT problem({});
   session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
-                tr("place %1 from a file").arg(words(letterOf(*chosen))));
+                tr("pose of %1 from a file").arg(words(letterOf(*chosen))));
 }
 
 void VolumeList::removeChosen() {

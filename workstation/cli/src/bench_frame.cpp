@@ -252,7 +252,7 @@ class FrameSettings {
   }
 
   void addSingleKnobs() {
-    alone("gain and DGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
+    alone("gain and TGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
     alone("dynamic range, grey map", [](FrameSetting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
     alone("edge enhancement", [](FrameSetting& s) { s.knobs.edgeEnhancement = 0.4; });
     alone("persistence", [](FrameSetting& s) { s.knobs.persistence = 0.3; });

@@ -40,7 +40,7 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   SliderParts depth{tr("Depth"),
                     QStringLiteral("depth"),
                     QStringLiteral("30.0 cm"),
-                    tr("Depth of the picture (Page Up, Page Down)"),
+                    tr("Depth of the image (Page Up, Page Down)"),
                     1,
                     300,
                     10,
@@ -59,7 +59,7 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   pages_->addTab(makePage([this](QVBoxLayout* page) { addImagePage(page); }), tr("Image"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
-  const QString keys[] = {tr("What the picture shows and how (F10)"), tr("What the scene does to the sound (F10)"),
+  const QString keys[] = {tr("What the image shows and how (F10)"), tr("What the scene does to the sound (F10)"),
                           tr("The transducer and its beams (F10)")};
   for (int i = 0; i < pages_->count(); ++i) pages_->setTabToolTip(i, keys[i]);
   rows->addWidget(pages_, 1000);  // all there is, up to its own height
@@ -302,7 +302,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
   turn_->setObjectName(QStringLiteral("upsideDown"));
   freeze_ = new QPushButton(tr("Freeze"));
   freeze_->setObjectName(QStringLiteral("freeze"));
-  freeze_->setToolTip(tr("Keep the picture (Space or F)"));
+  freeze_->setToolTip(tr("Keep the image (Space or F)"));
   for (QPushButton* button : {flip_, turn_, freeze_}) {
     button->setCheckable(true);
     button->setProperty("compact", true);  // two long words side by side in some languages

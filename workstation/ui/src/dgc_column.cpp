@@ -31,7 +31,7 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
     slider->setRange(0, kHighest_percent);
     slider->setSingleStep(2);
     slider->setPageStep(20);
-    slider->setAccessibleName(tr("DGC %1").arg(i + 1));
+    slider->setAccessibleName(tr("TGC %1").arg(i + 1));
     sliders_[static_cast<std::size_t>(i)] = slider;
     connect(slider, &QSlider::valueChanged, this, [this, i](int v) {
       if (showing_) return;  // the column is being told, not telling
@@ -40,13 +40,13 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
       session_.setKnobs(knobs);
     });
   }
-  reset_ = new QPushButton(tr("DGC"), this);
+  reset_ = new QPushButton(tr("TGC"), this);
   reset_->setObjectName(QStringLiteral("dgcReset"));
   reset_->setProperty("flat", true);
   reset_->setProperty("small", true);
   reset_->setProperty("onScan", true);
   reset_->setFocusPolicy(Qt::TabFocus);
-  reset_->setAccessibleName(tr("Reset DGC"));
+  reset_->setAccessibleName(tr("Reset TGC"));
   reset_->setToolTip(
       tr("Depth gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0)"));
   connect(reset_, &QPushButton::clicked, this, [this] {

@@ -153,7 +153,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
     region_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     region_->setMinimumContentsLength(24);
     pixel_ = {lengthBox(QStringLiteral("pixelX")), lengthBox(QStringLiteral("pixelY"))};
-    form.addRow(tr("Part of the picture"), region_);
+    form.addRow(tr("Part of the image"), region_);
     form.addRow(tr("Size of a pixel"), inRow(pixel_));
     connect(region_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
       const int region = region_->currentData().toInt();
@@ -177,7 +177,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
   connect(picture_, &PictureChooser::drawn, this, &FileImportDialog::blankMore);
   connect(picture_, &PictureChooser::blankRemoved, this, &FileImportDialog::blankLess);
   if (kind_ != FileKind::dicomPictures) return;
-  keepText_ = new QCheckBox(tr("Text burned into the pictures may stay"));
+  keepText_ = new QCheckBox(tr("Text burned into the images may stay"));
   form.addRow(QString(), keepText_);
 }
 
@@ -345,7 +345,7 @@ void FileImportDialog::takeLook(const ImportPreview& preview) {
       region_->addItem(words(summary.regions[n].describe(n + 1)), static_cast<int>(n) + 1);
       parts.push_back(summary.regions[n].rect);
     }
-    region_->addItem(tr("the whole picture, %1 x %2 pixels").arg(summary.columns).arg(summary.rows), 0);
+    region_->addItem(tr("the whole image, %1 x %2 pixels").arg(summary.columns).arg(summary.rows), 0);
     for (int n = 0; n < region_->count(); ++n) region_->setItemData(n, region_->itemText(n), Qt::ToolTipRole);
     picture_->setParts(std::move(parts));
   }
@@ -435,7 +435,7 @@ void FileImportDialog::take(const std::shared_ptr<Made>& made) {
 void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
   // Pictures without a place are no volume: they are kept as a sequence, and how the probe moved is asked next.
   const QFileInfo info(file_);
-  const QString target = askSaveFile(this, {tr("Save the pictures as a sequence"),
+  const QString target = askSaveFile(this, {tr("Save the images as a sequence"),
                                             info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
                                             tr("Sequences (*.igs.mha)"),
                                             {QStringLiteral(".igs.mha"), QStringLiteral(".mha")}});

@@ -156,7 +156,7 @@ ImportDialog::ImportDialog(const QString& sweep, Jobs& jobs, MessageBar& message
       seen_(std::make_shared<Seen>()),
       kept_(std::make_shared<Frames>()) {
   setObjectName(QStringLiteral("importDialog"));
-  setWindowTitle(tr("Make a volume from a sweep"));
+  setWindowTitle(tr("Reconstruct sweep"));
   addRows();
   // A spin box changes with every key; one reading after the last change is enough.
   soon_.setSingleShot(true);
@@ -194,7 +194,7 @@ void ImportDialog::addRows() {
   rows().addStretch(1);
   addPicture();
 
-  make_ = new QPushButton(tr("Make the volume"));
+  make_ = new QPushButton(tr("Reconstruct"));
   make_->setObjectName(QStringLiteral("makeVolume"));
   make_->setProperty("primary", true);
   make_->setDefault(true);
@@ -235,12 +235,12 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   stepRow_->setLayout(besideEachOther({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
   frame_ = narrowChoice();
   frame_->setObjectName(QStringLiteral("frame"));
-  frame_->addItem(tr("as the sweep suggests"), QString());
+  frame_->addItem(tr("default"), QString());
   form.addRow(tr("Calibration"), besideEachOther({calibration_, choose}));
   form.addRow(tr("The probe moved"), moved_);
   form.addRow(QString(), motorFileRow_);
   form.addRow(QString(), stepRow_);
-  form.addRow(tr("Coordinates of"), frame_);
+  form.addRow(tr("Reference frame"), frame_);
   showMotorRows();
 
   connect(choose, &QPushButton::clicked, this, [this] {
@@ -284,31 +284,31 @@ void ImportDialog::addMethodRows(QFormLayout& form) {
   compounding_->setObjectName(QStringLiteral("compounding"));
   compounding_->addItem(tr("mean of all views"), static_cast<int>(Compounding::mean));
   compounding_->addItem(tr("weighted by confidence: shadows count less"), static_cast<int>(Compounding::weighted));
-  compounding_->addItem(tr("brightest view"), static_cast<int>(Compounding::maximum));
+  compounding_->addItem(tr("maximum"), static_cast<int>(Compounding::maximum));
   compounding_->addItem(tr("latest view"), static_cast<int>(Compounding::latest));
   fill_ = numberBox("fillReach", 0.0, 20.0, 0.5, 1, tr(" mm"));
   fill_->setValue(FillOptions{}.reach_mm);
-  fill_->setSpecialValueText(tr("leave holes"));
+  fill_->setSpecialValueText(tr("do not fill"));
   fill_->setToolTip(tr("Holes at most this far between measured voxels are filled and marked as interpolated"));
   clip_ = new QLineEdit;
   clip_->setObjectName(QStringLiteral("clip"));
   clip_->setPlaceholderText(tr("as the device set says, else all"));
-  clip_->setToolTip(tr("Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the picture."));
+  clip_->setToolTip(tr("Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the image."));
   fan_ = new QLineEdit;
   fan_->setObjectName(QStringLiteral("fan"));
   fan_->setPlaceholderText(tr("as the device set says, else none"));
   fan_->setToolTip(
       tr("Of each frame this fan alone is used: left and right angle in degrees from straight down, x and y of the apex, first and last "
          "radius in pixels"));
-  keepSource_ = new QCheckBox(tr("Keep which frame each voxel came from"));
+  keepSource_ = new QCheckBox(tr("Record source frame per voxel"));
   keepSource_->setObjectName(QStringLiteral("keepSource"));
   keepSource_->setChecked(true);
-  keepSource_->setToolTip(tr("Then a point of the picture leads to its source frame; 2 bytes a voxel more"));
+  keepSource_->setToolTip(tr("Then a point of the image leads to its source frame; 2 bytes a voxel more"));
   form.addRow(tr("Rectangle of frames"), clip_);
   form.addRow(tr("Fan of frames"), fan_);
   form.addRow(tr("Voxel spacing"), spacing_);
   form.addRow(tr("Interpolation"), interpolation_);
-  form.addRow(tr("Overlap"), compounding_);
+  form.addRow(tr("Compounding"), compounding_);
   form.addRow(tr("Fill holes up to"), fill_);
   form.addRow(tr("Origin"), keepSource_);
   for (QLineEdit* line : {clip_, fan_}) connect(line, &QLineEdit::textChanged, this, [this] { soon_.start(); });
@@ -450,7 +450,7 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
     if (reachable != outcome.error().context.end()) {
       std::vector<std::string> names;
       for (const QString& name : words(reachable->second).split(QLatin1Char(','), Qt::SkipEmptyParts)) names.push_back(name.toStdString());
-      offerFrames(names, tr("as the sweep suggests"));
+      offerFrames(names, tr("default"));
     }
     refuse(words(outcome.error().sentence));
     if (askedFor(outcome.error()) == "motor") moved_->setFocus();
@@ -465,7 +465,7 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
     interpolation_->setCurrentIndex(interpolation_->findData(static_cast<int>(planned.interpolation)));
     compounding_->setCurrentIndex(compounding_->findData(static_cast<int>(planned.compounding)));
   }
-  offerFrames(found->frames, tr("as the sweep suggests (%1)").arg(words(found->plan->toFrame)));
+  offerFrames(found->frames, tr("default (%1)").arg(words(found->plan->toFrame)));
   picture_->setPicture(found->picture, {});
   const Clip& clip = found->plan->reconstruct.clip;
   const glm::dvec2 size_px = clip.size_px.value_or(glm::dvec2(found->picture.width, found->picture.height));

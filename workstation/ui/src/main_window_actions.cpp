@@ -70,7 +70,7 @@ void MainWindow::addFileMenu(QMenu& file) {
   p.saveAction = addMenuAction(file, tr("&Save case"), {QKeySequence::Save}, [this] { save(false); });
   p.saveAsAction = addMenuAction(file, tr("Save case &as…"), {keys("Ctrl+Shift+S")}, [this] { save(true); });
   p.saveVolumeAction = addMenuAction(file, tr("Save &volume as…"), {}, [this] { saveShownVolume(); });
-  p.savePictureAction = addMenuAction(file, tr("Save &picture as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
+  p.savePictureAction = addMenuAction(file, tr("Save &image as…"), {keys("Ctrl+P")}, [this] { savePicture(); });
   file.addSeparator();
   addMenuAction(file, tr("&Quit"), {keys("Ctrl+Q")}, [this] { close(); });
 }
@@ -130,7 +130,7 @@ void MainWindow::addViewMenu(QMenu& view) {
 void MainWindow::addThemeMenu(QMenu& theme) {
   Parts& p = *parts_;
   auto* themes = new QActionGroup(this);
-  p.systemThemeAction = addMenuAction(theme, tr("As the system"), {}, [this] { chooseTheme(QStringLiteral("system")); });
+  p.systemThemeAction = addMenuAction(theme, tr("System default"), {}, [this] { chooseTheme(QStringLiteral("system")); });
   p.darkAction = addMenuAction(theme, tr("&Dark"), {}, [this] { chooseTheme(QStringLiteral("dark")); });
   p.lightAction = addMenuAction(theme, tr("L&ight"), {}, [this] { chooseTheme(QStringLiteral("light")); });
   for (QAction* action : {p.systemThemeAction, p.darkAction, p.lightAction}) {
@@ -170,7 +170,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   p.recordAction->setCheckable(true);
   p.markAction = addMenuAction(scan, tr("Mark this moment"), {keys("K")}, [this] { parts_->recorder.addNote("mark", nullptr); });
   p.saveRecordingAction = addMenuAction(scan, tr("Save recording as…"), {keys("Ctrl+Shift+R")}, [this] { saveRecording(); });
-  p.sourceAction = addMenuAction(scan, tr("Where does this &come from?"), {keys("I")}, [this] {
+  p.sourceAction = addMenuAction(scan, tr("Show source &frame"), {keys("I")}, [this] {
     if (parts_->pages->currentWidget() == parts_->workspacePage) {
       parts_->sourcePicker->setAsking(!parts_->sourcePicker->isAsking());
     } else {
@@ -185,7 +185,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
   addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
   addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
-  addMenuAction(scan, tr("Reset DGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
+  addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
   scan.addSeparator();
 
   addImageMenu(*scan.addMenu(tr("&Image")));
@@ -303,8 +303,8 @@ void MainWindow::showSource(const QPoint& pixel) {
                        });
   if (p.session.pictureKnobs().mode == DisplayMode::mMode) {
     dialog->showNone(
-        tr("The strip of the M-mode shows one beam over time, no place in a picture. Switch to B or B + M (M), then click a "
-           "point of the picture."));
+        tr("The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M (M), then click a point of the "
+           "image."));
   } else if (!isInFan) {
     dialog->showNone(tr("This point lies outside the image. Click a point inside the fan."));
   } else if (subject->provenance) {

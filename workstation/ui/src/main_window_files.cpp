@@ -76,12 +76,11 @@ void MainWindow::openDefaultCase() {
 }
 
 void MainWindow::chooseFile() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open a case, a volume or a sweep"), QString(),
-                                   tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 "
-                                      "*.raw *.png *.jpg *.pgm);;Cases (case.json);;"
-                                      "Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha "
-                                      "*.mhd *.nrrd *.nhdr *.nii *.nii.gz);;DICOM, Kretz, raw samples, pictures (*)"));
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open a case, a volume or a sweep"), QString(),
+      tr("All that EchoWeave reads (case.json *.mha *.mhd *.nrrd *.nhdr *.nii *.nii.gz *.dcm *.vol *.v00 *.raw *.png *.jpg *.pgm);;Cases "
+         "(case.json);;Sweeps (*.igs.mha *.igs.mhd *.igs.nrrd *.seq.mha *.seq.nrrd *.mha *.mhd *.nrrd);;Volumes (*.mha *.mhd *.nrrd *.nhdr "
+         "*.nii *.nii.gz);;DICOM, Kretz, raw samples, images (*)"));
   if (!file.isEmpty()) open(file);
 }
 
@@ -490,9 +489,9 @@ bool MainWindow::saveVolume(const MadeVolume& made) {
 
 void MainWindow::savePicture() {
   if (parts_->session.picture().isEmpty()) return;
-  const QString file = askSaveFile(this, {tr("Save the picture"),
+  const QString file = askSaveFile(this, {tr("Save the image"),
                                           tr("scan") + QStringLiteral(".png"),
-                                          tr("Pictures (*.png *.mha)"),
+                                          tr("Images (*.png *.mha)"),
                                           {QStringLiteral(".png"), QStringLiteral(".mha")}});
   if (file.isEmpty()) return;
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {

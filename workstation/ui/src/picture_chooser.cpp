@@ -24,7 +24,7 @@ PictureChooser::PictureChooser(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("pictureChooser"));
   setCursor(Qt::CrossCursor);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setAccessibleName(tr("The picture as the file holds it"));
+  setAccessibleName(tr("The image as the file holds it"));
 }
 
 void PictureChooser::setPicture(const GreyImage& level, const std::vector<std::uint8_t>& coloured) {
@@ -123,7 +123,7 @@ void PictureChooser::paintEvent(QPaintEvent*) {
   const Theme theme = scanTheme();
   if (picture_.isNull()) {
     painter.setPen(theme.quiet);
-    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, tr("No picture can be shown yet."));
+    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, tr("No image can be shown yet."));
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);

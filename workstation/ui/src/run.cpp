@@ -76,7 +76,7 @@ class Screenshot final : public QObject {
     window_.view3d().renderNow();
     QApplication::processEvents();
     if (!window_.grab().save(file_, "PNG")) {
-      return giveUp(MainWindow::tr("The picture cannot be written to '%1'; choose a folder you may write to.").arg(file_));
+      return giveUp(MainWindow::tr("The image cannot be written to '%1'; choose a folder you may write to.").arg(file_));
     }
     QApplication::exit(0);
   }

@@ -171,17 +171,16 @@ QString StatusLine::planTip() const {
   QString tip = QStringLiteral(
                     "<p style='white-space:pre'>%1</p><table cellspacing='2'><tr><td></td><td align='right'>%2&nbsp;</td>"
                     "<td align='right'>%3</td></tr>%4</table>")
-                    .arg(tr("What the picture runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
+                    .arg(tr("What the image runs, ms (median of the last frames)"), tr("estimated"), tr("measured"), rows);
   const LatencyHistogram& latency = session_.latency();
   if (latency.count() == 0) return tip;
   const auto quantile_ms = [&](double share) { return latency.quantile_us(share) / 1000.0; };
-  tip +=
-      QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
-          .arg(tr("From the hand to the picture, ms; pictures: %1").arg(latency.count()), tr("median %1, 95 % %2, 99 % %3, worst %4")
-                                                                                              .arg(figure(quantile_ms(0.5), 1))
-                                                                                              .arg(figure(quantile_ms(0.95), 1))
-                                                                                              .arg(figure(quantile_ms(0.99), 1))
-                                                                                              .arg(figure(latency.max_us() / 1000.0, 1)));
+  tip += QStringLiteral("<p style='white-space:pre'>%1<br>%2</p><table cellspacing='0'>")
+             .arg(tr("From the hand to the image, ms; images: %1").arg(latency.count()), tr("median %1, 95 % %2, 99 % %3, worst %4")
+                                                                                             .arg(figure(quantile_ms(0.5), 1))
+                                                                                             .arg(figure(quantile_ms(0.95), 1))
+                                                                                             .arg(figure(quantile_ms(0.99), 1))
+                                                                                             .arg(figure(latency.max_us() / 1000.0, 1)));
   // Buckets are a quarter of a doubling; two together are still finer than anyone reads.
   constexpr int kTogether = 2;
   std::uint64_t most = 1;

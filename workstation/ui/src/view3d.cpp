@@ -203,7 +203,7 @@ void View3D::retranslate() {
   name("viewLeft", tr("Left"), tr("Look from the patient's left"));
   name("viewTop", tr("Head"), tr("Look from the head"));
   name("viewFit", tr("Fit"), tr("Show the whole volume"));
-  name("viewThrough", tr("See through"), tr("Make the body translucent"));
+  name("viewThrough", tr("Translucent"), tr("Make the body translucent"));
   parts_->hint->setText(defaultHint());
   placeOverlays();
 }

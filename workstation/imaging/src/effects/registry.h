@@ -48,7 +48,7 @@ struct PlainEffect {
 /// go through this list; what an effect does to a frame is in plan.cpp and beam_path.cpp.
 inline constexpr std::tuple kSceneEffects{
     PlainEffect{&Scene::gainAndDgc,
-                {"gain_and_dgc", EW_TRANSLATE_NOOP("ew::EffectInfo", "Gain and DGC"), EW_TRANSLATE_NOOP("ew::EffectInfo", "gain and DGC"),
+                {"gain_and_dgc", EW_TRANSLATE_NOOP("ew::EffectInfo", "Gain and TGC"), EW_TRANSLATE_NOOP("ew::EffectInfo", "gain and TGC"),
                  EW_TRANSLATE_NOOP("ew::EffectInfo", "Gain and depth compensation act on the image"), ""}},
     EffectOf<FocusEffect>{
         &Scene::focus,

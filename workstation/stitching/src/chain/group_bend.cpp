@@ -277,7 +277,7 @@ void BendingGroup::shareSlice(int k, const Progress& progress, std::vector<doubl
 
 bool BendingGroup::shareBends(Progress& progress) {
   std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice_.dims.z));
-  const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, "Sharing the bends",
+  const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, "Combining deformations",
                                   [&](int k) { shareSlice(k, progress, slices[static_cast<std::size_t>(k)]); });
   if (!shared || progress.cancelRequested()) return false;
   std::vector<double> disagreements;
