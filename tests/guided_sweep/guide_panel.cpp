@@ -2,6 +2,7 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -62,8 +63,9 @@ void GuidePanel::show_() {
   run_->setEnabled(plan.isWhole());
   run_->setText(guide_.isRunning() ? tr("Give the probe back") : tr("Show the sweep"));
   state_->setText(!plan.start ? tr("The sweep has no start yet.")
-                  : !plan.end ? tr("The sweep has no end yet.")
-                              : tr("%1 mm in %2 s").arg(length_mm(plan), 0, 'f', 0).arg(plan.duration_s, 0, 'f', 1));
+                  : !plan.end
+                      ? tr("The sweep has no end yet.")
+                      : tr("%1 mm in %2 s").arg(QLocale().toString(length_mm(plan), 'f', 0), QLocale().toString(plan.duration_s, 'f', 1)));
 }
 
 void GuidePanel::tell(const ew::Result<void>& done) {

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "command.h"
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/door/door.h"
 #include "ew/door/headless_host.h"

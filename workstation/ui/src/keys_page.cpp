@@ -118,10 +118,12 @@ void MainWindow::showKeys() {
     groups.push_back(std::move(group));
   }
   if (p.isAuthor()) groups.push_back(keysOfAuthors());
-  groups.push_back(keysOfTheWindow());
-  for (const auto& own : p.ownWorkspaces)
+  Group window = keysOfTheWindow();
+  for (const auto& own : p.ownWorkspaces)  // behind Explore and Author
     if (!own.action->shortcut().isEmpty())
-      groups.back().lines.push_back({own.action->shortcut().toString(QKeySequence::NativeText), words(own.what.title)});
+      window.lines.insert(window.lines.end() - 1,
+                          ShortcutsOverlay::Line{own.action->shortcut().toString(QKeySequence::NativeText), words(own.what.title)});
+  groups.push_back(std::move(window));
   Group tools{MainWindow::tr("Tools"), {}};
   for (const auto& tool : p.tools)
     if (tool.action->isEnabled() && !tool.action->shortcut().isEmpty())
