@@ -558,12 +558,14 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
   made.volume.fileToWorld = matrix();
   if (!made.volume.recipe.empty() && *rc::gen::arbitrary<bool>()) {
     made.volume.sweeps = {"volumes/a.mha"};
-    made.volume.reconstruct = {*rc::gen::inRange(1, 100) * 0.1,
-                               *rc::gen::element(Interpolation::nearest, Interpolation::linear),
-                               *rc::gen::element(Compounding::mean, Compounding::maximum, Compounding::latest),
-                               *rc::gen::inRange(0, 300) * 0.1,
-                               *rc::gen::inRange(0, 1000) * 0.1,
-                               *rc::gen::inRange(1, 100) * 0.1};
+    made.volume.reconstruct = {
+        *rc::gen::inRange(1, 100) * 0.1,
+        *rc::gen::element(Interpolation::nearest, Interpolation::linear),
+        *rc::gen::element(Compounding::mean, Compounding::maximum, Compounding::latest),
+        *rc::gen::inRange(0, 300) * 0.1,
+        *rc::gen::element(stitching::SeamMethod::feather, stitching::SeamMethod::nearest, stitching::SeamMethod::graphCut),
+        *rc::gen::inRange(0, 1000) * 0.1,
+        *rc::gen::inRange(1, 100) * 0.1};
     made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}, true}};
     made.targets = {
         {.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text(), .revealsFinding = true},
