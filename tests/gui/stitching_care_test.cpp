@@ -90,7 +90,7 @@ class StitchingCareTest : public StitchingFixture {
     click("elastic");
     QVERIFY(jobsEnd());
     QCOMPARE(signOfPair(), QStringLiteral("manual, not checked"));
-    QCOMPARE(find<QLabel>("pairWord")->text(), QStringLiteral("1 of 1 pairs need a look"));
+    QCOMPARE(find<QLabel>("pairWord")->text(), QStringLiteral("1 of 1 pairs need review"));
     keepPicture("33-by-hand");
     clickInspector("acceptPair");
     QCOMPARE(signOfPair(), QStringLiteral("manual, accepted"));

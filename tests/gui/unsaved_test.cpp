@@ -239,7 +239,7 @@ class UnsavedTest : public WindowFixture {
     const QString stem = files_.path(QStringLiteral("liver"));
     for (const QString& ending : {QStringLiteral(".mha"), QStringLiteral(".png")})
       QVERIFY(writeFileSafely((stem + ending).toStdString(), "somebody else's").has_value());
-    for (const QString& what : {QStringLiteral("Save &volume as"), QStringLiteral("Save &picture as")}) {
+    for (const QString& what : {QStringLiteral("Save &volume as"), QStringLiteral("Save &image as")}) {
       const QString file = stem + (what.contains(QStringLiteral("volume")) ? QStringLiteral(".mha") : QStringLiteral(".png"));
       {
         const Answers keep({{QStringLiteral("fileDialog"), type(stem)}, {QStringLiteral("replaceQuestion"), press(QMessageBox::Cancel)}});

@@ -306,10 +306,10 @@ class WindowTest : public WindowFixture {
     QTest::mouseClick(make, Qt::LeftButton);
     QVERIFY(waitUntil([this] { return session().subject() && session().subject()->title == "dropped.igs.mha"; }));
     const Volume& volume = *session().subject()->voxels.volume();
-    QCOMPARE(volume.grid.dims.x, 79);  // 39 mm in steps of 0.5 mm
-    QCOMPARE(volume.grid.dims.z, 47);
+    QCOMPARE(volume.grid.dims.x, 40);  // 39 mm in steps of 1 mm, as pixels and frames lie
+    QCOMPARE(volume.grid.dims.z, 24);
     // On the plane of frame 12 lies frame 12's grey level.
-    QCOMPARE(static_cast<int>(volume.echo[volume.grid.indexOf(40, 30, 24)]), 40 + 8 * 12);
+    QCOMPARE(static_cast<int>(volume.echo[volume.grid.indexOf(20, 15, 12)]), 40 + 8 * 12);
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     const auto pixels = pixelsOf(session());
     QVERIFY2(std::any_of(pixels.begin(), pixels.end(), [](std::uint8_t v) { return v > 0; }), "the probe does not see the volume");

@@ -84,7 +84,7 @@ class PanelsTest final : public QObject {
     QCOMPARE(manifest["history"].get<std::string>(), std::string("pain"));
     QCOMPARE(manifest["lesson"].get<int>(), 4);
     QCOMPARE(host_.theCase.before.size(), std::size_t(2));
-    QVERIFY(child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("not saved")));
+    QVERIFY(child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("unsaved changes")));
     host_.theCase.undo();
     host_.theCase.undo();
     QCOMPARE(title->text(), QStringLiteral("One"));
