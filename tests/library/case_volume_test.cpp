@@ -47,7 +47,7 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) 
   std::error_code ignored;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, ignored))
     if (const std::string name = entry.path().filename().string();
-        entry.is_regular_file() && name != "speed.json" && !name.ends_with(".lock") && !name.ends_with(".truth.json"))
+        entry.is_regular_file() && name != "speed.json" && !name.ends_with(".lock") && entry.path().parent_path().filename() != "truths")
       files.push_back(entry.path());
   return files;
 }
