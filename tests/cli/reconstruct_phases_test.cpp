@@ -36,7 +36,7 @@ TEST(ReconstructMotor, AParallelMotorGivesWhatATrackerGave) {
   writeText(folder / "motor.json", R"({"format": 1, "kind": "parallel"})");
   const auto refused = reconstruct(folder, sweep, {"--motor", folder / "motor.json"});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_NE(refused.err.find("\"step_mm\""), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("'step_mm'"), std::string::npos) << refused.err;
   EXPECT_EQ(reconstruct(folder, sweep, {"--motor", "recorded"}).status, 1);
 }
 
