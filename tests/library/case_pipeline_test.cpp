@@ -198,20 +198,20 @@ TEST_F(CasePipeline, MakesAgainOnlyWhatDependsOnAChangedSweep) {
   EXPECT_FALSE(caseNeedsPreparation(opened(folder / "case"))) << "words shape no voxel";
 }
 
-TEST_F(CasePipeline, JoinsSweepsAlongASeamUnlessTheCaseAsksForAFeather) {
-  const auto cut = loadCaseVolume(opened(folder / "case"), noProgress());
-  ASSERT_TRUE(cut) << cut.error();
-  json manifest = json::parse(textOf(folder / "case/case.json"));
-  manifest["volume"]["reconstruct"]["seam"] = "feather";
-  writeText(folder / "case/case.json", manifest.dump());
-  EXPECT_EQ(opened(folder / "case").volume.reconstruct.seam, stitching::SeamMethod::feather);
-  EXPECT_EQ(manifestOf(opened(folder / "case"))["volume"]["reconstruct"]["seam"], "feather");
-  CancelAt watched;
-  const auto feathered = loadCaseVolume(opened(folder / "case"), watched);
+TEST_F(CasePipeline, FeathersSweepsUnlessTheCaseAsksForASeam) {
+  const auto feathered = loadCaseVolume(opened(folder / "case"), noProgress());
   ASSERT_TRUE(feathered) << feathered.error();
+  json manifest = json::parse(textOf(folder / "case/case.json"));
+  manifest["volume"]["reconstruct"]["seam"] = "graph cut";
+  writeText(folder / "case/case.json", manifest.dump());
+  EXPECT_EQ(opened(folder / "case").volume.reconstruct.seam, stitching::SeamMethod::graphCut);
+  EXPECT_EQ(manifestOf(opened(folder / "case"))["volume"]["reconstruct"]["seam"], "graph cut");
+  CancelAt watched;
+  const auto cut = loadCaseVolume(opened(folder / "case"), watched);
+  ASSERT_TRUE(cut) << cut.error();
   EXPECT_FALSE(watched.steps.count("Reconstructing the sweep 'upper'")) << "the sweeps stay";
-  EXPECT_EQ(feathered->volume.grid, cut->volume.grid);
-  EXPECT_NE(feathered->volume.echo, cut->volume.echo);
+  EXPECT_EQ(cut->volume.grid, feathered->volume.grid);
+  EXPECT_NE(cut->volume.echo, feathered->volume.echo);
   EXPECT_FALSE(fs::exists(folder / "cache/joins") && !fs::is_empty(folder / "cache/joins"))
       << "the chain's own steps have done their service";
   manifest["volume"]["reconstruct"]["seam"] = "glue";

@@ -33,7 +33,7 @@ struct CaseReconstruction {
   Interpolation interpolation = Interpolation::linear;
   Compounding compounding = Compounding::mean;  ///< weighted: by beam-wise confidence
   double fillReach_mm = 4.0;                    ///< holes between measured voxels at most this far apart are filled, 0 to 30
-  stitching::SeamMethod seam = stitching::SeamMethod::graphCut;  ///< how sweeps are joined where they overlap
+  stitching::SeamMethod seam = stitching::SeamMethod::feather;  ///< how sweeps are joined where they overlap (decision 0027)
   double feather_mm = 10.0;       ///< of SeamMethod::feather: over which a sweep fades in from its border, 0 to 100
   double labelsSpacing_mm = 1.6;  ///< of the label volume, which comes from the patient's truth, 0.1 to 10
   bool operator==(const CaseReconstruction&) const = default;
