@@ -61,6 +61,7 @@ namespace {
 
 /// A voxel's frame is kept in 16 bits, of which 0 says that there is none.
 constexpr std::size_t kMostTracedFrames = 65534;
+constexpr int kValueWidth_px = 260;  // what is said of frames and memory, in a line or two
 
 /// All frames the sweep and its calibration can bring the image to, without the image itself.
 std::vector<std::string> framesOf(const Sequence& sequence, const std::vector<NamedTransform>& calibration) {
@@ -97,6 +98,7 @@ QLabel* valueLabel(const char* name) {
   auto* label = new QLabel(QStringLiteral("–"));
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
+  label->setMinimumWidth(kValueWidth_px);
   return label;
 }
 
