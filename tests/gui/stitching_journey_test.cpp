@@ -156,7 +156,7 @@ class StitchingJourneyTest : public StitchingFixture {
     for (int n = 0; n < 4; ++n) QTest::keyClick(view("fixedView"), Qt::Key_Right);
     QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("nudge B by 2 mm")), qPrintable(find<QLabel>("lastEdit")->text()));
     QTest::keyClick(view("fixedView"), Qt::Key_E);
-    QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("turn B by 1°")), qPrintable(find<QLabel>("lastEdit")->text()));
+    QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("rotate B by 1°")), qPrintable(find<QLabel>("lastEdit")->text()));
     QVERIFY(!window_->document().hasUnsavedChanges());
     QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);

@@ -78,7 +78,7 @@ Result<void> ChainInputs::identify(Progress& progress, bool planSweeps) {
     const ProjectVolume& asked = project_.volumes[v];
     ChainInput& input = inputs_[v];
     if (progress.cancelRequested()) return cancelledChain();
-    progress.report("Looking at " + asked.name, 0.0);
+    progress.report("Inspecting " + asked.name, 0.0);
     auto header = readVolumeHeader(asked.file);
     if (!header) return passOn(header.error());
     input.header = std::move(*header);
