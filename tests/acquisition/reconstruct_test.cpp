@@ -333,7 +333,8 @@ RC_GTEST_PROP(Reconstruct, GivesTheVoxelsOfTheMeanWhenAllWeightsAreEqual, ()) {
     const bool same = apart <= 1 && mean->volume.coverage[v] == weighted->volume.coverage[v];
     different += same && (apart == 0 || options.interpolation == Interpolation::linear) ? 0 : 1;
   }
-  RC_ASSERT(different <= (options.interpolation == Interpolation::linear ? mean->volume.echo.size() / 10000 : 0));
+  // One voxel in ten thousand lies at that border, and one may in a small volume (seed 446353666127751187).
+  RC_ASSERT(different <= (options.interpolation == Interpolation::linear ? 1 + mean->volume.echo.size() / 10000 : 0));
 }
 
 TEST(Reconstruct, NeedsAtMostEightBytesAVoxelAndSaysSoBefore) {

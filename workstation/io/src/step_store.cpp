@@ -180,6 +180,11 @@ std::optional<json> StepStore::entryOf(const std::string& step, const std::strin
   return read;
 }
 
+bool StepStore::claims(const std::string& step, const std::string& key) const {
+  std::error_code ignored;
+  return fs::is_regular_file(folder_ / "steps" / step / (key + ".json"), ignored);
+}
+
 std::optional<json> StepStore::find(const std::string& step, const std::string& key) const {
   auto entry = entryOf(step, key);
   if (!entry) return std::nullopt;

@@ -552,6 +552,8 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
     if (!wasThere && plan.isDoneIn(*cache)) {
       auto cached = readOrNote(*cache);
       if (cached || cached.error().code == ErrorCode::cancelled) return cached;
+    } else if (!wasThere && cache->claims(kVolumes, plan.volume)) {
+      notes.push_back("The prepared volume in the cache was damaged and was made again.");
     }
     if (progress.cancelRequested()) return stopped();
     removeOld(*cache);

@@ -75,6 +75,8 @@ class StepStore {
 
   /// The data of a finished result, if it is there undamaged with all its files, which have the sizes they had.
   [[nodiscard]] std::optional<nlohmann::json> find(const std::string& step, const std::string& key) const;
+  /// Whether something lies there as a result, which find() may refuse because it is damaged.
+  [[nodiscard]] bool claims(const std::string& step, const std::string& key) const;
   /// Where a file of a result lies: steps/STEP/KEY-NAME.
   [[nodiscard]] std::filesystem::path fileOf(const std::string& step, const std::string& key, const std::string& name) const;
   /// Whether a file of a result that was found or kept holds what it held then. The file is read for it, once in the life of this store.
