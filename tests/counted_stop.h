@@ -21,7 +21,7 @@ class CountedStop final : public Progress {
   /// Only counts.
   static CountedStop never() { return atQuestion(std::numeric_limits<long>::max()); }
 
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     if (wished_) ++reportsAfter_;
     if (++reports_ >= atReport_ || fraction >= atFraction_) wished_ = true;
   }

@@ -130,7 +130,7 @@ TEST(ConfidenceOptions, OutOfRangeAreNamed) {
   Image<float> map;
   const auto refused = confidenceOfLines(viewOf(image), {.beta = std::nan("")}, scratch, map);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence.find("beta"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().find("beta"), std::string::npos);
   EXPECT_FALSE(confidenceOfLines(viewOf(GreyImage(1, 8)), {}, scratch, map).has_value());
 }
 

@@ -168,7 +168,7 @@ TEST_F(ImportSweep, UnderstandsTheSwitchOfOldDeviceSetsAndSaysHow) {
   options.usual.compounding = true;
   const auto refused = planImport(written(sweep()), options, noProgress());
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence.find("--compounding"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("--compounding"), std::string::npos) << refused.error();
 }
 
 /// Two frames in one place: one sees tissue everywhere, the other is black from a third of its depth on in a few columns.
@@ -241,7 +241,7 @@ TEST_F(ImportSweep, ChoosesSpacingAndReachFromTheFramesWhereNobodyNamesThem) {
   EXPECT_EQ(planned.fillReach_mm, usualFillReach_mm(frames, planned.spacing_mm));
   EXPECT_EQ(planned.interpolation, Interpolation::linear);
   EXPECT_EQ(planned.compounding, Compounding::mean);
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const auto asked = defaultsFor(frames, nullptr, options.usual, {}, notes);
   ASSERT_TRUE(asked.has_value()) << asked.error();
   EXPECT_EQ(planned.spacing_mm, asked->spacing_mm) << "the plan asks the function that everybody asks";
@@ -272,7 +272,7 @@ TEST_F(ImportSweep, IsPlannedAgainWithoutItsFile) {
 }
 
 TEST_F(ImportSweep, LeavesWhatWasChosenAsItIs) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const ReconstructOptions said{
       .spacing_mm = 0.75, .interpolation = Interpolation::nearest, .compounding = Compounding::maximum, .fillReach_mm = 7.0};
   const auto made = defaultsFor({}, nullptr, {}, said, notes);
@@ -287,14 +287,14 @@ TEST_F(ImportSweep, RefusesASpacingThatMakesOneVoxelOfTheRecording) {
   const auto plan = planImport(written(sweep()), nearestAt(1000.0, deviceSet("")), noProgress());
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, ErrorCode::badField);
-  EXPECT_NE(plan.error().sentence.find("finer spacing"), std::string::npos) << plan.error();
+  EXPECT_NE(plan.error().sentence().find("finer spacing"), std::string::npos) << plan.error();
 }
 
 TEST_F(ImportSweep, NamesNoFigureThatNobodyCanAllow) {
   const auto refused = importSweep(written(sweep()), nearestAt(1e-4, deviceSet("")), noProgress());
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::tooLarge);
-  EXPECT_EQ(refused.error().sentence.find("17179869184"), std::string::npos) << refused.error();
+  EXPECT_EQ(refused.error().sentence().find("17179869184"), std::string::npos) << refused.error();
 }
 
 TEST_F(ImportSweep, AsksForTheCalibrationBeforeItReadsThePixels) {
@@ -331,7 +331,7 @@ TEST_F(ImportSweep, RefusesScanLinesWhoseGeometryNobodyStates) {
   const auto imported = importSweep(written(lines), nearestAt(0.5, deviceSet("")), noProgress());
   ASSERT_FALSE(imported.has_value());
   EXPECT_EQ(imported.error().code, ErrorCode::badField);
-  EXPECT_NE(imported.error().sentence.find("ScanConversion"), std::string::npos) << imported.error();
+  EXPECT_NE(imported.error().sentence().find("ScanConversion"), std::string::npos) << imported.error();
 }
 
 TEST_F(ImportSweep, PlansAVolumeThatDoesNotFitAndRefusesToMakeIt) {

@@ -102,7 +102,7 @@ TEST(LineData, WithoutItsGeometryIsRefusedByName) {
     recorded.otherFields.erase(recorded.otherFields.begin() + static_cast<std::ptrdiff_t>(missing));
     const auto refused = lineGeometryOf(recorded, nullptr);
     ASSERT_FALSE(refused.has_value()) << field;
-    EXPECT_NE(refused.error().sentence.find("ScanConversion"), std::string::npos) << refused.error();
+    EXPECT_NE(refused.error().sentence().find("ScanConversion"), std::string::npos) << refused.error();
   }
   Sequence lopsided = lines();
   lopsided.otherFields[3].second = "-10";

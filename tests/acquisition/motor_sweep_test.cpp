@@ -190,7 +190,7 @@ TEST_F(MotorFile, ReaderAndSchemaRefuseTheSameFilesByField) {
     const auto motor = read(file);
     ASSERT_FALSE(motor.has_value()) << file;
     EXPECT_EQ(motor.error().code, ErrorCode::badField);
-    EXPECT_NE(motor.error().sentence.find(field + "' in the motor file "), std::string::npos) << motor.error();
+    EXPECT_NE(motor.error().sentence().find(field + "' in the motor file "), std::string::npos) << motor.error();
   }
   json none = good;
   none.erase("step_mm");
@@ -235,9 +235,9 @@ TEST(RecordedMotor, SaysWhatIsMissing) {
   Sequence sequence = recordedFan(3);
   EXPECT_FALSE(recordedMotor({}).has_value());
   MotorSweep still{.kind = MotorKind::fan};
-  EXPECT_NE(motorPoses(sequence, still).error().sentence.find("does not move"), std::string::npos);
+  EXPECT_NE(motorPoses(sequence, still).error().sentence().find("does not move"), std::string::npos);
   still.values = {1.0, 2.0};
-  EXPECT_NE(motorPoses(sequence, still).error().sentence.find("2 values"), std::string::npos);
+  EXPECT_NE(motorPoses(sequence, still).error().sentence().find("2 values"), std::string::npos);
   still.values = {1.0, 2.0, 3.0};
   for (auto& frame : sequence.frames) frame.transforms.clear();
   EXPECT_EQ(motorPoses(sequence, still).error().code, ErrorCode::missingCalibration);

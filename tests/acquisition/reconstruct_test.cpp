@@ -350,13 +350,13 @@ TEST(Reconstruct, RefusesAVolumeOverTheLimitBeforeTakingMemory) {
   const auto result = reconstruct(sweep.frames, {.spacing_mm = 0.001, .maxBytes = 1ull << 30}, noProgress());
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::tooLarge);
-  EXPECT_NE(result.error().sentence.find("19001 x 15001 x 4001"), std::string::npos) << result.error();
-  EXPECT_NE(result.error().sentence.find("GiB"), std::string::npos) << result.error();
+  EXPECT_NE(result.error().sentence().find("19001 x 15001 x 4001"), std::string::npos) << result.error();
+  EXPECT_NE(result.error().sentence().find("GiB"), std::string::npos) << result.error();
 }
 
 class StopsAtOnce final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 

@@ -76,8 +76,8 @@ TEST_P(EveryMeshFormat, CutShortAnywhereIsAnErrorOrASmallerMeshButNeverACrash) {
     const auto cut = folder_.write("cut" + file.extension().string(), whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 41));
     const auto loaded = loadMannequin(cut);
     if (!loaded) {
-      EXPECT_NE(loaded.error().sentence.find("cut."), std::string::npos) << loaded.error();
-      EXPECT_EQ(loaded.error().sentence.back(), '.');
+      EXPECT_NE(loaded.error().sentence().find("cut."), std::string::npos) << loaded.error();
+      EXPECT_EQ(loaded.error().sentence().back(), '.');
     }
   }
 }
@@ -175,7 +175,7 @@ TEST(Polygonise, ABallIsClosedRoundAndFacesOutwards) {
 TEST(Polygonise, CanBeCancelled) {
   class Cancelled final : public Progress {
    public:
-    void report(std::string_view, double) override {}
+    void report(const Message&, double) override {}
     [[nodiscard]] bool cancelRequested() const override { return true; }
   } progress;
   EXPECT_EQ(polygonise(Ball(), {}, progress).error().code, ErrorCode::cancelled);

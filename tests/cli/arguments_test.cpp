@@ -57,7 +57,7 @@ TEST(PosesOf, SaysHowManyNumbersAreThereWhenTheyAreNotSixteen) {
   const auto poses = cli::posesOf("1 2 3");
   ASSERT_FALSE(poses);
   EXPECT_EQ(poses.error().code, ErrorCode::badUsage);
-  EXPECT_NE(poses.error().sentence.find("3 numbers"), std::string::npos) << poses.error();
+  EXPECT_NE(poses.error().sentence().find("3 numbers"), std::string::npos) << poses.error();
 }
 
 TEST(WindowArguments, TakeEveryOptionOfTheWindow) {

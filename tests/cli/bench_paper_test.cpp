@@ -19,7 +19,7 @@ TEST(BenchPaper, ShowsThatOneResolutionFailsWhereThePyramidSucceeds) {
   options.sweep_mm = 10.0;
   const auto report = benchPaper(
       options, [&](const std::string& name) { return Result<std::filesystem::path>(folder / name); }, noProgress());
-  ASSERT_TRUE(report) << report.error().sentence;
+  ASSERT_TRUE(report) << report.error().sentence();
   const auto& rows = (*report)["figure8"]["rows"];
   ASSERT_EQ(rows.size(), 6U);
   const double single_mm = rows[1]["error_mm"], pyramid_mm = rows[5]["error_mm"];

@@ -42,7 +42,7 @@ RC_GTEST_PROP(Frames, InverseUndoesARigidTransform, ()) {
 TEST(CheckRigid, NamesWhatIsWrong) {
   const auto sentence = [](const glm::dmat4& m) {
     const auto checked = checkRigid(m);
-    return checked ? std::string("accepted") : checked.error().sentence;
+    return checked ? std::string("accepted") : checked.error().sentence();
   };
   glm::dmat4 m(1.0);
   EXPECT_EQ(sentence(m), "accepted");

@@ -31,16 +31,16 @@ TEST(Guarded, WhatIsReturnedComesThroughAndAResultStaysOne) {
 
 TEST(Guarded, WhateverIsThrownBecomesAnErrorWithItsReason) {
   const auto reasonOf = [](auto work) { return guarded(work, named).error(); };
-  EXPECT_EQ(reasonOf([] { throw std::runtime_error("out of cheese"); }).sentence, "out of cheese");
-  EXPECT_EQ(reasonOf([] { throw 42; }).sentence, "no reason was given");
-  EXPECT_EQ(reasonOf([] { throw Silent(); }).sentence, "no reason was given");
-  EXPECT_EQ(reasonOf([] { throw std::runtime_error(""); }).sentence, "no reason was given");
+  EXPECT_EQ(reasonOf([] { throw std::runtime_error("out of cheese"); }).sentence(), "out of cheese");
+  EXPECT_EQ(reasonOf([] { throw 42; }).sentence(), "no reason was given");
+  EXPECT_EQ(reasonOf([] { throw Silent(); }).sentence(), "no reason was given");
+  EXPECT_EQ(reasonOf([] { throw std::runtime_error(""); }).sentence(), "no reason was given");
   EXPECT_EQ(reasonOf([] { throw 42; }).code, ErrorCode::internal);
   EXPECT_EQ(reasonOf([] { throw std::bad_alloc(); }).code, ErrorCode::tooLarge);
 }
 
 TEST(Guarded, AReasonIsOneLineAndNotALongOne) {
-  const auto reasonOf = [](const std::string& what) { return guarded([&] { throw std::runtime_error(what); }, named).error().sentence; };
+  const auto reasonOf = [](const std::string& what) { return guarded([&] { throw std::runtime_error(what); }, named).error().sentence(); };
   EXPECT_EQ(reasonOf("two\nlines.\n"), "two lines");
   EXPECT_EQ(reasonOf(std::string(1000, 'x')).size(), 300u);
   std::string wide = "x";

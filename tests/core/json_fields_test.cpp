@@ -24,7 +24,7 @@ template <class Read>
 std::string refusal(const json& document, const Read& read) {
   JsonReading reading("a.json");
   read(JsonFields(document, reading));
-  return reading.problem() ? reading.problem()->sentence : std::string();
+  return reading.problem() ? reading.problem()->sentence() : std::string();
 }
 
 TEST(JsonFields, GivesWhatStandsThere) {
@@ -119,7 +119,7 @@ TEST(JsonFields, RefuseAPoseThatIsNotRigid) {
   EXPECT_FALSE(JsonFields(document, reading).rigid("pose"));
   ASSERT_TRUE(reading.problem());
   EXPECT_EQ(reading.problem()->code, ErrorCode::notRigid);
-  EXPECT_EQ(reading.problem()->sentence.rfind("'pose' in a.json cannot be used. ", 0), 0u) << *reading.problem();
+  EXPECT_EQ(reading.problem()->sentence().rfind("'pose' in a.json cannot be used. ", 0), 0u) << *reading.problem();
   JsonReading endless("a.json");
   mirrored[0] = std::nan("");
   const json unbounded = {{"pose", mirrored}};
@@ -151,7 +151,7 @@ TEST(JsonFields, WelcomeNotesEverywhereAsTexts) {
   };
   EXPECT_FALSE(read(good));
   ASSERT_TRUE(read(bad));
-  EXPECT_EQ(read(bad)->sentence, "'in.note' in a.json is 3; it must be a text.");
+  EXPECT_EQ(read(bad)->sentence(), "'in.note' in a.json is 3; it must be a text.");
 }
 
 TEST(Shown, KeepsASentenceShortWhateverTheValue) {
@@ -166,7 +166,7 @@ TEST(Shown, KeepsASentenceShortWhateverTheValue) {
 TEST(ParseJson, NamesTheLineAndRefusesDepth) {
   EXPECT_TRUE(parseJson("[1, 2]", "a.json"));
   EXPECT_EQ(parseJsonObject("[1, 2]", "a.json").error().code, ErrorCode::badHeader);
-  EXPECT_EQ(parseJson("{\n \"a\": 1,\n \"b\" 2}", "a.json").error().sentence,
+  EXPECT_EQ(parseJson("{\n \"a\": 1,\n \"b\" 2}", "a.json").error().sentence(),
             "a.json is not valid JSON: it breaks at line 3, column 6; correct it there or restore an earlier copy.");
   EXPECT_EQ(parseJson("[1e999]", "a.json").error().code, ErrorCode::badHeader) << "no number of a document is infinite";
   EXPECT_EQ(parseJson(std::string(100000, '['), "a.json").error().code, ErrorCode::badHeader);
@@ -256,11 +256,11 @@ RC_GTEST_PROP(JsonFieldsProperty, WhateverStandsThereTheValueIsWithinItsLimitsOr
   const Error& problem = *reading.problem();
   RC_ASSERT(problem.context.front().first == "field");
   RC_ASSERT(problem.context.front().second.rfind("a", 0) == 0);
-  RC_ASSERT(problem.sentence.rfind("'a", 0) == 0);
-  RC_ASSERT(problem.sentence.back() == '.');
-  RC_ASSERT(problem.sentence.find('\n') == std::string::npos);
-  RC_ASSERT(problem.sentence.size() < 400u);
-  RC_ASSERT(!json(problem.sentence).dump(-1, ' ', false, json::error_handler_t::replace).empty());
+  RC_ASSERT(problem.sentence().rfind("'a", 0) == 0);
+  RC_ASSERT(problem.sentence().back() == '.');
+  RC_ASSERT(problem.sentence().find('\n') == std::string::npos);
+  RC_ASSERT(problem.sentence().size() < 400u);
+  RC_ASSERT(!json(problem.sentence()).dump(-1, ' ', false, json::error_handler_t::replace).empty());
 }
 
 RC_GTEST_PROP(JsonFieldsProperty, ANumberWithinItsLimitsIsReadToTheLastBit, (double value)) {

@@ -230,7 +230,7 @@ TEST(OutputSet, WhatComesToLieInAnAnnouncedFolderIsSomebodyElses) {
   folder.write(folder / "late.txt", "somebody's");
   const auto late = outputs.announce(folder / "late.txt");
   EXPECT_EQ(codeOf(late), ErrorCode::notWritable);
-  EXPECT_NE(late.error().sentence.find("somebody else"), std::string::npos) << late.error();
+  EXPECT_NE(late.error().sentence().find("somebody else"), std::string::npos) << late.error();
   ASSERT_TRUE(outputs.announce(folder / "old.txt"));
   folder.write(outputs.staged(folder / "old.txt"), "new");
   ASSERT_TRUE(outputs.commit());

@@ -15,7 +15,7 @@ namespace {
 class Listener final : public Progress {
  public:
   explicit Listener(int stopAfter = -1) : stopAfter_(stopAfter) {}
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     if (fraction < last_) monotone = false;
     last_ = fraction;
     ++reports;

@@ -22,7 +22,7 @@ TEST(Poses, AreRefusedWithTheLine) {
   const auto tooFew = parsePoses("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n1 2 3\n");
   ASSERT_FALSE(tooFew);
   EXPECT_EQ(tooFew.error().code, ErrorCode::badField);
-  EXPECT_NE(tooFew.error().sentence.find("Line 2"), std::string::npos);
+  EXPECT_NE(tooFew.error().sentence().find("Line 2"), std::string::npos);
   const auto mirrored = parsePoses("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1");
   ASSERT_FALSE(mirrored);
   EXPECT_EQ(mirrored.error().code, ErrorCode::notRigid);

@@ -44,14 +44,14 @@ inline std::filesystem::path put(const std::string& name, std::string_view text)
 /// A sentence and no more: never the file.
 inline void checkSentence(const Error& error) {
   checkError(error);
-  mustHold(error.sentence.size() < 100000);
+  mustHold(error.sentence().size() < 100000);
 }
 
 /// Stops the work when it has been asked for so often: an input may describe more than anyone would wait for.
 class SoMuch final : public Progress {
  public:
   explicit SoMuch(int questions) : left_(questions) {}
-  void report(std::string_view, double fraction) override { mustHold(fraction >= 0.0 && fraction <= 1.0); }
+  void report(const Message&, double fraction) override { mustHold(fraction >= 0.0 && fraction <= 1.0); }
   [[nodiscard]] bool cancelRequested() const override { return left_.fetch_sub(1) <= 0; }
 
  private:

@@ -34,7 +34,7 @@ inline void mustHold(bool promise) {
 }
 
 /// What every refusal must be: a sentence, and never one of the kind that nobody foresaw.
-inline void checkError(const Error& error) { mustHold(error.sentence.ends_with('.') && error.code != ErrorCode::internal); }
+inline void checkError(const Error& error) { mustHold(error.sentence().ends_with('.') && error.code != ErrorCode::internal); }
 
 inline void checkVolume(const Volume& volume) {
   mustHold(checkGrid(volume.grid).has_value() && volume.echo.size() == volume.grid.voxelCount());

@@ -15,6 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     fuzz::mustHold(!relative.empty() && *relative.begin() != "..");
   }
   const auto found = door::discoverPlugins({folder.parent_path()});
-  fuzz::mustHold(found.size() == 1 && (found[0].sentence.empty() || found[0].sentence.ends_with('.')));
+  fuzz::mustHold(found.size() == 1 && (found[0].sentence().empty() || found[0].sentence().ends_with('.')));
   return 0;
 }

@@ -162,9 +162,9 @@ class EveryCaseTest : public WindowFixture {
     }
     for (const QString& folder : folders_) {
       auto opened = loadCase(folder.toStdString());
-      QVERIFY2(opened, opened ? "" : opened.error().sentence.c_str());
+      QVERIFY2(opened, opened ? "" : opened.error().sentence().c_str());
       auto echo = loadCaseVolume(*opened, noProgress());
-      QVERIFY2(echo, echo ? "" : echo.error().sentence.c_str());
+      QVERIFY2(echo, echo ? "" : echo.error().sentence().c_str());
       expected_.push_back({std::move(*opened), std::move(*echo), {}});
     }
   }

@@ -233,7 +233,7 @@ class StitchingFixture : public WindowFixture {
   }
   void cutPieces() {
     auto patient = readPatient(EW_SOURCE_DIR "/cases/upper-abdomen-normal/patient.json");
-    QVERIFY2(patient.has_value(), patient ? "" : patient.error().sentence.c_str());
+    QVERIFY2(patient.has_value(), patient ? "" : patient.error().sentence().c_str());
     VoxeliseOptions options;
     options.spacing_mm = 2.0;
     auto voxels = voxelise(**patient, options, noProgress());

@@ -85,7 +85,7 @@ class View3DTest : public QObject {
     view_->resize(kSize);
     if (body_ == nullptr) {
       auto loaded = bridge::loadMannequin(std::filesystem::path(EW_SOURCE_DIR) / "resources/mannequin/adult.json");
-      QVERIFY2(loaded.has_value(), loaded ? "" : loaded.error().sentence.c_str());
+      QVERIFY2(loaded.has_value(), loaded ? "" : loaded.error().sentence().c_str());
       body_ = std::make_shared<const bridge::Mannequin>(std::move(*loaded));
     }
     view_->setMannequin(body_);

@@ -244,7 +244,7 @@ class WindowTest : public WindowFixture {
     QVERIFY(!document.hasUnsavedChanges());
     while (document.history().canRedo()) document.history().redo();
     const auto saved = document.save();
-    QVERIFY2(saved, saved ? "" : saved.error().sentence.c_str());
+    QVERIFY2(saved, saved ? "" : saved.error().sentence().c_str());
     QVERIFY(!document.hasUnsavedChanges());
     const auto folder = document.current()->folder;
     const auto reopened = loadCase(folder);
@@ -259,7 +259,7 @@ class WindowTest : public WindowFixture {
       nlohmann::json manifest = document.manifest();
       manifest["volume"]["file_to_world"][3] = x_mm;
       const auto edited = document.edit(manifest, "Move the volume", "place");
-      QVERIFY2(edited, edited ? "" : edited.error().sentence.c_str());
+      QVERIFY2(edited, edited ? "" : edited.error().sentence().c_str());
     }
     QCOMPARE(document.history().count(), 1);
     QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));

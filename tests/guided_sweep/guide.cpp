@@ -19,7 +19,7 @@ Guide::Guide(ew::sdk::Host& host, Words words)
   if (section)
     section_ = std::move(*section);
   else
-    host.log().error(section.error().sentence);
+    host.log().error(section.error().sentence());
   edits_ = host.cases().onChanged([this] { readPlan(); });
   opened_ = host.caseParts().onOpened([this](const std::filesystem::path&) {
     giveBack();

@@ -69,7 +69,7 @@ void GuidePanel::show_() {
 }
 
 void GuidePanel::tell(const ew::Result<void>& done) {
-  if (!done) host_.window().error(done.error().sentence, "guided sweep");
+  if (!done) host_.window().error(done.error().sentence(), "guided sweep");
 }
 
 }  // namespace guided_sweep

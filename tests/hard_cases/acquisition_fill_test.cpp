@@ -74,7 +74,7 @@ TEST(HardProvenance, OfMoreFramesThanSixteenBitsCountIsRefused) {
   options.keepSource = true;
   const auto refused = reconstruct(sweep.frames, options, noProgress());
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence.find("65534"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("65534"), std::string::npos) << refused.error();
   sweep.frames.pop_back();
   EXPECT_TRUE(reconstruct(sweep.frames, options, noProgress()).has_value());
 }
@@ -101,7 +101,7 @@ TEST(HardConfidence, WeightsOfAnotherSizeAreRefusedWithTheirFrame) {
   options.compounding = Compounding::weighted;
   const auto refused = reconstruct(sweep.frames, options, noProgress());
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().sentence.find("frame 2 have 8 x 7"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("frame 2 have 8 x 7"), std::string::npos) << refused.error();
 }
 
 TEST(HardConfidence, OfABlackFrameIsNothingAndOfAWhiteOneAll) {

@@ -16,8 +16,8 @@ template <class T>
 void expectRefused(const Result<T>& result, ErrorCode code, const std::string& words) {
   ASSERT_FALSE(result.has_value()) << "expected: " << words;
   EXPECT_EQ(result.error().code, code) << result.error();
-  EXPECT_NE(result.error().sentence.find(words), std::string::npos) << result.error();
-  EXPECT_EQ(result.error().sentence.back(), '.');
+  EXPECT_NE(result.error().sentence().find(words), std::string::npos) << result.error();
+  EXPECT_EQ(result.error().sentence().back(), '.');
 }
 
 BodySignal noise(double duration_s, double rate_hz, unsigned seed) {
@@ -144,7 +144,7 @@ TEST(HardGating, MorePhasesThanFramesAndAnEmptyPhaseAreRefused) {
 
 class CancelAtOnce final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 

@@ -20,8 +20,8 @@ ErrorCode codeOf(const Sweep& sweep, const ReconstructOptions& options, const st
     ADD_FAILURE() << "was reconstructed, expected: " << expectedWords;
     return ErrorCode::internal;
   }
-  EXPECT_NE(result.error().sentence.find(expectedWords), std::string::npos) << result.error();
-  EXPECT_EQ(result.error().sentence.back(), '.');
+  EXPECT_NE(result.error().sentence().find(expectedWords), std::string::npos) << result.error();
+  EXPECT_EQ(result.error().sentence().back(), '.');
   return result.error().code;
 }
 

@@ -37,7 +37,7 @@ PluginStatus opened(const std::string& manifestText, const std::string& library)
   EXPECT_EQ(plugins.states().size(), 1u);
   EXPECT_TRUE(host.registered().empty());
   const PluginStatus status = plugins.states().empty() ? PluginStatus{} : plugins.states().front();
-  EXPECT_TRUE(status.sentence.ends_with('.')) << status.sentence;
+  EXPECT_TRUE(status.sentence().ends_with('.')) << status.sentence();
   return status;
 }
 
@@ -230,7 +230,7 @@ TEST(HardCasesDoor, WhatAPluginRegisteredBeforeItFailedIsTakenBack) {
     plugins.openAll(host);
     ASSERT_EQ(plugins.states().size(), 1u);
     EXPECT_EQ(plugins.states()[0].state, PluginState::failed) << kind;
-    expectOneSentence({plugins.states()[0].sentence}, why);
+    expectOneSentence({plugins.states()[0].sentence()}, why);
     EXPECT_EQ(host.panelsKept.size(), 0u) << kind << ": a panel of a plugin that is gone";
     EXPECT_EQ(host.jobsKept.size(), 0u) << kind << ": work of a plugin that is gone";
     EXPECT_EQ(host.commandsKept().size(), 0u) << kind << ": a command of a plugin that is gone";
@@ -251,22 +251,22 @@ TEST(HardCasesDoor, ExceptionsOfCommandsAreErrorsThatNameThePlugin) {
   KeepingHost host;
   PluginList plugins({folder.path()});
   plugins.openAll(host);
-  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence();
   static_cast<void>(host.told());
   ASSERT_EQ(host.commandsKept().size(), 4u);
   const auto number = host.commandsKept()[0].run({}, noProgress());
   ASSERT_FALSE(number);
   EXPECT_EQ(number.error().code, ErrorCode::internal);
-  expectOneSentence({number.error().sentence}, "throw-number");
+  expectOneSentence({number.error().sentence()}, "throw-number");
   const auto memory = host.commandsKept()[1].run({}, noProgress());
   ASSERT_FALSE(memory);
   EXPECT_EQ(memory.error().code, ErrorCode::tooLarge);
-  expectOneSentence({memory.error().sentence}, "not enough memory");
+  expectOneSentence({memory.error().sentence()}, "not enough memory");
   const auto atTheEnd = host.commandsKept()[2].run({}, noProgress());
   ASSERT_TRUE(atTheEnd) << atTheEnd.error();
   const auto put = atTheEnd->putInPlace();
   ASSERT_FALSE(put);
-  expectOneSentence({put.error().sentence}, "throw-at-the-end");
+  expectOneSentence({put.error().sentence()}, "throw-at-the-end");
   EXPECT_TRUE(host.told().empty()) << "the error says it, nobody else";
 }
 
@@ -276,7 +276,7 @@ TEST(HardCasesDoor, ExceptionsOfPanelsAndOfChangesAreToldOncePerKindAndThePlugin
   KeepingHost host;
   PluginList plugins({folder.path()});
   plugins.openAll(host);
-  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence();
   expectOneSentence(host.told(), "no reason was given");  // its document was asked to tell of changes
   ASSERT_EQ(host.panelsKept.size(), 2u);
 
@@ -291,7 +291,7 @@ TEST(HardCasesDoor, ExceptionsOfPanelsAndOfChangesAreToldOncePerKindAndThePlugin
   for (int n = 0; n < 100; ++n) host.theCase.tell();
   EXPECT_TRUE(host.told().empty());
   EXPECT_EQ(plugins.states()[0].state, PluginState::loaded);
-  EXPECT_NE(plugins.states()[0].sentence.find("a change of the case"), std::string::npos) << "the Plugins page says it as well";
+  EXPECT_NE(plugins.states()[0].sentence().find("a change of the case"), std::string::npos) << "the Plugins page says it as well";
 }
 
 TEST(HardCasesDoor, ExceptionsOfAPanelsDocumentAreTold) {
@@ -411,13 +411,13 @@ TEST(HardCasesDoor, ASectionOfACaseIsCheckedByTheSchemaOfItsPlugin) {
   EXPECT_TRUE(schemas->problems({{"parts", 3}}).empty());
   const auto wrong = schemas->problems({{"parts", {{"lesson", {{"steps", 12}, {"name", "A"}}}}}});
   ASSERT_EQ(wrong.size(), 2u);
-  EXPECT_NE(wrong[0].sentence.find("'parts.lesson."), std::string::npos) << wrong[0];
+  EXPECT_NE(wrong[0].sentence().find("'parts.lesson."), std::string::npos) << wrong[0];
   const auto missing = schemas->problems({{"parts", {{"lesson", json::object()}}}});
   ASSERT_EQ(missing.size(), 1u);
-  EXPECT_NE(missing[0].sentence.find("must be a whole number from 1 to 9"), std::string::npos) << missing[0];
+  EXPECT_NE(missing[0].sentence().find("must be a whole number from 1 to 9"), std::string::npos) << missing[0];
   const auto nothing = schemas->problems({{"parts", {{"lesson", 3}}}});
   ASSERT_EQ(nothing.size(), 1u);
-  EXPECT_NE(nothing[0].sentence.find("'parts.lesson'"), std::string::npos) << nothing[0];
+  EXPECT_NE(nothing[0].sentence().find("'parts.lesson'"), std::string::npos) << nothing[0];
   // A pattern recurses once per character.
   EXPECT_EQ(schemas->problems({{"parts", {{"lesson", {{"steps", 3}, {"name", std::string(1000000, 'a')}}}}}}).size(), 1u);
 
@@ -474,7 +474,7 @@ TEST(HardCasesDoor, APluginThatThrowsWhenItIsDestroyedIsASentence) {
   {
     PluginList plugins({folder.path()});
     plugins.openAll(host);
-    ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+    ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence();
   }
   expectOneSentence(host.told(), "did not end in order");
 }
@@ -482,7 +482,7 @@ TEST(HardCasesDoor, APluginThatThrowsWhenItIsDestroyedIsASentence) {
 TEST(HardCasesDoor, AFolderWithoutAManifestIsASentence) {
   const auto status = opened("", "x");
   EXPECT_EQ(status.state, PluginState::badManifest);
-  EXPECT_NE(status.sentence.find("plugin.json"), std::string::npos);
+  EXPECT_NE(status.sentence().find("plugin.json"), std::string::npos);
   EXPECT_EQ(status.title(), "odd");
 }
 
@@ -502,14 +502,14 @@ TEST(HardCasesDoor, ABrokenManifestIsASentenceThatNamesThePlace) {
     wrong[field] = value;
     const auto status = opened(wrong.dump(), "x");
     EXPECT_EQ(status.state, PluginState::badManifest) << wrong;
-    EXPECT_NE(status.sentence.find("'" + field + "'"), std::string::npos) << status.sentence;
+    EXPECT_NE(status.sentence().find("'" + field + "'"), std::string::npos) << status.sentence();
   }
 }
 
 TEST(HardCasesDoor, AManifestWhoseLibraryIsMissingIsASentence) {
   const auto status = opened(manifest().dump(), "");
   EXPECT_EQ(status.state, PluginState::badManifest);
-  EXPECT_NE(status.sentence.find("odd.so"), std::string::npos);
+  EXPECT_NE(status.sentence().find("odd.so"), std::string::npos);
 }
 
 TEST(HardCasesDoor, AnotherAbiIsRefusedWithBothNumbersBeforeAnyCodeIsLoaded) {
@@ -517,8 +517,8 @@ TEST(HardCasesDoor, AnotherAbiIsRefusedWithBothNumbersBeforeAnyCodeIsLoaded) {
   other["abi"] = 65537;
   const auto status = opened(other.dump(), "not even a library");
   EXPECT_EQ(status.state, PluginState::otherAbi);
-  EXPECT_NE(status.sentence.find("65537"), std::string::npos);
-  EXPECT_NE(status.sentence.find(std::to_string(sdk::kAbi)), std::string::npos);
+  EXPECT_NE(status.sentence().find("65537"), std::string::npos);
+  EXPECT_NE(status.sentence().find(std::to_string(sdk::kAbi)), std::string::npos);
 }
 
 TEST(HardCasesDoor, AFileThatIsNoLibraryOrAForeignOneIsASentence) {
@@ -534,7 +534,7 @@ TEST(HardCasesDoor, AFileThatIsNoLibraryOrAForeignOneIsASentence) {
                                                  "ELF"),
                                      std::string("MZ\x90\0\x03", 5)}) {
     const auto status = opened(manifest().dump(), library);
-    EXPECT_EQ(status.state, PluginState::notLoadable) << status.sentence;
+    EXPECT_EQ(status.state, PluginState::notLoadable) << status.sentence();
   }
 }
 
@@ -545,25 +545,25 @@ TEST(HardCasesDoor, APluginCutOffInTheMiddleIsASentence) {
   for (const std::size_t length :
        {std::size_t{64}, std::size_t{200}, std::size_t{1000}, std::size_t{4096}, whole.size() / 2, whole.size() - 100}) {
     const auto status = opened(manifest().dump(), whole.substr(0, length));
-    EXPECT_EQ(status.state, PluginState::notLoadable) << length << ": " << status.sentence;
+    EXPECT_EQ(status.state, PluginState::notLoadable) << length << ": " << status.sentence();
   }
 }
 
 TEST(HardCasesDoor, ALibraryWithoutTheThreeFunctionsIsASentence) {
   const auto status = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_empty.so"));
   EXPECT_EQ(status.state, PluginState::notLoadable);
-  EXPECT_NE(status.sentence.find("ewPluginAbi"), std::string::npos) << status.sentence;
+  EXPECT_NE(status.sentence().find("ewPluginAbi"), std::string::npos) << status.sentence();
 }
 
 TEST(HardCasesDoor, CodeWithAnotherAbiIsRefusedAlthoughItsManifestSaysOtherwise) {
   const auto status = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_abi.so"));
-  EXPECT_EQ(status.state, PluginState::otherAbi) << status.sentence;
+  EXPECT_EQ(status.state, PluginState::otherAbi) << status.sentence();
 }
 
 TEST(HardCasesDoor, APluginThatThrowsOrGivesNothingIsASentence) {
   const auto throws = opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_throws.so"));
   EXPECT_EQ(throws.state, PluginState::failed);
-  EXPECT_NE(throws.sentence.find("no licence for the moon"), std::string::npos) << throws.sentence;
+  EXPECT_NE(throws.sentence().find("no licence for the moon"), std::string::npos) << throws.sentence();
   EXPECT_EQ(opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_number.so")).state, PluginState::failed);
   EXPECT_EQ(opened(manifest().dump(), textOf(EW_ODD_PLUGIN_DIR "/odd_null.so")).state, PluginState::failed);
 }
@@ -584,7 +584,7 @@ TEST(HardCasesDoor, APluginThatCannotBeUsedDoesNotHideAGoodOneOfTheSameName) {
   plugins.openAll(host);
   ASSERT_EQ(plugins.states().size(), 2u);
   EXPECT_EQ(plugins.states()[0].state, PluginState::otherAbi);
-  EXPECT_EQ(plugins.states()[1].state, PluginState::loaded) << plugins.states()[1].sentence;
+  EXPECT_EQ(plugins.states()[1].state, PluginState::loaded) << plugins.states()[1].sentence();
 }
 
 TEST(HardCasesDoor, OneBrokenPluginDoesNotStopTheNext) {

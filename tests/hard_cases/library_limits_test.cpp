@@ -45,7 +45,7 @@ TEST(HardCasesLibrary, NoRecipeMakesAPlanOrAnEstimateThrow) {
       const auto estimate = estimatePreparation(*opened);
       ASSERT_FALSE(estimate) << patient.substr(0, 80);
       EXPECT_NE(estimate.error().code, ErrorCode::internal) << estimate.error();
-      EXPECT_TRUE(estimate.error().sentence.ends_with('.')) << estimate.error();
+      EXPECT_TRUE(estimate.error().sentence().ends_with('.')) << estimate.error();
       EXPECT_EQ(listCases(folder.path()).cases.size(), 1u);
     }) << patient.substr(0, 80);
   }
@@ -77,7 +77,7 @@ TEST(HardCasesLibrary, SamplesThatAHeaderKeepsOutsideOfTheCaseFolderAreRefused) 
         const auto problems = validateCase(folder / "case");
         ASSERT_EQ(problems.size(), 1u) << name << " " << outside;
         EXPECT_EQ(problems.front().code, ErrorCode::badField) << problems.front();
-        EXPECT_NE(problems.front().sentence.find("outside of the case folder"), std::string::npos) << problems.front();
+        EXPECT_NE(problems.front().sentence().find("outside of the case folder"), std::string::npos) << problems.front();
         EXPECT_FALSE(loadCase(folder / "case")) << name << " " << outside;
         // One that was changed after the case was opened.
         writeText(folder / "case" / name, header("inside.raw"));

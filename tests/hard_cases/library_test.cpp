@@ -71,8 +71,8 @@ TEST(HardCasesLibrary, ManifestsMeantToBreakTheReaderAreSentences) {
     writeText(folder / "case.json", text);
     const auto opened = loadCase(folder.path());
     ASSERT_FALSE(opened) << text.substr(0, 60);
-    EXPECT_TRUE(opened.error().sentence.ends_with('.')) << opened.error();
-    EXPECT_LT(opened.error().sentence.size(), 600u) << "a sentence, not the file";
+    EXPECT_TRUE(opened.error().sentence().ends_with('.')) << opened.error();
+    EXPECT_LT(opened.error().sentence().size(), 600u) << "a sentence, not the file";
     EXPECT_NE(opened.error().code, ErrorCode::internal) << opened.error();
     EXPECT_FALSE(validateCase(folder.path()).empty());
   }

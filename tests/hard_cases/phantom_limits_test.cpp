@@ -36,11 +36,11 @@ class HardLimits : public ::testing::Test {
   std::string refusal(const std::string& recipe, Progress& progress = noProgress()) {
     const auto file = folder_.write("patient.json", recipe);
     const auto patient = readPatient(file, {}, {}, progress);
-    return patient ? "" : patient.error().sentence;
+    return patient ? "" : patient.error().sentence();
   }
   std::string fingerprintRefusal() {
     const auto print = fingerprintOfPatient(folder_.path() / "patient.json");
-    return print ? "" : print.error().sentence;
+    return print ? "" : print.error().sentence();
   }
   static bool names(const std::string& sentence, const std::string& words) { return sentence.find(words) != std::string::npos; }
 
@@ -157,7 +157,7 @@ TEST_F(HardLimits, ABodyIsHeldToTheSameLimits) {
   for (int n = 0; n < 120; ++n) all += ", " + many;
   const auto body = readBodyShape(folder_.write("body.json", bodyRecipe(R"({"union": [)" + all + "]}")));
   ASSERT_FALSE(body);
-  EXPECT_TRUE(names(body.error().sentence, "at most 20000 solids")) << body.error();
+  EXPECT_TRUE(names(body.error().sentence(), "at most 20000 solids")) << body.error();
 }
 
 TEST_F(HardLimits, ABoxLargerThanACubicMetreIsRefused) {
@@ -170,7 +170,7 @@ TEST_F(HardLimits, ABoxLargerThanACubicMetreIsRefused) {
 class Asked final : public Progress {
  public:
   explicit Asked(int stopAt = 1 << 30) : stopAt_(stopAt) {}
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return ++times_ > stopAt_; }
   [[nodiscard]] int times() const { return times_; }
 

@@ -25,7 +25,7 @@ class HardFamilies : public ::testing::Test {
     const auto patient = readPatient(file, {}, values);
     if (patient) return "";
     EXPECT_EQ(patient.error().code, code) << patient.error();
-    return patient.error().sentence;
+    return patient.error().sentence();
   }
   static bool names(const std::string& sentence, const std::string& words) { return sentence.find(words) != std::string::npos; }
 

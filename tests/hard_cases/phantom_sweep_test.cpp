@@ -42,7 +42,7 @@ TEST(HardSweeps, AStationFarFromTheSkinIsRefusedByItsNumber) {
   const auto sweep = record(*ballPatient(), few("convex-3.5"), handSweep({{.near_mm = {0, -60, 0}}, {.near_mm = {0, -200, 0}}}));
   ASSERT_FALSE(sweep);
   EXPECT_EQ(sweep.error().code, ErrorCode::badField);
-  EXPECT_NE(sweep.error().sentence.find("stations[1]"), std::string::npos) << sweep.error();
+  EXPECT_NE(sweep.error().sentence().find("stations[1]"), std::string::npos) << sweep.error();
 }
 
 TEST(HardSweeps, AStationInTheMiddleOfTheBodyComesOutOrIsRefused) {
@@ -128,7 +128,7 @@ TEST(HardSweeps, TurningTheImageAroundBetweenTwoStationsIsRefused) {
   const auto sweep =
       record(*ballPatient(), few("linear-7.5"), handSweep({{.near_mm = {0, -60, 0}}, {.near_mm = {5, -60, 0}, .lateral = {-1, 0, 0}}}));
   ASSERT_FALSE(sweep);
-  EXPECT_NE(sweep.error().sentence.find("stations[1]"), std::string::npos);
+  EXPECT_NE(sweep.error().sentence().find("stations[1]"), std::string::npos);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(HardShapes, ANestDeeperThanAllowedIsRefusedByName) {
   const auto body = readBodyShape(folder.write("deep.json", bodyRecipe(shape)));
   ASSERT_FALSE(body);
   EXPECT_EQ(body.error().code, ErrorCode::badField);
-  EXPECT_NE(body.error().sentence.find("nested too deeply"), std::string::npos) << body.error().sentence;
+  EXPECT_NE(body.error().sentence().find("nested too deeply"), std::string::npos) << body.error().sentence();
 }
 
 TEST(HardShapes, AMillionOpenBracketsAreRefusedBeforeTheStackIsUsedUp) {
@@ -94,7 +94,7 @@ TEST(HardPatients, AMannequinIsNeverReadFromAnotherFolder) {
   const auto patient = patientOf(recipe);
   ASSERT_FALSE(patient);
   EXPECT_EQ(patient.error().code, ErrorCode::badField);
-  EXPECT_NE(patient.error().sentence.find("mannequin"), std::string::npos);
+  EXPECT_NE(patient.error().sentence().find("mannequin"), std::string::npos);
 }
 
 TEST(HardPatients, ASpacingCoarserThanTheBoxGivesOneVoxel) {

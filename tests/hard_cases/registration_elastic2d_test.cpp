@@ -22,7 +22,7 @@ constexpr double kExtent_mm = kSide * kPixel_mm;
 
 Elastic2dResult registered(const GreyImage& fixed, const GreyImage& moving, const Elastic2dOptions& options = {}) {
   auto found = registerElastic2d(viewOf(fixed), viewOf(moving), glm::dvec2(kPixel_mm), options, noProgress());
-  EXPECT_TRUE(found) << (found ? "" : found.error().sentence);
+  EXPECT_TRUE(found) << (found ? "" : found.error().sentence());
   return found ? *found : Elastic2dResult{};
 }
 
@@ -210,7 +210,7 @@ TEST(HardQuality, TakesVolumesOfOneVoxelThickness) {
   const GreyImage shown = noise(9, 40);
   thin.echo = shown.pixels;
   const auto found = assessQuality({&thin, {}}, {&thin, {}}, glm::dmat4(1.0), {}, nullptr, {}, noProgress());
-  ASSERT_TRUE(found) << found.error().sentence;
+  ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_NEAR(found->after.correlation, 1.0, 1e-6);
   EXPECT_EQ(found->residualRms_grey, 0.0);
 }

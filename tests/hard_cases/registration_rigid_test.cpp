@@ -214,10 +214,10 @@ TEST(RigidHardCases, GeometryThatIsNoNumberIsRefusedByName) {
     const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
     ASSERT_FALSE(matched);
     EXPECT_EQ(matched.error().code, ErrorCode::badField);
-    EXPECT_TRUE(mentions(matched.error().sentence, word)) << matched.error();
+    EXPECT_TRUE(mentions(matched.error().sentence(), word)) << matched.error();
     const auto refined = refineRigid({&moving}, {&fixed}, glm::dmat4(1.0), {}, noProgress());
     ASSERT_FALSE(refined);
-    EXPECT_TRUE(mentions(refined.error().sentence, word)) << refined.error();
+    EXPECT_TRUE(mentions(refined.error().sentence(), word)) << refined.error();
   };
   Volume bad = movingView();
   bad.grid.spacing_mm.y = nan;

@@ -173,7 +173,7 @@ TEST(HardStitching, MoreViewsThanASourceCanNameAreRefusedWithTheLimit) {
   views.push_back(viewOf(tiny, "one too many", moved(255, 0, 0)));
   const auto refused = findSeams(views, tiny.grid, {}, noProgress());
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence.find("255"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().find("255"), std::string::npos);
   EXPECT_FALSE(equaliseViews(views, {}, noProgress()));
   EXPECT_EQ(findSeams({}, tiny.grid, {}, noProgress()).error().code, ErrorCode::emptyVolume);
 }
@@ -188,7 +188,7 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
   };
   View view = viewOf(one, "left lobe");
   view.correction.grey = {1.0, std::nan("")};
-  EXPECT_NE(refusal(view).sentence.find("left lobe"), std::string::npos);
+  EXPECT_NE(refusal(view).sentence().find("left lobe"), std::string::npos);
   view = viewOf(one, "left lobe");
   registration::ControlGrid bend{gridOf({2, 2, 2}), std::vector<glm::vec3>(8, glm::vec3(0.0f))};
   bend.displacement_mm[3].y = std::numeric_limits<float>::infinity();

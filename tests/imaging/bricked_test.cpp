@@ -196,7 +196,7 @@ TEST(BrickedVolume, OfAnEmptyVolumeIsEmptyAndBlack) {
 TEST(BrickedVolume, MakingOneStopsWhenAsked) {
   class Stopped final : public Progress {
    public:
-    void report(std::string_view, double) override {}
+    void report(const Message&, double) override {}
     [[nodiscard]] bool cancelRequested() const override { return true; }
   } stopped;
   const auto made = bricksOf(testing::noiseVolume({40, 40, 40}, 33).view(), 2, 2, stopped);

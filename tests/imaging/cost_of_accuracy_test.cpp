@@ -55,7 +55,7 @@ Pose okPose() {
 class CancelAfter final : public Progress {
  public:
   explicit CancelAfter(int questions) : left_(questions) {}
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     EXPECT_GE(fraction, last_);
     last_ = fraction;
   }

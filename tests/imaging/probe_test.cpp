@@ -91,8 +91,8 @@ TEST_F(ProbeFile, WithAFieldOfAnotherKindIsRefusedWithASentenceThatNamesBoth) {
     const auto read = this->read(changed.dump());
     ASSERT_FALSE(read) << field;
     EXPECT_EQ(read.error().code, ErrorCode::badField);
-    EXPECT_NE(read.error().sentence.find(field), std::string::npos);
-    EXPECT_NE(read.error().sentence.find(changed["kind"].get<std::string>()), std::string::npos) << read.error();
+    EXPECT_NE(read.error().sentence().find(field), std::string::npos);
+    EXPECT_NE(read.error().sentence().find(changed["kind"].get<std::string>()), std::string::npos) << read.error();
   }
 }
 
@@ -104,7 +104,7 @@ TEST_F(ProbeFile, WithFrequenciesThatDoNotRiseOrMissTheFirstIsRefused) {
     changed["carriers_hz"] = wrong;
     const auto read = this->read(changed.dump());
     ASSERT_FALSE(read) << wrong;
-    EXPECT_NE(read.error().sentence.find("rising"), std::string::npos) << read.error();
+    EXPECT_NE(read.error().sentence().find("rising"), std::string::npos) << read.error();
   }
 }
 
@@ -131,7 +131,7 @@ TEST_F(ProbeFile, ThatLacksAFieldIsRefusedWithTheFieldsName) {
       const auto read = this->read(part.dump());
       ASSERT_FALSE(read) << item.key();
       EXPECT_EQ(read.error().code, ErrorCode::badField);
-      EXPECT_NE(read.error().sentence.find(item.key()), std::string::npos) << read.error();
+      EXPECT_NE(read.error().sentence().find(item.key()), std::string::npos) << read.error();
     }
   }
 }

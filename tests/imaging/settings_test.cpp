@@ -145,8 +145,8 @@ TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
     EXPECT_EQ(read.error().code, ErrorCode::badField);
     EXPECT_EQ(read.error().context.front().second, wrong.field);
     for (const char* part : {wrong.field, wrong.found, wrong.expected, "'knobs.json'"})
-      EXPECT_NE(read.error().sentence.find(part), std::string::npos) << read.error().sentence << " without " << part;
-    EXPECT_TRUE(read.error().sentence.ends_with('.'));
+      EXPECT_NE(read.error().sentence().find(part), std::string::npos) << read.error().sentence() << " without " << part;
+    EXPECT_TRUE(read.error().sentence().ends_with('.'));
   }
   for (const Wrong& wrong : {Wrong{R"({"focus": 1})", "focus", "1", "true, false or an object"},
                              {R"({"focus": {"strength": 4}})", "focus.strength", "4", "0 to 3"},
@@ -160,7 +160,7 @@ TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
     ASSERT_FALSE(read) << wrong.text;
     EXPECT_EQ(read.error().context.front().second, wrong.field);
     for (const char* part : {wrong.field, wrong.found, wrong.expected})
-      EXPECT_NE(read.error().sentence.find(part), std::string::npos) << read.error().sentence << " without " << part;
+      EXPECT_NE(read.error().sentence().find(part), std::string::npos) << read.error().sentence() << " without " << part;
   }
   EXPECT_EQ(sceneFromJson(json::array(), "scene").error().code, ErrorCode::badHeader);
 }

@@ -72,7 +72,7 @@ void readEverything(const std::filesystem::path& file) {
     ASSERT_EQ(volume->volume.echo.size(), volume->volume.grid.voxelCount());
     ASSERT_TRUE(checkGrid(volume->volume.grid).has_value());
   } else {
-    ASSERT_TRUE(volume.error().sentence.ends_with('.')) << volume.error();
+    ASSERT_TRUE(volume.error().sentence().ends_with('.')) << volume.error();
     ASSERT_NE(volume.error().code, ErrorCode::internal) << volume.error();
   }
   if (const auto sequence = readSequence(file, noProgress(), kSmall)) {
@@ -81,7 +81,7 @@ void readEverything(const std::filesystem::path& file) {
     ASSERT_FALSE(sequence->frames.empty());
     static_cast<void>(sweepPoses(*sequence));
   } else {
-    ASSERT_TRUE(sequence.error().sentence.ends_with('.')) << sequence.error();
+    ASSERT_TRUE(sequence.error().sentence().ends_with('.')) << sequence.error();
     ASSERT_NE(sequence.error().code, ErrorCode::internal) << sequence.error();
   }
   static_cast<void>(isSequence(file));

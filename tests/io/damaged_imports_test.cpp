@@ -51,7 +51,7 @@ std::vector<std::pair<std::string, std::string>> seeds() {
 
 template <class Read>
 ::testing::AssertionResult tells(const Result<Read>& read) {
-  if (read || (read.error().sentence.ends_with('.') && read.error().code != ErrorCode::internal)) return ::testing::AssertionSuccess();
+  if (read || (read.error().sentence().ends_with('.') && read.error().code != ErrorCode::internal)) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << read.error();
 }
 

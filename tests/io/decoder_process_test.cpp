@@ -63,7 +63,7 @@ class Interrupt final : public Progress {
     action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
   }
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return heard != 0; }
 
  private:

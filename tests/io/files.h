@@ -108,22 +108,22 @@ template <class T>
 ::testing::AssertionResult failedWith(const Result<T>& result, ErrorCode code) {
   if (result) return ::testing::AssertionFailure() << "it succeeded";
   if (result.error().code != code) return ::testing::AssertionFailure() << "other error: " << result.error();
-  if (!result.error().sentence.ends_with('.')) return ::testing::AssertionFailure() << "no full stop: " << result.error();
+  if (!result.error().sentence().ends_with('.')) return ::testing::AssertionFailure() << "no full stop: " << result.error();
   return ::testing::AssertionSuccess();
 }
 
 template <class T>
 ::testing::AssertionResult says(const Result<T>& result, const std::string& words) {
   if (result) return ::testing::AssertionFailure() << "it succeeded";
-  if (result.error().sentence.find(words) == std::string::npos) return ::testing::AssertionFailure() << result.error();
+  if (result.error().sentence().find(words) == std::string::npos) return ::testing::AssertionFailure() << result.error();
   return ::testing::AssertionSuccess();
 }
 
-inline ::testing::AssertionResult contains(const std::vector<std::string>& notes, const std::string& words) {
-  for (const std::string& note : notes)
-    if (note.find(words) != std::string::npos) return ::testing::AssertionSuccess();
+inline ::testing::AssertionResult contains(const std::vector<Message>& notes, const std::string& words) {
+  for (const Message& note : notes)
+    if (note.english().find(words) != std::string::npos) return ::testing::AssertionSuccess();
   auto failed = ::testing::AssertionFailure() << "no note says \"" << words << "\":";
-  for (const std::string& note : notes) failed << "\n  " << note;
+  for (const Message& note : notes) failed << "\n  " << note;
   return failed;
 }
 
@@ -131,7 +131,7 @@ inline ::testing::AssertionResult contains(const std::vector<std::string>& notes
 class StopAfter final : public Progress {
  public:
   explicit StopAfter(int after) : left_(after) {}
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     EXPECT_GE(fraction, last_);
     EXPECT_LE(fraction, 1.0);
     last_ = fraction;

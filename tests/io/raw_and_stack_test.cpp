@@ -88,7 +88,7 @@ TEST(RawVolume, ThePreviewShowsTheThreeMiddleSlicesOfTheVolume) {
   EXPECT_EQ(preview->yz[2 * 4 + 3], read->volume.echo[grid.indexOf(2, 3, 2)]);
   EXPECT_TRUE(failedWith(previewRawVolume(file, *parseRawLayout("5x4x4:u8:1")), ErrorCode::truncated));
   struct Impatient final : Progress {
-    void report(std::string_view, double) override {}
+    void report(const Message&, double) override {}
     [[nodiscard]] bool cancelRequested() const override { return true; }
   } impatient;
   EXPECT_TRUE(failedWith(previewRawVolume(file, layout, impatient), ErrorCode::cancelled));

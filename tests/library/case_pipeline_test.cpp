@@ -41,7 +41,7 @@ Case opened(const fs::path& folder) {
 class CancelAt final : public Progress {
  public:
   explicit CancelAt(int report = 1 << 30) : at_(report) {}
-  void report(std::string_view what, double fraction) override {
+  void report(const Message& what, double fraction) override {
     steps.insert(std::string(what.substr(0, what.find(','))));
     backwards = backwards || fraction < furthest;
     furthest = fraction;
@@ -150,7 +150,7 @@ TEST_F(CasePipeline, GoesOnWhereAKilledProgramWas) {
       class KillAt final : public Progress {
        public:
         explicit KillAt(int report) : left_(report) {}
-        void report(std::string_view, double) override {
+        void report(const Message&, double) override {
           if (--left_ <= 0) ::kill(::getpid(), SIGKILL);
         }
         [[nodiscard]] bool cancelRequested() const override { return false; }
@@ -374,7 +374,7 @@ TEST_F(CasePipeline, EstimatesTheTimeFromTheWorkThatIsLeftAndFromWhatEachStepToo
 TEST_F(CasePipeline, ReportsTheShareOfTheTimeExpectedAndWhatIsLeftOfIt) {
   class Said final : public Progress {
    public:
-    void report(std::string_view what, double fraction) override { all.emplace_back(what, fraction); }
+    void report(const Message& what, double fraction) override { all.emplace_back(what, fraction); }
     [[nodiscard]] bool cancelRequested() const override { return false; }
     std::vector<std::pair<std::string, double>> all;
   } said;
@@ -399,7 +399,7 @@ TEST_F(CasePipeline, NamesTheSweepOrProbeThatCannotBeUsed) {
   const auto refused = loadCaseVolume(opened(folder / "case"), noProgress());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::badField);
-  EXPECT_NE(refused.error().sentence.find("no-such-probe"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("no-such-probe"), std::string::npos) << refused.error();
   sweep["probe"] = "linear-7.5";
   sweep["kind"] = "wobble";
   writeText(folder / "case/sweeps/lower.json", sweep.dump());
@@ -442,7 +442,7 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
   const auto unknown = loadCaseTruth(opened(folder / "case"), noProgress());
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::badField);
-  EXPECT_NE(unknown.error().sentence.find("cyst, across"), std::string::npos) << "says which there are: " << unknown.error();
+  EXPECT_NE(unknown.error().sentence().find("cyst, across"), std::string::npos) << "says which there are: " << unknown.error();
 }
 
 TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {

@@ -41,7 +41,7 @@ Error onlyProblem(const json& manifest) {
   makeCase(folder.path(), manifest);
   const auto problems = validateCase(folder.path());
   EXPECT_EQ(problems.size(), 1u) << manifest;
-  for (const auto& problem : problems) EXPECT_TRUE(problem.sentence.ends_with('.')) << problem.sentence;
+  for (const auto& problem : problems) EXPECT_TRUE(problem.sentence().ends_with('.')) << problem.sentence();
   const auto opened = loadCase(folder.path());
   EXPECT_FALSE(opened);
   if (problems.empty()) return {};
@@ -97,8 +97,8 @@ TEST(LoadCase, RefusesANewerFormatAndNamesBothNumbers) {
   manifest["title"] = 12;  // whatever a newer format does with other fields must not be judged
   const Error problem = onlyProblem(manifest);
   EXPECT_EQ(problem.code, ErrorCode::newerFormat);
-  EXPECT_NE(problem.sentence.find('7'), std::string::npos);
-  EXPECT_NE(problem.sentence.find(std::to_string(kCaseFormat)), std::string::npos);
+  EXPECT_NE(problem.sentence().find('7'), std::string::npos);
+  EXPECT_NE(problem.sentence().find(std::to_string(kCaseFormat)), std::string::npos);
 }
 
 TEST(LoadCase, SaysOfEachBadFieldWhatWasFoundAndWhatIsExpected) {
@@ -136,8 +136,8 @@ TEST(LoadCase, SaysOfEachBadFieldWhatWasFoundAndWhatIsExpected) {
     EXPECT_EQ(context(problem, "field"), wrong.field) << problem;
     EXPECT_EQ(context(problem, "found"), wrong.found) << problem;
     EXPECT_NE(context(problem, "expected").find(wrong.expected), std::string::npos) << problem;
-    EXPECT_NE(problem.sentence.find(wrong.field), std::string::npos) << problem;
-    EXPECT_NE(problem.sentence.find(wrong.found), std::string::npos) << problem;
+    EXPECT_NE(problem.sentence().find(wrong.field), std::string::npos) << problem;
+    EXPECT_NE(problem.sentence().find(wrong.found), std::string::npos) << problem;
   }
 }
 
@@ -147,7 +147,7 @@ TEST(LoadCase, NamesEachMissingFieldThatACaseNeeds) {
     manifest.erase(field);
     const Error problem = onlyProblem(manifest);
     EXPECT_EQ(context(problem, "field"), field);
-    EXPECT_NE(problem.sentence.find("missing"), std::string::npos) << problem;
+    EXPECT_NE(problem.sentence().find("missing"), std::string::npos) << problem;
   }
 }
 
@@ -159,7 +159,7 @@ TEST(LoadCase, WantsEitherAFileOrARecipeButNotBoth) {
   neither["volume"] = json::object();
   const Error problem = onlyProblem(neither);
   EXPECT_EQ(context(problem, "field"), "volume");
-  EXPECT_NE(problem.sentence.find("either a file or a recipe"), std::string::npos) << problem;
+  EXPECT_NE(problem.sentence().find("either a file or a recipe"), std::string::npos) << problem;
 }
 
 TEST(LoadCase, RefusesAPlaceThatIsNotRigid) {
@@ -199,7 +199,7 @@ TEST(LoadCase, SaysWhereBrokenJsonBreaks) {
   std::filesystem::remove(folder / "case.json");
   const auto empty = loadCase(folder.path());
   EXPECT_EQ(empty.error().code, ErrorCode::notFound);
-  EXPECT_NE(empty.error().sentence.find("case.json"), std::string::npos);
+  EXPECT_NE(empty.error().sentence().find("case.json"), std::string::npos);
 }
 
 TEST(LoadCase, NamesAFileThatIsNotThere) {
@@ -323,7 +323,7 @@ TEST(LoadCase, SaysWhatIsWrongWithSweepsAndTargets) {
   for (const auto& [pointer, value] : wrong) {
     const Error problem = problemOf(pointer, value);
     EXPECT_FALSE(context(problem, "field").empty()) << pointer;
-    EXPECT_TRUE(problem.sentence.ends_with('.')) << problem.sentence;
+    EXPECT_TRUE(problem.sentence().ends_with('.')) << problem.sentence();
   }
 }
 
@@ -441,7 +441,7 @@ TEST(ListCases, SortsByTitleAndReportsTheOnesItCannotRead) {
   EXPECT_EQ(list.cases[0].title, "Alpha");
   ASSERT_EQ(list.problems.size(), 1u);
   EXPECT_NE(context(list.problems[0], "case").find("broken"), std::string::npos);
-  EXPECT_NE(list.problems[0].sentence.find("'broken'"), std::string::npos) << "which one is left out";
+  EXPECT_NE(list.problems[0].sentence().find("'broken'"), std::string::npos) << "which one is left out";
   EXPECT_EQ(list.noCases, (std::vector<std::filesystem::path>{folder / "notes"}));
   EXPECT_EQ(listCases(folder / "nowhere").problems.size(), 1u);
 }
@@ -516,7 +516,7 @@ TEST(Folders, FollowTheEnvironmentAndSayWhenItIsWrong) {
     const EnvironmentValue wrong("ECHOWEAVE_RESOURCES", folder / "nowhere");
     const auto refused = resourceFolder();
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().sentence.find("ECHOWEAVE_RESOURCES"), std::string::npos);
+    EXPECT_NE(refused.error().sentence().find("ECHOWEAVE_RESOURCES"), std::string::npos);
   }
   EXPECT_TRUE(resourceFolder()) << "the source tree's own";
   const EnvironmentValue cache("ECHOWEAVE_CACHE", "");
@@ -583,9 +583,9 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
   if (*rc::gen::arbitrary<bool>()) made.otherFields["volume"] = {{"source", text()}};
   made.folder = folder.path();
   const auto saved = saveCase(made, folder.path());
-  if (!saved) RC_FAIL(saved.error().sentence);
+  if (!saved) RC_FAIL(saved.error().sentence());
   const auto read = loadCase(folder.path());
-  if (!read) RC_FAIL(read.error().sentence);
+  if (!read) RC_FAIL(read.error().sentence());
   RC_ASSERT(*read == made);
   RC_ASSERT(caseFromManifest(manifestOf(made), made.folder) == made);
 }

@@ -18,7 +18,7 @@ using test::writeText;
 
 class CancelAtOnce final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   bool cancelRequested() const override { return true; }
 };
 
@@ -168,7 +168,7 @@ TEST(LoadCaseVolume, RefusesLabelsThatWouldNotMeanWhatTheyWere) {
   const auto found = loadCaseVolume(made, noProgress());
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::unsupported);
-  EXPECT_NE(found.error().sentence.find("16 bit unsigned"), std::string::npos) << found.error();
+  EXPECT_NE(found.error().sentence().find("16 bit unsigned"), std::string::npos) << found.error();
   made.volume.labels = "none.mha";
   EXPECT_EQ(loadCaseVolume(made, noProgress()).error().code, ErrorCode::notFound);
 }
@@ -187,7 +187,7 @@ TEST(CaseManifest, TakesALabelFileUnderTheRulesOfAVolumeFile) {
   for (const auto& volume : refused) {
     const auto problems = problemsOf(volume);
     ASSERT_EQ(problems.size(), 1u) << volume;
-    EXPECT_NE(problems.front().sentence.find("volume.labels"), std::string::npos) << problems.front();
+    EXPECT_NE(problems.front().sentence().find("volume.labels"), std::string::npos) << problems.front();
   }
 }
 

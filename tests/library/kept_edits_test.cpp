@@ -88,7 +88,7 @@ TEST(KeptEdits, WithoutAFolderToWriteToSayWhatToDo) {
   const auto refused = kept.keep(edited("lost in a crash"), {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::notWritable);
-  EXPECT_TRUE(refused.error().sentence.ends_with("."));
+  EXPECT_TRUE(refused.error().sentence().ends_with("."));
 }
 
 }  // namespace

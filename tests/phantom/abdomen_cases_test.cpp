@@ -101,10 +101,10 @@ TEST(AneurysmCase, IsRefusedWhereItWouldNotFit) {
   const auto file = testing::shippedPatient("abdominal-aorta-aneurysm");
   const auto larger = readPatient(file, {}, {{"aneurysm_diameter_mm", 300.0}});
   ASSERT_FALSE(larger);
-  EXPECT_NE(larger.error().sentence.find("a number from 30 to 65"), std::string::npos) << larger.error();
+  EXPECT_NE(larger.error().sentence().find("a number from 30 to 65"), std::string::npos) << larger.error();
   const auto wider = readPatient(file, {}, {{"aneurysm_diameter_mm", 40.0}, {"lumen_diameter_mm", 45.0}});
   ASSERT_FALSE(wider) << "a lumen wider than its sac";
-  EXPECT_NE(wider.error().sentence.find("thrombus_mm"), std::string::npos) << wider.error();
+  EXPECT_NE(wider.error().sentence().find("thrombus_mm"), std::string::npos) << wider.error();
 }
 
 TEST(TraumaCase, HasFluidBetweenLiverAndKidneyAsWideAsItsParameterSays) {

@@ -149,7 +149,7 @@ TEST(SampleDistance, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(SampleDistance, StopsWhenAskedTo) {
   class Cancelled final : public Progress {
-    void report(std::string_view, double) override {}
+    void report(const Message&, double) override {}
     bool cancelRequested() const override { return true; }
   } cancelled;
   std::vector<float> distances;

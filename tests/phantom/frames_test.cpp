@@ -59,8 +59,8 @@ TEST(DrawingFrame, ThatIsMissingIsNamed) {
       kFrames));
   ASSERT_FALSE(patient);
   EXPECT_EQ(patient.error().code, ErrorCode::badField);
-  EXPECT_NE(patient.error().sentence.find("nowhere"), std::string::npos) << patient.error();
-  EXPECT_NE(patient.error().sentence.find("inner, outer"), std::string::npos) << patient.error();
+  EXPECT_NE(patient.error().sentence().find("nowhere"), std::string::npos) << patient.error();
+  EXPECT_NE(patient.error().sentence().find("inner, outer"), std::string::npos) << patient.error();
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(LabelsOn, RefusesWhatDoesNotFitAndStopsWhenAsked) {
   EXPECT_EQ(tooLarge.error().code, ErrorCode::tooLarge);
   EXPECT_FALSE(labelsOn(*patient, Grid{}, 1, noProgress())) << "a grid without voxels";
   class Cancel final : public Progress {
-    void report(std::string_view, double) override {}
+    void report(const Message&, double) override {}
     [[nodiscard]] bool cancelRequested() const override { return true; }
   } cancel;
   const auto stopped = labelsOn(*patient, obliqueGrid(), 2, cancel);

@@ -220,8 +220,8 @@ TEST(ReadPatient, NamesTheFieldThatCannotBeUsed) {
     const auto patient = patientOf(recipe);
     ASSERT_FALSE(patient) << field;
     EXPECT_EQ(patient.error().code, ErrorCode::badField) << patient.error();
-    EXPECT_NE(patient.error().sentence.find(field), std::string::npos) << patient.error().sentence << "\ndoes not name " << field;
-    EXPECT_NE(patient.error().sentence.find("it must be"), std::string::npos) << patient.error().sentence;
+    EXPECT_NE(patient.error().sentence().find(field), std::string::npos) << patient.error().sentence() << "\ndoes not name " << field;
+    EXPECT_NE(patient.error().sentence().find("it must be"), std::string::npos) << patient.error().sentence();
   }
 }
 
@@ -251,7 +251,7 @@ TEST(ReadPatient, SaysWhatIsWrongWithAFileAsAWhole) {
   const auto without = patientOf(recipe);
   ASSERT_FALSE(without);
   EXPECT_EQ(without.error().code, ErrorCode::notFound);
-  EXPECT_NE(without.error().sentence.find("none.json"), std::string::npos);
+  EXPECT_NE(without.error().sentence().find("none.json"), std::string::npos);
 }
 
 TEST(Fingerprint, ChangesWithTheRecipeAndWithItsMannequin) {

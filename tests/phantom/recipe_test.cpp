@@ -112,7 +112,7 @@ std::string worked(const std::string& expression) {
       R"({"name": "egg", "tissue": "dark", "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [")" + expression +
           R"(", 50, 50]}}})",
       R"("parameters": {"a": {"default": 8, "lowest": 0, "highest": 9, "unit": "mm"}, "b_2": {"default": "=a / 4", "lowest": 0, "highest": 9, "unit": "mm"}},)"));
-  if (!patient) return patient.error().sentence;
+  if (!patient) return patient.error().sentence();
   return std::to_string(-signedDistance_mm(**patient, "egg", {0, 0, 0}).value());
 }
 

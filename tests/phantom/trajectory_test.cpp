@@ -193,7 +193,7 @@ TEST(Trajectory, NamesTheStationThatCannotBeUsed) {
     auto recipe = onTheBall(kind);
     change(recipe);
     const auto trajectory = Trajectory::along(*patient, shippedProbe("convex-3.5"), recipe);
-    return trajectory ? std::string("was taken") : trajectory.error().sentence;
+    return trajectory ? std::string("was taken") : trajectory.error().sentence();
   };
   const auto expect = [](const std::string& sentence, const std::string& part) {
     EXPECT_NE(sentence.find(part), std::string::npos) << sentence;

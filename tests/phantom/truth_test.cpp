@@ -110,7 +110,7 @@ TEST(Measurements, ThatCannotBeTakenSayWhy) {
   for (const auto& [entry, why] : wrong) {
     const auto all = measured(entry);
     ASSERT_FALSE(all) << entry;
-    EXPECT_NE(all.error().sentence.find(why), std::string::npos) << all.error().sentence;
+    EXPECT_NE(all.error().sentence().find(why), std::string::npos) << all.error().sentence();
   }
 }
 

@@ -186,7 +186,7 @@ TEST(Voxelise, RefusesASpacingThatNeedsMoreMemoryThanAllowedAndSaysHowMuch) {
   const auto made = voxelise(shipped(), {.spacing_mm = 0.02, .maxBytes = 1ull << 30}, noProgress());
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::tooLarge);
-  EXPECT_NE(made.error().sentence.find("MiB"), std::string::npos) << made.error().sentence;
+  EXPECT_NE(made.error().sentence().find("MiB"), std::string::npos) << made.error().sentence();
   EXPECT_GT(voxeliseForecast_bytes(shipped(), 0.02), 1e12);
 }
 

@@ -20,7 +20,7 @@ using test::wavyField;
 
 class Cancelled final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 
@@ -221,7 +221,7 @@ TEST(InverseOf, RefusesAFoldAndSaysSo) {
   const auto inverse = inverseOf(control, noProgress());
   ASSERT_FALSE(inverse);
   EXPECT_EQ(inverse.error().code, ErrorCode::badField);
-  EXPECT_NE(inverse.error().sentence.find("folds in"), std::string::npos);
+  EXPECT_NE(inverse.error().sentence().find("folds in"), std::string::npos);
   Cancelled cancelled;
   EXPECT_EQ(inverseOf(wavyField(uprightGrid({4, 4, 4}, 9.0), 1.0, 40.0), cancelled).error().code, ErrorCode::cancelled);
 }

@@ -260,7 +260,7 @@ TEST(RegisterElastic2d, GivesTheSameBitsForEveryNumberOfThreads) {
 
 class Impatient final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 

@@ -208,7 +208,7 @@ TEST(RegisterElastic, FollowsTissueAndNotTheShadowsThatTurnWithTheProbe) {
       Input f{&fixed}, m{&moving};
       if (known) f.beams = Beams{beamFixed}, m.beams = Beams{beamMoving};
       const auto found = registerElastic(f, m, glm::dmat4(1.0), {.threads = 1}, noProgress());
-      ASSERT_TRUE(found) << (found ? "" : found.error().sentence);
+      ASSERT_TRUE(found) << (found ? "" : found.error().sentence());
       const Errors errors = errorsOf(found->fixedToMoving, grid, grid, truth);
       EXPECT_LT(errors.mean, mean_mm) << known << ' ' << amplitude_mm;
       EXPECT_LT(errors.p95, p95_mm) << known << ' ' << amplitude_mm;
@@ -292,7 +292,7 @@ TEST(RegisterElastic, NamesWhatIsWrongWithItsArguments) {
   ElasticOptions options;
   options.leastJacobian = 0.0;
   EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);
-  EXPECT_NE(errorOf(fixed, moving, glm::dmat4(1.0), options).sentence.find("leastJacobian"), std::string::npos);
+  EXPECT_NE(errorOf(fixed, moving, glm::dmat4(1.0), options).sentence().find("leastJacobian"), std::string::npos);
   options = {};
   options.stiffness = -1.0;
   EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);

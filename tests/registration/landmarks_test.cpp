@@ -124,7 +124,7 @@ TEST(Landmarks, RefuseACoordinateThatIsNoNumber) {
   const auto found = registerLandmarks(pairs);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::badField);
-  EXPECT_NE(found.error().sentence.find("'portal vein'"), std::string::npos) << found.error();
+  EXPECT_NE(found.error().sentence().find("'portal vein'"), std::string::npos) << found.error();
   for (const double pick : {0.0, -1.0, std::numeric_limits<double>::infinity()})
     EXPECT_FALSE(registerLandmarks(pairsOf(scattered(4, 1), glm::dmat4(1.0)), {.pickError_mm = pick})) << pick;
 }

@@ -311,7 +311,7 @@ TEST(PoseGraph, RefusesWhatIsNoGraph) {
 
 class Cancelled final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 

@@ -48,7 +48,7 @@ glm::dmat4 shifted(double x, double y = 0.0, double z = 0.0) {
 Quality assessed(const Volume& fixed, const Volume& moving, const glm::dmat4& before, const Deformation& after,
                  const Deformation* backward = nullptr, const QualityOptions& options = {}) {
   auto found = assessQuality({&fixed, {}}, {&moving, {}}, before, after, backward, options, noProgress());
-  EXPECT_TRUE(found) << (found ? "" : found.error().sentence);
+  EXPECT_TRUE(found) << (found ? "" : found.error().sentence());
   return found ? *found : Quality{};
 }
 
@@ -186,7 +186,7 @@ TEST(AssessQuality, RefusesWhatItCannotUse) {
 
 class Impatient final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 

@@ -54,7 +54,7 @@ ControlGrid bendOf(const Grid& grid, double peak_mm) {
 TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
   EW_NEEDS_RECORDING(kLiver);
   const auto loaded = readVolume(ew::test::recording(kLiver));
-  ASSERT_TRUE(loaded) << loaded.error().sentence;
+  ASSERT_TRUE(loaded) << loaded.error().sentence();
   const Volume& whole = loaded->volume;
   for (const double peak_mm : {3.0, 5.0}) {
     const ControlGrid bend = bendOf(whole.grid, peak_mm);
@@ -72,11 +72,11 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
     options.threads = 1;
     const auto there = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
     const auto back = registerElastic({&moving, {}}, {&fixed, {}}, glm::dmat4(1.0), options, noProgress());
-    ASSERT_TRUE(there) << there.error().sentence;
-    ASSERT_TRUE(back) << back.error().sentence;
+    ASSERT_TRUE(there) << there.error().sentence();
+    ASSERT_TRUE(back) << back.error().sentence();
     const auto quality =
         assessQuality({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), there->fixedToMoving, &back->fixedToMoving, {}, noProgress());
-    ASSERT_TRUE(quality) << quality.error().sentence;
+    ASSERT_TRUE(quality) << quality.error().sentence();
     std::vector<double> errors, before;
     for (int k = 2; k < fixed.grid.dims.z; k += 3)
       for (int j = 2; j < fixed.grid.dims.y; j += 3)

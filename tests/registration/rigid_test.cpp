@@ -470,7 +470,7 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
   const auto found = matchPartial({&pair.fixed}, {&pair.moving}, partial, noProgress());
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::badField);
-  EXPECT_NE(found.error().sentence.find("maxTurn_deg"), std::string::npos);
+  EXPECT_NE(found.error().sentence().find("maxTurn_deg"), std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace ew::test {
 /// Counts reports that lie before an earlier one.
 class RisingProgress final : public Progress {
  public:
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     const std::lock_guard lock(guard_);
     if (fraction < last_ || fraction > 1.0) ++backwards_;
     last_ = fraction;

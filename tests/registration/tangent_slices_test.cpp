@@ -40,7 +40,7 @@ TEST(RegisterTangentSlices, BendsInThePlaneAndLeavesAlone20MmAway) {
   const Slabs pair = slabs(truth);
   const auto found =
       registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, pair.start, {10.0, 10.0, 0.75}, {0.0, 0.0, 2.0}, {}, noProgress());
-  ASSERT_TRUE(found) << found.error().sentence;
+  ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_EQ(found->slices.verdict, Verdict::aligned);
   EXPECT_EQ(found->share, 1.0);
   EXPECT_EQ(found->fallOff_mm, 20.0);
@@ -89,7 +89,7 @@ TEST(RegisterTangentSlices, CutsThePlaneAlongTheBeamWhateverItsNormal) {
   const Slabs pair = slabs(bend(2.0, kSide * kSpacing_mm));
   const auto found =
       registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, pair.start, {30.0, 30.0, 0.75}, {1.0, 0.0, 0.0}, {}, noProgress());
-  ASSERT_TRUE(found) << found.error().sentence;
+  ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_NEAR(glm::length(found->slicePlane.directions[1] - glm::dvec3(0.0, 1.0, 0.0)), 0.0, 1e-12);  // y down the beam
   EXPECT_EQ(found->fixedSlice.height, kSide);
   EXPECT_EQ(found->fixedSlice.width, 4);

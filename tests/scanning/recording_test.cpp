@@ -130,7 +130,7 @@ TEST_F(Recording, CutAnywhereGivesTheFramesBeforeTheCutOrASentence) {
     const auto read = readRecording(folder / "c.seq.mha");
     if (!read) {
       ASSERT_LT(cut, firstFrame) << cut << ": " << read.error();
-      ASSERT_FALSE(read.error().sentence.empty());
+      ASSERT_FALSE(read.error().sentence().empty());
       continue;
     }
     ASSERT_FALSE(read->notes.empty()) << cut;

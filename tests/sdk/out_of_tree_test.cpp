@@ -62,13 +62,13 @@ TEST_F(OutOfTree, APluginBuiltAgainstTheInstalledSdkIsLoadedAndRuns) {
   HeadlessHost host;
   PluginList plugins({built});
   ASSERT_EQ(plugins.states().size(), 1u);
-  ASSERT_EQ(plugins.states()[0].state, PluginState::found) << plugins.states()[0].sentence;
+  ASSERT_EQ(plugins.states()[0].state, PluginState::found) << plugins.states()[0].sentence();
   EXPECT_EQ(plugins.states()[0].manifest->version, "1.4.2");
   EXPECT_EQ(plugins.states()[0].manifest->abi, sdk::kAbi);
   EXPECT_EQ(plugins.states()[0].manifest->capabilities, std::vector<std::string>{"command:mean-echo"});
   EXPECT_TRUE(host.registered().empty()) << "listing loads no code";
   plugins.openAll(host);
-  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence();
 
   Volume volume;
   volume.grid.dims = {2, 2, 2};
@@ -89,12 +89,12 @@ TEST(GuidedSweep, WithoutAWindowItOpensAndItsSectionOfACaseIsChecked) {
   HeadlessHost host;
   PluginList plugins({built});
   plugins.openAll(host);
-  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence;
+  ASSERT_EQ(plugins.states()[0].state, PluginState::loaded) << plugins.states()[0].sentence();
   EXPECT_NE(host.find("guided-sweep"), nullptr);
   const nlohmann::json wrong = {{"parts", {{"guided_sweep", {{"duration_s", 600}}}}}};
   const auto problems = host.partProblems(wrong);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].sentence.find("'parts.guided_sweep.duration_s' in case.json is 600; it must be a number from 1 to 60"),
+  EXPECT_NE(problems[0].sentence().find("'parts.guided_sweep.duration_s' in case.json is 600; it must be a number from 1 to 60"),
             std::string::npos)
       << problems[0];
 
@@ -148,10 +148,10 @@ TEST_F(OutOfTree, APluginBuiltAgainstAnOlderSdkIsRefusedByItsManifest) {
   plugins.openAll(host);
   ASSERT_EQ(plugins.states().size(), 1u);
   EXPECT_EQ(plugins.states()[0].state, PluginState::otherAbi);
-  EXPECT_NE(plugins.states()[0].sentence.find(std::to_string(sdk::kAbi)), std::string::npos);
-  EXPECT_NE(plugins.states()[0].sentence.find(std::to_string(kOlderAbi)), std::string::npos);
+  EXPECT_NE(plugins.states()[0].sentence().find(std::to_string(sdk::kAbi)), std::string::npos);
+  EXPECT_NE(plugins.states()[0].sentence().find(std::to_string(kOlderAbi)), std::string::npos);
   EXPECT_EQ(host.find("mean-echo"), nullptr);
-  RecordProperty("message", plugins.states()[0].sentence);
+  RecordProperty("message", plugins.states()[0].sentence());
 }
 
 TEST_F(OutOfTree, AManifestThatLiesAboutItsAbiIsFoundOutBeforeAnythingElseIsCalled) {

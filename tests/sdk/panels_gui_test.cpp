@@ -59,7 +59,7 @@ class PanelsTest final : public QObject {
   void initTestCase() {
     plugins_ = std::make_unique<door::PluginList>(std::vector<std::filesystem::path>{EW_BINARY_DIR "/lib/plugins"});
     plugins_->openAll(host_);
-    for (const auto& plugin : plugins_->states()) QVERIFY2(plugin.sentence.empty(), plugin.sentence.c_str());
+    for (const auto& plugin : plugins_->states()) QVERIFY2(plugin.message.empty(), plugin.sentence().c_str());
     QVERIFY(host_.made.count("stitching") == 1 && host_.made.count("case_authoring") == 1);
   }
 

@@ -11,7 +11,7 @@ namespace {
 
 class Recorder final : public Progress {
  public:
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     const std::lock_guard lock(guard);
     fractions.push_back(fraction);
   }
@@ -49,7 +49,7 @@ TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
       return {};
     });
     ASSERT_FALSE(all);
-    EXPECT_EQ(all.error().sentence, "the fourth");
+    EXPECT_EQ(all.error().sentence(), "the fourth");
     EXPECT_LT(begun, 200);
   }
 }

@@ -194,7 +194,7 @@ TEST(ChainFolder, NeverWritesOverAFileThatTheProjectReads) {
     const auto refused = world.run(into);
     ASSERT_FALSE(refused) << name;
     EXPECT_EQ(refused.error().code, ErrorCode::badUsage) << refused.error();
-    EXPECT_NE(refused.error().sentence.find(name), std::string::npos) << refused.error();
+    EXPECT_NE(refused.error().sentence().find(name), std::string::npos) << refused.error();
     EXPECT_EQ(everythingIn(into), before) << name;
   }
 }
@@ -233,7 +233,7 @@ TEST(ChainFolder, NeverTouchesAFileOfAResultsNameThatItDidNotWrite) {
       const auto refused = world.run(into);
       ASSERT_FALSE(refused) << name;
       EXPECT_EQ(refused.error().code, ErrorCode::notWritable) << refused.error();
-      EXPECT_NE(refused.error().sentence.find(name), std::string::npos) << refused.error();
+      EXPECT_NE(refused.error().sentence().find(name), std::string::npos) << refused.error();
       EXPECT_EQ(everythingIn(into), before) << name << (afterARun ? " after a run" : "");
       ChainOptions until;
       until.until = Step::graph;

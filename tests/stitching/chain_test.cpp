@@ -197,7 +197,7 @@ TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
   /// Takes the processor away from whoever works, as a busy machine does: for as long as it was worked since the last report.
   class Busy final : public Progress {
    public:
-    void report(std::string_view, double) override {
+    void report(const Message&, double) override {
       const std::clock_t now = std::clock();  // one thread works
       std::this_thread::sleep_for(std::chrono::duration<double>(static_cast<double>(now - worked_) / CLOCKS_PER_SEC));
       worked_ = std::clock();
@@ -342,7 +342,7 @@ TEST(Chain, RefusesAFolderInWhichAnotherRunIsAtWork) {
   const auto refused = world.run(world.folder / "out");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::notWritable);
-  EXPECT_NE(refused.error().sentence.find("Another run"), std::string::npos) << refused.error();
+  EXPECT_NE(refused.error().sentence().find("Another run"), std::string::npos) << refused.error();
   ::close(other);
   EXPECT_TRUE(world.run(world.folder / "out"));
 }
@@ -435,19 +435,19 @@ TEST(Chain, SaysWhatIsWrongWithItsInputs) {
   };
   const auto missing = refused([](StitchProject& p) { p.volumes[1].file += ".gone"; });
   EXPECT_EQ(missing.code, ErrorCode::notFound);
-  EXPECT_NE(missing.sentence.find("b.mha.gone"), std::string::npos) << missing;
+  EXPECT_NE(missing.sentence().find("b.mha.gone"), std::string::npos) << missing;
   test::writeText(world.folder / "text.mha", "no volume at all");
   const auto unreadable = refused([&](StitchProject& p) { p.volumes[2].file = world.folder / "text.mha"; });
-  EXPECT_NE(unreadable.sentence.find("text.mha"), std::string::npos) << unreadable;
+  EXPECT_NE(unreadable.sentence().find("text.mha"), std::string::npos) << unreadable;
   Volume other;
   other.grid.dims = {3, 3, 3};
   other.echo.assign(27, 2);
   ASSERT_TRUE(writeVolume(other, world.folder / "other.mha"));
   const auto grid = refused([&](StitchProject& p) { p.volumes[0].coverage = world.folder / "other.mha"; });
   EXPECT_EQ(grid.code, ErrorCode::badField);
-  EXPECT_NE(grid.sentence.find("another grid"), std::string::npos) << grid;
+  EXPECT_NE(grid.sentence().find("another grid"), std::string::npos) << grid;
   const auto confidence = refused([&](StitchProject& p) { p.volumes[0].confidence = world.folder / "other.mha"; });
-  EXPECT_NE(confidence.sentence.find("confidence"), std::string::npos) << confidence;
+  EXPECT_NE(confidence.sentence().find("confidence"), std::string::npos) << confidence;
   EXPECT_EQ(refused([](StitchProject& p) { p.volumes.clear(); }).code, ErrorCode::emptyVolume);
   EXPECT_FALSE(fs::exists(world.folder / "out/volume.mha"));
 
@@ -464,7 +464,7 @@ TEST(Chain, IsRefusedBeforeItTakesMoreMemoryThanAllowed) {
   const auto state = world.run(world.folder / "out", noProgress(), options);
   ASSERT_FALSE(state);
   EXPECT_EQ(state.error().code, ErrorCode::tooLarge) << state.error();
-  EXPECT_NE(state.error().sentence.find("MiB"), std::string::npos);
+  EXPECT_NE(state.error().sentence().find("MiB"), std::string::npos);
 }
 
 TEST(Chain, TakesNoMoreInAnyStepThanItsForecast) {

@@ -146,7 +146,7 @@ TEST_F(StitchCommand, SaysHowItIsUsed) {
     const auto outcome = run(args);
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().code, ErrorCode::badUsage);
-    EXPECT_NE(outcome.error().sentence.find(kStitchUsage), std::string::npos) << outcome.error();
+    EXPECT_NE(outcome.error().sentence().find(kStitchUsage), std::string::npos) << outcome.error();
   }
   EXPECT_EQ(run({"nowhere.json", "-o", "x"}).error().code, ErrorCode::notFound);
 }
@@ -155,7 +155,7 @@ TEST_F(StitchCommand, SaysWhichVolumeIsNotThere) {
   std::filesystem::remove(folder / "b.mha");
   const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
   ASSERT_FALSE(outcome);
-  EXPECT_NE(outcome.error().sentence.find("b.mha"), std::string::npos);
+  EXPECT_NE(outcome.error().sentence().find("b.mha"), std::string::npos);
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST_F(StitchDocumentTest, NamesStayUniqueAndAnEmptyOneIsRefusedWithASentence) {
   EXPECT_EQ(project.volumes[4].name, "a (3)");
   EXPECT_TRUE(problemOfName(project, 0, "  "));
   ASSERT_TRUE(problemOfName(project, 0, "b"));
-  EXPECT_NE(problemOfName(project, 0, "b")->sentence.find("'b'"), std::string::npos);
+  EXPECT_NE(problemOfName(project, 0, "b")->sentence().find("'b'"), std::string::npos);
   EXPECT_FALSE(problemOfName(project, 0, "a"));
   EXPECT_EQ(letterOf(0) + letterOf(25) + letterOf(26), "AZAA");
 }
@@ -219,7 +219,7 @@ TEST_F(StitchDocumentTest, ADamagedRecoveryFileIsASentenceAndStaysWhereItIs) {
   test::writeText(folder_ / "kept" / "recovery.json", "{\"file\": 3");
   const auto left = document_.leftIn(recovery_);
   ASSERT_FALSE(left);
-  EXPECT_EQ(left.error().sentence.back(), '.');
+  EXPECT_EQ(left.error().sentence().back(), '.');
   EXPECT_TRUE(std::filesystem::exists(folder_ / "kept" / "recovery.json"));
 }
 

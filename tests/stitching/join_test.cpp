@@ -16,10 +16,10 @@ namespace {
 JoinResult joined(const std::vector<View>& views, const JoinOptions& options, Progress& progress = noProgress()) {
   const Grid grid = gridFor(views, options.grid);
   auto seams = findSeams(views, grid, options.seam, progress);
-  EXPECT_TRUE(seams) << (seams ? "" : seams.error().sentence);
+  EXPECT_TRUE(seams) << (seams ? "" : seams.error().sentence());
   if (!seams) return {};
   auto result = join(views, *seams, grid, options, progress);
-  EXPECT_TRUE(result) << (result ? "" : result.error().sentence);
+  EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
   return result ? std::move(*result) : JoinResult{};
 }
 
@@ -222,7 +222,7 @@ TEST(Join, PassesOnWhatTheSinkSays) {
   FullSink sink;
   const auto result = join(views, *seams, grid, {}, sink, noProgress());
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().sentence, "The disk is full.");
+  EXPECT_EQ(result.error().sentence(), "The disk is full.");
 }
 
 TEST(Join, RefusesSeamsThatBelongToAnotherGrid) {
@@ -304,7 +304,7 @@ TEST(FindSeams, GivesWhatAStrokeCoversToTheViewItNamesWhereThatCovers) {
 /// Samples the memory in use whenever it is asked.
 class WatchedMemory final : public Progress {
  public:
-  void report(std::string_view, double) override { look(); }
+  void report(const Message&, double) override { look(); }
   bool cancelRequested() const override {
     look();
     return false;

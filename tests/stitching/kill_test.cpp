@@ -24,7 +24,7 @@ using test::ChainWorld;
 class Beats final : public Progress {
  public:
   Beats(int pipe, long at) : pipe_(pipe), at_(at) {}
-  void report(std::string_view, double) override { beat(); }
+  void report(const Message&, double) override { beat(); }
   [[nodiscard]] bool cancelRequested() const override {
     beat();
     return false;
@@ -131,7 +131,7 @@ TEST(ChainOnAFullDisk, SaysSoAndGoesOnWhenThereIsRoom) {
         options.threads = 1;
         options.streamAbove_voxels = streamAbove;
         const auto state = world.run(into, noProgress(), options);
-        ::_exit(state ? 0 : state.error().code == ErrorCode::notWritable && state.error().sentence.ends_with('.') ? 7 : 1);
+        ::_exit(state ? 0 : state.error().code == ErrorCode::notWritable && state.error().sentence().ends_with('.') ? 7 : 1);
       }
       int status = 0;
       ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -234,8 +234,8 @@ void expectNamed(const json& good, const std::vector<Wrong>& wrongs) {
     project[json::json_pointer(wrong.pointer)] = wrong.value;
     const Error problem = refused(project);
     EXPECT_EQ(problem.code, ErrorCode::badField) << problem;
-    EXPECT_NE(problem.sentence.find(std::string("'") + wrong.field + "'"), std::string::npos) << problem;
-    EXPECT_TRUE(problem.sentence.ends_with('.')) << problem;
+    EXPECT_NE(problem.sentence().find(std::string("'") + wrong.field + "'"), std::string::npos) << problem;
+    EXPECT_TRUE(problem.sentence().ends_with('.')) << problem;
   }
 }
 

@@ -46,9 +46,9 @@ SpeckledViewRecipe rightRecipe(bool scene) {
 JoinResult joined(const std::vector<View>& views, const JoinOptions& options) {
   const Grid grid = gridFor(views, options.grid);
   auto seams = findSeams(views, grid, options.seam, noProgress());
-  EXPECT_TRUE(seams) << (seams ? "" : seams.error().sentence);
+  EXPECT_TRUE(seams) << (seams ? "" : seams.error().sentence());
   auto result = join(views, *seams, grid, options, noProgress());
-  EXPECT_TRUE(result) << (result ? "" : result.error().sentence);
+  EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
   return std::move(*result);
 }
 
@@ -239,7 +239,7 @@ TEST(Join, MakesAWholeLargerThanItsMemoryIntoFiles) {
   std::vector<VolumeStream> streams;
   for (const char* name : {"echo.mha", "coverage.mha", "source.mha"}) {
     auto stream = VolumeStream::create(grid, folder / name);
-    ASSERT_TRUE(stream) << (stream ? "" : stream.error().sentence);
+    ASSERT_TRUE(stream) << (stream ? "" : stream.error().sentence());
     streams.push_back(std::move(*stream));
   }
   const std::uint64_t before_bytes = test::memoryInUse_bytes();

@@ -42,7 +42,7 @@ glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat
 
 StitchResult stitched(const std::vector<PlacedVolume>& inputs, const StitchOptions& options = {}) {
   auto result = stitch(inputs, options, noProgress());
-  EXPECT_TRUE(result) << (result ? "" : result.error().sentence);
+  EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
   return result ? std::move(*result) : StitchResult{};
 }
 
@@ -55,14 +55,14 @@ std::uint8_t echoAt(const StitchResult& result, const glm::dvec3& p_world_mm) {
 
 class CancelAtOnce final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   bool cancelRequested() const override { return true; }
 };
 
 /// Checks what Progress promises: from 0 to 1 and never backwards.
 class WatchedProgress final : public Progress {
  public:
-  void report(std::string_view, double fraction) override {
+  void report(const Message&, double fraction) override {
     if (fraction < last || fraction > 1.0 + 1e-12) ok = false;
     last = fraction;
   }
@@ -239,7 +239,7 @@ TEST(Stitch, RefusesWhatItCannotDoWithASentenceThatNamesTheVolume) {
   const auto notRigid = stitch(stretched, {}, noProgress());
   ASSERT_FALSE(notRigid);
   EXPECT_EQ(notRigid.error().code, ErrorCode::notRigid);
-  EXPECT_NE(notRigid.error().sentence.find("left lobe"), std::string::npos);
+  EXPECT_NE(notRigid.error().sentence().find("left lobe"), std::string::npos);
 
   const std::vector<PlacedVolume> fine = {at(constant(gridOf({4, 4, 4}), 1))};
   for (const auto& wrong : {StitchOptions{.spacing_mm = -1.0}, StitchOptions{.spacing_mm = std::nan("")},

@@ -141,14 +141,14 @@ TEST_F(JobsOnTheirOwn, AnExceptionOfTheWorkBecomesAnError) {
   ASSERT_TRUE(waitUntil([&] { return errors.size() == 3; }));
   EXPECT_EQ(errors[2].code, ErrorCode::internal);
   EXPECT_EQ(errors[0].code, ErrorCode::internal);
-  EXPECT_NE(errors[0].sentence.find("the dog ate it"), std::string::npos);
+  EXPECT_NE(errors[0].sentence().find("the dog ate it"), std::string::npos);
   EXPECT_EQ(errors[1].code, ErrorCode::tooLarge);
 }
 
 TEST_F(JobsOnTheirOwn, AnExceptionOfTheDoneIsTold) {
   Jobs jobs;
   std::vector<std::string> told;
-  QObject::connect(&jobs, &Jobs::problem, &jobs, [&](const Error& error) { told.push_back(error.sentence); });
+  QObject::connect(&jobs, &Jobs::problem, &jobs, [&](const Error& error) { told.push_back(error.sentence()); });
   const auto work = [](Progress&) { return Result<void>(); };
   jobs.start("Thrown", work, [](const Result<void>&) { throw std::runtime_error("the dog ate it"); });
   jobs.start("A number", work, [](const Result<void>&) { throw 42; });
@@ -181,7 +181,7 @@ TEST_F(JobsOnTheirOwn, AThreadThatCannotBeHadIsAnErrorOfTheJob) {
       [&](const Result<void>& outcome) {
         ASSERT_FALSE(outcome);
         code = outcome.error().code;
-        sentence = outcome.error().sentence;
+        sentence = outcome.error().sentence();
       });
   pthread_setattr_default_np(&usual);
   EXPECT_TRUE(jobs.isRunning()) << "its outcome comes later, as that of every job";

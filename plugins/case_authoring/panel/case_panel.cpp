@@ -301,7 +301,7 @@ void CasePanel::change(const std::string& path, const QString& what, const std::
   showStartRemark();
   if (done) return;
   if (fieldOf(done.error()) == path)
-    sdk::setProblem(fields_[path].problem, sdk::words(done.error().sentence));
+    sdk::setProblem(fields_[path].problem, sdk::words(done.error().message));
   else
     say(done.error());
 }
@@ -319,8 +319,8 @@ void CasePanel::save(const std::filesystem::path& folder) {
 }
 
 void CasePanel::say(const Error& problem) {
-  host_.log().warn(problem.sentence);
-  sdk::setProblem(problem_, sdk::words(problem.sentence));
+  host_.log().warn(problem.sentence());
+  sdk::setProblem(problem_, sdk::words(problem.message));
 }
 
 void CasePanel::showCase() {
@@ -336,7 +336,7 @@ void CasePanel::showCase() {
     field.show(*manifest);
     QString sentence;
     for (const auto& problem : problems)
-      if (fieldOf(problem) == path) sentence = sdk::words(problem.sentence);
+      if (fieldOf(problem) == path) sentence = sdk::words(problem.message);
     sdk::setProblem(field.problem, sentence);
   }
   showSaved();

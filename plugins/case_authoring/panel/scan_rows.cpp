@@ -177,7 +177,7 @@ void CasePanel::checkCase() {
   const auto manifest = host_.cases().current();
   if (!manifest) return;
   QStringList found;
-  for (const Error& problem : host_.cases().check(*manifest)) found << sdk::words(problem.sentence);
+  for (const Error& problem : host_.cases().check(*manifest)) found << sdk::words(problem.message);
   const auto known = host_.cases().choices().probes;
   for (const std::string& id : probesOf(*manifest))
     if (!known.empty() && found.filter(sdk::words(id)).isEmpty() &&

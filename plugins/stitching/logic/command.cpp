@@ -61,7 +61,7 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
 
 /// What a person should know of a run, a sentence each: how each pair ended, what holds the whole, what joining had to decide.
 std::vector<std::string> notesOf(const StitchProject& project, const ChainState& state) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   for (const PairOutcome& pair : state.pairs) {
     const std::string verdict = pair.used == PairMethod::byHand ? "by hand, not checked"
                                 : pair.used == PairMethod::landmarks

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "panel/phrases.h"
 
 namespace ew::stitching {
 namespace {
@@ -222,7 +221,7 @@ QString Reasons::sayGraph(const ChainState& found, const StitchProject& asked) {
 QString sentenceOf(const Remark& remark) { return Reasons::say(remark); }
 
 QString sentencesOf(const std::vector<Remark>& remarks, const std::string& otherwise) {
-  if (remarks.empty()) return phraseOf(otherwise);
+  if (remarks.empty()) return words(otherwise);
   QStringList sentences;
   for (const Remark& remark : remarks) sentences << Reasons::say(remark);
   return sentences.join(QLatin1Char(' '));
@@ -230,7 +229,7 @@ QString sentencesOf(const std::vector<Remark>& remarks, const std::string& other
 
 QString reasonOf(const ChainState& found, const StitchProject& asked) {
   const QString said = found.graph ? Reasons::sayGraph(found, asked) : QString();
-  return said.isEmpty() ? phraseOf(found.reason) : said;
+  return said.isEmpty() ? words(found.reason) : said;
 }
 
 }  // namespace ew::stitching

@@ -12,7 +12,6 @@
 #include "ew/sdk/panel.h"
 #include "ew/stitching/places.h"
 #include "panel/folders.h"
-#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -69,7 +68,6 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
 /// Reads lines before they are added: a file that is no volume never becomes one. @error the first of `into.failed`, cancelled
 Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& folder, std::timed_mutex& turn, sdk::Volumes& volumes,
                        FilesRead& into, Progress& whole) {
-  ProgressInWords progress(whole);
   const auto mine = waitForTurn(turn, progress);
   if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
   const double share = 1.0 / static_cast<double>(lines.size());
@@ -89,7 +87,7 @@ Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& 
     if (!first) first = volume.error();
     if (!isSweep || !canBeMended(volume.error())) continue;
     into.volumes.emplace_back(lines[n], nullptr);
-    into.reasons[keyOf(lines[n])] = volume.error().sentence;
+    into.reasons[keyOf(lines[n])] = volume.error().message;
   }
   if (first) return passOn(*first);
   return {};
@@ -176,8 +174,7 @@ void StitchSession::takeRead(FilesRead& read, const Result<void>& outcome) {
   if (outcome) return;
   say(outcome.error());
   if (read.failed > 1)
-    Q_EMIT problem(phraseOf(outcome.error().sentence) + QLatin1Char(' ') +
-                   tr("%n more could not be read either.", nullptr, read.failed - 1));
+    Q_EMIT problem(words(outcome.error().message) + QLatin1Char(' ') + tr("%n more could not be read either.", nullptr, read.failed - 1));
 }
 
 void StitchSession::readVolumes() {
@@ -189,7 +186,7 @@ void StitchSession::readVolumes() {
   reading_ = true;
   struct Read {
     std::vector<std::pair<std::string, std::shared_ptr<const Volume>>> volumes;  ///< null: it cannot be read
-    std::map<std::string, std::string> reasons;                                  ///< of these
+    std::map<std::string, Message> reasons;                                      ///< of these
     std::set<fs::path> sweeps;
     std::optional<Error> first;
   };
@@ -199,7 +196,6 @@ void StitchSession::readVolumes() {
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
       [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
-        ProgressInWords progress(whole);
         const auto mine = waitForTurn(*turn, progress);
         if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
         const double share = 1.0 / static_cast<double>(lines.size());
@@ -211,7 +207,7 @@ void StitchSession::readVolumes() {
           auto volume = readOne(lines[n], isSweep, folder, volumes, part);
           if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
           if (!volume && !read->first) read->first = volume.error();
-          if (!volume) read->reasons[keyOf(lines[n])] = volume.error().sentence;
+          if (!volume) read->reasons[keyOf(lines[n])] = volume.error().message;
           read->volumes.emplace_back(keyOf(lines[n]), volume ? std::make_shared<const Volume>(std::move(*volume)) : nullptr);
         }
         return {};
@@ -247,7 +243,7 @@ bool StitchSession::isUnreadable(std::size_t index) const {
 }
 
 QString StitchSession::whyUnreadable(std::size_t index) const {
-  return isUnreadable(index) ? phraseOf(unreadable_.at(keyOf(project().volumes[index]))) : QString();
+  return isUnreadable(index) ? words(unreadable_.at(keyOf(project().volumes[index]))) : QString();
 }
 
 bool StitchSession::isSweep(std::size_t index) const {

@@ -23,7 +23,7 @@ struct StitchSession::Inbox {
 /// Files that were read before they become lines of the project.
 struct FilesRead {
   std::vector<std::pair<ProjectVolume, std::shared_ptr<const Volume>>> volumes;  ///< null: a sweep that still needs something
-  std::map<std::string, std::string> reasons;                                    ///< of these, by keyOf
+  std::map<std::string, Message> reasons;                                        ///< of these, by keyOf
   std::set<std::filesystem::path> sweeps;
   int failed = 0;
 };

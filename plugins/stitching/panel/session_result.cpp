@@ -14,7 +14,6 @@
 #include "ew/sdk/panel.h"
 #include "ew/stitching/result_files.h"
 #include "logic/case_volume.h"
-#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -89,7 +88,6 @@ void StitchSession::saveResult(const fs::path& folder) {
   host_.jobs().startSaving(
       tr("Saving the stitched volume").toStdString(),
       [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& whole) -> Result<void> {
-        ProgressInWords progress(whole);
         return copyResult(parts, asked, folder, mayReplaceAll, progress);
       },
       [here, folder](const Result<void>& outcome) {
@@ -141,10 +139,7 @@ void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string&
   const QPointer<StitchSession> here(this);
   host_.jobs().startSaving(
       tr("Adding the volume to the case").toStdString(),
-      [parts = resultFiles_, caseFolder, name](Progress& whole) -> Result<void> {
-        ProgressInWords progress(whole);
-        return putIntoCase(parts, caseFolder, name, progress);
-      },
+      [parts = resultFiles_, caseFolder, name](Progress& whole) -> Result<void> { return putIntoCase(parts, caseFolder, name, progress); },
       [here, caseFolder, name](const Result<void>& outcome) {
         if (StitchSession* session = here.data()) {
           if (!outcome) return session->say(outcome.error());

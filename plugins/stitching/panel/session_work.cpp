@@ -9,7 +9,6 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/stitching/places.h"
-#include "panel/phrases.h"
 #include "panel/reasons.h"
 #include "panel/session_parts.h"
 
@@ -38,7 +37,6 @@ void takeUpRead(const fs::path& reading, const fs::path& work) {
 /// Runs the chain as far as `until`, or as far as it was finished before, and reads the volume it made.
 Result<void> makeChain(const StitchProject& asked, const fs::path& folder, ChainOptions options, std::optional<Step> until,
                        sdk::Volumes& volumes, ChainMade& made, Progress& whole) {
-  ProgressInWords progress(whole);
   std::optional<Step> last = until;
   if (!last) {  // as far as it was finished before
     auto known = forecastChain(asked, folder, options);
@@ -165,9 +163,9 @@ void StitchSession::finish(const Result<void>& outcome, ChainMade& made, const S
   if (!outcome && wasAsked) {
     say(outcome.error());
   } else if (!outcome) {  // nobody asked; a run will say it
-    host_.log().info(outcome.error().sentence);
+    host_.log().info(outcome.error().sentence());
   } else if (made.any && !another) {
-    for (const std::string& note : made.state.notes) host_.log().warn(note);
+    for (const Message& note : made.state.notes) host_.log().warn(note.english());
     if (made.result) {
       const ChainState& state = made.state;
       result_ = made.result;

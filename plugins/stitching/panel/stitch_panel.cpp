@@ -19,7 +19,6 @@
 
 #include "panel/folders.h"
 #include "panel/look.h"
-#include "panel/phrases.h"
 
 namespace ew::stitching {
 namespace {
@@ -422,7 +421,7 @@ void StitchPanel::showForecast() {
     if (const auto volume = session_.volume(n)) grids.push_back({volume->grid, session_.toWorld(n), session_.project().volumes[n].name});
   if (grids.empty()) return forecast_->say({});
   const auto forecast = forecastJoin(grids, session_.project().settings.join);
-  if (!forecast) return forecast_->say(phraseOf(forecast.error().sentence));
+  if (!forecast) return forecast_->say(words(forecast.error().message));
   const QString needs = mebibytes(static_cast<double>(forecast->bytes));
   QString tip = tr("What the stitched volume will be, and the memory that making it takes at its peak");
   if (const auto free = availableMemory_bytes()) tip += QLatin1Char('\n') + tr("%1 are free").arg(mebibytes(static_cast<double>(*free)));

@@ -11,7 +11,6 @@
 
 #include "ew/sdk/panel.h"
 #include "panel/folders.h"
-#include "panel/phrases.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -52,7 +51,7 @@ StitchSession::StitchSession(sdk::Host& host, fs::path folder)
   for (const int place : recovery_.left()) {
     auto left = document_.leftIn(recovery_.fileOf(place));
     if (!left)
-      host_.log().warn(left.error().sentence);
+      host_.log().warn(left.error().sentence());
     else if (*left)
       left_.push_back({place, std::move(**left)});
   }
@@ -66,7 +65,7 @@ fs::path StitchSession::readingFolder() const { return folder_ / "work" / ("read
 
 void StitchSession::keep() {
   keepSoon_.stop();
-  if (auto kept = document_.keepRecovery(); !kept) host_.log().warn(kept.error().sentence);
+  if (auto kept = document_.keepRecovery(); !kept) host_.log().warn(kept.error().sentence());
 }
 
 std::shared_ptr<void> StitchSession::onChanged(std::function<void()> callback) {
@@ -84,8 +83,8 @@ void StitchSession::tell() {
 
 void StitchSession::say(const Error& error) {
   if (error.code == ErrorCode::cancelled) return;  // the user knows
-  host_.log().warn(error.sentence);
-  Q_EMIT problem(phraseOf(error.sentence));
+  host_.log().warn(error.sentence());
+  Q_EMIT problem(words(error.message));
 }
 
 std::string StitchSession::title() const {
@@ -251,7 +250,7 @@ void StitchSession::reopenLeft() {
     fs::rename(untitledFolder(left.place), untitledFolder(recovery_.number()), ignored);
   document_.takeOver(left.work);
   if (auto kept = document_.keepRecovery(); !kept)
-    host_.log().warn(kept.error().sentence);  // it stays where it was
+    host_.log().warn(kept.error().sentence());  // it stays where it was
   else
     recovery_.forget(left.place);
   left_.clear();

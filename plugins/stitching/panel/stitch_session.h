@@ -266,7 +266,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   std::shared_ptr<Inbox> inbox_;
 
   std::map<std::string, std::shared_ptr<const Volume>> volumes_;  ///< by keyOf
-  std::map<std::string, std::string> unreadable_;                 ///< by keyOf: why
+  std::map<std::string, Message> unreadable_;                     ///< by keyOf: why
   std::set<std::filesystem::path> sweeps_;                        ///< files that were seen to be some
   bool reading_ = false;
   bool running_ = false;

@@ -16,7 +16,6 @@
 #include "ew/sdk/panel.h"
 #include "panel/folders.h"
 #include "panel/look.h"
-#include "panel/phrases.h"
 
 namespace ew::stitching {
 namespace {
@@ -102,7 +101,7 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent) : QWidget(parent
     const auto at = static_cast<std::size_t>(list_->row(item));
     const std::string name = item->text().trimmed().toStdString();
     if (auto wrong = problemOfName(session_.project(), at, name)) {
-      Q_EMIT problem(phraseOf(wrong->sentence));
+      Q_EMIT problem(words(wrong->message));
     } else {
       StitchProject next = session_.project();
       next.volumes[at].name = name;
@@ -274,9 +273,9 @@ void VolumeList::chooseTransform() {
   if (file.isEmpty()) return;
   keepFolderOf(file);
   auto text = session_.host().files().readText(file.toStdString());
-  if (!text) return Q_EMIT problem(phraseOf(text.error().sentence));
+  if (!text) return Q_EMIT problem(words(text.error().message));
   auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
-  if (!matrix) return Q_EMIT problem(phraseOf(matrix.error().sentence));
+  if (!matrix) return Q_EMIT problem(words(matrix.error().message));
   Q_EMIT problem({});
   session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
                 tr("pose of %1 from a file").arg(words(letterOf(*chosen))));

@@ -231,7 +231,7 @@ class SweepWalker {
     std::vector<std::uint8_t> blended;  ///< centring only: voxels that already have a blend of successive frames
   };
 
-  Result<std::size_t> run(Progress& progress, std::string_view what, bool (SweepWalker::*work)(const SweepBrick&, Scratch&)) {
+  Result<std::size_t> run(Progress& progress, const Message& what, bool (SweepWalker::*work)(const SweepBrick&, Scratch&)) {
     std::atomic<std::size_t> changed{0};
     const glm::ivec3 count = bricksOf(target_.grid);
     const bool done = forEachTask(tasks_, workers_, progress, what, [&](int task, int worker, const auto&) {

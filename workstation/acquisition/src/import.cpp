@@ -38,7 +38,7 @@ Result<void> checkImages(const Sequence& sequence) {
 }
 
 /// Turns every image to MF. An orientation that says nothing is taken as MF, which is what the calibration of such files counts in.
-Result<void> turnToMarkerFar(Sequence& sequence, std::vector<std::string>& notes, Progress& progress) {
+Result<void> turnToMarkerFar(Sequence& sequence, std::vector<Message>& notes, Progress& progress) {
   const std::string& orientation = sequence.orientation;
   if (orientation.size() < 2) {
     notes.push_back("The recording does not name its image orientation; MF (marker side first, far side last) was assumed.");
@@ -64,7 +64,7 @@ Result<void> turnToMarkerFar(Sequence& sequence, std::vector<std::string>& notes
   return {};
 }
 
-std::optional<Clip> clipOf(const DeviceSet& device, const std::string& whose, std::vector<std::string>& notes) {
+std::optional<Clip> clipOf(const DeviceSet& device, const std::string& whose, std::vector<Message>& notes) {
   const bool fan = device.fanAngles_deg && device.fanAngles_deg->x != device.fanAngles_deg->y;
   if (!device.clipOrigin_px && !device.clipSize_px && !fan) return std::nullopt;
   Clip clip;
@@ -138,7 +138,7 @@ Result<void> takeInterpolation(const DeviceSet& device, ReconstructOptions& opti
   return {};
 }
 
-Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& options, std::vector<std::string>& notes) {
+Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& options, std::vector<Message>& notes) {
   const std::string written = device.compounding.value_or("");
   std::string compounding = written;
   std::transform(compounding.begin(), compounding.end(), compounding.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -237,7 +237,7 @@ Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& option
 }  // namespace
 
 Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration, const SweepDefaults& usual,
-                                       const ReconstructOptions& said, std::vector<std::string>& notes) {
+                                       const ReconstructOptions& said, std::vector<Message>& notes) {
   ReconstructOptions made = said;
   const DeviceSet none;
   const DeviceSet& device = calibration != nullptr ? *calibration : none;
@@ -299,7 +299,7 @@ Result<std::optional<DeviceSet>> deviceOf(const SweepImportOptions& options) {
 Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const SweepImportOptions& options, Progress& progress) {
   opened.plan = {};
   std::optional<Clip> sector = opened.sectorOfScanLines;
-  std::vector<std::string> sectorNotes;
+  std::vector<Message> sectorNotes;
   if (!sector && options.clipFromCalibration) {
     const auto stated = clipStatedIn(opened.sequence);
     if (!stated) return passOn(stated.error());

@@ -48,7 +48,7 @@ double enclosed(vtkPolyData& mesh) {
 }
 
 /// One body's size in mm, or why the coordinates cannot be a body.
-Result<void> scaleToMm(vtkPolyData& mesh, const std::string& file, std::vector<std::string>& notes) {
+Result<void> scaleToMm(vtkPolyData& mesh, const std::string& file, std::vector<Message>& notes) {
   double box[6];
   mesh.GetBounds(box);
   const double largest = std::max({box[1] - box[0], box[3] - box[2], box[5] - box[4]});

@@ -438,7 +438,7 @@ Result<void> measurePeers(const Pair& pair, json& report, Progress& progress) {
     const auto run = runPeer(peers[n], work->path / "fixed.mha", work->path / "moving.mha", folder, progress);
     if (!run && run.error().code == ErrorCode::cancelled) return passOn(run.error());
     if (!run) {
-      report["peers"].push_back({{"name", peers[n].program + ", " + peers[n].setting}, {"failed", run.error().sentence}});
+      report["peers"].push_back({{"name", peers[n].program + ", " + peers[n].setting}, {"failed", run.error().sentence()}});
       continue;
     }
     ControlGrid field{run->field.grid, {}};

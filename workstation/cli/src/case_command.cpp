@@ -32,7 +32,7 @@ struct CaseArguments {
 json problemJson(const Error& problem) {
   json context = json::object();
   for (const auto& [name, value] : problem.context) context[name] = value;
-  return {{"code", nameOf(problem.code)}, {"sentence", problem.sentence}, {"context", context}};
+  return {{"code", nameOf(problem.code)}, {"sentence", problem.sentence()}, {"context", context}};
 }
 
 std::string dumped(const json& value) { return value.dump(2, ' ', false, json::error_handler_t::replace); }
@@ -118,7 +118,7 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
               << std::string(titleWidth - each.title.size() + 2, ' ') << each.region
               << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
   if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
-  for (const auto& problem : list.problems) run.remark(problem.sentence);
+  for (const auto& problem : list.problems) run.remark(problem.sentence());
   for (const auto& other : list.noCases) run.remark("The folder '" + other.filename().string() + "' is left out: it holds no case.json.");
   return kDone;
 }
@@ -190,7 +190,7 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
   if (arguments.asJson)
     run.out() << dumped({{"case", place.string()}, {"valid", problems.empty()}, {"problems", run.report.details["problems"]}}) << "\n";
   else
-    for (const auto& problem : problems) run.out() << problem.sentence << "\n";
+    for (const auto& problem : problems) run.out() << problem.sentence() << "\n";
   if (problems.empty()) {
     if (!arguments.asJson) run.say("The case is valid.");
     return kDone;
@@ -211,7 +211,7 @@ Result<std::vector<Case>> casesToPrepare(const CaseArguments& arguments, Run& ru
     const auto shipped = shippedCasesFolder();
     if (!shipped) return passOn(shipped.error());
     auto list = listCases(*shipped);
-    for (const auto& problem : list.problems) run.remark(problem.sentence);
+    for (const auto& problem : list.problems) run.remark(problem.sentence());
     cases = std::move(list.cases);
   }
   for (const auto& each : arguments.several) {

@@ -31,7 +31,7 @@ class Run {
   /// A line that says what was done, told once every output is in place; not when quiet.
   void say(const std::string& line);
   /// A remark on the error stream: something the user should know although it worked; not when quiet.
-  void remark(const std::string& line);
+  void remark(const Message& line);
   [[nodiscard]] bool quiet() const { return quiet_; }
 
   /// Names a file the command reads, for the report and so that no output is written over it nor over what it names in turn. An empty name

@@ -16,7 +16,7 @@ ConsoleProgress::~ConsoleProgress() { clear(); }
 
 bool ConsoleProgress::cancelRequested() const { return surroundings_.cancel && surroundings_.cancel->load(std::memory_order_relaxed); }
 
-void ConsoleProgress::report(std::string_view what, double fraction) {
+void ConsoleProgress::report(const Message& what, double fraction) {
   if (quiet_ || !std::isfinite(fraction)) return;
   const std::lock_guard lock(mutex_);
   fraction = std::clamp(fraction, 0.0, 1.0);

@@ -17,7 +17,7 @@ class ConsoleProgress final : public Progress {
   ConsoleProgress(const Surroundings& surroundings, bool quiet) : surroundings_(surroundings), quiet_(quiet) {}
   ~ConsoleProgress() override;
 
-  void report(std::string_view what, double fraction) override;
+  void report(const Message& what, double fraction) override;
   [[nodiscard]] bool cancelRequested() const override;
 
   /// Removes the bar, so that a message starts on an empty line.

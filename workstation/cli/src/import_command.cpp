@@ -114,7 +114,7 @@ tl::unexpected<Error> withAllQuestions(Error error, const std::string& file, Imp
     asked = question;
   }
   auto told = withOption(std::move(error));
-  if (!further.empty()) told.value().sentence += further + ".";
+  if (!further.empty()) told.value().sentence() += further + ".";
   return told;
 }
 
@@ -131,10 +131,10 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     return importFile(arguments.file, *answers, reading);
   }();
   if (!read) return withAllQuestions(read.error(), arguments.file, *answers, run);
-  for (const std::string& note : read->notes) run.remark(note);
-  for (const std::string& sentence : sentencesOf(read->removed)) run.remark(sentence);
+  for (const Message& note : read->notes) run.remark(note);
+  for (const Message& sentence : sentencesOf(read->removed)) run.remark(sentence);
   run.report.details["kind"] = nameOf(read->kind);
-  run.report.details["notes"] = read->notes;
+  run.report.details["notes"] = english(read->notes);
   run.report.details["removed"] = toJson(read->removed);
   const StepClock clock(run.report, "write");
   const auto out = run.outputs.staged(arguments.output);

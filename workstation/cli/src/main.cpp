@@ -69,6 +69,6 @@ int main(int argc, char** argv) {
   if (!args.empty() && !args.front().starts_with("-") && wish.error().code == ew::ErrorCode::notFound &&
       args.front().find_first_of("/.") == std::string::npos)
     return runHeadless(args);
-  std::cerr << "echoweave: " << wish.error().sentence << "\n";
+  std::cerr << "echoweave: " << wish.error().sentence() << "\n";
   return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
 }

@@ -49,8 +49,8 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   const auto* command = loaded->host.find(name);
   if (!command) {
     for (const auto& plugin : loaded->plugins.states())
-      if (brings(plugin, name) && !plugin.sentence.empty())
-        return failure(ErrorCode::notFound, "The plugin that brings '" + name + "' cannot be used: " + plugin.sentence,
+      if (brings(plugin, name) && !plugin.message.empty())
+        return failure(ErrorCode::notFound, "The plugin that brings '" + name + "' cannot be used: " + plugin.sentence(),
                        {{"plugin", plugin.title()}});
     return failure(ErrorCode::badUsage, "'" + name +
                                             "' is neither a command nor a case, volume or sweep that exists; "

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 json statusJson(const door::PluginStatus& plugin) {
   json shown = {
-      {"title", plugin.title()}, {"state", door::nameOf(plugin.state)}, {"message", plugin.sentence}, {"folder", plugin.folder.string()}};
+      {"title", plugin.title()}, {"state", door::nameOf(plugin.state)}, {"message", plugin.sentence()}, {"folder", plugin.folder.string()}};
   if (plugin.manifest) {
     shown["name"] = plugin.manifest->name;
     shown["version"] = plugin.manifest->version;
@@ -58,7 +58,7 @@ Result<int> listPlugins(bool asJson, Run& run) {
     if (plugin.manifest)
       for (const auto& ability : plugin.manifest->capabilities) abilities += (abilities.empty() ? "" : ", ") + ability;
     run.out() << title << version << door::nameOf(plugin.state) << (abilities.empty() ? "" : "  (" + abilities + ")") << "\n";
-    if (!plugin.sentence.empty()) run.out() << "  " << plugin.sentence << "\n";
+    if (!plugin.message.empty()) run.out() << "  " << plugin.message << "\n";
   }
   if (plugins.states().empty()) run.out() << "No plugins.\n";
   run.out() << "Searched:";

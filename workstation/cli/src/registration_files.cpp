@@ -39,7 +39,7 @@ Result<glm::dmat4> readTransform(const fs::path& file) {
   std::copy(numbers->begin(), numbers->end(), rows.begin());
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (const auto rigid = checkRigid(matrix); !rigid)
-    return failure(ErrorCode::notRigid, "The transform in '" + file.string() + "' cannot be used: " + rigid.error().sentence,
+    return failure(ErrorCode::notRigid, "The transform in '" + file.string() + "' cannot be used: " + rigid.error().sentence(),
                    {{"file", file.string()}});
   return matrix;
 }

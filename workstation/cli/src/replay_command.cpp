@@ -101,7 +101,7 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
   if (auto kept = run.input(arguments.recording); !kept) return passOn(kept.error());
   const auto recording = readRecording(arguments.recording, run.progress);
   if (!recording) return passOn(recording.error());
-  for (const std::string& note : recording->notes) run.remark(note);
+  for (const Message& note : recording->notes) run.remark(note);
   if (opened && !recording->caseId.empty() && recording->caseId != opened->id)
     run.remark("The recording is of the case '" + recording->caseId + "', not of '" + opened->id +
                "'; what it shows is not what was seen.");

@@ -51,7 +51,7 @@ std::string selectedName(const CLI::App& root) {
 }
 
 void tell(std::ostream& err, const Error& error, bool verbose) {
-  err << "echoweave: " << error.sentence << "\n";
+  err << "echoweave: " << error.sentence() << "\n";
   if (verbose) {
     err << "  " << nameOf(error.code);
     for (const auto& [name, value] : error.context) err << "; " << name << ": " << value;
@@ -75,8 +75,8 @@ Result<int> runGuarded(const Work& work, Run& run) {
 
 /// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.
 Error forTheUser(Error error, const Run& run) {
-  if (error.code == ErrorCode::cancelled && !run.stoppedSentence.empty()) error.sentence = run.stoppedSentence;
-  error.sentence = run.outputs.inGivenNames(std::move(error.sentence));
+  if (error.code == ErrorCode::cancelled && !run.stoppedSentence.empty()) error.message = run.stoppedSentence;
+  error.message = run.outputs.inGivenNames(std::move(error.sentence()));
   for (auto& [name, value] : error.context) value = run.outputs.inGivenNames(std::move(value));
   return error;
 }
@@ -124,7 +124,7 @@ void Run::tellWhatWasDone() {
   said_.clear();
 }
 
-void Run::remark(const std::string& line) {
+void Run::remark(const Message& line) {
   if (quiet_) return;
   progress.clear();
   surroundings_.err << "note: " << line << "\n" << std::flush;

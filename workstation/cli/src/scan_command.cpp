@@ -231,7 +231,7 @@ Result<void> checkScanUsage(const ScanArguments& arguments, Run& run) {
                    "Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.");
   if (writes)
     if (auto fits = checkRoomForWarning(arguments.size_px.x, arguments.size_px.y, arguments.output); !fits)
-      return failure(ErrorCode::badUsage, fits.error().sentence);
+      return failure(ErrorCode::badUsage, fits.error().sentence());
   return {};
 }
 

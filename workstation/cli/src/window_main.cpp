@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_logger_mt("echoweave"));
   const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
   if (!wish) {
-    std::cerr << "echoweave: " << wish.error().sentence << "\n";
+    std::cerr << "echoweave: " << wish.error().sentence() << "\n";
     return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
   }
   ew::ui::WindowOptions options;

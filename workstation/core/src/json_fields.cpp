@@ -219,7 +219,7 @@ std::optional<glm::dmat4> JsonFields::rigid(std::string_view key, const std::str
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (auto checked = checkRigid(matrix); !checked) {
     Error problem = std::move(checked.error());
-    problem.sentence = "'" + placeOf(key) + "' in " + reading_->where() + " cannot be used. " + problem.sentence;
+    problem.message = "'" + placeOf(key) + "' in " + reading_->where() + " cannot be used. " + problem.sentence();
     problem.context.insert(problem.context.begin(), {"field", placeOf(key)});
     reading_->refuse(std::move(problem));
     return std::nullopt;

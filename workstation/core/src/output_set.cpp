@@ -349,7 +349,7 @@ Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
     const std::string aside = asides_.front().path.string();
     asides_.clear();  // they hold what could not be put back
     Error error = all.error();
-    error.sentence += " What was there before could not be put back and lies in '" + aside + "'.";
+    error.message = error.sentence() + " What was there before could not be put back and lies in '" + aside + "'.";
     return passOn(std::move(error));
   }
   // The renamings must survive a power cut; where a folder cannot be synced the files are complete all the same.

@@ -5,7 +5,7 @@ namespace {
 
 class Silence final : public Progress {
  public:
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return false; }
 };
 

@@ -45,13 +45,13 @@ const char* nameOf(ErrorCode code) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Error& error) {
-  out << nameOf(error.code) << ": " << error.sentence;
+  out << nameOf(error.code) << ": " << error.message;
   for (const auto& [name, value] : error.context) out << " [" << name << ": " << value << "]";
   return out;
 }
 
-tl::unexpected<Error> failure(ErrorCode code, std::string sentence, std::vector<std::pair<std::string, std::string>> context) {
-  return tl::unexpected<Error>(Error{code, std::move(sentence), std::move(context)});
+tl::unexpected<Error> failure(ErrorCode code, Message message, std::vector<std::pair<std::string, std::string>> context) {
+  return tl::unexpected<Error>(Error{code, std::move(message), std::move(context)});
 }
 
 tl::unexpected<Error> passOn(Error error) { return tl::unexpected<Error>(std::move(error)); }

@@ -19,8 +19,8 @@ Result<PixelRect> parsePixelRect(std::string_view text) {
                    static_cast<int>((*numbers)[3])};
 }
 
-std::vector<std::string> sentencesOf(const Removed& removed) {
-  std::vector<std::string> sentences;
+std::vector<Message> sentencesOf(const Removed& removed) {
+  std::vector<Message> sentences;
   if (!removed.fields.empty()) {
     std::string list;
     for (const std::string& field : removed.fields) list += (list.empty() ? "" : ", ") + field;

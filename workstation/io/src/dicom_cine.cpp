@@ -27,7 +27,7 @@ std::string listed(const std::vector<UltrasoundRegion>& regions) {
 }
 
 /// Times of the frames by the field that the file names, or by the one that is there; empty when there is none.
-std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<std::string>& notes) {
+std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std::vector<Message>& notes) {
   constexpr DicomTag period = 0x00181063u, steps = 0x00181065u;
   DicomTag named = 0;
   if (const DicomElement* const pointer = data.find(0x00280009u); pointer != nullptr && pointer->value.size() >= 4) {
@@ -64,7 +64,7 @@ struct Chosen {
 };
 
 Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std::vector<UltrasoundRegion>& regions,
-                      const CineOptions& options, std::vector<std::string>& notes) {
+                      const CineOptions& options, std::vector<Message>& notes) {
   const PixelRect whole{0, 0, static_cast<int>(layout.columns), static_cast<int>(layout.rows)};
   const auto ask = [&](const char* what, std::string sentence) {
     return failure(ErrorCode::missingCalibration, std::move(sentence), {{"file", file.string()}, {"ask", what}});

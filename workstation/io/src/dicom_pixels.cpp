@@ -492,7 +492,7 @@ Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& l
 }
 
 Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
-                                  const ReadLimits& limits, Progress& progress, std::vector<std::string>& notes) try {
+                                  const ReadLimits& limits, Progress& progress, std::vector<Message>& notes) try {
   const auto reader = FrameReader::open(dicom, layout);
   if (!reader) return passOn(reader.error());
   const std::size_t pixels = layout.pixelsPerFrame();

@@ -66,7 +66,7 @@ struct GreyFrames {
 };
 /// @error as FrameReader::read; cancelled, tooLarge
 [[nodiscard]] Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
-                                                const ReadLimits& limits, Progress& progress, std::vector<std::string>& notes);
+                                                const ReadLimits& limits, Progress& progress, std::vector<Message>& notes);
 
 /// A JPEG file in memory as 8 bit grey. @error badHeader, unsupported, tooLarge (more than mostPixels), cancelled
 struct JpegGrey {

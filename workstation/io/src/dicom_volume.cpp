@@ -90,7 +90,7 @@ struct Opened {
   DicomFile dicom;
   PixelLayout layout;
   std::vector<VolumePlane> planes;  ///< tissue of the chosen time, in file order
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& options, const ReadLimits& limits) {

@@ -47,8 +47,8 @@ Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::
       const auto unpacked =
           std::find_if(error.context.begin(), error.context.end(), [](const auto& fact) { return fact.first == "unpacked"; });
       if (unpacked != error.context.end())
-        error.sentence = "The compressed samples of " + quoted(header.dataFile) + " break off after " + unpacked->second + " of the " +
-                         std::to_string(target.size()) + " bytes the header promises; get the file again.";
+        error.message = "The compressed samples of " + quoted(header.dataFile) + " break off after " + unpacked->second + " of the " +
+                        std::to_string(target.size()) + " bytes the header promises; get the file again.";
       return passOn(std::move(error));
     }
     filled += *got;
@@ -64,7 +64,7 @@ Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::
 
 /// After the last promised byte: nothing may follow in a packed stream, and its checksum must hold.
 Result<void> checkEnd(const ImageHeader& header, ByteSource& source, std::uint64_t promisedBytes, Progress& progress,
-                      std::vector<std::string>& notes) {
+                      std::vector<Message>& notes) {
   constexpr std::uint64_t worthCounting = 64u << 20;
   std::vector<std::uint8_t> rest(64u << 10);
   std::uint64_t extra = 0;
@@ -113,7 +113,7 @@ bool looksLikeRf(double lowest, double highest) {
 
 template <class T>
 Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
-                    Progress& progress, std::vector<std::string>& notes) {
+                    Progress& progress, std::vector<Message>& notes) {
   const bool swap = header.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t step = static_cast<std::size_t>(header.channels) * sizeof(T);
   const auto value = [&](std::size_t pixel) {
@@ -160,7 +160,7 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
 }
 
 Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>& stored, std::vector<std::uint8_t>& grey, bool rescale,
-                     Progress& progress, std::vector<std::string>& notes) {
+                     Progress& progress, std::vector<Message>& notes) {
   switch (header.type) {
     case SampleType::u8:
       return toGrey<std::uint8_t>(header, stored, grey, rescale, progress, notes);
@@ -189,7 +189,7 @@ Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>&
 }
 
 Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                                  Progress& progress, std::vector<std::string>& notes) {
+                                                  Progress& progress, std::vector<Message>& notes) {
   if (header.channels != 1 && header.channels != 3 && header.channels != 4)
     return failure(ErrorCode::unsupported,
                    quoted(header.file) + " has " + std::to_string(header.channels) +
@@ -229,7 +229,7 @@ tl::unexpected<Error> stopped(const std::filesystem::path& file) {
 }
 
 Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                           Progress& progress, std::vector<std::string>& notes) {
+                                           Progress& progress, std::vector<Message>& notes) {
   try {
     return readGreyOrThrow(header, request, limits, progress, notes);
   } catch (const std::bad_alloc&) {

@@ -22,7 +22,7 @@ struct SampleRequest {
 /// 0..255. What was decided is appended to `notes`. Sizes are checked against the limits and the file before memory is taken.
 /// @error truncated, tooLarge, badHeader (more samples than promised), notReadable, badField, unsupported (channels), cancelled
 [[nodiscard]] Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                                         Progress& progress, std::vector<std::string>& notes);
+                                                         Progress& progress, std::vector<Message>& notes);
 
 /// Says in one sentence that the user stopped the reading or writing of `file`.
 [[nodiscard]] tl::unexpected<Error> stopped(const std::filesystem::path& file);

@@ -42,7 +42,7 @@ struct ImageHeader {
   double intercept = 0.0;
   Fields fields;           ///< everything that is not about storage and place, in file order
   bool endsEarly = false;  ///< the last lines are missing, or a part of one
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported

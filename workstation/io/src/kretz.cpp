@@ -121,7 +121,7 @@ class AngleTable {
 };
 
 Result<std::vector<double>> anglesOf(const Reader& in, const fs::path& file, std::uint32_t tag, const char* name, int wanted,
-                                     std::vector<std::string>& notes) {
+                                     std::vector<Message>& notes) {
   std::vector<double> angles = in.doubles(tag);
   if (angles.size() != static_cast<std::size_t>(wanted))
     return badField(file, name, std::to_string(angles.size()) + " angles", std::to_string(wanted) + ", one a sample of that axis");
@@ -235,7 +235,7 @@ Result<Volume> converted(const Torus& torus, const Grid& grid, double hand, int 
 }
 
 Result<Bytes> samplesOf(const Reader& in, const fs::path& file, const glm::ivec3& counts, const KretzOptions& options,
-                        std::vector<std::string>& notes) {
+                        std::vector<Message>& notes) {
   const std::size_t wanted = static_cast<std::size_t>(counts.x) * static_cast<std::size_t>(counts.y) * static_cast<std::size_t>(counts.z);
   for (const std::uint32_t packed : {0x00021000u, 0x00021100u, 0x00021200u})
     if (in.has(packed))

@@ -100,7 +100,7 @@ struct MappedVolume::Mapping {
   std::size_t reserved_bytes = 0;
   std::size_t mapped_bytes = 0;
   VolumeView<const std::uint8_t> view;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   std::uint64_t highest_bytes = 0;  ///< of resident pages of files, this program's others included
 
   std::mutex mutex;
@@ -141,7 +141,7 @@ MappedVolume& MappedVolume::operator=(MappedVolume&&) noexcept = default;
 
 VolumeView<const std::uint8_t> MappedVolume::view() const { return mapping_->view; }
 const Grid& MappedVolume::grid() const { return mapping_->view.grid; }
-const std::vector<std::string>& MappedVolume::notes() const { return mapping_->notes; }
+const std::vector<Message>& MappedVolume::notes() const { return mapping_->notes; }
 void MappedVolume::release() const { mapping_->release(); }
 
 Result<void> MappedVolume::unchanged() const {
@@ -158,7 +158,7 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
   const auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   if (auto mappable = checkMappable(*header); !mappable) return passOn(mappable.error());
-  std::vector<std::string> notes = header->notes;
+  std::vector<Message> notes = header->notes;
   const auto extent = volumeExtentOf(*header, notes);
   if (!extent) return passOn(extent.error());
 
@@ -196,7 +196,7 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
 std::uint64_t mappableBytes(const fs::path& file) {
   const auto header = readImageHeader(file);
   if (!header || !checkMappable(*header)) return 0;
-  std::vector<std::string> ignored;
+  std::vector<Message> ignored;
   const auto extent = volumeExtentOf(*header, ignored);
   return extent ? extent->voxels : 0;
 }

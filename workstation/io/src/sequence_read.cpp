@@ -233,7 +233,7 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
   if (const auto taken = takeFields(*header, sequence, progress); !taken) return passOn(taken.error());
   if (beforePixels)
     if (const auto checked = beforePixels(sequence); !checked) return passOn(checked.error());
-  std::vector<std::string> notes = header->notes;
+  std::vector<Message> notes = header->notes;
   if (!asSequence) notes.push_back("The file does not say that it is a recording; each slice was taken for a frame.");
   if (*pixels > 0) {
     auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = "Reading frames"}, limits, progress, notes);

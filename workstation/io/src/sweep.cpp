@@ -139,14 +139,14 @@ double skewPercent(const glm::dmat4& matrix) {
 
 std::string withOneDecimal(double value) { return textOf(std::round(value * 10.0) / 10.0); }
 
-void noteGeometry(const glm::dmat4& imageToWorld, std::vector<std::string>& notes) {
+void noteGeometry(const glm::dmat4& imageToWorld, std::vector<Message>& notes) {
   if (const double skew = skewPercent(imageToWorld); skew > 1.0)
     notes.push_back("The calibration's axes are up to " + withOneDecimal(skew) + " % off the right angle; they were used as they are.");
   if (glm::determinant(glm::dmat3(imageToWorld)) < 0.0)
     notes.push_back("The calibration is mirrored (a left-handed frame); it was used as it is.");
 }
 
-void noteTimes(const Sequence& sequence, std::vector<std::string>& notes) {
+void noteTimes(const Sequence& sequence, std::vector<Message>& notes) {
   std::size_t equal = 0;
   std::size_t backwards = 0;
   std::optional<double> before_s;
@@ -161,7 +161,7 @@ void noteTimes(const Sequence& sequence, std::vector<std::string>& notes) {
     notes.push_back("Time runs backwards at " + detail::counted(backwards, "frame", "frames") + "; the order in the file was kept.");
 }
 
-void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<std::string>& notes) {
+void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<Message>& notes) {
   std::set<std::string> replaced;
   for (const SequenceFrame& frame : sequence.frames)
     for (const NamedTransform& own : frame.transforms)
@@ -180,7 +180,7 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
   constexpr std::array<std::string_view, 3> usual{"Reference", "Tracker", "World"};
   const std::span<const std::string_view> wanted = toFrame.empty() ? std::span<const std::string_view>(usual) : std::span(&toFrame, 1);
   std::optional<SweepPoses> best;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   for (const std::string_view target : wanted) {
     if (!chain(names, kImage, target)) continue;
     SweepPoses found = posesTo(sequence, given, target);

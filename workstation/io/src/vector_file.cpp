@@ -63,7 +63,7 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
                    {{"file", file.string()}});
   VectorField field;
   field.components = static_cast<int>(header->channels);
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const auto extent = volumeExtentOf(*header, notes);
   if (!extent) return passOn(extent.error());
   field.grid = extent->grid;

@@ -6,7 +6,7 @@
 
 namespace ew::detail {
 
-Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<std::string>& notes) {
+Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<Message>& notes) {
   if (describesSequence(header))
     return failure(ErrorCode::unsupported, quoted(header.file) + " is a recorded sweep, not a volume; reconstruct it first.",
                    {{"file", header.file.string()}});
@@ -34,7 +34,7 @@ Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<std::
                     " volumes one after the other; the first was read.");
   if (auto usable = checkGrid(extent.grid); !usable) {
     Error error = usable.error();
-    error.sentence = quoted(header.file) + ": " + error.sentence;
+    error.message = quoted(header.file) + ": " + error.sentence();
     error.context.emplace_back("file", header.file.string());
     return passOn(std::move(error));
   }

@@ -17,6 +17,6 @@ struct VolumeExtent {
 
 /// What a header says about its volume, checked before any sample is looked at; what was decided is appended to `notes`.
 /// @error unsupported (a recorded sweep), emptyVolume, tooLarge, badField (spacing or directions)
-[[nodiscard]] Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<std::string>& notes);
+[[nodiscard]] Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<Message>& notes);
 
 }  // namespace ew::detail

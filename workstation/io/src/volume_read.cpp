@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Lets the header begin at a later one of its volumes.
-Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& extent, std::vector<std::string>& notes) {
+Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& extent, std::vector<Message>& notes) {
   const std::uint64_t steps = extent.promised / extent.voxels;
   if (timeStep < 1 || timeStep > steps)
     return failure(ErrorCode::badUsage,

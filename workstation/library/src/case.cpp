@@ -104,7 +104,7 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   const auto reasonOf = [](const Error& refused) {
     for (const auto& [name, value] : refused.context)
       if (name == "reason") return value;
-    return refused.sentence;
+    return refused.sentence();
   };
   const fs::path source = fs::canonical(edited.folder, error);  // copying a link would copy nothing and say that all is well
   if (error) return giveUp(error.message());
@@ -116,7 +116,7 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   if (error) return giveUp(error.message());
   if (auto written = writeManifest(edited, aside); !written) {
     Error problem = written.error();
-    problem.sentence = outputs.inGivenNames(std::move(problem.sentence));
+    problem.message = outputs.inGivenNames(std::move(problem.sentence()));
     return passOn(std::move(problem));
   }
   if (auto committed = outputs.commit(); !committed) return giveUp(reasonOf(committed.error()));
@@ -264,14 +264,14 @@ CaseList listCases(const fs::path& folder) {
       found.cases.push_back(std::move(*opened));
     else {
       Error problem = opened.error();
-      problem.sentence = "The case in the folder '" + entry.filename().string() + "' is left out: " + problem.sentence;
+      problem.message = "The case in the folder '" + entry.filename().string() + "' is left out: " + problem.sentence();
       problem.context.emplace_back("case", entry.string());
       found.problems.push_back(std::move(problem));
     }
   }
   std::sort(found.cases.begin(), found.cases.end(),
             [](const Case& a, const Case& b) { return std::tie(a.title, a.id) < std::tie(b.title, b.id); });
-  std::sort(found.problems.begin(), found.problems.end(), [](const Error& a, const Error& b) { return a.sentence < b.sentence; });
+  std::sort(found.problems.begin(), found.problems.end(), [](const Error& a, const Error& b) { return a.sentence() < b.sentence(); });
   std::sort(found.noCases.begin(), found.noCases.end());
   return found;
 }

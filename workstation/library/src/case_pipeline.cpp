@@ -106,7 +106,7 @@ double voxeliseWork(double spacing_mm) { return 6.0 / std::pow(spacing_mm, 3); }
 class Onward final : public Progress {
  public:
   explicit Onward(Progress& whole) : whole_(whole) {}
-  void report(std::string_view what, double fraction) override {
+  void report(const Message& what, double fraction) override {
     furthest_ = std::max(furthest_, fraction);
     whole_.report(what, furthest_);
   }
@@ -179,7 +179,7 @@ class Preparation {
  public:
   /// @param store shared, of `home`: the cache, or a folder of its own when that cannot be written
   Preparation(const Case& opened, const CasePlan& plan, fs::path home, const StepStore& store, const PreparationOptions& options,
-              Progress& progress, std::vector<std::string>& notes)
+              Progress& progress, std::vector<Message>& notes)
       : case_(opened),
         plan_(plan),
         home_(std::move(home)),
@@ -332,7 +332,7 @@ class Preparation {
     if (store_.find(kSweeps, sweep.volume)) {
       if (isWhole(store_, kSweeps, sweep.volume, {kVolumeFile, kCoverageFile, kConfidenceFile})) return {};
       notes_.push_back("A part of the case in the cache could not be used and was made again. " +
-                       damagedInCache(store_, kSweeps, sweep.volume).value().sentence);
+                       damagedInCache(store_, kSweeps, sweep.volume).value().sentence());
     }
     if (auto recorded = record(sweep); !recorded) return recorded;
     if (auto made = reconstruct(sweep); !made) return made;
@@ -434,7 +434,7 @@ class Preparation {
   const fs::path home_;
   const StepStore& store_;
   const PreparationOptions& options_;
-  std::vector<std::string>& notes_;
+  std::vector<Message>& notes_;
   PreparationClock clock_;
   QuietProgress silent_;
   PatientPtr patient_;
@@ -530,13 +530,13 @@ PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
 }
 
 Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& whole,
-                              std::vector<std::string>& notes) {
+                              std::vector<Message>& notes) {
   Onward progress(whole);
   const auto cache = StepStore::share(cacheFolder(), preparationSteps());
   const auto readOrNote = [&](const StepStore& store) -> Result<Prepared> {
     auto cached = readDone(plan, store, progress);
     if (!cached && cached.error().code != ErrorCode::cancelled)
-      notes.push_back("The prepared volume in the cache could not be used and was made again. " + cached.error().sentence);
+      notes.push_back("The prepared volume in the cache could not be used and was made again. " + cached.error().sentence());
     return cached;
   };
   const bool wasThere = plan.isDone();
@@ -566,7 +566,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   // Without a cache the case still opens; it is only made anew next time, and the user is told why, once. The way leads through files all
   // the same, in a folder that nobody else can write to.
   notes.push_back("The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. " +
-                  made.error().sentence);
+                  made.error().sentence());
   const auto aside = PrivateFolder::make();
   if (!aside) return made;
   const auto store = StepStore::share(aside->path(), preparationSteps());

@@ -57,6 +57,6 @@ struct CasePlan {
 /// Volume and labels of a case, from the cache or made now, each step kept as it is done.
 /// @param notes what a user should know is appended
 [[nodiscard]] Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& progress,
-                                            std::vector<std::string>& notes);
+                                            std::vector<Message>& notes);
 
 }  // namespace ew

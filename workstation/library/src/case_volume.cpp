@@ -89,11 +89,11 @@ Result<PreparationEstimate> estimatePreparation(const Case& opened) {
                      [&]() -> Result<PreparationEstimate> { return estimateOf(opened, *plan); });
 }
 
-Result<std::vector<std::string>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress) {
+Result<std::vector<Message>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress) {
   if (opened.volume.recipe.empty()) return std::vector<std::string>{};
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   if (plan->isDone()) return notes;
   const auto made = makePrepared(opened, *plan, options, progress, notes);
   if (!made) return passOn(made.error());

@@ -58,12 +58,12 @@ Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& option
   if (options.by == GateBy::ecg || (automatic && carries(sequence, fields::kEcg)))
     if (auto problem = take(GateBy::ecg, byEcg(sequence))) {
       if (!automatic) return passOn(std::move(*problem));
-      gate.notes.push_back(problem->sentence);
+      gate.notes.push_back(problem->sentence());
     }
   if (!cycles && (options.by == GateBy::respiration || (automatic && carries(sequence, fields::kRespiration))))
     if (auto problem = take(GateBy::respiration, byRespiration(sequence))) {
       if (!automatic) return passOn(std::move(*problem));
-      gate.notes.push_back(problem->sentence);
+      gate.notes.push_back(problem->sentence());
     }
   if (!cycles)
     if (auto problem = take(GateBy::images, byImages(sequence, time_s, options, progress))) return passOn(std::move(*problem));

@@ -62,7 +62,7 @@ void PreparationClock::begin(int kind, std::string what) {
 
 double PreparationClock::sinceBegin_s() const { return secondsBetween(stepStarted_, Clock::now()); }
 
-void PreparationClock::report(std::string_view, double fraction) {
+void PreparationClock::report(const Message&, double fraction) {
   const std::lock_guard lock(guard_);
   const Step now = at_ < steps_.size() ? steps_[at_] : Step{};
   const double inStep_s = sinceBegin_s();

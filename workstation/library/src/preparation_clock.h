@@ -23,7 +23,7 @@ class PreparationClock final : public Progress {
   void begin(int kind, std::string what);
   /// Seconds the step that is under way has taken.
   [[nodiscard]] double sinceBegin_s() const;
-  void report(std::string_view what, double fraction) override;
+  void report(const Message& what, double fraction) override;
   [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
 
   /// Seconds that a step will take of which `fraction` is done after `passed_s`. The further it is, the more its own speed counts and the

@@ -49,7 +49,7 @@ Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const 
   std::vector<Grid> grids;
   for (const auto& input : inputs) {
     const auto about = [&](Error problem) {
-      problem.sentence = "Volume '" + input.name + "' cannot be stitched. " + problem.sentence;
+      problem.message = "Volume '" + input.name + "' cannot be stitched. " + problem.sentence();
       problem.context.emplace_back("volume", input.name);
       return passOn(std::move(problem));
     };

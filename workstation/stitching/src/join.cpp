@@ -80,7 +80,7 @@ Result<void> checkJoin(std::span<const View> views, const SeamMap& seams, const 
 }
 
 /// Without coverage the black outside of a fan counts as seen, and darkens what another volume shows there.
-void noteMissingCoverage(std::span<const View> views, std::vector<std::string>& notes) {
+void noteMissingCoverage(std::span<const View> views, std::vector<Message>& notes) {
   constexpr double suspicious = 0.05;
   if (views.size() < 2) return;
   for (const auto& view : views) {
@@ -183,7 +183,7 @@ Result<void> checkViews(std::span<const View> views) {
   for (const View& view : views) {
     EW_EXPECTS(view.volume != nullptr);
     const auto about = [&](Error problem) {
-      problem.sentence = "Volume '" + view.name + "' cannot be stitched. " + problem.sentence;
+      problem.message = "Volume '" + view.name + "' cannot be stitched. " + problem.sentence();
       problem.context.emplace_back("volume", view.name);
       return passOn(std::move(problem));
     };

@@ -60,7 +60,7 @@ void CasePreparation::next() {
   }
   running_ = std::move(waiting_.front());
   waiting_.pop_front();
-  auto notes = std::make_shared<std::vector<std::string>>();
+  auto notes = std::make_shared<std::vector<Message>>();
   job_ = jobs_.start(
       tr("Preparing %1").arg(words(titleForTrainees(*running_))),
       [opened = *running_, notes](Progress& progress) -> Result<void> {
@@ -76,7 +76,7 @@ void CasePreparation::next() {
         job_ = 0;
         if (outcome) {
           Q_EMIT prepared(words(done.id));
-          for (const std::string& note : *notes) Q_EMIT noted(words(note));
+          for (const Message& note : *notes) Q_EMIT noted(words(note));
         } else if (outcome.error().code != ErrorCode::cancelled) {
           stopped_.push_back(done.id);
           Q_EMIT failed(outcome.error());

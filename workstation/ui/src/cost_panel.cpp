@@ -192,7 +192,7 @@ void CostPanel::take(const Result<void>& outcome, const CostOfAccuracy& result) 
   if (outcome) {
     measured_ = result;
   } else if (outcome.error().code != ErrorCode::cancelled) {
-    problem_ = words(outcome.error().sentence);
+    problem_ = words(outcome.error().message);
   } else {
     problem_ = tr("Cancelled.");
   }

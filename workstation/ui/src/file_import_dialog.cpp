@@ -290,7 +290,7 @@ void FileImportDialog::showPreview() {
 void FileImportDialog::takePreview(const RawPreview& slices, const RawLayout& layout, const Result<void>& outcome) {
   if (!outcome) {
     for (QLabel* slice : slices_) slice->clear();
-    if (outcome.error().code != ErrorCode::cancelled) refuse(words(outcome.error().sentence));
+    if (outcome.error().code != ErrorCode::cancelled) refuse(words(outcome.error().message));
     import_->setEnabled(true);
     return;
   }
@@ -322,7 +322,7 @@ void FileImportDialog::look() {
         if (outcome && *found)
           dialog->takeLook(**found);
         else if (!outcome && outcome.error().code != ErrorCode::cancelled)
-          dialog->refuse(words(outcome.error().sentence));
+          dialog->refuse(words(outcome.error().message));
       });
 }
 
@@ -350,7 +350,7 @@ void FileImportDialog::takeLook(const ImportPreview& preview) {
     picture_->setParts(std::move(parts));
   }
   QStringList lines;
-  for (const std::string& sentence : sentencesOf(summary.identifying)) lines << words(sentence);
+  for (const Message& sentence : sentencesOf(summary.identifying)) lines << words(sentence);
   removed_->setText(lines.join(QLatin1Char('\n')));
   grow();
 }
@@ -390,7 +390,7 @@ struct FileImportDialog::Made {
 
 void FileImportDialog::start() {
   const auto given = answers();
-  if (!given) return refuse(words(given.error().sentence));
+  if (!given) return refuse(words(given.error().message));
   if (job_ != 0) jobs_.cancel(job_);
   import_->setEnabled(false);
   auto made = std::make_shared<Made>();
@@ -416,13 +416,13 @@ void FileImportDialog::start() {
         if (outcome)
           dialog->take(made);
         else if (outcome.error().code != ErrorCode::cancelled)
-          dialog->refuse(words(outcome.error().sentence));
+          dialog->refuse(words(outcome.error().message));
       });
 }
 
 void FileImportDialog::take(const std::shared_ptr<Made>& made) {
-  std::vector<std::string> notes = made->file.notes;
-  for (std::string& sentence : sentencesOf(made->file.removed)) notes.push_back(std::move(sentence));
+  std::vector<Message> notes = made->file.notes;
+  for (Message& sentence : sentencesOf(made->file.removed)) notes.push_back(std::move(sentence));
   messages_.forgetWhatIsPast();
   messages_.showNotes(tr("%1 was imported; %n notes say what was decided and left out.", nullptr, static_cast<int>(notes.size()))
                           .arg(QFileInfo(file_).fileName()),
@@ -450,7 +450,7 @@ void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
       [here = QPointer<FileImportDialog>(this), messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
         if (FileImportDialog* const dialog = here.data(); dialog != nullptr) {
           dialog->import_->setEnabled(true);
-          if (!outcome) return dialog->refuse(words(outcome.error().sentence));
+          if (!outcome) return dialog->refuse(words(outcome.error().message));
           Q_EMIT dialog->sequenceSaved(target);
           dialog->close();
         } else if (messages && !outcome && outcome.error().code != ErrorCode::cancelled) {

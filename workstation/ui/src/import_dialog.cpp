@@ -406,7 +406,7 @@ void ImportDialog::readAgain() {
   }
   if (!asked) {
     seen_ = std::make_shared<Seen>();
-    refuse(words(asked.error().sentence));
+    refuse(words(asked.error().message));
     return;
   }
   make_->setEnabled(false);
@@ -454,7 +454,7 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
       for (const QString& name : words(reachable->second).split(QLatin1Char(','), Qt::SkipEmptyParts)) names.push_back(name.toStdString());
       offerFrames(names, tr("default"));
     }
-    refuse(words(outcome.error().sentence));
+    refuse(words(outcome.error().message));
     if (askedFor(outcome.error()) == "motor") moved_->setFocus();
     return;
   }
@@ -503,7 +503,7 @@ void ImportDialog::showPlan() {
       tr("%1 of %2 used (%3 invalid, %4 without a pose)").arg(counts.used).arg(counts.total).arg(counts.invalid).arg(counts.missing));
   keepSource_->setEnabled(counts.used <= kMostTracedFrames);
   const auto asked = options();
-  if (!asked) return refuse(words(asked.error().sentence));
+  if (!asked) return refuse(words(asked.error().message));
   ReconstructOptions chosen = asked->reconstruct;
   chosen.clip = plan.reconstruct.clip;
   const Grid grid = respaced(plan.grid, spacing_->value());
@@ -527,7 +527,7 @@ void ImportDialog::showPlan() {
   if (!keepSource_->isEnabled()) {
     notes << tr("The sweep has more than %1 frames; which of them a voxel came from cannot be kept.").arg(kMostTracedFrames);
   }
-  for (const std::string& note : plan.notes) notes << words(note);
+  for (const Message& note : plan.notes) notes << words(note);
   notes_->setStyleSheet(QStringLiteral("color: %1;").arg(currentTheme().quiet.name()));
   notes_->setText(notes.join(QLatin1Char('\n')));
   make_->setEnabled(true);
@@ -536,7 +536,7 @@ void ImportDialog::showPlan() {
 
 void ImportDialog::start() {
   const auto asked = options();
-  if (!asked) return refuse(words(asked.error().sentence));
+  if (!asked) return refuse(words(asked.error().message));
   struct Made {
     ScanVoxels voxels;
     std::shared_ptr<const Provenance> provenance;
@@ -580,7 +580,7 @@ void ImportDialog::start() {
         if (failed) {
           // Back with every choice as it was, so that one of them can be changed.
           dialog->open();
-          dialog->refuse(words(outcome.error().sentence));
+          dialog->refuse(words(outcome.error().message));
           dialog->make_->setEnabled(true);
           return;
         }

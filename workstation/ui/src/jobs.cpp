@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "ew/core/guarded.h"
+#include "words.h"
 
 namespace ew::ui {
 
@@ -23,12 +24,12 @@ struct Jobs::Job final : Progress {
   std::atomic<bool> cancelled{false};
   std::atomic<double> fraction{0.0};
   mutable std::mutex mutex;
-  std::string step;
+  Message step;
 
-  void report(std::string_view what, double part) override {
+  void report(const Message& what, double part) override {
     fraction.store(part);
     const std::lock_guard lock(mutex);
-    step.assign(what);
+    step = what;
   }
   [[nodiscard]] bool cancelRequested() const override { return cancelled.load(); }
 };
@@ -113,7 +114,7 @@ std::vector<Jobs::Seen> Jobs::seen() const {
              job->cancelled.load(),
              job->kind};
     const std::lock_guard lock(job->mutex);
-    one.step = QString::fromStdString(job->step);
+    one.step = words(job->step);
     all.push_back(std::move(one));
   }
   return all;

@@ -422,7 +422,7 @@ void MainWindow::fillStartPage() {
     std::move(theirs.problems.begin(), theirs.problems.end(), std::back_inserter(found.problems));
   }
   for (const Error& problem : found.problems) parts_->messages->showError(problem);
-  parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().sentence));
+  parts_->startPage->showCases(found.cases, folder ? QString() : words(folder.error().message));
   parts_->shownCases = found.cases;
   showRecent();
   parts_->startPage->setOpenCase(parts_->session.subject() ? words(parts_->session.subject()->title) : QString());

@@ -92,7 +92,7 @@ void MainWindow::openPlugins() {
   });
   for (const door::PluginStatus& plugin : p.plugins->states()) {
     if (plugin.state != door::PluginState::loaded && plugin.state != door::PluginState::replaced)
-      p.messages->showError(words(plugin.sentence));
+      p.messages->showError(words(plugin.message));
   }
   showPanels();
 }

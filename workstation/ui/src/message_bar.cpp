@@ -76,45 +76,45 @@ void MessageBar::refreshIcons() { close_->setIcon(icon(QStringLiteral("close")))
 void MessageBar::showError(const Error& error, const QString& topic) {
   QStringList facts;
   for (const auto& [key, value] : error.context) facts << QStringLiteral("%1: %2").arg(words(key), words(value));
-  add({Kind::error, words(error.sentence), {}, facts.join(QLatin1Char('\n')), topic});
+  add({Kind::error, words(error.message), {}, facts.join(QLatin1Char('\n')), topic});
 }
 
 void MessageBar::showError(const QString& sentence, const QString& topic) { add({Kind::error, sentence, {}, {}, topic}); }
 void MessageBar::showNote(const QString& sentence, const QString& topic) { add({Kind::note, sentence, {}, {}, topic}); }
 
-void MessageBar::showNotes(const QString& summary, const std::vector<std::string>& sentences, const QString& topic) {
+void MessageBar::showNotes(const QString& summary, const std::vector<Message>& sentences, const QString& topic) {
   if (sentences.empty()) return forget(topic);
   if (sentences.size() == 1) return showNote(words(sentences.front()), topic);
   QStringList lines;
-  for (const std::string& sentence : sentences) lines << words(sentence);
+  for (const Message& sentence : sentences) lines << words(sentence);
   add({Kind::note, summary, lines.join(QLatin1Char('\n')), {}, topic});
 }
 
 void MessageBar::forgetWhatIsPast() {
-  std::erase_if(waiting_, [](const Message& one) { return !one.topic.isEmpty(); });
+  std::erase_if(waiting_, [](const Line& one) { return !one.topic.isEmpty(); });
   refresh();
 }
 
 void MessageBar::forget(const QString& topic) {
   if (topic.isEmpty()) return;
-  std::erase_if(waiting_, [&](const Message& one) { return one.topic == topic; });
+  std::erase_if(waiting_, [&](const Line& one) { return one.topic == topic; });
   refresh();
 }
 
-void MessageBar::add(Message message) {
+void MessageBar::add(Line message) {
   // What is said again tells nothing new, and what was said of the same topic before is past.
-  std::erase_if(waiting_, [&](const Message& one) {
+  std::erase_if(waiting_, [&](const Line& one) {
     return (!message.topic.isEmpty() && one.topic == message.topic) || (one.kind == message.kind && one.sentence == message.sentence);
   });
   const auto at = message.kind == Kind::error
                       ? waiting_.end()
-                      : std::find_if(waiting_.begin(), waiting_.end(), [](const Message& one) { return one.kind == Kind::error; });
+                      : std::find_if(waiting_.begin(), waiting_.end(), [](const Line& one) { return one.kind == Kind::error; });
   waiting_.insert(at, std::move(message));
   refresh();
 }
 
-const MessageBar::Message* MessageBar::front() const { return waiting_.empty() ? nullptr : &waiting_.back(); }
-QString MessageBar::text() const { return front() != nullptr ? front()->sentence : QString(); }
+const MessageBar::Line* MessageBar::front() const { return waiting_.empty() ? nullptr : &waiting_.back(); }
+QString MessageBar::text() const { return front() != nullptr ? front()->sentence() : QString(); }
 QString MessageBar::details() const { return front() != nullptr ? front()->details : QString(); }
 bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
@@ -124,7 +124,7 @@ void MessageBar::dismiss() {
 }
 
 void MessageBar::refresh() {
-  const Message* first = front();
+  const Line* first = front();
   setVisible(first != nullptr);
   if (first != nullptr) {
     setProperty("kind", first->kind == Kind::error ? QStringLiteral("error") : QStringLiteral("note"));

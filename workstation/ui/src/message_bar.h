@@ -28,7 +28,7 @@ class MessageBar final : public QFrame {
   void showNote(const QString& sentence, const QString& topic = {});
   /// What one action had to say, as one message: a single sentence as it is, several folded below `summary`. With none only what was said
   /// of the topic before goes.
-  void showNotes(const QString& summary, const std::vector<std::string>& sentences, const QString& topic = {});
+  void showNotes(const QString& summary, const std::vector<Message>& sentences, const QString& topic = {});
   /// Something else is open: what was said with a topic is past.
   void forgetWhatIsPast();
   /// The same for one topic.
@@ -45,18 +45,18 @@ class MessageBar final : public QFrame {
 
  private:
   enum class Kind { note, error };
-  struct Message {
+  struct Line {
     Kind kind = Kind::note;
     QString sentence;
     QString details;  ///< folded
     QString tip;
     QString topic;
   };
-  void add(Message message);
+  void add(Line message);
   void refresh();
-  [[nodiscard]] const Message* front() const;
+  [[nodiscard]] const Line* front() const;
 
-  std::vector<Message> waiting_;  ///< notes, then errors, each with the newest last: the last one is in sight
+  std::vector<Line> waiting_;  ///< notes, then errors, each with the newest last: the last one is in sight
   QLabel* sentence_ = nullptr;
   QLabel* more_ = nullptr;
   QLabel* details_ = nullptr;

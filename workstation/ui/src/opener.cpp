@@ -80,7 +80,7 @@ struct Opener::Loading {
 /// What the job that looks at any other file hands over.
 struct Opener::Image {
   ScanVoxels voxels;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   bool isSweep = false;
   std::shared_ptr<const ScanRecording> recording;  ///< null: the file is none
   FileKind kind = FileKind::volume;
@@ -137,7 +137,7 @@ void Opener::showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
   view_.setMannequin(std::move(mannequin));
 }
 
-void Opener::tellOpened(const QString& path, const std::vector<std::string>& notes) {
+void Opener::tellOpened(const QString& path, const std::vector<Message>& notes) {
   messages_.showNotes(
       tr("%1 is open; %n notes say how it was read.", nullptr, static_cast<int>(notes.size())).arg(QFileInfo(path).fileName()), notes,
       kOpening);
@@ -319,11 +319,11 @@ void Opener::openImage(const QString& path) {
         } else {
           auto made = importFile(pathOf(path), {}, most);
           if (!made && askedFor(made.error()).empty()) return passOn(made.error());
-          if (!made) loaded->question = made.error().sentence;
+          if (!made) loaded->question = made.error().sentence();
           loaded->asks = !made || !made->volume;
           if (loaded->asks) return {};
           loaded->notes = std::move(made->notes);
-          for (std::string& sentence : sentencesOf(made->removed)) loaded->notes.push_back(std::move(sentence));
+          for (Message& sentence : sentencesOf(made->removed)) loaded->notes.push_back(std::move(sentence));
           read = std::make_shared<const Volume>(std::move(*made->volume));
         }
         PartOfProgress rest(progress, 0.9, 1.0);

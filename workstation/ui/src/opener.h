@@ -85,7 +85,7 @@ class Opener final : public QObject {
   void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
   void giveUpOpening();
   /// One message of what reading it had to decide.
-  void tellOpened(const QString& path, const std::vector<std::string>& notes);
+  void tellOpened(const QString& path, const std::vector<Message>& notes);
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
   void takeStart();

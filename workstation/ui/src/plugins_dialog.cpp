@@ -51,8 +51,8 @@ QWidget* rowOf(const door::PluginStatus& plugin) {
   head->addWidget(state);
   lines->addLayout(head);
   if (plugin.manifest && !plugin.manifest->description.empty()) lines->addWidget(quiet(words(plugin.manifest->description)));
-  if (!plugin.sentence.empty()) {
-    auto* sentence = new QLabel(words(plugin.sentence));
+  if (!plugin.message.empty()) {
+    auto* sentence = new QLabel(words(plugin.message));
     sentence->setWordWrap(true);
     sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     lines->addWidget(sentence);

@@ -80,7 +80,7 @@ Result<void> saveTogether(const std::vector<std::filesystem::path>& files, const
   auto written = write(outputs);
   if (written) return outputs.commit();
   Error problem = std::move(written.error());
-  problem.sentence = outputs.inGivenNames(std::move(problem.sentence));
+  problem.message = outputs.inGivenNames(std::move(problem.sentence()));
   for (auto& [name, value] : problem.context) value = outputs.inGivenNames(std::move(value));
   return passOn(std::move(problem));
 }

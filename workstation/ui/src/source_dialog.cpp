@@ -255,7 +255,7 @@ void SourceDialog::read() {
           dialog->images_ = *found;
         } else {
           dialog->problem_ = outcome.error().code == ErrorCode::cancelled ? tr("Reading was stopped. Ask again to go on.")
-                                                                          : words(outcome.error().sentence);
+                                                                          : words(outcome.error().message);
         }
         dialog->showAll();
       });

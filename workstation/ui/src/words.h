@@ -2,11 +2,12 @@
 
 #include <QString>
 #include <filesystem>
-#include <string>
+
+#include "ew/sdk/words.h"
 
 namespace ew::ui {
 
-inline QString words(const std::string& text) { return QString::fromStdString(text); }
+using sdk::words;
 inline QString wordsOf(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 inline std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
 

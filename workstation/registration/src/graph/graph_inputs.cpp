@@ -26,7 +26,7 @@ Result<void> checkGraph(std::span<const GraphNode> nodes, std::span<const GraphE
   if (options.iterations < 1) return failure(ErrorCode::badField, "At least one iteration is needed.", {{"field", "iterations"}});
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (auto rigid = checkRigid(nodes[n].toWorld); !rigid)
-      return failure(ErrorCode::notRigid, "The pose of " + nameOfNode(nodes, n) + " cannot be used: " + rigid.error().sentence);
+      return failure(ErrorCode::notRigid, "The pose of " + nameOfNode(nodes, n) + " cannot be used: " + rigid.error().sentence());
     if (!allFinite(nodes[n].priorCentre_mm))
       return failure(ErrorCode::badField, "The centre of the tracker's covariance of " + nameOfNode(nodes, n) + " is not a number.",
                      {{"field", "priorCentre_mm"}});
@@ -44,7 +44,7 @@ Result<void> checkGraph(std::span<const GraphNode> nodes, std::span<const GraphE
       return failure(ErrorCode::badField, number + " joins " + nameOfNode(nodes, edge.fixed) + " with itself.", {{"field", "edges"}});
     const std::string name = nameOfEdge(nodes, edge);
     if (auto rigid = checkRigid(edge.fixedToMoving); !rigid)
-      return failure(ErrorCode::notRigid, "The transform of the pair " + name + " cannot be used: " + rigid.error().sentence);
+      return failure(ErrorCode::notRigid, "The transform of the pair " + name + " cannot be used: " + rigid.error().sentence());
     if (!allFinite(edge.centre_mm) || !std::isfinite(edge.trust) || edge.trust < 0.0 || edge.trust > 1.0)
       return failure(ErrorCode::badField, "The pair " + name + " has a centre that is not a number or a trust outside 0..1.",
                      {{"field", "edges"}});

@@ -120,7 +120,7 @@ std::vector<PluginStatus> discoverPlugins(const std::vector<fs::path>& folders) 
         status.manifest = std::move(*manifest);
       } else {
         status.state = PluginState::badManifest;
-        status.sentence = manifest.error().sentence;
+        status.message = manifest.error().message;
       }
       found.push_back(std::move(status));
     }

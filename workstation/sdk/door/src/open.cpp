@@ -21,9 +21,9 @@ std::string readable(std::uint32_t abi) {
   return std::to_string(abi) + " (interface " + interface.data() + ", compiler " + std::to_string(abi & 0xffu) + ")";
 }
 
-void refuse(PluginStatus& status, PluginState state, std::string sentence) {
+void refuse(PluginStatus& status, PluginState state, Message message) {
   status.state = state;
-  status.sentence = std::move(sentence);
+  status.message = std::move(message);
 }
 
 std::string otherAbiSentence(const PluginManifest& manifest, std::uint32_t found) {
@@ -93,19 +93,19 @@ struct PluginList::Open {
   void start(const Library& library, PluginStatus& status) {
     const auto failed = [&](const Thrown& thrown) { return errorOf(host.calls().faultOf(PluginMoment::start, {}, thrown)); };
     const auto abi = guarded([&] { return library.abi(); }, failed);
-    if (!abi) return refuse(status, PluginState::failed, abi.error().sentence);
+    if (!abi) return refuse(status, PluginState::failed, abi.error().message);
     if (*abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(*status.manifest, *abi));
     const auto made = guarded([&] { return library.create(host); }, failed);
     if (!made || *made == nullptr) {
       host.calls().withdraw();
       return refuse(
           status, PluginState::failed,
-          made ? "The plugin '" + status.title() + "' could not start and gave no reason; the log may say more." : made.error().sentence);
+          made ? say<"The plugin '%1' could not start and gave no reason; the log may say more.">(status.title()) : made.error().message);
     }
     plugin = *made;
     destroy = library.destroy;
     status.state = PluginState::loaded;
-    status.sentence.clear();
+    status.message = {};
     host.calls().made();
   }
 
@@ -133,13 +133,13 @@ void PluginList::openAll(sdk::Host& host, const Tell& tell) {
       if (const auto library = loaded(*status.manifest)) {
         // The address stays: the list of states neither grows nor shrinks, and moving it moves none of them.
         open_.push_back(std::make_unique<Open>(host, status.title(), [&host, &status, tell](const PluginFault& fault) {
-          status.sentence = sentenceOf(fault);
-          host.log().error(status.sentence);
+          status.message = sentenceOf(fault);
+          host.log().error(status.sentence());
           if (tell) tell(fault);
         }));
         open_.back()->start(*library, status);
       } else {
-        refuse(status, PluginState::notLoadable, library.error().sentence);
+        refuse(status, PluginState::notLoadable, library.error().message);
       }
     }
     if (status.state == PluginState::loaded) running.insert(status.manifest->name);

@@ -111,7 +111,7 @@ class PluginCases final : public sdk::Cases {
 class UntilWithdrawn final : public Progress {
  public:
   UntilWithdrawn(Progress& inner, const PluginCalls& calls) : inner_(inner), calls_(calls) {}
-  void report(std::string_view what, double fraction) override { inner_.report(what, fraction); }
+  void report(const Message& what, double fraction) override { inner_.report(what, fraction); }
   [[nodiscard]] bool cancelRequested() const override { return inner_.cancelRequested() || calls_.isWithdrawn(); }
 
  private:

@@ -40,7 +40,7 @@ class Together {
 class OfPiece final : public Progress {
  public:
   OfPiece(Together& together, std::size_t piece) : together_(together), piece_(piece) {}
-  void report(std::string_view what, double fraction) override { together_.report(piece_, what, fraction); }
+  void report(const Message& what, double fraction) override { together_.report(piece_, what, fraction); }
   [[nodiscard]] bool cancelRequested() const override { return together_.cancelRequested(); }
 
  private:
@@ -52,7 +52,7 @@ class OfPiece final : public Progress {
 class Counting final : public Progress {
  public:
   explicit Counting(const Together& together) : together_(together) {}
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return together_.cancelRequested(); }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ew/acquisition/sweep_volume.h"
+#include "ew/core/message_json.h"
 #include "ew/io/safe_file.h"
 
 #include "chain/chain_json.h"
@@ -24,7 +25,7 @@ constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha"
 class Silent final : public Progress {
  public:
   explicit Silent(const Progress& whole) : whole_(whole) {}
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
 
  private:
@@ -165,7 +166,7 @@ Result<std::shared_ptr<LoadedView>> ChainInputs::readView(std::size_t v, Progres
     view->confidence = std::move(*confidence);
   }
   view->volume = std::make_shared<const Volume>(std::move(volume));
-  for (const std::string& note : loaded->notes) notes_.push_back(asked.name + ": " + note);
+  for (const Message& note : loaded->notes) notes_.push_back(joined({verbatim(asked.name), note}, ": "));
   return view;
 }
 

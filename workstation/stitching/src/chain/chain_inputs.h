@@ -54,7 +54,7 @@ class ChainInputs {
   [[nodiscard]] Result<std::shared_ptr<const LoadedView>> load(std::size_t v, Progress& progress);
 
   /// What readers had to decide about the inputs that were read.
-  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] const std::vector<Message>& notes() const { return notes_; }
 
   /// Memory for all of them, which stay: echo, coverage and confidence; and for reading the largest.
   [[nodiscard]] std::uint64_t heldBytes() const;
@@ -71,7 +71,7 @@ class ChainInputs {
   const StepStore& store_;
   FileContents contents_;
   std::vector<ChainInput> inputs_;
-  std::vector<std::string> notes_;
+  std::vector<Message> notes_;
 };
 
 }  // namespace ew::stitching

@@ -1,4 +1,5 @@
 #include "chain/chain_json.h"
+#include "ew/core/message_json.h"
 
 namespace ew::stitching {
 
@@ -118,7 +119,7 @@ JoinReport reportFrom(const json& data) {
   report.seam.voxels = data.at("seam").at("voxels").get<std::size_t>();
   report.overlapShare = numberFrom(data.at("overlap_share"));
   report.disagreementRms = numberFrom(data.at("disagreement_rms"));
-  report.notes = data.at("notes").get<std::vector<std::string>>();
+  report.notes = data.at("notes").get<std::vector<Message>>();
   report.seconds = numberFrom(data.at("seconds"));
   return report;
 }

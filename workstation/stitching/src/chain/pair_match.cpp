@@ -135,7 +135,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
                               const registration::OnLevel& onLevel) {
   const auto named = [&](Error problem) {
     if (problem.code != ErrorCode::cancelled)
-      problem.sentence = "'" + fixed.name + "' and '" + moving.name + "' could not be registered. " + problem.sentence;
+      problem.message = "'" + fixed.name + "' and '" + moving.name + "' could not be registered. " + problem.sentence();
     return passOn(std::move(problem));
   };
   const std::vector<float> fixedConfidence = sharesOf(fixed.confidence);

@@ -197,7 +197,7 @@ Result<glm::dmat4> parseTransform(const std::string& text, const std::string& na
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (auto rigid = checkRigid(matrix); !rigid) {
     Error problem = rigid.error();
-    problem.sentence = "The transform in '" + name + "' cannot be used. " + problem.sentence;
+    problem.message = "The transform in '" + name + "' cannot be used. " + problem.sentence();
     problem.context.emplace_back("file", name);
     return passOn(std::move(problem));
   }

@@ -91,7 +91,7 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
     document["seam"] = jsonOf(report).at("seam");
     document["overlap_share"] = report.overlapShare;
     document["disagreement_rms"] = report.disagreementRms;
-    document["notes"] = report.notes;
+    document["notes"] = english(report.notes);
   }
   return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

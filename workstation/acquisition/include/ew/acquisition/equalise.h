@@ -45,7 +45,7 @@ struct Equalisation {
   std::size_t cells = 0;               ///< pairs of cells compared
   double disagreementBefore_db = 0.0;  ///< median size of the difference between two sweeps' cells
   double disagreementAfter_db = 0.0;
-  std::vector<std::string> notes;  ///< which sweeps stand apart
+  std::vector<Message> notes;  ///< which sweeps stand apart
 };
 
 /// Corrections of gain and depth gain so that sweeps agree where they overlap: least squares over all pairs of cells that two sweeps saw,

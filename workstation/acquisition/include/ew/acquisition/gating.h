@@ -36,7 +36,7 @@ struct Cycles {
   bool inverted = false;         ///< ECG: R peaks point downwards
   std::size_t irregular = 0;     ///< cycles that are not regular: gaps, extra beats
   std::size_t bridged = 0;       ///< starts put in evenly where the signal missed one to three
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 struct EcgOptions {

@@ -65,7 +65,7 @@ struct ImportPlan {
   std::string toFrame;                      ///< the frame of the recording that becomes the world
   ReconstructOptions reconstruct;           ///< as it will be done, after what the device set said
   ConfidenceOptions confidence;             ///< used when reconstruct.compounding is weighted
-  std::vector<std::string> notes;           ///< what had to be decided, in sentences
+  std::vector<Message> notes;               ///< what had to be decided, in sentences
   std::optional<PoseDelay> poseDelay = {};  ///< when it was asked for: given, or estimated with its uncertainty and verdict
 };
 
@@ -75,8 +75,8 @@ struct OpenedSweep {
   SweepPoses poses;
   ImportPlan plan;
   double readSeconds = 0.0;
-  std::vector<std::string> readNotes = {};     ///< of the file, what it holds and what was converted
-  std::vector<std::string> turnNotes = {};     ///< how its images were turned
+  std::vector<Message> readNotes = {};         ///< of the file, what it holds and what was converted
+  std::vector<Message> turnNotes = {};         ///< how its images were turned
   std::optional<Clip> sectorOfScanLines = {};  ///< when the file holds scan lines: the part of the images they were converted to
 };
 
@@ -109,7 +109,7 @@ struct ImportedSweep {
 /// @error badField (an OutputSpacing, interpolation or compounding of the device set that cannot be used, when it is asked for)
 [[nodiscard]] Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration,
                                                      const SweepDefaults& usual, const ReconstructOptions& said,
-                                                     std::vector<std::string>& notes);
+                                                     std::vector<Message>& notes);
 
 /// The frames of an opened sweep that have a pose, in order; they look into its pixels.
 [[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);

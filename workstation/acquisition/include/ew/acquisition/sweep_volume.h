@@ -20,7 +20,7 @@ struct SweepVolume {
   Volume volume;                         ///< with coverage
   std::vector<std::uint8_t> confidence;  ///< per voxel, 255 for 1: how far the echoes may be trusted; less in shadow and without contact
   std::optional<Beams> beams;            ///< in the volume's own frame; empty: they cancel out
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// How a sweep becomes a subvolume when nothing else is known of it.

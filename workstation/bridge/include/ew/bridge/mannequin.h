@@ -25,7 +25,7 @@ struct Mannequin {
   vtkSmartPointer<vtkPolyData> surface;  ///< triangles, counter-clockwise from outside, unit point normals; never changed after loading
   std::shared_ptr<const Skin> skin;
   Bounds bounds;
-  std::vector<std::string> notes;  ///< what was decided about the file, in sentences for the user ("… is in metres …")
+  std::vector<Message> notes;  ///< what was decided about the file, in sentences for the user ("… is in metres …")
 };
 
 struct MannequinOptions {

@@ -5,7 +5,6 @@
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <string_view>
 #include <thread>
 #include <type_traits>
 
@@ -31,7 +30,7 @@ void callOnThreads(int calls, int workers, const std::function<void(int worker)>
 /// What `work` throws stops the others and is thrown again by the caller's thread once all have ended.
 /// @return false when cancelled: then some tasks were not done
 template <class Work>
-bool forEachTask(int tasks, int threads, Progress& progress, std::string_view what, const Work& work) {
+bool forEachTask(int tasks, int threads, Progress& progress, const Message& what, const Work& work) {
   std::atomic<int> next{0};
   std::atomic<bool> cancelled{false};
   std::mutex guard;  // of what follows

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <string_view>
+#include "ew/core/message.h"
 
 namespace ew {
 
@@ -10,9 +9,9 @@ namespace ew {
 class Progress {
  public:
   virtual ~Progress();
-  /// @param what     the step in the user's words ("Reading frames"); may repeat
+  /// @param what     the step in the user's words (say<"Reading frames">()); may repeat
   /// @param fraction of the whole work, 0..1; never moves backwards
-  virtual void report(std::string_view what, double fraction) = 0;
+  virtual void report(const Message& what, double fraction) = 0;
   [[nodiscard]] virtual bool cancelRequested() const = 0;
 };
 
@@ -23,7 +22,7 @@ Progress& noProgress();
 class PartOfProgress final : public Progress {
  public:
   PartOfProgress(Progress& whole, double begin, double end) : whole_(whole), begin_(begin), end_(end) {}
-  void report(std::string_view what, double fraction) override { whole_.report(what, begin_ + (end_ - begin_) * fraction); }
+  void report(const Message& what, double fraction) override { whole_.report(what, begin_ + (end_ - begin_) * fraction); }
   [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
 
  private:

@@ -8,7 +8,7 @@ namespace ew {
 class QuietProgress final : public Progress {
  public:
   explicit QuietProgress(const Progress& whole) : whole_(whole) {}
-  void report(std::string_view, double) override {}
+  void report(const Message&, double) override {}
   [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
 
  private:

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/message.h"
+
 namespace ew {
 
 /// What went wrong, for code that must decide; the sentence is for the person.
@@ -34,9 +36,11 @@ const char* nameOf(ErrorCode code);
 /// A failure of the outside world: what is wrong and what to do, in one sentence a user can act on, plus what was being done.
 struct Error {
   ErrorCode code = ErrorCode::internal;
-  std::string sentence;                                      ///< ends with a full stop
+  Message message;                                           ///< a sentence that ends with a full stop
   std::vector<std::pair<std::string, std::string>> context;  ///< for logs and reports: ("file", "a.mha"), ("field", "DimSize") ...
 
+  /// In English, as commands and logs write it; the window has its own words for the message.
+  [[nodiscard]] std::string sentence() const { return message.english(); }
   bool operator==(const Error&) const = default;
 };
 std::ostream& operator<<(std::ostream& out, const Error& error);
@@ -44,9 +48,8 @@ std::ostream& operator<<(std::ostream& out, const Error& error);
 template <class T>
 using Result = tl::expected<T, Error>;
 
-/// `return failure(ErrorCode::notFound, "…", {{"file", path}});`
-[[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, std::string sentence,
-                                            std::vector<std::pair<std::string, std::string>> context = {});
+/// `return failure(ErrorCode::notFound, say<"%1 is not there; …">(quoted(path)), {{"file", path}});`
+[[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, Message message, std::vector<std::pair<std::string, std::string>> context = {});
 
 /// Passes an error of a called function on: `if (!opened) return passOn(opened.error());`
 [[nodiscard]] tl::unexpected<Error> passOn(Error error);

@@ -33,7 +33,7 @@ struct Removed {
 };
 
 /// The report as sentences for a person.
-[[nodiscard]] std::vector<std::string> sentencesOf(const Removed& removed);
+[[nodiscard]] std::vector<Message> sentencesOf(const Removed& removed);
 
 /// Makes the rectangles black in every frame of (frames x height x width) pixels; parts outside the picture are ignored.
 /// @return pixels of one frame that were made black

@@ -83,7 +83,7 @@ struct Cine {
   std::vector<std::uint8_t> coloured;  ///< like sequence.pixels: 1 where the source was coloured; empty: nowhere
   double colouredShare = 0.0;          ///< of the pixels that were kept
   Removed removed;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Reads a DICOM still or cine as grey pictures, cut to one region. A context entry ("ask", "region" | "pixel-mm" | "colour" | "blank")
@@ -100,7 +100,7 @@ struct DicomVolumeOptions {
 struct DicomVolume {
   Volume volume;
   Removed removed;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Reads an Enhanced US Volume onto a regular grid in the file's own volume frame of reference (mm). Planes at uneven distances are

@@ -28,7 +28,7 @@ struct StackOptions {
 struct StackVolume {
   Volume volume;
   Removed removed;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// One picture of a stack, to look at.

@@ -22,7 +22,7 @@ struct KretzOptions {
 struct KretzVolume {
   Volume volume;  ///< absent outside the scanned region
   Removed removed;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Whether the file begins as GE Kretz files do.

@@ -28,7 +28,7 @@ class MappedVolume {
   [[nodiscard]] VolumeView<const std::uint8_t> view() const;
   [[nodiscard]] const Grid& grid() const;
   /// What the reader had to decide, in sentences for the user.
-  [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] const std::vector<Message>& notes() const;
 
   /// Success while the file has the size and the time of its last change that it had when it was mapped.
   /// @error notReadable

@@ -47,7 +47,7 @@ struct Sequence {
   std::string orientation;                                       ///< UltrasoundImageOrientation: "MF", "MFA", "MN", "FM", "XX", ""
   std::string imageType;                                         ///< UltrasoundImageType: "BRIGHTNESS", "RF_REAL", ... or ""
   std::vector<std::pair<std::string, std::string>> otherFields;  ///< header fields the program does not know, in file order
-  std::vector<std::string> notes;                                ///< what the reader had to decide, in sentences
+  std::vector<Message> notes;                                    ///< what the reader had to decide, in sentences
   [[nodiscard]] std::span<const std::uint8_t> framePixels(std::size_t frame) const;
 };
 

@@ -16,10 +16,10 @@ namespace ew {
 struct SweepPoses {
   std::vector<std::optional<Transform<frame::World, frame::Image>>> imageToWorld;  ///< one per frame; empty where no pose can be used
   std::size_t usable = 0;
-  std::size_t invalid = 0;         ///< frames whose image or a transform needed on the way is marked INVALID or is no usable matrix
-  std::size_t missing = 0;         ///< frames about which the file does not say enough
-  std::string toFrame;             ///< the file's name of the frame that became the world: "Reference", "Tracker" ...
-  std::vector<std::string> notes;  ///< what had to be decided, and what is unusual, in sentences
+  std::size_t invalid = 0;     ///< frames whose image or a transform needed on the way is marked INVALID or is no usable matrix
+  std::size_t missing = 0;     ///< frames about which the file does not say enough
+  std::string toFrame;         ///< the file's name of the frame that became the world: "Reference", "Tracker" ...
+  std::vector<Message> notes;  ///< what had to be decided, and what is unusual, in sentences
 };
 
 /// Pixel to the frame of choice, frame by frame: the shortest chain over that frame's valid transforms and those of the calibration, which

@@ -20,7 +20,7 @@ struct ReadLimits {
 /// A volume as read, with what the reader had to decide, in sentences for the user ("Spacing is 1 x 1 x 1 with …: treat as unknown").
 struct LoadedVolume {
   Volume volume;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   bool spacingKnown = true;     ///< false: 1 x 1 x 1 mm at 0 without rotation, which converters write when they know no better
   std::uint64_t timeSteps = 1;  ///< volumes one after the other in the file
 };

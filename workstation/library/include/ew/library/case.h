@@ -171,7 +171,7 @@ struct CaseEcho {
   Volume volume;                         ///< echo levels
   std::optional<Volume> labels;          ///< its `echo` holds a label per voxel; none when the case names no labels
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 struct PreparationOptions {

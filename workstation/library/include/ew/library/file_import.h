@@ -51,7 +51,7 @@ struct ImportedFile {
   std::optional<Volume> volume;
   std::optional<Cine> pictures;  ///< a cine, or planes with poses; its removed and notes are those below
   Removed removed;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Reads whatever a user brings into a volume or a sequence of pictures, without any field that names a patient. Where an answer is missing

@@ -31,7 +31,7 @@ struct SweepGate {
   std::size_t accepted = 0;
   std::size_t outside = 0;  ///< before the first or after the last full cycle
   std::size_t irregular = 0;
-  std::vector<std::string> notes;  ///< why a signal was passed over, and what the cycles say
+  std::vector<Message> notes;  ///< why a signal was passed over, and what the cycles say
 };
 
 /// Finds the cycles of a recording, all of its frames used, and the phases of those with a pose.

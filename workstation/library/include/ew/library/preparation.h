@@ -27,7 +27,7 @@ struct PreparationEstimate {
 /// Makes what the cache does not have yet; returns what a user should know, in sentences. Reports the step and the seconds left; fractions
 /// are of time.
 /// @error as loadCaseVolume
-[[nodiscard]] Result<std::vector<std::string>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress);
+[[nodiscard]] Result<std::vector<Message>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress);
 
 /// The order in which to prepare: first the one that is scannable soonest. Cases that need no preparation are left out.
 [[nodiscard]] std::vector<Case> preparationOrder(const std::vector<Case>& cases);

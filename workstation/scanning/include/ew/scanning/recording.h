@@ -15,11 +15,11 @@ inline constexpr int kRecordingFormat = 1;
 
 /// A scan that can be seen again, image for image: what was scanned by name, and everything that decided the images.
 struct ScanRecording {
-  std::string caseId;              ///< of the case that was scanned; empty: a volume without a case
-  std::string title;               ///< of what was scanned, as a trainee may read it
-  glm::ivec2 size_px{640, 480};    ///< of the images
-  ScanLog log;                     ///< at least one frame
-  std::vector<std::string> notes;  ///< what reading it had to decide, in sentences; not saved
+  std::string caseId;            ///< of the case that was scanned; empty: a volume without a case
+  std::string title;             ///< of what was scanned, as a trainee may read it
+  glm::ivec2 size_px{640, 480};  ///< of the images
+  ScanLog log;                   ///< at least one frame
+  std::vector<Message> notes;    ///< what reading it had to decide, in sentences; not saved
 };
 
 /// Writes a sequence metafile without images (.seq.mha, .igs.mha, .mha), which PLUS and 3D Slicer read as a sequence of transforms: of each

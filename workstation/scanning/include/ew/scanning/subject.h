@@ -84,7 +84,7 @@ struct CaseContents {
   std::shared_ptr<const Volume> labels;  ///< null when the case has none
   std::vector<TissueAcoustics> tissues;  ///< of the labels, as the recipe has them
   glm::dmat4 fileToWorld{1.0};           ///< the grids are placed with it
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 /// @error as loadCaseVolume; cancelled
 [[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});

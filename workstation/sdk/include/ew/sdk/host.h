@@ -53,7 +53,7 @@ struct SweepVolume {
   Volume volume;                         ///< with coverage
   std::vector<std::uint8_t> confidence;  ///< per voxel, 255 for 1: how far the echoes may be trusted; less in shadow and without contact
   std::optional<Beams> beams;            ///< in the volume's own frame; empty: they cancel out
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// A volume file that is written block by block, in any order, and need not fit into memory. Without finish() nothing is left of it.
@@ -221,7 +221,7 @@ class Commands {
     std::optional<std::string> verdict = {};
     std::string reason = {};
     std::vector<std::pair<std::string, double>> steps = {};  ///< seconds by name, in the order they ran: for the report
-    std::vector<std::string> notes = {};                     ///< what the user should know, a sentence each; told as remarks
+    std::vector<Message> notes = {};                         ///< what the user should know, a sentence each; told as remarks
     /// Moves the outputs to their names, all or none. The host calls it at the very end, when its own files (the report) lie in place, and
     /// takes those back when it fails; not called when the command is stopped before. Empty: the outputs are in place.
     std::function<Result<void>()> putInPlace = {};

@@ -19,12 +19,11 @@
 #include <utility>
 
 #include "ew/sdk/placement.h"
+#include "ew/sdk/words.h"
 
 namespace ew::sdk {
 
 inline constexpr int kGap_px = 8;  ///< the workstation's grid
-
-inline QString words(const std::string& text) { return QString::fromStdString(text); }
 
 inline QLabel* headingLabel(const QString& text, QWidget* parent = nullptr) {
   auto* label = new QLabel(text, parent);

@@ -84,7 +84,7 @@ struct ChainState {
   BendSummary bendSummary;
   std::vector<BentPair> bentPairs;   ///< after `elastic`, in order of fixed, then moving
   std::optional<SeamMap> seams;      ///< of the project's volumes by their numbers
-  std::vector<std::string> notes;    ///< what readers of the inputs had to decide, a sentence each
+  std::vector<Message> notes;        ///< what readers of the inputs had to decide, a sentence each
   std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there

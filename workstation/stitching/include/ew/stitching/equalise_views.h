@@ -24,7 +24,7 @@ struct EqualisedViews {
   int groups = 0;                           ///< between groups nothing is known
   double disagreementBefore_db = 0.0;       ///< median size of the difference between two views' cells, at a dynamic range of 60 dB
   double disagreementAfter_db = 0.0;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Gain and depth gain of subvolumes brought together where they overlap. Depth runs along each view's beams; shadows, edges and

@@ -115,7 +115,7 @@ struct JoinReport {
   SeamVisibility seam;           ///< as seamVisibility, but the step is that between the views in the blend, which no tissue can feign
   double overlapShare = 0.0;     ///< as in StitchResult; with seams it is counted cell by cell
   double disagreementRms = 0.0;  ///< where views were blended
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   double seconds = 0.0;
 };
 

@@ -73,9 +73,9 @@ struct StitchResult {
   Volume volume;                     ///< with coverage: measured where a measured voxel contributed
   std::vector<std::uint8_t> source;  ///< per voxel 1 + index of the input that weighed most (the earlier one of equals); 0: absent
   std::vector<Contribution> contributions;
-  double overlapShare = 0.0;       ///< of the covered voxels, those to which two or more inputs contributed
-  double disagreementRms = 0.0;    ///< grey levels: spread of the inputs about their blend over the overlap; 0 without overlap
-  std::vector<std::string> notes;  ///< what the user should know: an input that touches no other, one that contributed nothing
+  double overlapShare = 0.0;     ///< of the covered voxels, those to which two or more inputs contributed
+  double disagreementRms = 0.0;  ///< grey levels: spread of the inputs about their blend over the overlap; 0 without overlap
+  std::vector<Message> notes;    ///< what the user should know: an input that touches no other, one that contributed nothing
   double seconds = 0.0;
 };
 

@@ -76,7 +76,7 @@ Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap
   if (!made) {
     Error problem = made.error();
     if (problem.code != ErrorCode::cancelled)
-      problem.sentence = "'" + fixedName + "' and '" + movingName + "' could not be bent together. " + problem.sentence;
+      problem.message = "'" + fixedName + "' and '" + movingName + "' could not be bent together. " + problem.sentence();
     return passOn(std::move(problem));
   }
   Bent bent;

@@ -1,6 +1,7 @@
 #include "chain/chain_json.h"
 #include "chain/chain_memory.h"
 #include "chain/steps/steps.h"
+#include "ew/core/message_json.h"
 
 namespace ew::stitching {
 

@@ -42,7 +42,10 @@ struct PluginStatus {
   std::filesystem::path folder;
   std::optional<PluginManifest> manifest;  ///< empty when it could not be read
   PluginState state = PluginState::found;
-  std::string sentence;  ///< what is wrong and what to do; empty while nothing is. Of a plugin that runs: what it threw last
+  Message message;  ///< what is wrong and what to do; empty while nothing is. Of a plugin that runs: what it threw last
+
+  /// The message in English.
+  [[nodiscard]] std::string sentence() const { return message.english(); }
 
   /// The manifest's title, or the folder's name when there is no manifest.
   [[nodiscard]] std::string title() const;

@@ -1,0 +1,71 @@
+// Whatever a library tells a person has German words: every text of a message that any library or plugin of this program can make is
+// walked, put into German with arguments at its places, and compared.
+#include <QCoreApplication>
+#include <QTest>
+#include <QTranslator>
+#include <set>
+#include <string>
+
+#include "ew/core/message.h"
+#include "ew/sdk/words.h"
+
+/// Outside of any namespace, as the macro demands.
+static void initTranslations() { Q_INIT_RESOURCE(translations); }
+
+namespace ew {
+namespace {
+
+/// Names and numbers alone are the same in both languages.
+bool hasWords(const std::string& text) {
+  int letters = 0;
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    letters = std::isalpha(static_cast<unsigned char>(text[n])) != 0 ? letters + 1 : 0;
+    if (letters > 3) return true;
+  }
+  return false;
+}
+
+std::set<char> placesIn(const std::string& text) {
+  std::set<char> places;
+  for (std::size_t n = 0; n + 1 < text.size(); ++n)
+    if (text[n] == '%' && text[n + 1] >= '1' && text[n + 1] <= '9') places.insert(text[n + 1]);
+  return places;
+}
+
+class GermanTest : public QObject {
+  Q_OBJECT
+
+  QTranslator german_;
+
+ private Q_SLOTS:
+  void initTestCase() {
+    initTranslations();
+    QVERIFY(german_.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    QVERIFY(QCoreApplication::installTranslator(&german_));
+  }
+
+  void everyTextOfAMessageHasItsGermanWithTheSamePlaces() {
+    std::set<std::string> texts;
+    for (const MessageText* said = firstMessageText(); said != nullptr; said = said->next) texts.insert(said->text);
+    QVERIFY2(texts.size() > 400, qPrintable(QString::number(texts.size())));  // else libraries were not linked as a whole
+    QStringList missing, otherPlaces, blanks;
+    for (const std::string& text : texts) {
+      const QString translated = german_.translate(kMessageContext, text.c_str());
+      if (translated.isEmpty()) {
+        if (hasWords(text)) missing << QString::fromStdString(text);
+        continue;
+      }
+      if (placesIn(text) != placesIn(translated.toStdString())) otherPlaces << QString::fromStdString(text);
+      if (text.ends_with('.') != translated.endsWith(QLatin1Char('.'))) blanks << QString::fromStdString(text);
+    }
+    QVERIFY2(missing.isEmpty(), qPrintable(QString::number(missing.size()) + QLatin1Char('\n') + missing.join(QLatin1Char('\n'))));
+    QVERIFY2(otherPlaces.isEmpty(), qPrintable(otherPlaces.join(QLatin1Char('\n'))));
+    QVERIFY2(blanks.isEmpty(), qPrintable(blanks.join(QLatin1Char('\n'))));
+  }
+};
+
+}  // namespace
+}  // namespace ew
+
+QTEST_GUILESS_MAIN(ew::GermanTest)
+#include "german_test.moc"
