@@ -155,21 +155,21 @@ TEST(JsonFields, WelcomeNotesEverywhereAsTexts) {
 }
 
 TEST(Shown, KeepsASentenceShortWhateverTheValue) {
-  EXPECT_EQ(shown(json::object()), "{}");
-  EXPECT_EQ(shown({{"a", 1}}), "{\"a\":1}");
-  EXPECT_EQ(shown(std::string(1000, 'x')), "a text of 1000 bytes");
-  EXPECT_EQ(shown(json(std::vector<int>(300, 1))), "a list of 300");
-  EXPECT_EQ(shown({{"a", std::string(100, 'x')}}), "an object with 1 fields");
-  EXPECT_EQ(shown("\xff"), "\"\xEF\xBF\xBD\"") << "not UTF-8";
+  EXPECT_EQ(shown(json::object()).english(), "{}");
+  EXPECT_EQ(shown({{"a", 1}}).english(), "{\"a\":1}");
+  EXPECT_EQ(shown(std::string(1000, 'x')).english(), "a text of 1000 bytes");
+  EXPECT_EQ(shown(json(std::vector<int>(300, 1))).english(), "a list of 300");
+  EXPECT_EQ(shown({{"a", std::string(100, 'x')}}).english(), "an object with 1 fields");
+  EXPECT_EQ(shown("\xff").english(), "\"\xEF\xBF\xBD\"") << "not UTF-8";
 }
 
 TEST(ParseJson, NamesTheLineAndRefusesDepth) {
-  EXPECT_TRUE(parseJson("[1, 2]", "a.json"));
-  EXPECT_EQ(parseJsonObject("[1, 2]", "a.json").error().code, ErrorCode::badHeader);
-  EXPECT_EQ(parseJson("{\n \"a\": 1,\n \"b\" 2}", "a.json").error().sentence(),
+  EXPECT_TRUE(parseJson("[1, 2]", verbatim("a.json")));
+  EXPECT_EQ(parseJsonObject("[1, 2]", verbatim("a.json")).error().code, ErrorCode::badHeader);
+  EXPECT_EQ(parseJson("{\n \"a\": 1,\n \"b\" 2}", verbatim("a.json")).error().sentence(),
             "a.json is not valid JSON: it breaks at line 3, column 6; correct it there or restore an earlier copy.");
-  EXPECT_EQ(parseJson("[1e999]", "a.json").error().code, ErrorCode::badHeader) << "no number of a document is infinite";
-  EXPECT_EQ(parseJson(std::string(100000, '['), "a.json").error().code, ErrorCode::badHeader);
+  EXPECT_EQ(parseJson("[1e999]", verbatim("a.json")).error().code, ErrorCode::badHeader) << "no number of a document is infinite";
+  EXPECT_EQ(parseJson(std::string(100000, '['), verbatim("a.json")).error().code, ErrorCode::badHeader);
 }
 
 /// Any value of JSON, with texts that are not UTF-8 and numbers that no file can hold among them.
@@ -266,7 +266,7 @@ RC_GTEST_PROP(JsonFieldsProperty, WhateverStandsThereTheValueIsWithinItsLimitsOr
 RC_GTEST_PROP(JsonFieldsProperty, ANumberWithinItsLimitsIsReadToTheLastBit, (double value)) {
   RC_PRE(std::isfinite(value));
   JsonReading reading("a.json");
-  const auto parsed = parseJson(json{{"a", value}}.dump(), "a.json");
+  const auto parsed = parseJson(json{{"a", value}}.dump(), verbatim("a.json"));
   RC_ASSERT(parsed.has_value());
   RC_ASSERT(JsonFields(*parsed, reading).number("a", -std::abs(value), std::abs(value)) == value);
   RC_ASSERT(reading.good());

@@ -8,11 +8,11 @@ namespace ew {
 namespace {
 
 constexpr std::size_t kLongestReason_bytes = 300;
-constexpr const char* kNoReason = "no reason was given";
 
 /// One line of bounded length, whatever somebody wrote into what(); not cut in the middle of a UTF-8 character.
-std::string oneLine(const char* said) {
-  if (said == nullptr) return kNoReason;
+Message oneLine(const char* said) {
+  const auto none = [] { return say<"no reason was given">(); };
+  if (said == nullptr) return none();
   std::string line(said);
   if (line.size() > kLongestReason_bytes) {
     std::size_t end = kLongestReason_bytes;
@@ -22,7 +22,7 @@ std::string oneLine(const char* said) {
   std::replace_if(
       line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u; }, ' ');
   while (!line.empty() && (line.back() == ' ' || line.back() == '.')) line.pop_back();
-  return line.empty() ? kNoReason : line;
+  return line.empty() ? none() : verbatim(std::move(line));
 }
 
 }  // namespace
@@ -31,11 +31,11 @@ Thrown thrownNow() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return {true, "there is not enough memory"};
+    return {true, say<"there is not enough memory">()};
   } catch (const std::exception& problem) {
     return {false, oneLine(problem.what())};
   } catch (...) {
-    return {false, kNoReason};
+    return {false, oneLine(nullptr)};
   }
 }
 

@@ -47,6 +47,13 @@ std::string Message::english() const {
   return all;
 }
 
+Message Message::withVerbatim(const std::function<std::string(std::string)>& change) const {
+  Message changed = *this;
+  if (text_ == nullptr && arguments_.empty()) changed.verbatim_ = change(std::move(changed.verbatim_));
+  for (Message& argument : changed.arguments_) argument = argument.withVerbatim(change);
+  return changed;
+}
+
 bool operator==(const Message& a, const Message& b) {
   if ((a.text_ == nullptr) != (b.text_ == nullptr)) return false;
   return (a.text_ == nullptr || std::strcmp(a.text_, b.text_) == 0) && a.verbatim_ == b.verbatim_ && a.arguments_ == b.arguments_;

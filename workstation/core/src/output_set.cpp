@@ -39,22 +39,23 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-std::string reasonOf(int number) { return std::generic_category().message(number); }
+Message reasonOf(int number) { return verbatim(std::generic_category().message(number)); }
 
-tl::unexpected<Error> notWritable(const fs::path& file, const std::string& reason) {
+tl::unexpected<Error> notWritable(const fs::path& file, Message reason) {
+  std::string english = reason.english();
   return failure(ErrorCode::notWritable,
-                 "\"" + file.string() + "\" cannot be written (" + reason + "); choose another place or free some room.",
-                 {{"file", file.string()}, {"reason", reason}});
+                 say<"\"%1\" cannot be written (%2); choose another place or free some room.">(file, std::move(reason)),
+                 {{"file", file.string()}, {"reason", std::move(english)}});
 }
 
 tl::unexpected<Error> isSomebodyElses(const fs::path& file) {
   return failure(ErrorCode::notWritable,
-                 "\"" + file.string() + "\" was made by somebody else in the meantime and is left as it is; choose another name.",
+                 say<"\"%1\" was made by somebody else in the meantime and is left as it is; choose another name.">(file),
                  {{"file", file.string()}});
 }
 
-tl::unexpected<Error> wrongUsage(const fs::path& file, const std::string& what) {
-  return failure(ErrorCode::badUsage, "The output '" + file.string() + "' " + what, {{"file", file.string()}});
+tl::unexpected<Error> wrongUsage(const fs::path& file, Message what) {
+  return failure(ErrorCode::badUsage, std::move(what), {{"file", file.string()}});
 }
 
 /// What a file's name leads to, by way of links, also when nothing is there yet.
@@ -133,7 +134,8 @@ void OutputSet::clear() {
 Result<void> OutputSet::protect(const fs::path& input) {
   for (const auto& file : filesNamedBy(input)) {
     for (const auto& output : outputs_)
-      if (sameFile(file, output.given)) return wrongUsage(output.given, "is also an input; give it another name.");
+      if (sameFile(file, output.given))
+        return wrongUsage(output.given, say<"The output '%1' is also an input; give it another name.">(output.given));
     inputs_.push_back(file);
   }
   return {};
@@ -152,7 +154,7 @@ Result<fs::path> OutputSet::asideOf(const fs::path& folder, const fs::path& want
     }
     if (errno != EEXIST) return notWritable(wanted, reasonOf(errno));
   }
-  return notWritable(wanted, "no free name beside it");
+  return notWritable(wanted, say<"no free name beside it">());
 }
 
 bool OutputSet::cameMeanwhile(const fs::path& file) const {
@@ -162,21 +164,22 @@ bool OutputSet::cameMeanwhile(const fs::path& file) const {
 
 Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& target) {
   for (const auto& input : inputs_)
-    if (sameFile(given, input)) return wrongUsage(given, "is also an input; give it another name.");
+    if (sameFile(given, input)) return wrongUsage(given, say<"The output '%1' is also an input; give it another name.">(given));
   for (const auto& output : outputs_)
     if (sameFile(given, output.given) || sameFile(target, output.target))
-      return wrongUsage(given, "is named twice; give each output its own name.");
+      return wrongUsage(given, say<"The output '%1' is named twice; give each output its own name.">(given));
   std::error_code problem;
   const auto status = fs::status(target, problem);
-  if (status.type() == fs::file_type::none) return notWritable(given, problem.message());  // a name too long, a folder nobody may look into
+  if (status.type() == fs::file_type::none)
+    return notWritable(given, verbatim(problem.message()));  // a name too long, a folder nobody may look into
   const bool existed = fs::exists(fs::symlink_status(target, problem));
   if (late_ == LateFile::refuse && existed && cameMeanwhile(given)) return isSomebodyElses(given);
-  if (fs::is_directory(status)) return notWritable(given, "it is a folder");
+  if (fs::is_directory(status)) return notWritable(given, say<"it is a folder">());
   if (fs::exists(status) && !fs::is_regular_file(status))  // renaming over a device would replace the device
-    return notWritable(given, "it is not a regular file");
+    return notWritable(given, say<"it is not a regular file">());
   if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) return notWritable(given, reasonOf(errno));
   const fs::path folder = folderOf(target);
-  if (!fs::is_directory(folder, problem)) return notWritable(given, "its folder '" + folder.string() + "' does not exist");
+  if (!fs::is_directory(folder, problem)) return notWritable(given, say<"its folder '%1' does not exist">(folder));
   const auto aside = asideOf(folder, given);
   if (!aside) return passOn(aside.error());
   outputs_.push_back({.given = given,
@@ -189,17 +192,20 @@ Result<void> OutputSet::announceOne(const fs::path& given, const fs::path& targe
 }
 
 Result<void> OutputSet::announce(const fs::path& file, std::string_view endings) {
-  if (file.empty()) return failure(ErrorCode::badUsage, "The name of an output is empty; give a file name.");
+  if (file.empty()) return failure(ErrorCode::badUsage, say<"The name of an output is empty; give a file name.">());
   const std::string ending = lowerEnding(file);
   if (!endings.empty() && (ending.empty() || (" " + std::string(endings) + " ").find(" " + ending + " ") == std::string::npos)) {
-    std::string list(endings);
-    for (auto at = list.find(' '); at != std::string::npos; at = list.find(' ', at + 4)) list.replace(at, 1, " or ");
-    return wrongUsage(file, "must end in " + list + ".");
+    const auto last = endings.rfind(' ');
+    std::string first(endings.substr(0, last));
+    if (last == std::string_view::npos) return wrongUsage(file, say<"The output '%1' must end in %2.">(file, std::move(first)));
+    for (auto at = first.find(' '); at != std::string::npos; at = first.find(' ', at + 2)) first.replace(at, 1, ", ");
+    return wrongUsage(file, say<"The output '%1' must end in %2 or %3.">(file, std::move(first), std::string(endings.substr(last + 1))));
   }
-  if (!file.has_filename()) return notWritable(file, "it names no file");
+  if (!file.has_filename()) return notWritable(file, say<"it names no file">());
   const auto given = filesNamedBy(file), targets = filesNamedBy(behindLinks(file));
   if (given.size() != targets.size())
-    return wrongUsage(file, "is a link to '" + targets.back().string() + "', a file of another kind; name that file instead.");
+    return wrongUsage(file,
+                      say<"The output '%1' is a link to '%2', a file of another kind; name that file instead.">(file, targets.back()));
   const std::size_t before = outputs_.size();
   for (std::size_t n = 0; n < given.size(); ++n)
     if (auto announced = announceOne(given[n], targets[n]); !announced) {
@@ -215,13 +221,13 @@ Result<void> OutputSet::announceFolder(const fs::path& folder) {
   for (fs::path at = folder; !at.empty() && !fs::exists(fs::symlink_status(at, problem)); at = at.parent_path()) missing.push_back(at);
   for (auto made = missing.rbegin(); made != missing.rend(); ++made) {
     if (fs::create_directory(*made, problem)) madeFolders_.push_back(*made);
-    if (problem) return notWritable(folder, problem.message());
+    if (problem) return notWritable(folder, verbatim(problem.message()));
   }
-  if (!fs::is_directory(folder, problem)) return notWritable(folder, "it is not a folder");
+  if (!fs::is_directory(folder, problem)) return notWritable(folder, say<"it is not a folder">());
   Listed seen{.folder = folder, .names = {}};
   for (fs::directory_iterator at(folder, problem), end; !problem && at != end; at.increment(problem))
     seen.names.insert(at->path().filename());
-  if (problem) return notWritable(folder, problem.message());
+  if (problem) return notWritable(folder, verbatim(problem.message()));
   const auto aside = asideOf(folder, folder);
   if (!aside) return passOn(aside.error());
   listed_.push_back(std::move(seen));
@@ -233,14 +239,16 @@ Result<void> OutputSet::announceNewFolder(const fs::path& folder) {
   const fs::path target = behindLinks(named);
   std::error_code problem;
   for (const auto& output : outputs_)
-    if (sameFile(target, output.target)) return wrongUsage(folder, "is named twice; give each output its own name.");
+    if (sameFile(target, output.target))
+      return wrongUsage(folder, say<"The output '%1' is named twice; give each output its own name.">(folder));
   const bool existed = fs::exists(target, problem);
   if (existed && !(fs::is_directory(target, problem) && fs::is_empty(target, problem)))
-    return notWritable(folder, "there is something of that name");
+    return notWritable(folder, say<"there is something of that name">());
   const auto aside = asideOf(folderOf(target), folder);
   if (!aside) return passOn(aside.error());
   const fs::path staged = *aside / target.filename();
-  if (!fs::create_directory(staged, problem)) return notWritable(folder, problem ? problem.message() : "no free name beside it");
+  if (!fs::create_directory(staged, problem))
+    return notWritable(folder, problem ? verbatim(problem.message()) : say<"no free name beside it">());
   outputs_.push_back({.given = folder,
                       .target = target,
                       .staged = staged,
@@ -273,6 +281,12 @@ std::string OutputSet::inGivenNames(std::string text) const {
   return text;
 }
 
+Error OutputSet::inGivenNames(Error error) const {
+  error.message = error.message.withVerbatim([this](std::string text) { return inGivenNames(std::move(text)); });
+  for (auto& [name, value] : error.context) value = inGivenNames(std::move(value));
+  return error;
+}
+
 Result<void> OutputSet::keepEarlier(Output& output) {
   std::error_code problem;
   if (output.isFolder || !fs::exists(fs::symlink_status(output.target, problem))) return {};
@@ -285,7 +299,7 @@ Result<void> OutputSet::keepEarlier(Output& output) {
     problem.clear();
     fs::copy_file(output.target, kept, problem);  // file systems without hard links: slower, the same
   }
-  if (problem) return notWritable(output.given, problem.message());
+  if (problem) return notWritable(output.given, verbatim(problem.message()));
   output.earlier = kept;
   return {};
 }
@@ -349,7 +363,7 @@ Result<void> OutputSet::commit(const std::function<Result<void>()>& last) {
     const std::string aside = asides_.front().path.string();
     asides_.clear();  // they hold what could not be put back
     Error error = all.error();
-    error.message = error.sentence() + " What was there before could not be put back and lies in '" + aside + "'.";
+    error.message = joined({std::move(error.message), say<"What was there before could not be put back and lies in '%1'.">(aside)});
     return passOn(std::move(error));
   }
   // The renamings must survive a power cut; where a folder cannot be synced the files are complete all the same.

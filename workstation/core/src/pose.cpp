@@ -22,9 +22,8 @@ Result<std::vector<Pose>> parsePoses(std::string_view text) {
     const auto numbers = parseNumbers(line);
     if (!numbers || numbers->size() != 16)
       return failure(ErrorCode::badField,
-                     "Line " + std::to_string(number) + " of the poses holds " +
-                         (numbers ? std::to_string(numbers->size()) + " numbers" : "something that is not a number") +
-                         "; a pose is 16 numbers, row by row.",
+                     numbers ? say<"Line %1 of the poses holds %2 numbers; a pose is 16 numbers, row by row.">(number, numbers->size())
+                             : say<"Line %1 of the poses holds something that is not a number; a pose is 16 numbers, row by row.">(number),
                      {{"line", std::to_string(number)}});
     std::array<double, 16> rows{};
     std::copy(numbers->begin(), numbers->end(), rows.begin());
@@ -37,7 +36,8 @@ Result<std::vector<Pose>> parsePoses(std::string_view text) {
     }
     poses.push_back(pose);
   }
-  if (poses.empty()) return failure(ErrorCode::badField, "There is no pose; give 16 numbers, row by row, or a file with one pose a line.");
+  if (poses.empty())
+    return failure(ErrorCode::badField, say<"There is no pose; give 16 numbers, row by row, or a file with one pose a line.">());
   return poses;
 }
 
@@ -47,12 +47,12 @@ Result<std::vector<Pose>> posesFromArgument(const std::string& argument) {
   std::error_code problem;
   if (const auto status = std::filesystem::status(argument, problem);
       std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    return failure(ErrorCode::notReadable, "'" + argument + "' is a folder, a pipe or a device; give a file with one pose a line.",
+    return failure(ErrorCode::notReadable, say<"'%1' is a folder, a pipe or a device; give a file with one pose a line.">(argument),
                    {{"file", argument}});
   std::ifstream file(argument);
   if (!file)
     return failure(ErrorCode::notFound,
-                   "'" + argument + "' is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.",
+                   say<"'%1' is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.">(argument),
                    {{"file", argument}});
   // Read in pieces: what stands in the name's place may change, and a growing file has an old size.
   std::string text;
@@ -62,11 +62,11 @@ Result<std::vector<Pose>> posesFromArgument(const std::string& argument) {
     text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
     if (text.size() > kMostBytesOfPoses)
       return failure(ErrorCode::tooLarge,
-                     "'" + argument + "' has more than 64 MiB, which is too much for poses; check that it is the right file.",
+                     say<"'%1' has more than 64 MiB, which is too much for poses; check that it is the right file.">(argument),
                      {{"file", argument}});
   }
   if (file.bad())
-    return failure(ErrorCode::notReadable, "'" + argument + "' cannot be read; give a file with one pose a line.", {{"file", argument}});
+    return failure(ErrorCode::notReadable, say<"'%1' cannot be read; give a file with one pose a line.">(argument), {{"file", argument}});
   return parsePoses(text);
 }
 

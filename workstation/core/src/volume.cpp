@@ -41,25 +41,25 @@ Bounds boundsOf(const Grid& grid) {
 Result<void> checkGrid(const Grid& grid) {
   for (int axis = 0; axis < 3; ++axis) {
     if (grid.dims[axis] < 1)
-      return failure(ErrorCode::emptyVolume,
-                     "The volume has no voxels along axis " + std::to_string(axis + 1) + "; check the file's dimensions.");
+      return failure(ErrorCode::emptyVolume, say<"The volume has no voxels along axis %1; check the file's dimensions.">(axis + 1));
     if (!(grid.spacing_mm[axis] > 0.0) || !std::isfinite(grid.spacing_mm[axis]))
       return failure(ErrorCode::badField,
-                     "The voxel spacing along axis " + std::to_string(axis + 1) + " is not a positive number; check the file's spacing.");
+                     say<"The voxel spacing along axis %1 is not a positive number; check the file's spacing.">(axis + 1));
     if (!std::isfinite(grid.origin_mm[axis]))
-      return failure(ErrorCode::badField, "The volume's origin is not finite; check the file's offset.");
+      return failure(ErrorCode::badField, say<"The volume's origin is not finite; check the file's offset.">());
   }
   const double voxels = static_cast<double>(grid.dims.x) * grid.dims.y * grid.dims.z;
   if (voxels > std::pow(2.0, 40))
-    return failure(ErrorCode::tooLarge, "The volume has more voxels than can be handled; use a coarser spacing.");
+    return failure(ErrorCode::tooLarge, say<"The volume has more voxels than can be handled; use a coarser spacing.">());
   for (int axis = 0; axis < 3; ++axis) {
     const double length = glm::length(grid.directions[axis]);
     if (!(std::abs(length - 1.0) < 1e-3))
       return failure(ErrorCode::badField,
-                     "The direction of axis " + std::to_string(axis + 1) + " is not of unit length; check the file's orientation matrix.");
+                     say<"The direction of axis %1 is not of unit length; check the file's orientation matrix.">(axis + 1));
   }
   if (!(std::abs(glm::determinant(grid.directions)) > 1e-3))
-    return failure(ErrorCode::badField, "The directions of the volume's axes lie in one plane; check the file's orientation matrix.");
+    return failure(ErrorCode::badField,
+                   say<"The directions of the volume's axes lie in one plane; check the file's orientation matrix.">());
   return {};
 }
 

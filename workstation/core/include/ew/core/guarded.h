@@ -11,7 +11,7 @@ namespace ew {
 /// What code threw that should not have.
 struct Thrown {
   bool noMemory = false;  ///< std::bad_alloc: the work was too large, nobody made a mistake
-  std::string reason;     ///< what(), in one line of at most 300 bytes; "no reason was given" when it said nothing or was no std::exception
+  Message reason;         ///< what(), in one line of at most 300 bytes; "no reason was given" when it said nothing or was no std::exception
 };
 
 /// Of the exception that is being handled: to be called in a catch clause. Throws nothing but std::bad_alloc.

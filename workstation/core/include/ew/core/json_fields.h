@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/message.h"
 #include "ew/core/result.h"
 
 namespace ew {
@@ -18,7 +19,7 @@ namespace ew {
 // The one way from a JSON document of a user to values: every field of every file is asked for here, so that all of them are refused in
 // the same words, "'FIELD' in WHERE is FOUND; it must be EXPECTED.", and none can hold a number that is not finite.
 //
-//   JsonReading reading("probe.json");
+//   JsonReading reading(verbatim("probe.json"));
 //   const JsonFields probe(document, reading);
 //   probe.only({"name", "width_mm", "kind", "focus"});
 //   made.name = probe.text("name");
@@ -29,38 +30,38 @@ namespace ew {
 
 /// A value as a person recognises it, on one line and of at most 62 bytes: as it stands in a file when it is short, else what it is
 /// ("a list of 300", "a text of 5000 bytes"). Text that is not UTF-8 has replacement characters.
-[[nodiscard]] std::string shown(const nlohmann::json& value);
+[[nodiscard]] Message shown(const nlohmann::json& value);
 
 /// "'FIELD' in WHERE is FOUND; it must be EXPECTED.", of the whole document when `field` is empty. Code badField, with the context
 /// "field", "found", "expected" and "in".
-[[nodiscard]] Error fieldError(const std::string& where, const std::string& field, const std::string& found, const std::string& expected);
+[[nodiscard]] Error fieldError(const Message& where, const std::string& field, const Message& found, const Message& expected);
 
 /// Parses JSON from an untrusted file. Nesting beyond kDeepestNesting is refused: writing out or destroying a value recurses.
-/// @param where how sentences name the document: "case.json"
+/// @param where how sentences name the document: verbatim("case.json")
 /// @error badHeader with line and column
-[[nodiscard]] Result<nlohmann::json> parseJson(std::string_view text, const std::string& where);
+[[nodiscard]] Result<nlohmann::json> parseJson(std::string_view text, const Message& where);
 
 /// parseJson() of a document that is one object. @error badHeader
-[[nodiscard]] Result<nlohmann::json> parseJsonObject(std::string_view text, const std::string& where);
+[[nodiscard]] Result<nlohmann::json> parseJsonObject(std::string_view text, const Message& where);
 
 /// What reading one document has met so far: the first field that cannot be used. A reader reads on to its end and asks once, since after
 /// a problem every field gives its fallback.
 class JsonReading {
  public:
-  /// @param where   how sentences name the document: "case.json", "the stitch project"
+  /// @param where   how sentences name the document: verbatim("case.json"), say<"the stitch project">()
   /// @param welcome names of texts that every object of the document may have and nobody reads: "note"
-  explicit JsonReading(std::string where, std::vector<std::string> welcome = {}) : where_(std::move(where)), welcome_(std::move(welcome)) {}
+  explicit JsonReading(Message where, std::vector<std::string> welcome = {}) : where_(std::move(where)), welcome_(std::move(welcome)) {}
 
-  [[nodiscard]] const std::string& where() const { return where_; }
+  [[nodiscard]] const Message& where() const { return where_; }
   [[nodiscard]] const std::vector<std::string>& welcome() const { return welcome_; }
   [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
   [[nodiscard]] bool good() const { return !problem_; }
   /// Keeps the problem, unless there is an earlier one. @param field by its place in the document: "stations[2].near_mm"
-  void refuse(const std::string& field, const std::string& found, const std::string& expected);
+  void refuse(const std::string& field, const Message& found, const Message& expected);
   void refuse(Error problem);
 
  private:
-  std::string where_;
+  Message where_;
   std::vector<std::string> welcome_;
   std::optional<Error> problem_;
 };
@@ -85,12 +86,12 @@ class JsonFields {
   [[nodiscard]] const nlohmann::json* find(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
 
-  void refuse(std::string_view key, const std::string& found, const std::string& expected) const;
+  void refuse(std::string_view key, const Message& found, const Message& expected) const;
   /// What was found is what stands in the document, or "missing".
-  void refuse(std::string_view key, const std::string& expected) const;
+  void refuse(std::string_view key, const Message& expected) const;
 
   /// The object as a whole.
-  void refuseWhole(const std::string& found, const std::string& expected) const { reading_->refuse(place_, found, expected); }
+  void refuseWhole(const Message& found, const Message& expected) const { reading_->refuse(place_, found, expected); }
 
   /// Refuses names that are none of these.
   void only(std::span<const std::string> known) const;
@@ -98,23 +99,23 @@ class JsonFields {
 
   /// A finite number. @param expected what the sentence asks for instead of "a number from LOWEST to HIGHEST"
   double number(std::string_view key, double lowest, double highest, std::optional<double> fallback = {},
-                const std::string& expected = {}) const;
+                const Message& expected = {}) const;
   /// A whole number, also one written as 3.0; within the 53 bits that a double counts by ones.
   long long whole(std::string_view key, long long lowest, long long highest, std::optional<long long> fallback = {},
-                  const std::string& expected = {}) const;
+                  const Message& expected = {}) const;
   /// Between `atLeast` and `atMost` numbers. Empty after a problem and when an optional list is not there.
   std::vector<double> numbers(std::string_view key, std::size_t atLeast, std::size_t atMost, double lowest, double highest,
-                              bool needed = true, const std::string& expected = {}) const;
+                              bool needed = true, const Message& expected = {}) const;
   /// Three numbers of at most `farthest` either way.
-  glm::dvec3 point(std::string_view key, double farthest, std::optional<glm::dvec3> fallback = {}, const std::string& expected = {}) const;
+  glm::dvec3 point(std::string_view key, double farthest, std::optional<glm::dvec3> fallback = {}, const Message& expected = {}) const;
   /// A rotation and a translation: 16 numbers, row by row. Empty after a problem and when it is not there. @error also notRigid
-  std::optional<glm::dmat4> rigid(std::string_view key, const std::string& expected = {}) const;
+  std::optional<glm::dmat4> rigid(std::string_view key, const Message& expected = {}) const;
   bool flag(std::string_view key, std::optional<bool> fallback = {}) const;
   /// A text of `atLeast` to `atMost` bytes.
   std::string text(std::string_view key, std::optional<std::string> fallback = {}, std::size_t atLeast = 1, std::size_t atMost = 200,
-                   const std::string& expected = {}) const;
+                   const Message& expected = {}) const;
   /// Several texts of 1 to 200 bytes. Empty after a problem and when an optional list (`atLeast` 0) is not there.
-  std::vector<std::string> texts(std::string_view key, std::size_t atLeast, std::size_t atMost, const std::string& expected = {}) const;
+  std::vector<std::string> texts(std::string_view key, std::size_t atLeast, std::size_t atMost, const Message& expected = {}) const;
 
   /// The value that a word of the file stands for. @param words pairs of a word and its value
   template <class Word, class E, std::size_t N>
@@ -129,10 +130,10 @@ class JsonFields {
   [[nodiscard]] JsonFields object(std::string_view key) const;
   /// The objects of a list, each with its place; none when an optional list (`atLeast` 0) is not there.
   [[nodiscard]] std::vector<JsonFields> objects(std::string_view key, std::size_t atLeast, std::size_t atMost,
-                                                const std::string& expected = {}) const;
+                                                const Message& expected = {}) const;
   /// Any values in a list: its elements are read with their own rules. An empty list after a problem and when an optional one is not there.
   [[nodiscard]] const nlohmann::json& list(std::string_view key, std::size_t atLeast, std::size_t atMost,
-                                           const std::string& expected = {}) const;
+                                           const Message& expected = {}) const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> wordAmong(std::string_view key, std::span<const std::string_view> words, bool needed) const;
@@ -146,9 +147,9 @@ class JsonFields {
 [[nodiscard]] std::optional<double> numberWithin(const nlohmann::json& value, double lowest, double highest);
 
 /// How sentences and manuals ask for a number: "a number from 0 to 1", "a whole number from 1 to 8".
-[[nodiscard]] std::string rangeText(double lowest, double highest);
-[[nodiscard]] std::string wholeRangeText(long long lowest, long long highest);
+[[nodiscard]] Message rangeText(double lowest, double highest);
+[[nodiscard]] Message wholeRangeText(long long lowest, long long highest);
 /// ... and for a word: "\"a\", \"b\" or \"c\"".
-[[nodiscard]] std::string wordsText(std::span<const std::string_view> words);
+[[nodiscard]] Message wordsText(std::span<const std::string_view> words);
 
 }  // namespace ew

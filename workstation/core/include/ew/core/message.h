@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <string>
@@ -36,6 +37,8 @@ class Message {
   [[nodiscard]] const std::string& verbatim() const { return verbatim_; }
   [[nodiscard]] bool empty() const { return text_ == nullptr && verbatim_.empty() && arguments_.empty(); }
   [[nodiscard]] std::string english() const;
+  /// The same with every verbatim part replaced by what `change` makes of it: names of files, for instance.
+  [[nodiscard]] Message withVerbatim(const std::function<std::string(std::string)>& change) const;
 
   friend bool operator==(const Message& a, const Message& b);
 

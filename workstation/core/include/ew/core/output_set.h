@@ -69,6 +69,7 @@ class OutputSet {
 
   /// The same text with every staged file called by the name it was given: what a writer says is for the user.
   [[nodiscard]] std::string inGivenNames(std::string text) const;
+  [[nodiscard]] Error inGivenNames(Error error) const;
 
   /// Puts everything written so far in place, on the medium first, all or nothing: when one file cannot be put in place those before it are
   /// taken back. A file that is replaced keeps its permissions. Afterwards the set is empty but for its inputs.
