@@ -154,7 +154,7 @@ Result<MotorSweep> recordedMotor(const Sequence& sequence) {
   for (const SequenceFrame& frame : sequence.frames) {
     const auto text = fieldOf(frame.otherFields, name);
     const auto value = text ? parseNumber(*text) : std::nullopt;
-    if (text && (!value || !(std::abs(*value) <= limit))) return badRecordedField(name, *text, rangeText(-limit, limit));
+    if (text && (!value || !(std::abs(*value) <= limit))) return badRecordedField(name, *text, rangeText(-limit, limit).english());
     motor.values.push_back(value.value_or(kNone));
   }
   return motor;

@@ -68,7 +68,7 @@ Result<int> runGuarded(const Work& work, Run& run) {
                      return {ErrorCode::tooLarge, "There is not enough memory for this; use a coarser spacing or a smaller size.", {}};
                    return {
                        ErrorCode::internal,
-                       "The program met a problem it did not foresee (" + thrown.reason + "); please report it with the command you gave.",
+                       "The program met a problem it did not foresee (" + thrown.reason.english() + "); please report it with the command you gave.",
                        {}};
                  });
 }
@@ -76,9 +76,7 @@ Result<int> runGuarded(const Work& work, Run& run) {
 /// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.
 Error forTheUser(Error error, const Run& run) {
   if (error.code == ErrorCode::cancelled && !run.stoppedSentence.empty()) error.message = run.stoppedSentence;
-  error.message = run.outputs.inGivenNames(std::move(error.sentence()));
-  for (auto& [name, value] : error.context) value = run.outputs.inGivenNames(std::move(value));
-  return error;
+  return run.outputs.inGivenNames(std::move(error));
 }
 
 Result<int> execute(const Selection& selection, Run& run) {

@@ -26,7 +26,7 @@ Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& e
   const std::uint64_t skipped = (timeStep - 1) * extent.voxels;
   (header.packing == Packing::deflated ? header.skipUnpacked : header.dataOffset) += skipped * header.channels * bytesOf(header.type);
   extent.promised -= skipped;
-  std::erase_if(notes, [](const std::string& note) { return note.ends_with("the first was read."); });
+  std::erase_if(notes, [](const Message& note) { return note.english().ends_with("the first was read."); });
   notes.push_back(quoted(header.file) + " holds " + std::to_string(steps) + " volumes one after the other; number " +
                   std::to_string(timeStep) + " was read.");
   return {};

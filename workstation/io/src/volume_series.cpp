@@ -9,7 +9,7 @@ using namespace detail;
 Result<VolumeSeries> readVolumeSeries(const std::filesystem::path& file) {
   const auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
-  std::vector<std::string> ignored;
+  std::vector<Message> ignored;
   const auto extent = volumeExtentOf(*header, ignored);
   if (!extent) return passOn(extent.error());
   return VolumeSeries{extent->promised / extent->voxels, extent->grid, header->hasGeometry};

@@ -74,7 +74,7 @@ Result<VolumeHeader> readVolumeHeader(const fs::path& file) {
   if (header->dataFile != header->file) found.files.push_back(header->dataFile);
   found.sequence = describesSequence(*header);
   if (found.sequence) return found;
-  std::vector<std::string> ignored;
+  std::vector<Message> ignored;
   const auto extent = volumeExtentOf(*header, ignored);
   if (!extent) return passOn(extent.error());
   found.grid = extent->grid;

@@ -114,11 +114,7 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   const fs::path aside = outputs.staged(target);
   fs::copy(source, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
   if (error) return giveUp(error.message());
-  if (auto written = writeManifest(edited, aside); !written) {
-    Error problem = written.error();
-    problem.message = outputs.inGivenNames(std::move(problem.sentence()));
-    return passOn(std::move(problem));
-  }
+  if (auto written = writeManifest(edited, aside); !written) return passOn(outputs.inGivenNames(std::move(written.error())));
   if (auto committed = outputs.commit(); !committed) return giveUp(reasonOf(committed.error()));
   return {};
 }

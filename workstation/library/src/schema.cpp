@@ -119,7 +119,7 @@ Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, co
   const std::string inside = fieldName(path);
   const std::string field = place.empty() || inside.empty() ? place + inside : place + (inside.front() == '[' ? "" : ".") + inside;
   const std::string expected = expectedAt(schema, path);
-  const std::string foundText = found == nullptr ? "missing" : shown(*found);
+  const std::string foundText = found == nullptr ? "missing" : shown(*found).english();
   if (expected.empty())
     return {ErrorCode::badField,
             (field.empty() ? documentName : "'" + field + "' in " + documentName) + " is " + foundText + ", which cannot be used.",
@@ -217,7 +217,7 @@ Result<PartSchema> PartSchema::of(const std::string& text, const std::string& do
 
 std::vector<Error> PartSchema::problems(const nlohmann::json& part, const std::string& place, const std::string& documentName) const {
   const auto problem = [&](const std::string& sentence) {
-    return std::vector<Error>{{ErrorCode::badField, sentence, {{"field", place}, {"found", shown(part)}, {"expected", ""}}}};
+    return std::vector<Error>{{ErrorCode::badField, sentence, {{"field", place}, {"found", shown(part).english()}, {"expected", ""}}}};
   };
   // The library's patterns are std::regex, which recurses once per character.
   if (loaded_->hasPatterns && longestText(part) > kLongestForPatterns)

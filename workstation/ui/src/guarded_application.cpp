@@ -31,7 +31,7 @@ void GuardedApplication::tell(const QPointer<QObject>& receiver, const Thrown& w
   // What cannot even be told must not end the program either.
   static_cast<void>(guarded(
       [&] {
-        spdlog::error("A handler of the window failed: {}", what.reason);
+        spdlog::error("A handler of the window failed: {}", what.reason.english());
         Q_EMIT thrown(receiver, what);
       },
       [](const Thrown&) { return Error{}; }));

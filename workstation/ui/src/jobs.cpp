@@ -40,14 +40,14 @@ Error unforeseen(const Thrown& thrown) {
   if (thrown.noMemory)
     return {ErrorCode::tooLarge, "There is not enough memory for this; close other programs or choose a coarser spacing.", {}};
   return {ErrorCode::internal,
-          "The work stopped unexpectedly (" + thrown.reason + "); nothing was changed, please report it with what you did.",
+          "The work stopped unexpectedly (" + thrown.reason.english() + "); nothing was changed, please report it with what you did.",
           {}};
 }
 
 Error notTakenOver(const QString& title, const Thrown& thrown) {
   return {
       ErrorCode::internal,
-      "The result of '" + title.toStdString() + "' could not be taken over (" + thrown.reason + "); please report it with what you did.",
+      "The result of '" + title.toStdString() + "' could not be taken over (" + thrown.reason.english() + "); please report it with what you did.",
       {}};
 }
 

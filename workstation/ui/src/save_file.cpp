@@ -79,10 +79,7 @@ Result<void> saveTogether(const std::vector<std::filesystem::path>& files, const
     if (auto announced = outputs.announce(file); !announced) return announced;
   auto written = write(outputs);
   if (written) return outputs.commit();
-  Error problem = std::move(written.error());
-  problem.message = outputs.inGivenNames(std::move(problem.sentence()));
-  for (auto& [name, value] : problem.context) value = outputs.inGivenNames(std::move(value));
-  return passOn(std::move(problem));
+  return passOn(outputs.inGivenNames(std::move(written.error())));
 }
 
 }  // namespace ew::ui

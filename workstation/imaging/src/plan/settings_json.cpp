@@ -25,12 +25,12 @@ std::string withMeaning(std::string range, const char* meaning) { return range +
 
 /// What each kind of field may be, in words; the same in error sentences and in the manual.
 struct Wording {
-  static std::string number(double lowest, double highest, const char* meaning) { return withMeaning(rangeText(lowest, highest), meaning); }
+  static std::string number(double lowest, double highest, const char* meaning) { return withMeaning(rangeText(lowest, highest).english(), meaning); }
   static std::string numberOrZero(double lowest, double highest, const char* meaning) {
-    return rangeText(lowest, highest) + ", or 0 for " + meaning;
+    return rangeText(lowest, highest).english() + ", or 0 for " + meaning;
   }
-  static std::string angle(double lowest_deg, double highest_deg) { return rangeText(lowest_deg, highest_deg); }
-  static std::string count(int lowest, int highest) { return wholeRangeText(lowest, highest); }
+  static std::string angle(double lowest_deg, double highest_deg) { return rangeText(lowest_deg, highest_deg).english(); }
+  static std::string count(int lowest, int highest) { return wholeRangeText(lowest, highest).english(); }
   static std::string oddCount(int lowest, int highest) {
     return "an odd number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   }
@@ -44,7 +44,7 @@ struct Wording {
   static std::string choice(const detail::Words<E, N>& words) {
     std::array<std::string_view, N> all;
     for (std::size_t n = 0; n < N; ++n) all[n] = words[n].first;
-    return wordsText(all);
+    return wordsText(all).english();
   }
   static std::string flag() { return "true or false"; }
   static std::string text(std::size_t longest) { return "a text of at most " + std::to_string(longest) + " bytes"; }

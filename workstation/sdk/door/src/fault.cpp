@@ -52,7 +52,7 @@ std::string filled(const std::string& pattern, const PluginFault& fault) {
       text += pattern[n];
       continue;
     }
-    text += place == '1' ? fault.plugin : place == '2' ? fault.what : fault.thrown.reason;
+    text += place == '1' ? fault.plugin : place == '2' ? fault.what : fault.thrown.reason.english();
     ++n;
   }
   return text;

@@ -16,7 +16,7 @@ namespace {
 class Together {
  public:
   Together(Progress& whole, std::size_t pieces) : whole_(whole), done_(pieces, 0.0) {}
-  void report(std::size_t piece, std::string_view what, double fraction) {
+  void report(std::size_t piece, const Message& what, double fraction) {
     const std::lock_guard lock(guard_);
     done_[piece] = std::max(done_[piece], fraction);
     double sum = 0.0;
