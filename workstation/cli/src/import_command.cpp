@@ -84,7 +84,7 @@ json toJson(const Removed& removed) {
   json blanked = json::array(), kept = json::array();
   for (const PixelRect& rect : removed.blanked) blanked.push_back({rect.x, rect.y, rect.width, rect.height});
   for (const PixelRect& rect : removed.blankedOutside) kept.push_back({rect.x, rect.y, rect.width, rect.height});
-  return {{"fields", removed.fields},
+  return {{"fields", english(removed.fields)},
           {"private_fields", removed.privateFields},
           {"pixels_per_frame", removed.pixelsPerFrame},
           {"blanked", blanked},

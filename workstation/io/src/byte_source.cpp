@@ -33,7 +33,8 @@ class FileSource final : public ByteSource {
     if (wanted == 0) return std::size_t{0};
     in_.read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(wanted));
     if (in_.bad())
-      return failure(ErrorCode::notReadable, quoted(file_) + " cannot be read; check the medium it is on.", {{"file", file_.string()}});
+      return failure(ErrorCode::notReadable, say<"%1 cannot be read; check the medium it is on.">(quoted(file_)),
+                     {{"file", file_.string()}});
     const auto got = static_cast<std::size_t>(in_.gcount());
     left_ = got < wanted ? 0 : left_ - got;
     return got;
@@ -88,7 +89,7 @@ class InflateSource final : public ByteSource {
         betweenMembers_ = true;
         if (!gzip_) ended_ = true;
       } else if (status != Z_OK && status != Z_BUF_ERROR) {
-        return failure(ErrorCode::notReadable, "The compressed samples of " + quoted(file_) + " are damaged; get the file again.",
+        return failure(ErrorCode::notReadable, say<"The compressed samples of %1 are damaged; get the file again.">(quoted(file_)),
                        {{"file", file_.string()}, {"reason", stream_.msg != nullptr ? stream_.msg : "inflate failed"}});
       }
     }
@@ -155,7 +156,7 @@ class TextSource final : public ByteSource {
     if (word.empty()) return false;
     const auto number = parseNumber(word);
     if (!number || !store(*number))
-      return badField(file_, "a sample", word, std::string("a number that fits ") + nameOf(type_) + " samples");
+      return badField(file_, say<"a sample">(), verbatim(word), say<"a number that fits %1 samples">(nameOf(type_)));
     return true;
   }
 
@@ -225,8 +226,7 @@ class CheckedEnd final : public ByteSource {
     given_ += *got;
     if (*got < into.size() && !inflated_->complete())
       return failure(ErrorCode::truncated,
-                     "The compressed samples of " + quoted(file_) + " break off after " + std::to_string(given_) +
-                         " unpacked bytes; get the file again.",
+                     say<"The compressed samples of %1 break off after %2 unpacked bytes; get the file again.">(quoted(file_), given_),
                      {{"file", file_.string()}, {"unpacked", std::to_string(given_)}});
     return got;
   }
@@ -247,28 +247,31 @@ Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedB
   const std::uint64_t largest = deflated ? packedBytes * tightest + tightest : packedBytes;
   const std::uint64_t wanted = header.packing == Packing::text ? promisedSamples : promisedBytes;
   if (wanted <= largest) return {};
-  return failure(ErrorCode::truncated,
-                 quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
-                     " bytes of samples, the file has " + std::to_string(packedBytes) +
-                     (deflated ? " compressed bytes, which cannot hold them" : "") + "; get the file again.",
-                 {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
+  return failure(
+      ErrorCode::truncated,
+      deflated ? say<"%1 is too short: its header promises %2 bytes of samples, the file has %3 compressed bytes, which cannot hold them; "
+                     "get the file again.">(quoted(header.dataFile), promisedBytes, packedBytes)
+               : say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(
+                     quoted(header.dataFile), promisedBytes, packedBytes),
+      {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
 }
 
 Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress) {
   std::error_code problem;
   const std::uint64_t fileBytes = fs::file_size(header.dataFile, problem);
   if (problem)
-    return failure(ErrorCode::notReadable, quoted(header.dataFile) + " cannot be read (" + problem.message() + "); check its permissions.",
+    return failure(ErrorCode::notReadable,
+                   say<"%1 cannot be read (%2); check its permissions.">(quoted(header.dataFile), verbatim(problem.message())),
                    {{"file", header.dataFile.string()}});
   std::uint64_t offset = header.dataOffset;
   if (header.dataAtEnd) {
     if (header.packing != Packing::raw)
-      return failure(ErrorCode::unsupported, quoted(header.file) + " asks for the last bytes of packed samples; store them unpacked.",
+      return failure(ErrorCode::unsupported, say<"%1 asks for the last bytes of packed samples; store them unpacked.">(quoted(header.file)),
                      {{"file", header.file.string()}});
     if (promisedBytes > fileBytes)
       return failure(ErrorCode::truncated,
-                     quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
-                         " bytes of samples, the file has " + std::to_string(fileBytes) + "; get the file again.",
+                     say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(
+                         quoted(header.dataFile), promisedBytes, fileBytes),
                      {{"file", header.dataFile.string()}});
     offset = fileBytes - promisedBytes;
   }
@@ -276,19 +279,19 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
   if (header.packedBytes && *header.packedBytes > available)
     return failure(
         ErrorCode::truncated,
-        quoted(header.dataFile) + " is too short: its header promises " + std::to_string(*header.packedBytes) +
-            " compressed bytes, the file has " + std::to_string(available) + "; get the file again.",
+        say<"%1 is too short: its header promises %2 compressed bytes, the file has %3; get the file again.">(
+            quoted(header.dataFile), *header.packedBytes, available),
         {{"file", header.dataFile.string()}, {"promised", std::to_string(*header.packedBytes)}, {"found", std::to_string(available)}});
   OpenedBytes opened;
   opened.packedBytes = header.packedBytes ? *header.packedBytes : available;
   if (opened.packedBytes == 0 && promisedBytes > 0)
     return failure(ErrorCode::truncated,
-                   quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promisedBytes) +
-                       " bytes of samples, the file has 0; get the file again.",
+                   say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(
+                       quoted(header.dataFile), promisedBytes, 0),
                    {{"file", header.dataFile.string()}});
   auto file = std::make_unique<FileSource>(header.dataFile, std::min(offset, fileBytes), opened.packedBytes);
   if (!file->ok())
-    return failure(ErrorCode::notReadable, quoted(header.dataFile) + " cannot be opened; check its permissions.",
+    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(quoted(header.dataFile)),
                    {{"file", header.dataFile.string()}});
   switch (header.packing) {
     case Packing::raw:
@@ -299,7 +302,8 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
       break;
     case Packing::deflated: {
       auto inflated = std::make_unique<InflateSource>(header.dataFile, std::move(file));
-      if (!inflated->ok()) return failure(ErrorCode::internal, "The decompressor could not be started; free some memory and try again.");
+      if (!inflated->ok())
+        return failure(ErrorCode::internal, say<"The decompressor could not be started; free some memory and try again.">());
       opened.source = std::make_unique<CheckedEnd>(header.dataFile, std::move(inflated));
       break;
     }
@@ -314,7 +318,7 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
     const auto got = opened.source->read(part);
     if (!got) return passOn(got.error());
     if (*got < part.size())
-      return failure(ErrorCode::truncated, quoted(header.dataFile) + " ends before its samples begin; get the file again.",
+      return failure(ErrorCode::truncated, say<"%1 ends before its samples begin; get the file again.">(quoted(header.dataFile)),
                      {{"file", header.dataFile.string()}});
     left -= *got;
   }

@@ -14,10 +14,10 @@ namespace {
 using namespace detail;
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> notWritten(const fs::path& file, const std::string& reason) {
+tl::unexpected<Error> notWritten(const fs::path& file, const Message& reason) {
   return failure(ErrorCode::notWritable,
-                 quoted(file) + " could not be written: " + reason + "; check the folder and the free space, or write .avi.",
-                 {{"file", file.string()}, {"reason", reason}});
+                 say<"%1 could not be written: %2; check the folder and the free space, or write .avi.">(quoted(file), reason),
+                 {{"file", file.string()}, {"reason", reason.english()}});
 }
 
 /// The functions of the module, loaded once and never unloaded.
@@ -40,7 +40,8 @@ Result<Video> loadVideo() {
   }
   if (video.open == nullptr || video.add == nullptr || video.close == nullptr) {
     const char* const reason = dlerror();
-    return failure(ErrorCode::unsupported, "Films cannot be written, because a part of the program is missing; install EchoWeave again.",
+    return failure(ErrorCode::unsupported,
+                   say<"Films cannot be written, because a part of the program is missing; install EchoWeave again.">(),
                    {{"file", file.string()}, {"reason", reason == nullptr ? "" : reason}});
   }
   return video;
@@ -52,6 +53,7 @@ const Result<Video>& video() {
 }
 
 constexpr std::size_t kReasonRoom = 256;
+using Reason = std::array<char, kReasonRoom>;  ///< what another library said; empty when it said nothing
 
 }  // namespace
 
@@ -76,17 +78,15 @@ bool isClipFile(const fs::path& file) { return file.extension() == ".avi" || fil
 Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int height_px, double rate_hz) {
   EW_EXPECTS(rate_hz > 0.0);
   if (!isClipFile(file))
-    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .avi or .mp4.",
+    return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .avi or .mp4.">(quoted(file)),
                    {{"file", file.string()}});
   if (width_px < 2 || height_px < 2)
-    return failure(
-        ErrorCode::badField,
-        "A film of " + std::to_string(width_px) + " x " + std::to_string(height_px) + " pixels cannot be made; give at least 2x2.",
-        {{"file", file.string()}});
+    return failure(ErrorCode::badField, say<"A film of %1 x %2 pixels cannot be made; give at least 2x2.">(width_px, height_px),
+                   {{"file", file.string()}});
   if (!video()) return passOn(video().error());
-  std::array<char, kReasonRoom> why{};
+  Reason why{};
   EwClip* const clip = (*video()->open)(file.c_str(), width_px, height_px, rate_hz, why.data(), why.size());
-  if (clip == nullptr) return notWritten(file, why.data());
+  if (clip == nullptr) return notWritten(file, why.front() == '\0' ? say<"the film could not be begun">() : verbatim(why.data()));
   auto parts = std::make_unique<Parts>();
   parts->file = file;
   parts->width_px = width_px;
@@ -97,9 +97,9 @@ Result<ClipWriter> ClipWriter::open(const fs::path& file, int width_px, int heig
 
 Result<void> ClipWriter::add(const RgbImage& image) {
   EW_EXPECTS(parts_->clip != nullptr && image.width == parts_->width_px && image.height == parts_->height_px);
-  std::array<char, kReasonRoom> why{};
+  Reason why{};
   const auto* const bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
-  if (!(*video()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, why.data());
+  if (!(*video()->add)(parts_->clip, bytes, why.data(), why.size())) return notWritten(parts_->file, verbatim(why.data()));
   return {};
 }
 
@@ -107,7 +107,7 @@ Result<void> ClipWriter::finish() {
   parts_->close();
   std::error_code problem;
   const auto size = fs::file_size(parts_->file, problem);
-  if (problem || size == 0) return notWritten(parts_->file, problem ? problem.message() : "it is empty");
+  if (problem || size == 0) return notWritten(parts_->file, problem ? verbatim(problem.message()) : say<"it is empty">());
   return {};
 }
 

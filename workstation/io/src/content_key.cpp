@@ -89,12 +89,12 @@ Result<std::optional<std::string>> contentOf(const std::filesystem::path& file, 
   XXH3_128bits_reset(&state);
   std::vector<char> chunk(kFileChunk_bytes);
   while (in) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     if (in.gcount() > 0) XXH3_128bits_update(&state, chunk.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad())
-    return failure(ErrorCode::notReadable, "\"" + file.string() + "\" cannot be read; check the medium it is on.",
+    return failure(ErrorCode::notReadable, say<"\"%1\" cannot be read; check the medium it is on.">(file.string()),
                    {{"file", file.string()}});
   return std::optional(digitsOf(XXH3_128bits_digest(&state)));
 }

@@ -14,24 +14,21 @@ Result<PixelRect> parsePixelRect(std::string_view text) {
   const auto usable = [](long long value) { return value >= 0 && value <= 1'000'000; };
   if (!numbers || numbers->size() != 4 || !std::all_of(numbers->begin(), numbers->end(), usable) || (*numbers)[2] < 1 || (*numbers)[3] < 1)
     return failure(ErrorCode::badUsage,
-                   "'" + std::string(text) + "' is no rectangle; give x,y,width,height in pixels from the upper left corner.");
+                   say<"'%1' is no rectangle; give x,y,width,height in pixels from the upper left corner.">(std::string(text)));
   return PixelRect{static_cast<int>((*numbers)[0]), static_cast<int>((*numbers)[1]), static_cast<int>((*numbers)[2]),
                    static_cast<int>((*numbers)[3])};
 }
 
 std::vector<Message> sentencesOf(const Removed& removed) {
   std::vector<Message> sentences;
-  if (!removed.fields.empty()) {
-    std::string list;
-    for (const std::string& field : removed.fields) list += (list.empty() ? "" : ", ") + field;
-    sentences.push_back("Left out, because they can name a person, a place or a time: " + list + ".");
-  }
+  if (!removed.fields.empty())
+    sentences.push_back(say<"Left out, because they can name a person, a place or a time: %1.">(joined(removed.fields, ", ")));
   if (removed.privateFields > 0)
-    sentences.push_back(std::to_string(removed.privateFields) + " private " + (removed.privateFields == 1 ? "field" : "fields") +
-                        " of the maker left out.");
+    sentences.push_back(removed.privateFields == 1 ? say<"1 private field of the maker left out.">()
+                                                   : say<"%1 private fields of the maker left out.">(removed.privateFields));
   if (removed.pixelsPerFrame > 0)
-    sentences.push_back(std::to_string(removed.pixelsPerFrame) + " pixels of each picture cut away or made black, with any text in them.");
-  if (sentences.empty()) sentences.push_back("Nothing that names a person was found.");
+    sentences.push_back(say<"%1 pixels of each picture cut away or made black, with any text in them.">(removed.pixelsPerFrame));
+  if (sentences.empty()) sentences.push_back(say<"Nothing that names a person was found.">());
   return sentences;
 }
 

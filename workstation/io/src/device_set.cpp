@@ -25,19 +25,21 @@ Result<std::optional<std::vector<double>>> numbersOf(const fs::path& file, const
   auto numbers = parseNumbers(attribute.value());
   if (!numbers || numbers->size() != count ||
       std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
-    return badField(file, attribute.name(), attribute.value(), std::to_string(count) + (count == 1 ? " finite number" : " finite numbers"));
+    return badField(file, verbatim(attribute.name()), verbatim(attribute.value()), counted<"%1 finite number", "%1 finite numbers">(count));
   return std::optional(*std::move(numbers));
 }
 
 Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
   const std::string from = node.attribute("From").value();
   const std::string to = node.attribute("To").value();
-  if (from.empty() || to.empty()) return badField(file, "Transform", from + " to " + to, "two frame names (From and To)");
+  if (from.empty() || to.empty())
+    return badField(file, verbatim("Transform"), say<"%1 to %2">(from, to), say<"two frame names (From and To)">());
   const auto matrix = node.attribute("Matrix");
   const auto numbers = parseNumbers(matrix.value());
   if (!numbers || numbers->size() != 16 ||
       std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
-    return badField(file, "the Matrix of " + from + " to " + to, matrix.value(), "16 finite numbers (4 x 4, row by row)");
+    return badField(file, say<"the Matrix of %1 to %2">(from, to), verbatim(matrix.value()),
+                    say<"16 finite numbers (4 x 4, row by row)">());
   std::array<double, 16> rows{};
   std::copy_n(numbers->begin(), 16, rows.begin());
   set.transforms.push_back({from, to, matrixFromRows(rows), PoseStatus::ok});
@@ -62,7 +64,8 @@ Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node
   if (!numbers) return passOn(numbers.error());
   if (*numbers) {
     const auto& mm = **numbers;
-    if (!(mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0)) return badField(file, "OutputSpacing", spacing.value(), "three numbers above 0 (mm)");
+    if (!(mm[0] > 0.0 && mm[1] > 0.0 && mm[2] > 0.0))
+      return badField(file, verbatim("OutputSpacing"), verbatim(spacing.value()), say<"three numbers above 0 (mm)">());
     set.outputSpacing_mm = glm::dvec3(mm[0], mm[1], mm[2]);
   }
   if (auto read = vector2(set.clipOrigin_px, {"ClipRectangleOrigin"}); !read) return read;
@@ -89,8 +92,8 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
   const auto parsed = document.load_buffer(text->data(), text->size());
   if (!parsed)
     return failure(ErrorCode::badHeader,
-                   quoted(file) + " is not well-formed XML (" + parsed.description() + " at byte " + std::to_string(parsed.offset) +
-                       "); give the device set the sweep was recorded with.",
+                   say<"%1 is not well-formed XML (%2 at byte %3); give the device set the sweep was recorded with.">(
+                       quoted(file), verbatim(parsed.description()), parsed.offset),
                    {{"file", file.string()}});
   DeviceSet set;
   // The calibration program's own result file: the same transform, under another roof.
@@ -103,7 +106,7 @@ Result<DeviceSet> readDeviceSet(const fs::path& file) {
   if (!root)
     return failure(
         ErrorCode::badHeader,
-        quoted(file) + " is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.",
+        say<"%1 is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.">(quoted(file)),
         {{"file", file.string()}});
   for (const auto& definitions : root.children("CoordinateDefinitions"))
     for (const auto& node : definitions.children("Transform"))
@@ -145,7 +148,7 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
 
 Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
   if (lowerCase(file.extension().string()) != ".xml")
-    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .xml.",
+    return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .xml.">(quoted(file)),
                    {{"file", file.string()}});
   pugi::xml_document document;
   auto root = document.append_child("PlusConfiguration");

@@ -20,10 +20,10 @@ std::string number(double value) { return textOf(std::round(value * 1e6) / 1e6);
 
 std::string percent(double share) { return textOf(std::round(share * 10000.0) / 100.0) + " %"; }
 
-std::string listed(const std::vector<UltrasoundRegion>& regions) {
-  std::string list;
-  for (std::size_t n = 0; n < regions.size(); ++n) list += (list.empty() ? "" : "; ") + regions[n].describe(n + 1);
-  return list;
+Message listed(const std::vector<UltrasoundRegion>& regions) {
+  std::vector<Message> list;
+  for (std::size_t n = 0; n < regions.size(); ++n) list.push_back(regions[n].describe(n + 1));
+  return joined(std::move(list), "; ");
 }
 
 /// Times of the frames by the field that the file names, or by the one that is there; empty when there is none.
@@ -52,7 +52,7 @@ std::vector<double> frameTimes(const DicomItem& data, std::uint64_t frames, std:
       times_s.push_back(time_ms * 0.001);
     }
   } else {
-    notes.push_back("The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.");
+    notes.push_back(say<"The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.">());
   }
   return times_s;
 }
@@ -66,52 +66,56 @@ struct Chosen {
 Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const std::vector<UltrasoundRegion>& regions,
                       const CineOptions& options, std::vector<Message>& notes) {
   const PixelRect whole{0, 0, static_cast<int>(layout.columns), static_cast<int>(layout.rows)};
-  const auto ask = [&](const char* what, std::string sentence) {
+  const auto ask = [&](const char* what, Message sentence) {
     return failure(ErrorCode::missingCalibration, std::move(sentence), {{"file", file.string()}, {"ask", what}});
   };
   if (options.pixel_mm)
     for (int axis = 0; axis < 2; ++axis)
       if (!std::isfinite((*options.pixel_mm)[axis]) || !((*options.pixel_mm)[axis] > 0.0))
-        return failure(ErrorCode::badUsage, "The size of a pixel must be above 0 mm in both directions.");
+        return failure(ErrorCode::badUsage, say<"The size of a pixel must be above 0 mm in both directions.">());
   const auto take = [&](std::size_t index) -> Result<Chosen> {
     const UltrasoundRegion& region = regions[index];
-    if (!region.usable() && (region.rect.width < 1 || region.problem.starts_with("it reaches")))
-      return ask("pixel-mm", "Region " + region.describe(index + 1) + " of " + quoted(file) +
-                                 " cannot be used; take the whole picture and give the size of a pixel in mm.");
+    if (!region.usable() && (region.rect.width < 1 || region.stale))
+      return ask("pixel-mm", say<"Region %1 of %2 cannot be used; take the whole picture and give the size of a pixel in mm.">(
+                                 region.describe(index + 1), quoted(file)));
     if (!region.usable() && !options.pixel_mm)
-      return ask("pixel-mm", "Region " + region.describe(index + 1) + " of " + quoted(file) +
-                                 " cannot be used as it is; give the size of a pixel in mm, or choose another region.");
+      return ask("pixel-mm", say<"Region %1 of %2 cannot be used as it is; give the size of a pixel in mm, or choose another region.">(
+                                 region.describe(index + 1), quoted(file)));
     if (options.pixel_mm && region.usable())
-      notes.push_back("The size of a pixel was given: " + number(options.pixel_mm->x) + " x " + number(options.pixel_mm->y) +
-                      " mm instead of the " + number(region.pixel_mm().x) + " x " + number(region.pixel_mm().y) + " mm of the region.");
+      notes.push_back(say<"The size of a pixel was given: %1 x %2 mm instead of the %3 x %4 mm of the region.">(
+          number(options.pixel_mm->x), number(options.pixel_mm->y), number(region.pixel_mm().x), number(region.pixel_mm().y)));
     return Chosen{region.rect, options.pixel_mm.value_or(region.pixel_mm()), &region};
   };
   if (options.region && *options.region > 0) {
     if (static_cast<std::size_t>(*options.region) > regions.size())
-      return ask("region", quoted(file) + " has " + counted(regions.size(), "region", "regions") + ", no region " +
-                               std::to_string(*options.region) + "; choose one that is there, or 0 for the whole picture.");
+      return ask("region", counted<"%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.",
+                                   "%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole picture.">(
+                               regions.size(), quoted(file), *options.region));
     return take(static_cast<std::size_t>(*options.region) - 1);
   }
   if (options.region) {  // the whole picture
     if (!options.pixel_mm)
-      return ask("pixel-mm", "The whole picture of " + quoted(file) + " has no size of a pixel of its own; give it in mm.");
+      return ask("pixel-mm", say<"The whole picture of %1 has no size of a pixel of its own; give it in mm.">(quoted(file)));
     return Chosen{whole, *options.pixel_mm, nullptr};
   }
   std::vector<std::size_t> usable;
   bool stale = false;
   for (std::size_t n = 0; n < regions.size(); ++n) {
     if (regions[n].usable() && regions[n].isBMode()) usable.push_back(n);
-    stale = stale || regions[n].problem.starts_with("it reaches");
+    stale = stale || regions[n].stale;
   }
   if (usable.size() == 1 && !stale) return take(usable.front());
   if (usable.size() > 1)
-    return ask("region", quoted(file) + " shows " + std::to_string(usable.size()) + " calibrated pictures side by side (" +
-                             listed(regions) + "); choose one of the regions.");
+    return ask("region", say<"%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.">(quoted(file), usable.size(),
+                                                                                                              listed(regions)));
   if (options.pixel_mm) return Chosen{whole, *options.pixel_mm, nullptr};
   if (regions.empty())
-    return ask("pixel-mm", quoted(file) + " does not say how large its pixels are (it has no ultrasound regions); give the size in mm.");
-  return ask("pixel-mm", "No region of " + quoted(file) + " tells how large a pixel is (" + listed(regions) +
-                             "); give the size of a pixel in mm, or choose a region that you know to be right.");
+    return ask("pixel-mm",
+               say<"%1 does not say how large its pixels are (it has no ultrasound regions); give the size in mm.">(quoted(file)));
+  return ask(
+      "pixel-mm",
+      say<"No region of %1 tells how large a pixel is (%2); give the size of a pixel in mm, or choose a region that you know to be right.">(
+          quoted(file), listed(regions)));
 }
 
 /// The pixels of `rect`, frame by frame, to the front of the same memory.
@@ -141,21 +145,28 @@ Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const f
     cine.coloured.clear();
     return {};
   }
-  const std::string share = percent(cine.colouredShare) + " of the pixels are coloured";
-  const std::string where = flowRegion ? share + ", in a colour flow region" : share;
+  const std::string share = percent(cine.colouredShare);
   // A few pixels are a marker or the noise of a codec, not a Doppler picture.
   constexpr double few = 0.0005;
   if (rule == ColourRule::ask && (cine.colouredShare > few || flowRegion))
     return failure(ErrorCode::unsupported,
-                   "In " + quoted(file) + " " + where +
-                       ", as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.",
+                   flowRegion ? say<"In %1 %2 of the pixels are coloured, in a colour flow region, as by Doppler, and echo levels cannot "
+                                    "show that; say whether to keep them as grey or to drop them.">(quoted(file), share)
+                              : say<"In %1 %2 of the pixels are coloured, as by Doppler, and echo levels cannot show that; say whether to "
+                                    "keep them as grey or to drop them.">(quoted(file), share),
                    {{"file", file.string()}, {"ask", "colour"}, {"coloured", percent(cine.colouredShare)}});
   if (rule == ColourRule::dropColour) {
     for (std::size_t n = 0; n < cine.coloured.size(); ++n)
       if (cine.coloured[n] != 0) cine.sequence.pixels[n] = 0;
-    cine.notes.push_back(where + "; they were made black, and a mask tells where.");
+    cine.notes.push_back(
+        flowRegion ? say<"%1 of the pixels are coloured, in a colour flow region; they were made black, and a mask tells where.">(share)
+                   : say<"%1 of the pixels are coloured; they were made black, and a mask tells where.">(share));
   } else {
-    cine.notes.push_back(where + "; their luminance became the echo level, and a mask tells where.");
+    cine.notes.push_back(
+        flowRegion
+            ? say<"%1 of the pixels are coloured, in a colour flow region; their luminance became the echo level, and a mask tells where.">(
+                  share)
+            : say<"%1 of the pixels are coloured; their luminance became the echo level, and a mask tells where.">(share));
   }
   return {};
 }
@@ -211,9 +222,8 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   const bool burnedIn = dicom->data.text(0x00280301u) == "YES";
   if (burnedIn && chosen->region == nullptr && options.blank.empty() && !options.keepText)
     return failure(ErrorCode::unsupported,
-                   "The pictures of " + quoted(file) +
-                       " have text burned in, which may name the patient; choose a region, name the rectangles to make black, or say that "
-                       "the text may stay.",
+                   say<"The pictures of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make "
+                       "black, or say that the text may stay.">(quoted(file)),
                    {{"file", file.string()}, {"ask", "blank"}});
 
   const std::uint64_t frames = options.mostFrames > 0 ? std::min(options.mostFrames, layout->frames) : layout->frames;
@@ -256,25 +266,24 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
                                 [&](const UltrasoundRegion& one) { return one.dataType == 2 && overlap(one.rect, rect); });
   if (auto settled = settleColours(cine, options.colour, flow, file); !settled) return passOn(settled.error());
   cine.notes.push_back(
-      "The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, " +
-      number(cine.pixel_mm.x) + " x " + number(cine.pixel_mm.y) +
-      " mm a pixel; the file does not say on which side the probe's marker is.");
+      say<"The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 "
+          "mm a pixel; the file does not say on which side the probe's marker is.">(number(cine.pixel_mm.x), number(cine.pixel_mm.y)));
   if (chosen->region != nullptr) {
     const UltrasoundRegion& region = *chosen->region;
-    cine.notes.push_back("The pictures were cut to region " + region.describe(static_cast<std::size_t>(&region - regions.data()) + 1) +
-                         ".");
+    cine.notes.push_back(
+        say<"The pictures were cut to region %1.">(region.describe(static_cast<std::size_t>(&region - regions.data()) + 1)));
     if (region.referencePixel)
-      cine.notes.push_back("The region counts its own mm from pixel (" + number(region.referencePixel->x) + ", " +
-                           number(region.referencePixel->y) + ") of the cut picture, where x is " + number(10.0 * region.referenceValue.x) +
-                           " and y is " + number(10.0 * region.referenceValue.y) + ".");
+      cine.notes.push_back(say<"The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.">(
+          number(region.referencePixel->x), number(region.referencePixel->y), number(10.0 * region.referenceValue.x),
+          number(10.0 * region.referenceValue.y)));
   } else if (burnedIn || dicom->data.text(0x00280301u) != "NO") {
-    cine.notes.push_back(burnedIn ? "Text is burned into the pictures; check that what is left names nobody."
-                                  : "The file does not rule out text burned into the pictures; check that they name nobody.");
+    cine.notes.push_back(burnedIn ? say<"Text is burned into the pictures; check that what is left names nobody.">()
+                                  : say<"The file does not rule out text burned into the pictures; check that they name nobody.">());
   }
-  progress.report("Reading frames", 1.0);
+  progress.report(say<"Reading frames">(), 1.0);
   return cine;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the frames of %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

@@ -67,28 +67,28 @@ class Parser {
 
   /// Elements from `at` to `end`, or to the end marker of an item of undefined length.
   bool set(std::size_t& at, std::size_t end, bool toMarker, int depth, DicomItem& into) {
-    if (depth > kDeepest) return fails("sequences are nested too deeply");
+    if (depth > kDeepest) return fails(say<"sequences are nested too deeply">());
     into.bigEndian = bigEndian_;
     while (at < end) {
-      if (end - at < 8) return short_("an element's head");
+      if (end - at < 8) return short_(say<"it ends inside an element's head">());
       const DicomTag tag = tagAt(at);
       if (tag == kItemEnd && toMarker) {
         at += 8;
         return true;
       }
-      if (++elements_ > kMostElements) return fails("it has too many elements");
+      if (++elements_ > kMostElements) return fails(say<"it has too many elements">());
       DicomElement element;
       if (!one(at, end, depth, element)) return false;
       into.elements.push_back(std::move(element));
     }
-    return !toMarker || short_("an item's end");
+    return !toMarker || short_(say<"it ends inside an item's end">());
   }
 
   /// Elements of group 2 alone.
   bool meta(std::size_t& at, DicomItem& into) {
     into.bigEndian = false;
     while (bytes_.size() - at >= 8 && tagAt(at) >> 16 == 2u) {
-      if (++elements_ > kMostElements) return fails("it has too many elements");
+      if (++elements_ > kMostElements) return fails(say<"it has too many elements">());
       DicomElement element;
       if (!one(at, bytes_.size(), 0, element)) return false;
       into.elements.push_back(std::move(element));
@@ -96,7 +96,7 @@ class Parser {
     return true;
   }
 
-  [[nodiscard]] const std::string& why() const { return why_; }
+  [[nodiscard]] const Message& why() const { return why_; }
   [[nodiscard]] bool endsEarly() const { return short_read_; }
 
  private:
@@ -104,25 +104,25 @@ class Parser {
     return static_cast<DicomTag>(numberAt<std::uint16_t>(bytes_, at, bigEndian_)) << 16 |
            numberAt<std::uint16_t>(bytes_, at + 2, bigEndian_);
   }
-  bool fails(std::string why) {
+  bool fails(Message why) {
     why_ = std::move(why);
     return false;
   }
-  bool short_(const std::string& what) {
+  bool short_(Message why) {
     short_read_ = true;
-    return fails("it ends inside " + what);
+    return fails(std::move(why));
   }
 
   bool one(std::size_t& at, std::size_t end, int depth, DicomElement& element) {
     element.tag = tagAt(at);
-    if (element.tag >> 16 == 0xFFFEu) return fails("a marker stands where an element was expected");
+    if (element.tag >> 16 == 0xFFFEu) return fails(say<"a marker stands where an element was expected">());
     std::uint32_t length = 0;
     std::size_t head = 8;
     if (explicit_) {
       element.kind = {static_cast<char>(bytes_[at + 4]), static_cast<char>(bytes_[at + 5])};
-      if (!isKind(bytes_[at + 4], bytes_[at + 5])) return fails("an element has no value representation");
+      if (!isKind(bytes_[at + 4], bytes_[at + 5])) return fails(say<"an element has no value representation">());
       if (hasLongLength(element.kind)) {
-        if (end - at < 12) return short_("an element's head");
+        if (end - at < 12) return short_(say<"it ends inside an element's head">());
         length = numberAt<std::uint32_t>(bytes_, at + 8, bigEndian_);
         head = 12;
       } else {
@@ -146,7 +146,7 @@ class Parser {
     }
     if (length > end - at) {
       // Fragments of pixels that were cut off are told apart from lengths that make no sense by whoever needs them.
-      return short_("an element of " + std::to_string(length) + " bytes");
+      return short_(say<"it ends inside an element of %1 bytes">(length));
     }
     element.value = bytes_.subspan(at, length);
     if (is(element.kind, "SQ")) {
@@ -159,48 +159,48 @@ class Parser {
 
   bool sequence(std::size_t& at, std::size_t end, bool toMarker, int depth, DicomElement& element) {
     while (at < end) {
-      if (end - at < 8) return short_("a sequence");
+      if (end - at < 8) return short_(say<"it ends inside a sequence">());
       const DicomTag tag = tagAt(at);
       const auto length = numberAt<std::uint32_t>(bytes_, at + 4, bigEndian_);
       at += 8;
       if (tag == kSequenceEnd && toMarker) return true;
-      if (tag != kItem) return fails("a sequence holds something that is no item");
-      if (++elements_ > kMostElements) return fails("it has too many elements");
+      if (tag != kItem) return fails(say<"a sequence holds something that is no item">());
+      if (++elements_ > kMostElements) return fails(say<"it has too many elements">());
       DicomItem item;
       if (length == kUndefined) {
         if (!set(at, end, true, depth + 1, item)) return false;
       } else {
-        if (length > end - at) return short_("an item of a sequence");
+        if (length > end - at) return short_(say<"it ends inside an item of a sequence">());
         std::size_t inside = at;
         if (!set(inside, at + length, false, depth + 1, item)) return false;
         at += length;
       }
       element.items.push_back(std::move(item));
     }
-    return !toMarker || short_("a sequence");
+    return !toMarker || short_(say<"it ends inside a sequence">());
   }
 
   bool fragments(std::size_t& at, std::size_t end, DicomElement& element) {
     while (at < end) {
-      if (end - at < 8) return short_("the pixels");
+      if (end - at < 8) return short_(say<"it ends inside the pixels">());
       const DicomTag tag = tagAt(at);
       const auto length = numberAt<std::uint32_t>(bytes_, at + 4, bigEndian_);
       at += 8;
       if (tag == kSequenceEnd) return true;
-      if (tag != kItem) return fails("the pixels hold something that is no fragment");
-      if (length > end - at) return short_("the pixels");
-      if (++elements_ > kMostElements) return fails("it has too many fragments");
+      if (tag != kItem) return fails(say<"the pixels hold something that is no fragment">());
+      if (length > end - at) return short_(say<"it ends inside the pixels">());
+      if (++elements_ > kMostElements) return fails(say<"it has too many fragments">());
       element.fragments.push_back(bytes_.subspan(at, length));
       at += length;
     }
-    return short_("the pixels");
+    return short_(say<"it ends inside the pixels">());
   }
 
   Bytes bytes_;
   bool explicit_;
   bool bigEndian_;
   std::size_t elements_ = 0;
-  std::string why_;
+  Message why_;
   bool short_read_ = false;
 };
 
@@ -209,7 +209,7 @@ Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file
   std::vector<std::uint8_t> out;
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
-    return failure(ErrorCode::internal, quoted(file) + " could not be unpacked; close other programs.");
+    return failure(ErrorCode::internal, say<"%1 could not be unpacked; close other programs.">(quoted(file)));
   const auto limit = std::min<std::uint64_t>(maxBytes, packed.size() * 1032ull + 1032ull);
   stream.next_in = const_cast<Bytef*>(packed.data());
   stream.avail_in = static_cast<uInt>(std::min<std::size_t>(packed.size(), 0xFFFFFFFFu));
@@ -229,15 +229,15 @@ Result<std::vector<std::uint8_t>> inflatedSet(Bytes packed, const fs::path& file
   if (stoppedByUser) return stopped(file);
   if (state != Z_STREAM_END)
     return failure(state == Z_OK ? ErrorCode::tooLarge : ErrorCode::truncated,
-                   "The deflated data set of " + quoted(file) + " cannot be unpacked whole; get the file again.",
+                   say<"The deflated data set of %1 cannot be unpacked whole; get the file again.">(quoted(file)),
                    {{"file", file.string()}});
   return out;
 }
 
 tl::unexpected<Error> refused(const fs::path& file, const Parser& parser) {
   return failure(parser.endsEarly() ? ErrorCode::truncated : ErrorCode::badHeader,
-                 quoted(file) + " cannot be read as DICOM: " + parser.why() + "; get the file again.",
-                 {{"file", file.string()}, {"reason", parser.why()}});
+                 say<"%1 cannot be read as DICOM: %2; get the file again.">(quoted(file), parser.why()),
+                 {{"file", file.string()}, {"reason", parser.why().english()}});
 }
 
 Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, const Progress& progress) {
@@ -248,7 +248,8 @@ Result<DicomFile> readOrThrow(const fs::path& file, std::uint64_t maxBytes, cons
   dicom.bytes = *std::move(bytes);
   const Bytes all = dicom.bytes;
   if (!looksLikeDicom(all.first(std::min<std::size_t>(all.size(), 256))))
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a DICOM file; check what kind of file it is.", {{"file", file.string()}});
+    return failure(ErrorCode::badHeader, say<"%1 is not a DICOM file; check what kind of file it is.">(quoted(file)),
+                   {{"file", file.string()}});
   std::size_t at = all.size() >= 132 && std::memcmp(all.data() + 128, "DICM", 4) == 0 ? 132 : 0;
   bool explicitKinds = all.size() >= at + 6 && isKind(all[at + 4], all[at + 5]);
   dicom.transferSyntax = explicitKinds ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
@@ -279,16 +280,14 @@ Result<std::vector<std::uint8_t>> readWholeFile(const fs::path& file, std::uint6
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   std::error_code ec;
   const auto size = fs::file_size(file, ec);
-  if (ec) return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
+  if (ec) return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)), {{"file", file.string()}});
   if (size > maxBytes)
-    return failure(
-        ErrorCode::tooLarge,
-        quoted(file) + " has " + std::to_string(size) + " bytes, but the limit is " + std::to_string(maxBytes) + "; cut it into parts.",
-        {{"file", file.string()}, {"bytes", std::to_string(size)}, {"limit", std::to_string(maxBytes)}});
+    return failure(ErrorCode::tooLarge, say<"%1 has %2 bytes, but the limit is %3; cut it into parts.">(quoted(file), size, maxBytes),
+                   {{"file", file.string()}, {"bytes", std::to_string(size)}, {"limit", std::to_string(maxBytes)}});
   std::ifstream in(file, std::ios::binary);
   std::vector<std::uint8_t> bytes(size);
   if (!in || (size > 0 && !in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))))
-    return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)), {{"file", file.string()}});
   return bytes;
 }
 
@@ -385,7 +384,7 @@ bool looksLikeDicom(Bytes beginning) {
 Result<DicomFile> readDicomFile(const fs::path& file, std::uint64_t maxBytes, const Progress& progress) try {
   return readOrThrow(file, maxBytes, progress);
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

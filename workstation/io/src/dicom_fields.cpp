@@ -11,19 +11,35 @@
 
 namespace ew {
 
-std::string UltrasoundRegion::describe(std::size_t number) const {
-  const char* kind = "another kind of picture";
-  if (spatialFormat == 1) kind = dataType == 1 ? "tissue" : dataType == 2 ? "colour flow" : "two-dimensional, neither tissue nor flow";
-  if (spatialFormat == 2) kind = "M-mode";
-  if (spatialFormat == 3) kind = "spectrum";
-  if (spatialFormat == 4) kind = "curve";
-  if (dataType == 13) kind = "grey bar";
-  if (dataType == 14) kind = "colour bar";
-  std::string text = std::to_string(number) + ": " + kind + ", " + std::to_string(rect.width) + " x " + std::to_string(rect.height) +
-                     " pixels at (" + std::to_string(rect.x) + ", " + std::to_string(rect.y) + ")";
-  if (unitsX == 3 && unitsY == 3) text += ", " + textOf(pixel_mm().x) + " x " + textOf(pixel_mm().y) + " mm a pixel";
-  if (!problem.empty()) text += " (" + problem + ")";
-  return text;
+namespace {
+
+Message kindOf(const UltrasoundRegion& region) {
+  if (region.dataType == 13) return say<"grey bar">();
+  if (region.dataType == 14) return say<"colour bar">();
+  switch (region.spatialFormat) {
+    case 1:
+      if (region.dataType == 1) return say<"tissue">();
+      return region.dataType == 2 ? say<"colour flow">() : say<"two-dimensional, neither tissue nor flow">();
+    case 2:
+      return say<"M-mode">();
+    case 3:
+      return say<"spectrum">();
+    case 4:
+      return say<"curve">();
+    default:
+      return say<"another kind of picture">();
+  }
+}
+
+}  // namespace
+
+Message UltrasoundRegion::describe(std::size_t number) const {
+  const Message kind = kindOf(*this);
+  const Message told = unitsX == 3 && unitsY == 3
+                           ? say<"%1: %2, %3 x %4 pixels at (%5, %6), %7 x %8 mm a pixel">(
+                                 number, kind, rect.width, rect.height, rect.x, rect.y, textOf(pixel_mm().x), textOf(pixel_mm().y))
+                           : say<"%1: %2, %3 x %4 pixels at (%5, %6)">(number, kind, rect.width, rect.height, rect.x, rect.y);
+  return problem.empty() ? told : say<"%1 (%2)">(told, problem);
 }
 
 namespace detail {
@@ -115,23 +131,25 @@ void collect(const DicomItem& item, Removed& removed) {
     if (!empty && (known != kIdentifying.end() || group == 0x0010u)) {
       std::array<char, 16> tag{};
       std::snprintf(tag.data(), tag.size(), "(%04X,%04X)", group, element.tag & 0xFFFFu);
-      std::string name = std::string(tag.data()) + " " + (known != kIdentifying.end() ? known->name : "patient field");
+      Message name = joined({verbatim(tag.data()), known != kIdentifying.end() ? verbatim(known->name) : say<"patient field">()});
       if (std::find(removed.fields.begin(), removed.fields.end(), name) == removed.fields.end()) removed.fields.push_back(std::move(name));
     }
     for (const DicomItem& inside : element.items) collect(inside, removed);
   }
 }
 
-std::string problemOf(const UltrasoundRegion& region, bool placed, std::uint64_t columns, std::uint64_t rows) {
-  if (!placed) return "its corners are missing or crossed";
-  if (static_cast<std::uint64_t>(region.rect.x) + static_cast<std::uint64_t>(region.rect.width) > columns ||
-      static_cast<std::uint64_t>(region.rect.y) + static_cast<std::uint64_t>(region.rect.height) > rows)
-    return "it reaches beyond the picture of " + std::to_string(columns) + " x " + std::to_string(rows) +
-           " pixels, so that it was made for another size";
-  if (region.spatialFormat != 1) return "it is no two-dimensional picture";
-  if (region.unitsX != 3 || region.unitsY != 3) return "its units are not cm";
+bool reachesBeyond(const PixelRect& rect, std::uint64_t columns, std::uint64_t rows) {
+  return static_cast<std::uint64_t>(rect.x) + static_cast<std::uint64_t>(rect.width) > columns ||
+         static_cast<std::uint64_t>(rect.y) + static_cast<std::uint64_t>(rect.height) > rows;
+}
+
+Message problemOf(const UltrasoundRegion& region, bool placed, std::uint64_t columns, std::uint64_t rows) {
+  if (!placed) return say<"its corners are missing or crossed">();
+  if (region.stale) return say<"it reaches beyond the picture of %1 x %2 pixels, so that it was made for another size">(columns, rows);
+  if (region.spatialFormat != 1) return say<"it is no two-dimensional picture">();
+  if (region.unitsX != 3 || region.unitsY != 3) return say<"its units are not cm">();
   const auto usable = [](double delta) { return std::isfinite(delta) && delta > 1e-6 && delta < 10.0; };
-  if (!usable(region.deltaX) || !usable(region.deltaY)) return "it gives no size of a pixel";
+  if (!usable(region.deltaX) || !usable(region.deltaY)) return say<"it gives no size of a pixel">();
   return {};
 }
 
@@ -169,6 +187,7 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
       region.referencePixel = glm::dvec2(*referenceX, *referenceY);
       region.referenceValue = {item.number(0x00186028u).value_or(0.0), item.number(0x0018602Au).value_or(0.0)};
     }
+    region.stale = placed && reachesBeyond(region.rect, columns, rows);
     region.problem = problemOf(region, placed, columns, rows);
     regions.push_back(std::move(region));
   }

@@ -50,8 +50,8 @@ std::uint64_t storedBytesPerFrame(const PixelLayout& layout) {
 /// The three tables of a palette, unfolded where they come in segments (PS3.3, C.7.9.2).
 Result<std::vector<std::uint16_t>> tableOf(const DicomFile& dicom, int colour, std::size_t entries, int bits) {
   const auto offset = static_cast<DicomTag>(colour);
-  const auto damaged = [&](const char* what) {
-    return badField(dicom.file, "Palette Color Lookup Table Data", what, std::to_string(entries) + " entries");
+  const auto damaged = [&](const Message& what) {
+    return badField(dicom.file, verbatim("Palette Color Lookup Table Data"), what, say<"%1 entries">(entries));
   };
   const bool bigEndian = dicom.data.bigEndian;
   const auto word = [&](Bytes bytes, std::size_t n) {
@@ -66,12 +66,12 @@ Result<std::vector<std::uint16_t>> tableOf(const DicomFile& dicom, int colour, s
       table.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(entries));
       return table;
     }
-    if (bytes.size() < 2 * entries) return damaged("too few");
+    if (bytes.size() < 2 * entries) return damaged(say<"too few">());
     for (std::size_t n = 0; n < entries; ++n) table.push_back(word(bytes, n));
     return table;
   }
   const DicomElement* const segmented = dicom.data.find(0x00281221u + offset);
-  if (segmented == nullptr) return damaged("none");
+  if (segmented == nullptr) return damaged(say<"none">());
   const Bytes bytes = segmented->value;
   const bool bytewise = bits == 8 && segmented->kind[1] == 'B';
   const std::size_t count = bytewise ? bytes.size() : bytes.size() / 2;
@@ -106,7 +106,7 @@ Result<std::vector<std::uint16_t>> tableOf(const DicomFile& dicom, int colour, s
   };
   for (std::size_t from = 0; table.size() < entries;) {
     const auto next = unfold(from, true, unfold);
-    if (!next) return damaged("segments that do not fit together");
+    if (!next) return damaged(say<"segments that do not fit together">());
     from = *next;
   }
   return table;
@@ -136,8 +136,8 @@ bool isColoured(const std::array<int, 3>& rgb) {
 
 tl::unexpected<Error> badFrame(const fs::path& file, std::uint64_t frame, const std::string& codec) {
   return failure(ErrorCode::badHeader,
-                 "Frame " + std::to_string(frame + 1) + " of " + quoted(file) + " is damaged: its " + codec +
-                     " stream cannot be unpacked into the size the file gives; get the file again.",
+                 say<"Frame %1 of %2 is damaged: its %3 stream cannot be unpacked into the size the file gives; get the file again.">(
+                     frame + 1, quoted(file), codec),
                  {{"file", file.string()}, {"frame", std::to_string(frame)}});
 }
 
@@ -148,11 +148,11 @@ Result<std::uint64_t> numberOf(const DicomFile& dicom, DicomTag tag, const char*
   const auto value = data.count(tag);
   if (!value && otherwise && data.find(tag) == nullptr) return *otherwise;
   if (!value || *value < lowest || *value > highest)
-    return badField(dicom.file, name,
-                    value                       ? std::to_string(*value)
-                    : data.find(tag) == nullptr ? "nothing"
-                                                : "no whole number",
-                    "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+    return badField(dicom.file, verbatim(name),
+                    value                       ? verbatim(std::to_string(*value))
+                    : data.find(tag) == nullptr ? say<"nothing">()
+                                                : say<"no whole number">(),
+                    say<"a whole number from %1 to %2">(lowest, highest));
   return *value;
 }
 
@@ -169,8 +169,7 @@ Result<void> readNumbers(const DicomFile& dicom, PixelLayout& layout) {
   const auto allocated = numberOf(dicom, 0x00280100u, "Bits Allocated", 1, 64, std::nullopt);
   if (!allocated) return passOn(allocated.error());
   if (*allocated != 8 && *allocated != 16)
-    return failure(ErrorCode::unsupported,
-                   quoted(dicom.file) + " has " + std::to_string(*allocated) + " bits a sample; export it with 8 or 16.",
+    return failure(ErrorCode::unsupported, say<"%1 has %2 bits a sample; export it with 8 or 16.">(quoted(dicom.file), *allocated),
                    {{"file", dicom.file.string()}, {"bits", std::to_string(*allocated)}});
   const auto stored = numberOf(dicom, 0x00280101u, "Bits Stored", 1, *allocated, *allocated);
   if (!stored) return passOn(stored.error());
@@ -200,12 +199,11 @@ Result<void> readColours(const DicomFile& dicom, PixelLayout& layout) {
                      colours == "YBR_RCT" || colours == "YBR_ICT";
   if (!(grey && layout.samples == 1) && !(three && layout.samples == 3))
     return failure(ErrorCode::unsupported,
-                   quoted(dicom.file) + " has the colours " + (colours.empty() ? std::string("(none named)") : colours.substr(0, 32)) +
-                       " in " + std::to_string(layout.samples) + " samples a pixel, which is not read; export it as MONOCHROME2 or RGB.",
+                   say<"%1 has the colours %2 in %3 samples a pixel, which is not read; export it as MONOCHROME2 or RGB.">(
+                       quoted(dicom.file), colours.empty() ? say<"(none named)">() : verbatim(colours.substr(0, 32)), layout.samples),
                    {{"file", dicom.file.string()}, {"photometric", colours.substr(0, 32)}});
   if (three && layout.bitsAllocated != 8)
-    return failure(ErrorCode::unsupported,
-                   quoted(dicom.file) + " has colours of " + std::to_string(layout.bitsAllocated) + " bits; export it with 8.",
+    return failure(ErrorCode::unsupported, say<"%1 has colours of %2 bits; export it with 8.">(quoted(dicom.file), layout.bitsAllocated),
                    {{"file", dicom.file.string()}});
   return {};
 }
@@ -215,10 +213,9 @@ Result<void> checkMemory(const DicomFile& dicom, const PixelLayout& layout, cons
   const std::uint64_t needed = layout.pixelsPerFrame() * layout.frames * 2;
   if (needed > limits.maxBytes || layout.pixelsPerFrame() > (1ull << 28))
     return failure(ErrorCode::tooLarge,
-                   quoted(dicom.file) + " promises " + std::to_string(layout.frames) + " frames of " + std::to_string(layout.columns) +
-                       " x " + std::to_string(layout.rows) + " pixels, for which " + std::to_string(needed) +
-                       " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
-                       "; check that the file is undamaged, or cut it into parts.",
+                   say<"%1 promises %2 frames of %3 x %4 pixels, for which %5 bytes of memory would be needed, but the limit is %6; check "
+                       "that the file is undamaged, or cut it into parts.">(quoted(dicom.file), layout.frames, layout.columns, layout.rows,
+                                                                            needed, limits.maxBytes),
                    {{"file", dicom.file.string()}, {"needed", std::to_string(needed)}, {"limit", std::to_string(limits.maxBytes)}});
   return {};
 }
@@ -228,20 +225,22 @@ Result<void> checkStored(const DicomFile& dicom, const DicomElement& pixels, con
   const bool encapsulated = layout.codec != "uncompressed";
   if (encapsulated != !pixels.fragments.empty())
     return failure(ErrorCode::badHeader,
-                   quoted(dicom.file) + " says its pictures are " + layout.codec + ", but they are not stored so; export it again.",
+                   encapsulated
+                       ? say<"%1 says its pictures are %2, but they are not stored so; export it again.">(quoted(dicom.file), layout.codec)
+                       : say<"%1 says its pictures are uncompressed, but they are not stored so; export it again.">(quoted(dicom.file)),
                    {{"file", dicom.file.string()}});
   if (!encapsulated) {
     const std::uint64_t promised = storedBytesPerFrame(layout) * layout.frames;
     if (pixels.value.size() < promised)
       return failure(
           ErrorCode::truncated,
-          quoted(dicom.file) + " is too short: it promises " + std::to_string(promised) + " bytes of pixels and has " +
-              std::to_string(pixels.value.size()) + "; get the file again.",
+          say<"%1 is too short: it promises %2 bytes of pixels and has %3; get the file again.">(quoted(dicom.file), promised,
+                                                                                                 pixels.value.size()),
           {{"file", dicom.file.string()}, {"promised", std::to_string(promised)}, {"found", std::to_string(pixels.value.size())}});
   } else if (pixels.fragments.size() < layout.frames + 1) {
     return failure(ErrorCode::truncated,
-                   quoted(dicom.file) + " is too short: it promises " + std::to_string(layout.frames) + " frames and has " +
-                       std::to_string(pixels.fragments.size() - 1) + "; get the file again.",
+                   say<"%1 is too short: it promises %2 frames and has %3; get the file again.">(quoted(dicom.file), layout.frames,
+                                                                                                 pixels.fragments.size() - 1),
                    {{"file", dicom.file.string()}});
   }
   return {};
@@ -338,14 +337,14 @@ Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limi
   const DicomElement* const pixels = dicom.data.find(kPixelDataTag);
   if (pixels == nullptr)
     return failure(ErrorCode::unsupported,
-                   quoted(dicom.file) + " is a DICOM file without pictures; choose the file that holds the pictures.",
+                   say<"%1 is a DICOM file without pictures; choose the file that holds the pictures.">(quoted(dicom.file)),
                    {{"file", dicom.file.string()}});
   PixelLayout layout;
   const auto known = std::find_if(kSyntaxes.begin(), kSyntaxes.end(), [&](const Syntax& one) { return dicom.transferSyntax == one.uid; });
   if (known == kSyntaxes.end())
     return failure(ErrorCode::unsupported,
-                   "The pictures of " + quoted(dicom.file) + " are packed in a way that is not read (transfer syntax " +
-                       dicom.transferSyntax.substr(0, 64) + "); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.",
+                   say<"The pictures of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, "
+                       "JPEG-LS, JPEG 2000 or RLE.">(quoted(dicom.file), dicom.transferSyntax.substr(0, 64)),
                    {{"file", dicom.file.string()}, {"transferSyntax", dicom.transferSyntax.substr(0, 64)}});
   layout.codec = known->name;
   if (const auto read = readNumbers(dicom, layout); !read) return passOn(read.error());
@@ -364,11 +363,12 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
     for (int colour = 0; colour < 3; ++colour) {
       const auto descriptor = dicom.data.numbers(0x00281101u + static_cast<DicomTag>(colour));
       if (descriptor.size() < 3 || (descriptor[2] != 8.0 && descriptor[2] != 16.0))
-        return badField(dicom.file, "Palette Color Lookup Table Descriptor", descriptor.size() < 3 ? "nothing" : "other bits",
-                        "entries, first value and 8 or 16 bits");
+        return badField(dicom.file, verbatim("Palette Color Lookup Table Descriptor"),
+                        descriptor.size() < 3 ? say<"nothing">() : say<"other bits">(), say<"entries, first value and 8 or 16 bits">());
       const auto here = descriptor[0] == 0.0 ? std::size_t{65536} : static_cast<std::size_t>(static_cast<std::uint16_t>(descriptor[0]));
       if (colour > 0 && here != entries)
-        return badField(dicom.file, "Palette Color Lookup Table Descriptor", "tables of different lengths", "three of one length");
+        return badField(dicom.file, verbatim("Palette Color Lookup Table Descriptor"), say<"tables of different lengths">(),
+                        say<"three of one length">());
       entries = here;
       reader.paletteFirst_ = static_cast<int>(descriptor[1]);
       auto table = tableOf(dicom, colour, entries, static_cast<int>(descriptor[2]));
@@ -407,10 +407,10 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
     reader.packed_[frame].push_back(all[n]);
   }
   if (frame + 1 != layout.frames)
-    return failure(ErrorCode::badHeader,
-                   quoted(dicom.file) + " holds " + std::to_string(frame + 1) + " packed pictures or more, but promises " +
-                       std::to_string(layout.frames) + " frames; export it again.",
-                   {{"file", dicom.file.string()}});
+    return failure(
+        ErrorCode::badHeader,
+        say<"%1 holds %2 packed pictures or more, but promises %3 frames; export it again.">(quoted(dicom.file), frame + 1, layout.frames),
+        {{"file", dicom.file.string()}});
   return reader;
 }
 
@@ -498,11 +498,12 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
   const std::size_t pixels = layout.pixelsPerFrame();
   if (pixels * which.size() * 2 > limits.maxBytes)
     return failure(ErrorCode::tooLarge,
-                   quoted(dicom.file) + " would need " + std::to_string(pixels * which.size() * 2) + " bytes of memory, but the limit is " +
-                       std::to_string(limits.maxBytes) + "; cut it into parts.",
+                   say<"%1 would need %2 bytes of memory, but the limit is %3; cut it into parts.">(
+                       quoted(dicom.file), pixels * which.size() * 2, limits.maxBytes),
                    {{"file", dicom.file.string()}});
   std::vector<std::int32_t> level;
   std::vector<std::uint8_t> coloured;
+  const Message reading = say<"Reading frames">();
   const bool direct = layout.inColour() || (layout.bitsStored == 8 && !layout.isSigned);
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
   for (std::size_t n = 0; !direct && n < which.size(); ++n) {
@@ -511,17 +512,19 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
     const auto [low, high] = std::minmax_element(level.begin(), level.end());
     lowest = std::min(lowest, *low);
     highest = std::max(highest, *high);
-    progress.report("Reading frames", 0.5 * static_cast<double>(n + 1) / static_cast<double>(which.size()));
+    progress.report(reading, 0.5 * static_cast<double>(n + 1) / static_cast<double>(which.size()));
   }
   if (direct) {
     lowest = 0;
     highest = 255;
   } else {
-    notes.push_back("The samples have " + std::to_string(layout.bitsStored) + " bits" + (layout.isSigned ? " with sign" : "") +
-                    ": values from " + std::to_string(lowest) + " to " + std::to_string(highest) + " were mapped to 0 to 255.");
+    notes.push_back(
+        layout.isSigned
+            ? say<"The samples have %1 bits with sign: values from %2 to %3 were mapped to 0 to 255.">(layout.bitsStored, lowest, highest)
+            : say<"The samples have %1 bits: values from %2 to %3 were mapped to 0 to 255.">(layout.bitsStored, lowest, highest));
   }
   const bool inverted = layout.photometric == "MONOCHROME1";
-  if (inverted) notes.push_back("The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.");
+  if (inverted) notes.push_back(say<"The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.">());
   GreyFrames grey;
   grey.level.resize(pixels * which.size());
   if (layout.inColour()) grey.coloured.resize(pixels * which.size());
@@ -539,30 +542,29 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
       std::copy(coloured.begin(), coloured.end(), grey.coloured.begin() + static_cast<std::ptrdiff_t>(n * pixels));
       any = any || std::any_of(coloured.begin(), coloured.end(), [](std::uint8_t one) { return one != 0; });
     }
-    progress.report("Reading frames",
-                    (direct ? 0.0 : 0.5) + (direct ? 1.0 : 0.5) * static_cast<double>(n + 1) / static_cast<double>(which.size()));
+    progress.report(reading, (direct ? 0.0 : 0.5) + (direct ? 1.0 : 0.5) * static_cast<double>(n + 1) / static_cast<double>(which.size()));
   }
   if (!any) grey.coloured.clear();
   return grey;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of " + quoted(dicom.file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the frames of %1; close other programs.">(quoted(dicom.file)),
                  {{"file", dicom.file.string()}});
 }
 
 Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostPixels, const Progress& progress) {
   const auto head = packedHead(Codec::jpeg, bytes);
   if (!head || head->bits != 8)
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a JPEG of 8 bits that can be read; save the picture again.",
+    return failure(ErrorCode::badHeader, say<"%1 is not a JPEG of 8 bits that can be read; save the picture again.">(quoted(file)),
                    {{"file", file.string()}});
   if (head->width * head->height > mostPixels)
-    return failure(ErrorCode::tooLarge,
-                   quoted(file) + " promises " + std::to_string(head->width * head->height) + " pixels, but the limit is " +
-                       std::to_string(mostPixels) + "; save a smaller picture.",
-                   {{"file", file.string()}});
+    return failure(
+        ErrorCode::tooLarge,
+        say<"%1 promises %2 pixels, but the limit is %3; save a smaller picture.">(quoted(file), head->width * head->height, mostPixels),
+        {{"file", file.string()}});
   const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false, progress);
   if (!unpacked && progress.cancelRequested()) return stopped(file);
   if (!unpacked)
-    return failure(ErrorCode::badHeader, quoted(file) + " is a damaged JPEG; save the picture again.", {{"file", file.string()}});
+    return failure(ErrorCode::badHeader, say<"%1 is a damaged JPEG; save the picture again.">(quoted(file)), {{"file", file.string()}});
   JpegGrey grey;
   grey.width = static_cast<int>(head->width);
   grey.height = static_cast<int>(head->height);

@@ -22,7 +22,7 @@ struct PixelLayout {
   bool isSigned = false;
   bool planar = false;
   std::string photometric;
-  std::string codec;  ///< in words: "uncompressed", "JPEG" ...
+  std::string codec;  ///< "uncompressed", "JPEG" ...
 
   [[nodiscard]] std::uint64_t pixelsPerFrame() const { return rows * columns; }
   [[nodiscard]] bool inColour() const { return samples == 3 || photometric == "PALETTE COLOR"; }

@@ -8,6 +8,7 @@
 #include "ew/io/dicom.h"
 #include "grey_samples.h"
 #include "image_header.h"
+#include "volume_extent.h"
 
 namespace ew {
 namespace detail {
@@ -33,28 +34,31 @@ Result<std::vector<VolumePlane>> volumePlanesOf(const DicomFile& dicom, const Pi
   const auto frameItems = dicom.data.items(0x52009230u);
   const DicomItem* const shared = sharedItems.empty() ? nullptr : &sharedItems.front();
   if (frameItems.size() < layout.frames)
-    return badField(dicom.file, "Per-frame Functional Groups Sequence", std::to_string(frameItems.size()) + " items",
-                    std::to_string(layout.frames) + ", one a frame");
+    return badField(dicom.file, verbatim("Per-frame Functional Groups Sequence"), say<"%1 items">(frameItems.size()),
+                    say<"%1, one a frame">(layout.frames));
   std::vector<VolumePlane> planes;
   for (std::uint64_t n = 0; n < layout.frames; ++n) {
     const DicomItem* const frame = &frameItems[n];
-    const std::string here = " of frame " + std::to_string(n + 1);
     const DicomItem* const position = groupOf(frame, shared, 0x0020930Eu);
     const DicomItem* const orientation = groupOf(frame, shared, 0x0020930Fu);
     const DicomItem* const measures = groupOf(frame, shared, 0x00289110u);
     const auto origin = position == nullptr ? std::vector<double>() : position->numbers(0x00209301u);
-    if (!allFinite(origin, 3)) return badField(dicom.file, "Image Position (Volume)" + here, "nothing usable", "three numbers in mm");
+    if (!allFinite(origin, 3))
+      return badField(dicom.file, say<"Image Position (Volume) of frame %1">(n + 1), say<"nothing usable">(), say<"three numbers in mm">());
     const auto cosines = orientation == nullptr ? std::vector<double>() : orientation->numbers(0x00209302u);
-    if (!allFinite(cosines, 6)) return badField(dicom.file, "Image Orientation (Volume)" + here, "nothing usable", "six direction cosines");
+    if (!allFinite(cosines, 6))
+      return badField(dicom.file, say<"Image Orientation (Volume) of frame %1">(n + 1), say<"nothing usable">(),
+                      say<"six direction cosines">());
     const auto spacing = measures == nullptr ? std::vector<double>() : measures->numbers(0x00280030u);
     if (!allFinite(spacing, 2) || !(spacing[0] > 1e-6) || !(spacing[1] > 1e-6))
-      return badField(dicom.file, "Pixel Spacing" + here, "nothing usable", "two lengths above 0 mm");
+      return badField(dicom.file, say<"Pixel Spacing of frame %1">(n + 1), say<"nothing usable">(), say<"two lengths above 0 mm">());
     VolumePlane plane;
     plane.frame = n;
     plane.origin_mm = {origin[0], origin[1], origin[2]};
     const glm::dvec3 across(cosines[0], cosines[1], cosines[2]), down(cosines[3], cosines[4], cosines[5]);
     if (std::abs(glm::length(across) - 1.0) > 1e-3 || std::abs(glm::length(down) - 1.0) > 1e-3 || std::abs(glm::dot(across, down)) > 1e-3)
-      return badField(dicom.file, "Image Orientation (Volume)" + here, "other lengths or angles", "two unit vectors at right angles");
+      return badField(dicom.file, say<"Image Orientation (Volume) of frame %1">(n + 1), say<"other lengths or angles">(),
+                      say<"two unit vectors at right angles">());
     // Pixel Spacing names the distance of rows first.
     plane.across_mm = glm::normalize(across) * spacing[1];
     plane.down_mm = glm::normalize(down) * spacing[0];
@@ -97,9 +101,10 @@ Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& option
   auto dicom = readDicomFile(file, limits.maxBytes);
   if (!dicom) return passOn(dicom.error());
   if (dicom->data.text(0x00080016u) != kEnhancedUsVolume)
-    return failure(ErrorCode::unsupported,
-                   quoted(file) + " is no Enhanced US Volume: its pictures have no places in space; import it as a sequence of pictures.",
-                   {{"file", file.string()}});
+    return failure(
+        ErrorCode::unsupported,
+        say<"%1 is no Enhanced US Volume: its pictures have no places in space; import it as a sequence of pictures.">(quoted(file)),
+        {{"file", file.string()}});
   const auto layout = pixelLayoutOf(*dicom, limits);
   if (!layout) return passOn(layout.error());
   auto planes = volumePlanesOf(*dicom, *layout);
@@ -109,31 +114,25 @@ Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& option
   std::erase_if(opened.planes, [](const VolumePlane& plane) { return !plane.isTissue; });
   if (opened.planes.empty())
     return failure(ErrorCode::unsupported,
-                   quoted(file) + " holds no tissue intensities (only flow or other data); export the B-mode volume.",
+                   say<"%1 holds no tissue intensities (only flow or other data); export the B-mode volume.">(quoted(file)),
                    {{"file", file.string()}});
   if (opened.planes.size() < all)
-    opened.notes.push_back(std::to_string(all - opened.planes.size()) +
-                           " planes hold flow or other data instead of tissue; they were left out.");
+    opened.notes.push_back(say<"%1 planes hold flow or other data instead of tissue; they were left out.">(all - opened.planes.size()));
   const auto times_s = timeStepsOf(opened.planes);
   if (times_s.size() > 1 && !options.timeStep)
-    return failure(ErrorCode::missingCalibration,
-                   quoted(file) + " holds " + std::to_string(times_s.size()) +
-                       " volumes one after the other; choose one by its number, 1 to " + std::to_string(times_s.size()) + ".",
-                   {{"file", file.string()}, {"ask", "time-step"}, {"steps", std::to_string(times_s.size())}});
+    return failure(
+        ErrorCode::missingCalibration,
+        say<"%1 holds %2 volumes one after the other; choose one by its number, 1 to %3.">(quoted(file), times_s.size(), times_s.size()),
+        {{"file", file.string()}, {"ask", "time-step"}, {"steps", std::to_string(times_s.size())}});
   const int step = options.timeStep.value_or(1);
   if (step < 1 || static_cast<std::size_t>(step) > times_s.size())
-    return failure(ErrorCode::badUsage,
-                   quoted(file) + " holds " + counted(times_s.size(), "volume", "volumes") + ", no number " + std::to_string(step) +
-                       "; choose one that is there.",
-                   {{"file", file.string()}, {"ask", "time-step"}});
+    return failure(ErrorCode::badUsage, noSuchVolume(file, times_s.size(), step), {{"file", file.string()}, {"ask", "time-step"}});
   const double chosen_s = times_s[static_cast<std::size_t>(step) - 1];
   std::erase_if(opened.planes, [&](const VolumePlane& plane) { return plane.time_s != chosen_s; });
   if (times_s.size() > 1)
-    opened.notes.push_back("Volume " + std::to_string(step) + " of " + std::to_string(times_s.size()) + " was read, " + textOf(chosen_s) +
-                           " s after the first.");
+    opened.notes.push_back(say<"Volume %1 of %2 was read, %3 s after the first.">(step, times_s.size(), textOf(chosen_s)));
   opened.notes.push_back(
-      "Coordinates are those of the file's own volume frame of reference, in mm; where it lies in the patient is not in "
-      "the file.");
+      say<"Coordinates are those of the file's own volume frame of reference, in mm; where it lies in the patient is not in the file.">());
   return opened;
 }
 
@@ -148,16 +147,15 @@ Result<Stack> stackOf(Opened& opened, const fs::path& file, const ReadLimits& li
   std::vector<VolumePlane>& planes = opened.planes;
   const VolumePlane first = planes.front();
   if (planes.size() < 2)
-    return failure(ErrorCode::emptyVolume, quoted(file) + " holds a single plane, not a volume; import it as a picture.",
+    return failure(ErrorCode::emptyVolume, say<"%1 holds a single plane, not a volume; import it as a picture.">(quoted(file)),
                    {{"file", file.string()}});
   const glm::dvec3 right = glm::normalize(first.across_mm), down = glm::normalize(first.down_mm), normal = glm::cross(right, down);
   for (const VolumePlane& plane : planes)
     if (glm::length(plane.across_mm - first.across_mm) > 1e-3 * glm::length(first.across_mm) ||
         glm::length(plane.down_mm - first.down_mm) > 1e-3 * glm::length(first.down_mm))
       return failure(ErrorCode::unsupported,
-                     "The planes of " + quoted(file) +
-                         " are not parallel or differ in size, so that they are no regular grid; import them as a sequence, which keeps "
-                         "the place of each, and reconstruct it.",
+                     say<"The planes of %1 are not parallel or differ in size, so that they are no regular grid; import them as a "
+                         "sequence, which keeps the place of each, and reconstruct it.">(quoted(file)),
                      {{"file", file.string()}, {"ask", "sequence"}});
   std::sort(planes.begin(), planes.end(),
             [&](const VolumePlane& a, const VolumePlane& b) { return glm::dot(a.origin_mm, normal) < glm::dot(b.origin_mm, normal); });
@@ -167,7 +165,8 @@ Result<Stack> stackOf(Opened& opened, const fs::path& file, const ReadLimits& li
   const glm::dvec3 step_mm = (planes[last].origin_mm - planes[0].origin_mm) / static_cast<double>(last);
   const double mean_mm = stack.along_mm[last] / static_cast<double>(last);
   if (!(mean_mm > 1e-6))
-    return failure(ErrorCode::badField, "The planes of " + quoted(file) + " lie in one plane, so that there is no volume; export it again.",
+    return failure(ErrorCode::badField,
+                   say<"The planes of %1 lie in one plane, so that there is no volume; export it again.">(quoted(file)),
                    {{"file", file.string()}, {"field", "Image Position (Volume)"}});
   double smallest_mm = mean_mm;
   for (std::size_t n = 0; n < planes.size(); ++n) {
@@ -178,14 +177,13 @@ Result<Stack> stackOf(Opened& opened, const fs::path& file, const ReadLimits& li
     const double aside_mm = glm::length(off_mm - normal * glm::dot(off_mm, normal));
     if (aside_mm > 0.05 * std::min(glm::length(first.across_mm), glm::length(first.down_mm)))
       return failure(ErrorCode::unsupported,
-                     "The planes of " + quoted(file) +
-                         " are shifted sideways against each other unevenly, so that they are no regular grid; import them as a sequence, "
-                         "which keeps the place of each, and reconstruct it.",
+                     say<"The planes of %1 are shifted sideways against each other unevenly, so that they are no regular grid; import them "
+                         "as a sequence, which keeps the place of each, and reconstruct it.">(quoted(file)),
                      {{"file", file.string()}, {"ask", "sequence"}});
     if (n > 0) smallest_mm = std::min(smallest_mm, stack.along_mm[n] - stack.along_mm[n - 1]);
   }
   if (!(smallest_mm > 1e-6 * mean_mm))
-    return failure(ErrorCode::badField, "Two planes of " + quoted(file) + " lie in the same place; export the volume again.",
+    return failure(ErrorCode::badField, say<"Two planes of %1 lie in the same place; export the volume again.">(quoted(file)),
                    {{"file", file.string()}, {"field", "Image Position (Volume)"}});
   std::size_t slices = planes.size();
   glm::dvec3 between_mm = step_mm;
@@ -193,14 +191,15 @@ Result<Stack> stackOf(Opened& opened, const fs::path& file, const ReadLimits& li
     const double wanted = std::floor(stack.along_mm[last] / smallest_mm + 1e-6);
     const double voxels = (wanted + 1.0) * static_cast<double>(opened.layout.pixelsPerFrame());
     if (!(voxels < static_cast<double>(limits.maxBytes)) || wanted > 65536.0)
-      return failure(ErrorCode::tooLarge,
-                     "The planes of " + quoted(file) +
-                         " lie so unevenly that a regular grid would be too large; import them as a sequence and reconstruct it.",
-                     {{"file", file.string()}, {"ask", "sequence"}});
+      return failure(
+          ErrorCode::tooLarge,
+          say<"The planes of %1 lie so unevenly that a regular grid would be too large; import them as a sequence and reconstruct it.">(
+              quoted(file)),
+          {{"file", file.string()}, {"ask", "sequence"}});
     slices = static_cast<std::size_t>(wanted) + 1;
     between_mm = step_mm * (stack.along_mm[last] / wanted / mean_mm);
-    opened.notes.push_back("The planes lie unevenly, " + textOf(std::round(smallest_mm * 1000.0) / 1000.0) +
-                           " mm apart at the closest; they were resampled linearly to " + std::to_string(slices) + " even ones.");
+    opened.notes.push_back(say<"The planes lie unevenly, %1 mm apart at the closest; they were resampled linearly to %2 even ones.">(
+        textOf(std::round(smallest_mm * 1000.0) / 1000.0), slices));
   }
   stack.grid.dims = {static_cast<int>(opened.layout.columns), static_cast<int>(opened.layout.rows), static_cast<int>(slices)};
   stack.grid.spacing_mm = {glm::length(first.across_mm), glm::length(first.down_mm), glm::length(between_mm)};
@@ -208,7 +207,8 @@ Result<Stack> stackOf(Opened& opened, const fs::path& file, const ReadLimits& li
   stack.grid.directions = glm::dmat3(right, down, glm::normalize(between_mm));
   if (auto usable = checkGrid(stack.grid); !usable) return passOn(usable.error());
   if (glm::length(glm::cross(glm::normalize(between_mm), normal)) > 0.01)
-    opened.notes.push_back("The planes are shifted against each other evenly: the axes are not at right angles and were kept as they are.");
+    opened.notes.push_back(
+        say<"The planes are shifted against each other evenly: the axes are not at right angles and were kept as they are.">());
   return stack;
 }
 
@@ -227,7 +227,7 @@ Result<DicomVolume> readDicomVolume(const fs::path& file, const DicomVolumeOptio
   DicomVolume made;
   made.removed = identifyingFields(opened->dicom.data);
   made.notes = std::move(opened->notes);
-  if (!grey->coloured.empty()) made.notes.push_back("Some pixels are coloured; their luminance became the echo level.");
+  if (!grey->coloured.empty()) made.notes.push_back(say<"Some pixels are coloured; their luminance became the echo level.">());
   made.volume.grid = stack->grid;
   if (stack->even) {
     made.volume.echo = std::move(grey->level);
@@ -249,7 +249,7 @@ Result<DicomVolume> readDicomVolume(const fs::path& file, const DicomVolumeOptio
   }
   return made;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for the planes of " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the planes of %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 
@@ -281,10 +281,10 @@ Result<Cine> readDicomPlanes(const fs::path& file, const DicomVolumeOptions& opt
                                 PoseStatus::ok});
     sequence.frames.push_back(std::move(frame));
   }
-  cine.notes.push_back("Reference is the file's volume frame of reference; each frame has its own place in it.");
+  cine.notes.push_back(say<"Reference is the file's volume frame of reference; each frame has its own place in it.">());
   return cine;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for the planes of " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the planes of %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

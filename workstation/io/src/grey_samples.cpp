@@ -26,16 +26,15 @@ Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request,
   const std::array<std::uint64_t, 2> needs{request.pixels, direct ? 1 : perPixel + 1};
   const auto needed = productOf(needs);
   if (!promised || !needed || *needed > limits.maxBytes)
-    return failure(ErrorCode::tooLarge,
-                   "The header of " + quoted(header.file) + " promises " + sizesText(header.sizes) + " samples, for which " +
-                       countText(needed) + " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
-                       "; check that the file is undamaged, or cut it into parts.",
-                   {{"file", header.file.string()}, {"needed", countText(needed)}, {"limit", std::to_string(limits.maxBytes)}});
+    return failure(
+        ErrorCode::tooLarge,
+        say<"The header of %1 promises %2 samples, for which %3 bytes of memory would be needed, but the limit is %4; check that the file "
+            "is undamaged, or cut it into parts.">(quoted(header.file), sizesText(header.sizes), countText(needed), limits.maxBytes),
+        {{"file", header.file.string()}, {"needed", countText(needed).english()}, {"limit", std::to_string(limits.maxBytes)}});
   return {};
 }
 
-Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::uint8_t> target, std::string_view what,
-                  Progress& progress) {
+Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::uint8_t> target, const Message& what, Progress& progress) {
   std::size_t filled = 0;
   while (filled < target.size()) {
     if (progress.cancelRequested()) return stopped(header.file);
@@ -47,15 +46,15 @@ Result<void> fill(const ImageHeader& header, ByteSource& source, std::span<std::
       const auto unpacked =
           std::find_if(error.context.begin(), error.context.end(), [](const auto& fact) { return fact.first == "unpacked"; });
       if (unpacked != error.context.end())
-        error.message = "The compressed samples of " + quoted(header.dataFile) + " break off after " + unpacked->second + " of the " +
-                        std::to_string(target.size()) + " bytes the header promises; get the file again.";
+        error.message = say<"The compressed samples of %1 break off after %2 of the %3 bytes the header promises; get the file again.">(
+            quoted(header.dataFile), unpacked->second, target.size());
       return passOn(std::move(error));
     }
     filled += *got;
     if (*got < part.size())
       return failure(ErrorCode::truncated,
-                     quoted(header.dataFile) + " is too short: its header promises " + std::to_string(target.size()) +
-                         " bytes of samples, the file has " + std::to_string(filled) + "; get the file again.",
+                     say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(
+                         quoted(header.dataFile), target.size(), filled),
                      {{"file", header.dataFile.string()}, {"promised", std::to_string(target.size())}, {"found", std::to_string(filled)}});
     progress.report(what, 0.9 * static_cast<double>(filled) / static_cast<double>(target.size()));
   }
@@ -76,16 +75,19 @@ Result<void> checkEnd(const ImageHeader& header, ByteSource& source, std::uint64
     if (*got < rest.size() || extra > worthCounting) break;
   }
   if (extra == 0) return {};
-  const std::string found = (extra > worthCounting ? "more than " : "") + std::to_string(promisedBytes + extra);
+  const auto amount = [&](std::uint64_t bytes) {
+    return extra > worthCounting ? say<"more than %1">(bytes) : verbatim(std::to_string(bytes));
+  };
   if (header.packing == Packing::raw) {
-    notes.push_back(quoted(header.dataFile) + " has " + (extra > worthCounting ? "more than " : "") + std::to_string(extra) +
-                    " bytes after its samples, which were not read.");
+    notes.push_back(say<"%1 has %2 bytes after its samples, which were not read.">(quoted(header.dataFile), amount(extra)));
     return {};
   }
-  return failure(ErrorCode::badHeader,
-                 "The header of " + quoted(header.file) + " promises " + std::to_string(promisedBytes) + " bytes of samples, but " + found +
-                     " are there; correct the header's sizes or export the file again.",
-                 {{"file", header.file.string()}, {"promised", std::to_string(promisedBytes)}, {"found", found}});
+  const Message found = amount(promisedBytes + extra);
+  return failure(
+      ErrorCode::badHeader,
+      say<"The header of %1 promises %2 bytes of samples, but %3 are there; correct the header's sizes or export the file again.">(
+          quoted(header.file), promisedBytes, found),
+      {{"file", header.file.string()}, {"promised", std::to_string(promisedBytes)}, {"found", found.english()}});
 }
 
 template <class T>
@@ -145,17 +147,16 @@ Result<void> toGrey(const ImageHeader& header, const std::vector<std::uint8_t>& 
     grey[pixel] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
   }
   if (notFinite > 0)
-    notes.push_back(counted(notFinite, "sample is not a finite number", "samples are not finite numbers") + " and became 0.");
-  if (rescale && looksLikeRf(lowest, highest))
     notes.push_back(
-        "The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels made of them are "
-        "no brightness: export the B-mode volume instead.");
+        counted<"%1 sample is not a finite number and became 0.", "%1 samples are not finite numbers and became 0.">(notFinite));
+  if (rescale && looksLikeRf(lowest, highest))
+    notes.push_back(say<"The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels "
+                        "made of them are no brightness: export the B-mode volume instead.">());
   if (rescale && width > 0.0)
-    notes.push_back("The samples are " + std::string(nameOf(header.type)) + ": values from " + textOf(lowest) + " to " + textOf(highest) +
-                    " were mapped to 0 to 255.");
+    notes.push_back(
+        say<"The samples are %1: values from %2 to %3 were mapped to 0 to 255.">(nameOf(header.type), textOf(lowest), textOf(highest)));
   else if (rescale && lowest <= highest)
-    notes.push_back("The samples are " + std::string(nameOf(header.type)) + " and all have the value " + textOf(lowest) +
-                    "; they became 0.");
+    notes.push_back(say<"The samples are %1 and all have the value %2; they became 0.">(nameOf(header.type), textOf(lowest)));
   return {};
 }
 
@@ -185,15 +186,15 @@ Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>&
     case SampleType::none:
       break;
   }
-  return failure(ErrorCode::unsupported, quoted(header.file) + " has samples of no known type; export it as 8 bit samples.");
+  return failure(ErrorCode::unsupported, say<"%1 has samples of no known type; export it as 8 bit samples.">(quoted(header.file)));
 }
 
 Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
                                                   Progress& progress, std::vector<Message>& notes) {
   if (header.channels != 1 && header.channels != 3 && header.channels != 4)
     return failure(ErrorCode::unsupported,
-                   quoted(header.file) + " has " + std::to_string(header.channels) +
-                       " values per sample, but one value or a colour is needed; export the echo levels alone.",
+                   say<"%1 has %2 values per sample, but one value or a colour is needed; export the echo levels alone.">(
+                       quoted(header.file), header.channels),
                    {{"file", header.file.string()}, {"channels", std::to_string(header.channels)}});
   if (const auto sizes = checkSizes(header, request, limits); !sizes) return passOn(sizes.error());
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
@@ -210,9 +211,9 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
     if (const auto ended = checkEnd(header, *opened->source, promisedBytes, progress, notes); !ended) return passOn(ended.error());
 
   const bool scaled = header.slope != 1.0 || header.intercept != 0.0;
-  if (header.channels > 1) notes.push_back("The samples are colours; their luminance became the echo level.");
+  if (header.channels > 1) notes.push_back(say<"The samples are colours; their luminance became the echo level.">());
   if (header.type == SampleType::u8 && header.channels == 1 && header.slope > 0.0) {
-    if (scaled) notes.push_back("The header's rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.");
+    if (scaled) notes.push_back(say<"The header's rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.">());
     return stored;
   }
   std::vector<std::uint8_t> grey = zerosInLargePages(static_cast<std::size_t>(request.pixels));
@@ -224,7 +225,7 @@ Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, con
 }  // namespace
 
 tl::unexpected<Error> stopped(const std::filesystem::path& file) {
-  return failure(ErrorCode::cancelled, "Work on " + quoted(file) + " was stopped as you asked; nothing was changed.",
+  return failure(ErrorCode::cancelled, say<"Work on %1 was stopped as you asked; nothing was changed.">(quoted(file)),
                  {{"file", file.string()}});
 }
 
@@ -234,8 +235,8 @@ Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const Samp
     return readGreyOrThrow(header, request, limits, progress, notes);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
-                   "There is not enough memory for the " + std::to_string(request.pixels) + " samples of " + quoted(header.file) +
-                       "; close other programs, or cut the file into parts.",
+                   say<"There is not enough memory for the %1 samples of %2; close other programs, or cut the file into parts.">(
+                       request.pixels, quoted(header.file)),
                    {{"file", header.file.string()}});
   }
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ew/core/progress.h"
@@ -15,7 +14,7 @@ namespace ew::detail {
 struct SampleRequest {
   std::uint64_t pixels = 0;
   std::uint64_t promised = 0;
-  std::string_view what = "Reading";
+  Message what = say<"Reading">();
 };
 
 /// The samples as 8 bit grey levels: 8 bit unsigned ones as they are, colours as luminance, other types linearly from smallest..largest to

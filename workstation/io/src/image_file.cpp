@@ -33,7 +33,7 @@ Result<void> writePng(const Image<Pixel>& picture, const fs::path& file) {
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = bytes.size();
   if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), picture.width * kChannels<Pixel>, nullptr) == 0)
-    return failure(ErrorCode::internal, quoted(file) + " could not be packed as PNG; try another size.",
+    return failure(ErrorCode::internal, say<"%1 could not be packed as PNG; try another size.">(quoted(file)),
                    {{"file", file.string()}, {"reason", png.message}});
   bytes.resize(size);
   return writeFileSafely(file, bytes);
@@ -61,11 +61,11 @@ template <class Pixel>
 Result<void> writePixels(ImageView<const Pixel> image, double pixel_mm, const fs::path& file) {
   const std::string ending = lowerCase(file.extension().string());
   if (ending != ".png" && ending != ".mha")
-    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .png or .mha.",
+    return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .png or .mha.">(quoted(file)),
                    {{"file", file.string()}});
   EW_EXPECTS(image.width > 0 && image.height > 0);
   if (image.width <= 0 || image.height <= 0)
-    return failure(ErrorCode::internal, "The picture has no pixels, so " + quoted(file) + " was not written.");
+    return failure(ErrorCode::internal, say<"The picture has no pixels, so %1 was not written.">(quoted(file)));
   Image<Pixel> packed(image.width, image.height);
   for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, viewOf(packed).row(y));
   if (ending == ".png") return writePng(packed, file);
@@ -79,7 +79,7 @@ Result<void> writePixels(ImageView<const Pixel> image, double pixel_mm, const fs
   text.geometry.spacing_mm = glm::dvec3(pixel_mm);
   const std::span<const std::uint8_t> samples(reinterpret_cast<const std::uint8_t*>(packed.pixels.data()),
                                               packed.pixels.size() * sizeof(Pixel));
-  return writeMetaFile(file, text, samples, false, "Writing picture", noProgress());
+  return writeMetaFile(file, text, samples, false, say<"Writing picture">(), noProgress());
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ Result<GreyImage> readImage(const fs::path& file) try {
   const Grid& grid = loaded->volume.grid;
   if (grid.dims.z != 1)
     return failure(ErrorCode::unsupported,
-                   quoted(file) + " is a volume of " + std::to_string(grid.dims.z) + " slices, not a picture; open it as a volume.",
+                   say<"%1 is a volume of %2 slices, not a picture; open it as a volume.">(quoted(file), grid.dims.z),
                    {{"file", file.string()}});
   GreyImage picture;
   picture.width = grid.dims.x;
@@ -106,7 +106,7 @@ Result<GreyImage> readImage(const fs::path& file) try {
   picture.pixels = std::move(loaded->volume.echo);
   return picture;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

@@ -7,6 +7,20 @@
 namespace ew::detail {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What a file holds, for a sentence: its beginning, in letters that can be shown.
+std::string shortened(const std::string& found) {
+  constexpr std::size_t longest = 80;
+  std::string shown = found.substr(0, longest);
+  if (found.size() > longest) shown += "...";
+  for (char& letter : shown)
+    if (static_cast<unsigned char>(letter) < 0x20 || static_cast<unsigned char>(letter) > 0x7e) letter = '?';
+  return shown;
+}
+
+}  // namespace
+
 std::uint64_t bytesOf(SampleType type) {
   switch (type) {
     case SampleType::u8:
@@ -29,32 +43,32 @@ std::uint64_t bytesOf(SampleType type) {
   return 0;
 }
 
-const char* nameOf(SampleType type) {
+Message nameOf(SampleType type) {
   switch (type) {
     case SampleType::u8:
-      return "8 bit unsigned";
+      return say<"8 bit unsigned">();
     case SampleType::i8:
-      return "8 bit signed";
+      return say<"8 bit signed">();
     case SampleType::u16:
-      return "16 bit unsigned";
+      return say<"16 bit unsigned">();
     case SampleType::i16:
-      return "16 bit signed";
+      return say<"16 bit signed">();
     case SampleType::u32:
-      return "32 bit unsigned";
+      return say<"32 bit unsigned">();
     case SampleType::i32:
-      return "32 bit signed";
+      return say<"32 bit signed">();
     case SampleType::u64:
-      return "64 bit unsigned";
+      return say<"64 bit unsigned">();
     case SampleType::i64:
-      return "64 bit signed";
+      return say<"64 bit signed">();
     case SampleType::f32:
-      return "32 bit floating point";
+      return say<"32 bit floating point">();
     case SampleType::f64:
-      return "64 bit floating point";
+      return say<"64 bit floating point">();
     case SampleType::none:
-      return "no";
+      return say<"no">();
   }
-  return "unknown";
+  return say<"unknown">();
 }
 
 std::optional<FrameKey> frameKey(std::string_view key) {
@@ -94,11 +108,7 @@ std::optional<std::uint64_t> productOf(std::span<const std::uint64_t> factors) {
   return product;
 }
 
-std::string countText(std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "more than 10^19"; }
-
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
-}
+Message countText(std::optional<std::uint64_t> count) { return count ? verbatim(std::to_string(*count)) : say<"more than 10^19">(); }
 
 std::string sizesText(std::span<const std::uint64_t> sizes) {
   std::string text;
@@ -137,12 +147,12 @@ Result<void> checkIsFile(const fs::path& file) {
   std::error_code problem;
   const auto status = fs::status(file, problem);
   if (status.type() == fs::file_type::not_found)
-    return failure(ErrorCode::notFound, "There is no file " + quoted(file) + "; check its name and folder.", {{"file", file.string()}});
+    return failure(ErrorCode::notFound, say<"There is no file %1; check its name and folder.">(quoted(file)), {{"file", file.string()}});
   if (problem)
-    return failure(ErrorCode::notReadable, quoted(file) + " cannot be read (" + problem.message() + "); check its permissions.",
+    return failure(ErrorCode::notReadable, say<"%1 cannot be read (%2); check its permissions.">(quoted(file), verbatim(problem.message())),
                    {{"file", file.string()}});
   if (status.type() != fs::file_type::regular)
-    return failure(ErrorCode::notReadable, quoted(file) + " is not a regular file; choose a file.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 is not a regular file; choose a file.">(quoted(file)), {{"file", file.string()}});
   return {};
 }
 
@@ -151,23 +161,19 @@ Result<fs::path> resolveDataFile(const fs::path& header, std::string_view name) 
   const auto status = checkIsFile(file);
   if (!status && status.error().code == ErrorCode::notFound)
     return failure(ErrorCode::notFound,
-                   quoted(header) + " keeps its samples in \"" + std::string(name.substr(0, 200)) +
-                       "\", which is not there; put both files into one folder.",
+                   say<"%1 keeps its samples in \"%2\", which is not there; put both files into one folder.">(
+                       quoted(header), std::string(name.substr(0, 200))),
                    {{"file", header.string()}, {"missing", file.string()}});
   if (!status) return passOn(status.error());
   return file;
 }
 
-tl::unexpected<Error> badField(const fs::path& file, std::string_view field, std::string_view found, std::string_view expected) {
-  constexpr std::size_t longest = 80;
-  std::string shown(found.substr(0, longest));
-  if (found.size() > longest) shown += "...";
-  for (char& letter : shown)
-    if (static_cast<unsigned char>(letter) < 0x20 || static_cast<unsigned char>(letter) > 0x7e) letter = '?';
-  return failure(ErrorCode::badField,
-                 "In " + quoted(file) + ", " + std::string(field) + " is \"" + shown + "\", but " + std::string(expected) +
-                     " is needed; correct the header or export the file again.",
-                 {{"file", file.string()}, {"field", std::string(field)}, {"found", shown}, {"expected", std::string(expected)}});
+tl::unexpected<Error> badField(const fs::path& file, const Message& field, const Message& found, const Message& expected) {
+  const Message seen = found.text() == nullptr ? verbatim(shortened(found.verbatim())) : found;
+  return failure(
+      ErrorCode::badField,
+      say<"In %1, %2 is \"%3\", but %4 is needed; correct the header or export the file again.">(quoted(file), field, seen, expected),
+      {{"file", file.string()}, {"field", field.english()}, {"found", seen.english()}, {"expected", expected.english()}});
 }
 
 void completeGeometry(ImageHeader& header) {
@@ -183,7 +189,7 @@ Result<ImageHeader> readImageHeader(const fs::path& file) {
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return readNrrdHeader(file);
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return readNiftiHeader(file);
   return failure(ErrorCode::unsupported,
-                 quoted(file) + " has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.",
+                 say<"%1 has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

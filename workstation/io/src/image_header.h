@@ -16,7 +16,7 @@ namespace ew::detail {
 
 enum class SampleType { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64, none };
 [[nodiscard]] std::uint64_t bytesOf(SampleType type);
-[[nodiscard]] const char* nameOf(SampleType type);
+[[nodiscard]] Message nameOf(SampleType type);
 
 enum class Packing { raw, deflated, text };
 
@@ -65,9 +65,12 @@ struct FrameKey {
 
 /// The product, or empty when it does not fit 64 bits.
 [[nodiscard]] std::optional<std::uint64_t> productOf(std::span<const std::uint64_t> factors);
-[[nodiscard]] std::string countText(std::optional<std::uint64_t> count);
-/// "1 frame is", "2 frames are": the count and the words that go with it.
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
+[[nodiscard]] Message countText(std::optional<std::uint64_t> count);
+/// One of two texts by the count, which stands at %1 of both: `counted<"%1 frame is black.", "%1 frames are black.">(frames)`.
+template <Literal one, Literal many, class... More>
+[[nodiscard]] Message counted(std::uint64_t count, const More&... more) {
+  return count == 1 ? say<one>(count, more...) : say<many>(count, more...);
+}
 [[nodiscard]] std::string sizesText(std::span<const std::uint64_t> sizes);
 
 [[nodiscard]] std::string quoted(const std::filesystem::path& file);
@@ -82,8 +85,9 @@ struct FrameKey {
 [[nodiscard]] Result<std::filesystem::path> resolveDataFile(const std::filesystem::path& header, std::string_view name);
 
 /// A field that cannot be used: its name, what was found (shortened) and what was expected.
-[[nodiscard]] tl::unexpected<Error> badField(const std::filesystem::path& file, std::string_view field, std::string_view found,
-                                             std::string_view expected);
+/// @param field, found a name and a value as the file has them are verbatim()
+[[nodiscard]] tl::unexpected<Error> badField(const std::filesystem::path& file, const Message& field, const Message& found,
+                                             const Message& expected);
 
 /// A third direction and spacing for flat images, and whether the place is anything but neutral.
 void completeGeometry(ImageHeader& header);

@@ -52,8 +52,8 @@ bool earlier(const fs::path& a, const fs::path& b) {
   return a.filename() < b.filename();
 }
 
-tl::unexpected<Error> damaged(const fs::path& file, const std::string& why) {
-  return failure(ErrorCode::badHeader, quoted(file) + " is not a picture that can be read (" + why + "); save it again.",
+tl::unexpected<Error> damaged(const fs::path& file, const Message& why) {
+  return failure(ErrorCode::badHeader, say<"%1 is not a picture that can be read (%2); save it again.">(quoted(file), why),
                  {{"file", file.string()}});
 }
 
@@ -93,13 +93,13 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
     while (at < bytes.size() && bytes[at] >= '0' && bytes[at] <= '9' && at - first < 9) value = value * 10 + (bytes[at++] - '0');
     return at == first ? std::nullopt : std::optional(value);
   };
-  if (bytes.size() < 8 || bytes[0] != 'P' || bytes[1] != '5') return damaged(file, "no binary PGM");
+  if (bytes.size() < 8 || bytes[0] != 'P' || bytes[1] != '5') return damaged(file, say<"no binary PGM">());
   const auto width = number(), height = number(), largest = number();
   if (!width || !height || !largest || *width < 1 || *height < 1 || *largest != 255 || *width * *height > kMostStackPixels)
-    return damaged(file, "no 8 bit PGM");
+    return damaged(file, say<"no 8 bit PGM">());
   ++at;
   const std::size_t pixels = *width * *height;
-  if (at > bytes.size() || bytes.size() - at < pixels) return damaged(file, "it ends early");
+  if (at > bytes.size() || bytes.size() - at < pixels) return damaged(file, say<"it ends early">());
   JpegGrey picture;
   picture.width = static_cast<int>(*width);
   picture.height = static_cast<int>(*height);
@@ -128,7 +128,8 @@ Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
   const Numbered like = numbered(folderOrPicture.filename().string());
   std::vector<fs::path> files;
   fs::directory_iterator entries(where, ec);
-  if (ec) return failure(ErrorCode::notReadable, quoted(where) + " cannot be listed; check its permissions.", {{"file", where.string()}});
+  if (ec)
+    return failure(ErrorCode::notReadable, say<"%1 cannot be listed; check its permissions.">(quoted(where)), {{"file", where.string()}});
   for (const auto& entry : entries) {
     if (!isPicture(entry.path()) || !entry.is_regular_file(ec)) continue;
     const Numbered here = numbered(entry.path().filename().string());
@@ -137,7 +138,8 @@ Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
       files.push_back(entry.path());
   }
   if (files.empty())
-    return failure(ErrorCode::unsupported, quoted(folderOrPicture) + " holds no pictures (.png, .jpg, .pgm); choose a folder that does.",
+    return failure(ErrorCode::unsupported,
+                   say<"%1 holds no pictures (.png, .jpg, .pgm); choose a folder that does.">(quoted(folderOrPicture)),
                    {{"file", folderOrPicture.string()}});
   std::sort(files.begin(), files.end(), earlier);
   return files;
@@ -155,7 +157,7 @@ Result<StackPicture> readFirstOfStack(const fs::path& folderOrPicture) try {
   first.coloured = std::move(picture->coloured);
   return first;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for a picture of " + quoted(folderOrPicture) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for a picture of %1; close other programs.">(quoted(folderOrPicture)),
                  {{"file", folderOrPicture.string()}});
 }
 
@@ -165,7 +167,7 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
   if (!files) return passOn(files.error());
   if (!options.spacing_mm)
     return failure(ErrorCode::missingCalibration,
-                   "Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.",
+                   say<"Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.">(),
                    {{"file", folderOrPicture.string()}, {"ask", "spacing"}});
   StackVolume made;
   Volume& volume = made.volume;
@@ -180,15 +182,14 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
       if (auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
       if (volume.grid.voxelCount() > limits.maxBytes)
         return failure(ErrorCode::tooLarge,
-                       "The pictures would need " + std::to_string(volume.grid.voxelCount()) + " bytes of memory, but the limit is " +
-                           std::to_string(limits.maxBytes) + "; take fewer or smaller ones.",
+                       say<"The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
+                           volume.grid.voxelCount(), limits.maxBytes),
                        {{"file", folderOrPicture.string()}});
       volume.echo.reserve(volume.grid.voxelCount());
     } else if (picture->width != volume.grid.dims.x || picture->height != volume.grid.dims.y) {
       return failure(ErrorCode::badField,
-                     quoted((*files)[n]) + " has " + std::to_string(picture->width) + " x " + std::to_string(picture->height) +
-                         " pixels, the first picture " + std::to_string(volume.grid.dims.x) + " x " + std::to_string(volume.grid.dims.y) +
-                         "; put pictures of one size into the folder.",
+                     say<"%1 has %2 x %3 pixels, the first picture %4 x %5; put pictures of one size into the folder.">(
+                         quoted((*files)[n]), picture->width, picture->height, volume.grid.dims.x, volume.grid.dims.y),
                      {{"file", (*files)[n].string()}});
     }
     blank(picture->coloured, picture->width, picture->height, options.blank);
@@ -198,28 +199,27 @@ Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackO
       for (std::size_t p = 0; p < picture->coloured.size(); ++p)
         if (picture->coloured[p] != 0) picture->level[p] = 0;
     volume.echo.insert(volume.echo.end(), picture->level.begin(), picture->level.end());
-    progress.report("Reading pictures", static_cast<double>(n + 1) / static_cast<double>(files->size()));
+    progress.report(say<"Reading pictures">(), static_cast<double>(n + 1) / static_cast<double>(files->size()));
   }
   made.removed.blanked = options.blank;
   const double share = static_cast<double>(colouredPixels) / static_cast<double>(volume.echo.size());
-  const std::string coloured = textOf(std::round(share * 10000.0) / 100.0) + " % of the pixels are coloured";
+  const std::string coloured = textOf(std::round(share * 10000.0) / 100.0) + " %";
   if (share > 0.0005 && options.colour == ColourRule::ask)
     return failure(ErrorCode::unsupported,
-                   "In " + quoted(folderOrPicture) + " " + coloured +
-                       ", as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.",
+                   say<"In %1 %2 of the pixels are coloured, as by Doppler, and echo levels cannot show that; say whether to keep them as "
+                       "grey or to drop them.">(quoted(folderOrPicture), coloured),
                    {{"file", folderOrPicture.string()}, {"ask", "colour"}});
   if (colouredPixels > 0)
-    made.notes.push_back(
-        coloured + (options.colour == ColourRule::dropColour ? "; they were made black." : "; their luminance became the echo level."));
-  made.notes.push_back(
-      std::to_string(files->size()) +
-      " pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the origin in "
-      "the first pixel of the first; which way they lie in the patient is not known.");
-  made.notes.push_back("Pictures may have text burned in; check that they name nobody.");
+    made.notes.push_back(options.colour == ColourRule::dropColour
+                             ? say<"%1 of the pixels are coloured; they were made black.">(coloured)
+                             : say<"%1 of the pixels are coloured; their luminance became the echo level.">(coloured));
+  made.notes.push_back(say<"%1 pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the "
+                           "origin in the first pixel of the first; which way they lie in the patient is not known.">(files->size()));
+  made.notes.push_back(say<"Pictures may have text burned in; check that they name nobody.">());
   return made;
 } catch (const std::bad_alloc&) {
   return failure(ErrorCode::tooLarge,
-                 "There is not enough memory for the pictures of " + quoted(folderOrPicture) + "; close other programs.",
+                 say<"There is not enough memory for the pictures of %1; close other programs.">(quoted(folderOrPicture)),
                  {{"file", folderOrPicture.string()}});
 }
 

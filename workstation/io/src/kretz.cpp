@@ -45,8 +45,7 @@ Result<Items> itemsOf(Bytes file, const fs::path& name) {
     if (group == 0xFFFFu && element == 0xFFFFu) return items;
     if (length > file.size() - at)
       return failure(ErrorCode::truncated,
-                     quoted(name) + " is too short: an item of " + std::to_string(length) + " bytes has " +
-                         std::to_string(file.size() - at) + "; get the file again.",
+                     say<"%1 is too short: an item of %2 bytes has %3; get the file again.">(quoted(name), length, file.size() - at),
                      {{"file", name.string()}});
     items.try_emplace(group << 16 | element, file.subspan(at, length));
     at += length;
@@ -69,17 +68,17 @@ class Reader {
     for (std::size_t at = 0; at + 8 <= all.size(); at += 8) values.push_back(little<double>(all, at));
     return values;
   }
-  [[nodiscard]] Result<double> number(std::uint32_t tag, const char* name, double lowest, double highest) const {
+  [[nodiscard]] Result<double> number(std::uint32_t tag, const Message& name, double lowest, double highest) const {
     const auto values = doubles(tag);
     if (values.empty() || !(values[0] >= lowest && values[0] <= highest))
-      return badField(file_, name, values.empty() ? "nothing" : textOf(values[0]),
-                      "a number from " + textOf(lowest) + " to " + textOf(highest));
+      return badField(file_, name, values.empty() ? say<"nothing">() : verbatim(textOf(values[0])),
+                      say<"a number from %1 to %2">(textOf(lowest), textOf(highest)));
     return values[0];
   }
-  [[nodiscard]] Result<int> count(std::uint32_t tag, const char* name) const {
+  [[nodiscard]] Result<int> count(std::uint32_t tag, const Message& name) const {
     const Bytes all = bytes(tag);
     const int value = all.size() < 2 ? 0 : little<std::uint16_t>(all, 0);
-    if (value < 1) return badField(file_, name, all.size() < 2 ? "nothing" : "0", "a whole number above 0");
+    if (value < 1) return badField(file_, name, all.size() < 2 ? say<"nothing">() : verbatim("0"), say<"a whole number above 0">());
     return value;
   }
   [[nodiscard]] const Items& items() const { return items_; }
@@ -120,34 +119,49 @@ class AngleTable {
   bool rises_;
 };
 
-Result<std::vector<double>> anglesOf(const Reader& in, const fs::path& file, std::uint32_t tag, const char* name, int wanted,
-                                     std::vector<Message>& notes) {
+/// Which angles of the file: of the beams in a plane, or of the planes.
+enum class Fan { beams, planes };
+
+Message soleAngle(bool ofBeams, const std::string& off_deg) {
+  return ofBeams ? say<"Of the beam angles (C300/0002) there is one alone, %1 degrees off; it was laid straight ahead.">(off_deg)
+                 : say<"Of the plane angles (C300/0001) there is one alone, %1 degrees off; it was laid straight ahead.">(off_deg);
+}
+
+Message unevenAngles(bool ofBeams, const std::string& off_deg) {
+  return ofBeams ? say<"The beam angles (C300/0002) are not the same on both sides (%1 degrees off); straight ahead is pi / 2 here, other "
+                       "readers take the middle of the table.">(off_deg)
+                 : say<"The plane angles (C300/0001) are not the same on both sides (%1 degrees off); straight ahead is pi / 2 here, other "
+                       "readers take the middle of the table.">(off_deg);
+}
+
+/// From straight ahead, in radians.
+Result<std::vector<double>> anglesOf(const Reader& in, const fs::path& file, Fan fan, int wanted, std::vector<Message>& notes) {
+  const bool ofBeams = fan == Fan::beams;
+  const std::uint32_t tag = ofBeams ? 0xC3000002u : 0xC3000001u;
+  const Message name = ofBeams ? say<"beam angles (C300/0002)">() : say<"plane angles (C300/0001)">();
   std::vector<double> angles = in.doubles(tag);
   if (angles.size() != static_cast<std::size_t>(wanted))
-    return badField(file, name, std::to_string(angles.size()) + " angles", std::to_string(wanted) + ", one a sample of that axis");
+    return badField(file, name, say<"%1 angles">(angles.size()), say<"%1, one a sample of that axis">(wanted));
   constexpr double right_rad = std::numbers::pi / 2.0;
   bool rises = true, falls = true;
   for (std::size_t n = 0; n < angles.size(); ++n) {
     angles[n] -= right_rad;
-    if (!(std::abs(angles[n]) < 1.55)) return badField(file, name, textOf(angles[n] + right_rad), "angles within 89 degrees of pi / 2");
+    if (!(std::abs(angles[n]) < 1.55))
+      return badField(file, name, verbatim(textOf(angles[n] + right_rad)), say<"angles within 89 degrees of pi / 2">());
     if (n > 0) {
       rises = rises && angles[n] > angles[n - 1];
       falls = falls && angles[n] < angles[n - 1];
     }
   }
-  if (!rises && !falls) return badField(file, name, "angles that go to and fro", "angles that rise or fall throughout");
+  if (!rises && !falls) return badField(file, name, say<"angles that go to and fro">(), say<"angles that rise or fall throughout">());
   if (angles.size() == 1) {
     // One beam or plane has no width: no voxel but those straight ahead would ever lie in it.
-    if (std::abs(angles.front()) > 1e-6)
-      notes.push_back(std::string("Of the ") + name + " there is one alone, " + textOf(angles.front() * 180.0 / std::numbers::pi) +
-                      " degrees off; it was laid straight ahead.");
+    if (std::abs(angles.front()) > 1e-6) notes.push_back(soleAngle(ofBeams, textOf(angles.front() * 180.0 / std::numbers::pi)));
     angles.front() = 0.0;
     return angles;
   }
   const double off_deg = (angles.front() + angles.back()) * 90.0 / std::numbers::pi;
-  if (std::abs(off_deg) > 0.1)
-    notes.push_back(std::string("The ") + name + " are not the same on both sides (" + textOf(std::round(off_deg * 100.0) / 100.0) +
-                    " degrees off); straight ahead is pi / 2 here, other readers take the middle of the table.");
+  if (std::abs(off_deg) > 0.1) notes.push_back(unevenAngles(ofBeams, textOf(std::round(off_deg * 100.0) / 100.0)));
   return angles;
 }
 
@@ -181,8 +195,8 @@ Result<Grid> gridOf(const Torus& torus, double spacing_mm, double hand, const fs
   }
   if (!(2.0 * voxels <= static_cast<double>(limits.maxBytes)) || *std::max_element(sizes.begin(), sizes.end()) > 1e9)
     return failure(ErrorCode::tooLarge,
-                   "At " + textOf(spacing_mm) + " mm the volume of " + quoted(file) + " would need " + textOf(std::round(2.0 * voxels)) +
-                       " bytes of memory, but the limit is " + std::to_string(limits.maxBytes) + "; choose a coarser spacing.",
+                   say<"At %1 mm the volume of %2 would need %3 bytes of memory, but the limit is %4; choose a coarser spacing.">(
+                       textOf(spacing_mm), quoted(file), textOf(std::round(2.0 * voxels)), limits.maxBytes),
                    {{"file", file.string()}, {"ask", "spacing"}});
   for (int axis = 0; axis < 3; ++axis) grid.dims[axis] = static_cast<int>(sizes[static_cast<std::size_t>(axis)]);
   grid.origin_mm = lowest;
@@ -230,7 +244,7 @@ Result<Volume> converted(const Torus& torus, const Grid& grid, double hand, int 
       }
     }
   };
-  if (!forEachTask(grid.dims.z, threads, progress, "Converting beams", slice)) return stopped(file);
+  if (!forEachTask(grid.dims.z, threads, progress, say<"Converting beams">(), slice)) return stopped(file);
   return volume;
 }
 
@@ -241,45 +255,51 @@ Result<Bytes> samplesOf(const Reader& in, const fs::path& file, const glm::ivec3
     if (in.has(packed))
       return failure(
           ErrorCode::unsupported,
-          quoted(file) +
-              " is a Kretz file with wavelet compression, which is not published; export it uncompressed, or as Cartesian volume.",
+          say<"%1 is a Kretz file with wavelet compression, which is not published; export it uncompressed, or as Cartesian volume.">(
+              quoted(file)),
           {{"file", file.string()}});
   const Bytes one = in.bytes(0xD0000001u), several = in.bytes(0xD6000001u);
   if (one.empty() && several.empty())
-    return failure(ErrorCode::unsupported,
-                   quoted(file) + " is a Kretz file without an uncompressed grey volume; export it uncompressed, or as Cartesian volume.",
-                   {{"file", file.string()}});
+    return failure(
+        ErrorCode::unsupported,
+        say<"%1 is a Kretz file without an uncompressed grey volume; export it uncompressed, or as Cartesian volume.">(quoted(file)),
+        {{"file", file.string()}});
   const std::size_t steps = several.size() / wanted;
   if (!several.empty() && (one.empty() || options.timeStep)) {
     if (steps < 1 || several.size() % wanted != 0)
-      return badField(file, "D600/0001", std::to_string(several.size()) + " bytes", "a multiple of " + std::to_string(wanted));
+      return badField(file, verbatim("D600/0001"), say<"%1 bytes">(several.size()), say<"a multiple of %1">(wanted));
     if (steps > 1 && !options.timeStep)
       return failure(ErrorCode::missingCalibration,
-                     quoted(file) + " holds " + std::to_string(steps) + " volumes one after the other; choose one by its number, 1 to " +
-                         std::to_string(steps) + ".",
+                     say<"%1 holds %2 volumes one after the other; choose one by its number, 1 to %3.">(quoted(file), steps, steps),
                      {{"file", file.string()}, {"ask", "time-step"}, {"steps", std::to_string(steps)}});
     const int step = options.timeStep.value_or(1);
     if (step < 1 || static_cast<std::size_t>(step) > steps)
-      return failure(
-          ErrorCode::badUsage,
-          quoted(file) + " holds " + std::to_string(steps) + " volumes, no number " + std::to_string(step) + "; choose one that is there.",
-          {{"file", file.string()}, {"ask", "time-step"}});
-    if (steps > 1) notes.push_back("Volume " + std::to_string(step) + " of " + std::to_string(steps) + " was read.");
+      return failure(ErrorCode::badUsage, say<"%1 holds %2 volumes, no number %3; choose one that is there.">(quoted(file), steps, step),
+                     {{"file", file.string()}, {"ask", "time-step"}});
+    if (steps > 1) notes.push_back(say<"Volume %1 of %2 was read.">(step, steps));
     return several.subspan((static_cast<std::size_t>(step) - 1) * wanted, wanted);
   }
-  if (!several.empty()) notes.push_back("The file also holds " + std::to_string(steps) + " volumes over time; its still one was read.");
+  if (!several.empty()) notes.push_back(say<"The file also holds %1 volumes over time; its still one was read.">(steps));
   if (one.size() != wanted)
-    return failure(
-        one.size() < wanted ? ErrorCode::truncated : ErrorCode::badHeader,
-        quoted(file) + " promises " + std::to_string(wanted) + " samples and holds " + std::to_string(one.size()) + "; get the file again.",
-        {{"file", file.string()}, {"promised", std::to_string(wanted)}, {"found", std::to_string(one.size())}});
+    return failure(one.size() < wanted ? ErrorCode::truncated : ErrorCode::badHeader,
+                   say<"%1 promises %2 samples and holds %3; get the file again.">(quoted(file), wanted, one.size()),
+                   {{"file", file.string()}, {"promised", std::to_string(wanted)}, {"found", std::to_string(one.size())}});
   return one;
+}
+
+Message converted(bool mirrored, const std::string& spacing_mm) {
+  return joined({mirrored ? say<"The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z against x cross y, from "
+                                "the centre of the beams' arc.">(spacing_mm)
+                          : say<"The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z along x cross y, from "
+                                "the centre of the beams' arc.">(spacing_mm),
+                 say<"Readers of this format disagree about the side of z; if left and right planes are swapped, import it mirrored.">()});
 }
 
 Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOptions& options, Progress& progress,
                               const ReadLimits& limits) {
   if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0)
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a Kretz file; check what kind of file it is.", {{"file", file.string()}});
+    return failure(ErrorCode::badHeader, say<"%1 is not a Kretz file; check what kind of file it is.">(quoted(file)),
+                   {{"file", file.string()}});
   auto items = itemsOf(bytes, file);
   if (!items) return passOn(items.error());
   const Reader in(file, *std::move(items));
@@ -289,13 +309,14 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
     if (value.empty() || (group != 0x0110u && group != 0x0120u && group != 0x0130u && group != 0x0140u)) continue;
     std::array<char, 16> name{};
     std::snprintf(name.data(), name.size(), "(%04X,%04X)", group, tag & 0xFFFFu);
-    made.removed.fields.push_back(std::string(name.data()) + (tag == 0x01100002u ? " patient text" : " text of the examination"));
+    made.removed.fields.push_back(tag == 0x01100002u ? say<"%1 patient text">(std::string(name.data()))
+                                                     : say<"%1 text of the examination">(std::string(name.data())));
   }
   Torus torus;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto count = in.count(0xC0000001u + static_cast<std::uint32_t>(axis), axis == 0   ? "samples along a beam (C000/0001)"
-                                                                                : axis == 1 ? "beams (C000/0002)"
-                                                                                            : "planes (C000/0003)");
+    const auto count = in.count(0xC0000001u + static_cast<std::uint32_t>(axis), axis == 0   ? say<"samples along a beam (C000/0001)">()
+                                                                                : axis == 1 ? say<"beams (C000/0002)">()
+                                                                                            : say<"planes (C000/0003)">());
     if (!count) return passOn(count.error());
     torus.counts[axis] = *count;
   }
@@ -303,8 +324,8 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
   if (!samples) return passOn(samples.error());
   torus.samples = *samples;
   if (in.has(0xD0000101u) || in.has(0xD0000201u))
-    made.notes.push_back("The file also holds a colour or power Doppler volume, which was left out.");
-  const auto step_m = in.number(0xC1000001u, "distance of samples (C100/0001)", 1e-6, 0.1);
+    made.notes.push_back(say<"The file also holds a colour or power Doppler volume, which was left out.">());
+  const auto step_m = in.number(0xC1000001u, say<"distance of samples (C100/0001)">(), 1e-6, 0.1);
   const bool beams = in.has(0xC3000001u) || in.has(0xC3000002u);
   if (!beams) {
     // Cartesian files have the same step along every axis.
@@ -313,18 +334,18 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
     made.volume.grid.spacing_mm = glm::dvec3(*step_m * 1000.0);
     if (auto usable = checkGrid(made.volume.grid); !usable) return passOn(usable.error());
     made.volume.echo.assign(torus.samples.begin(), torus.samples.end());
-    made.notes.push_back("The volume is Cartesian already, " + textOf(*step_m * 1000.0) +
-                         " mm in every direction; its origin is its first voxel, and which way it lies in the patient is not in the file.");
+    made.notes.push_back(say<"The volume is Cartesian already, %1 mm in every direction; its origin is its first voxel, and which way it "
+                             "lies in the patient is not in the file.">(textOf(*step_m * 1000.0)));
     return made;
   }
   if (!step_m) return passOn(step_m.error());
-  const auto start_steps = in.number(0xC2000001u, "radius of the first sample (C200/0001)", 0.0, 1e6);
+  const auto start_steps = in.number(0xC2000001u, say<"radius of the first sample (C200/0001)">(), 0.0, 1e6);
   if (!start_steps) return passOn(start_steps.error());
-  const auto axis_steps = in.number(0xC2000002u, "radius of the planes (C200/0002)", -1e6, 1e6);
+  const auto axis_steps = in.number(0xC2000002u, say<"radius of the planes (C200/0002)">(), -1e6, 1e6);
   if (!axis_steps) return passOn(axis_steps.error());
-  auto theta = anglesOf(in, file, 0xC3000002u, "beam angles (C300/0002)", torus.counts.y, made.notes);
+  auto theta = anglesOf(in, file, Fan::beams, torus.counts.y, made.notes);
   if (!theta) return passOn(theta.error());
-  auto phi = anglesOf(in, file, 0xC3000001u, "plane angles (C300/0001)", torus.counts.z, made.notes);
+  auto phi = anglesOf(in, file, Fan::planes, torus.counts.z, made.notes);
   if (!phi) return passOn(phi.error());
   torus.step_mm = *step_m * 1000.0;
   torus.start_mm = *start_steps * torus.step_mm;
@@ -333,9 +354,10 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
   torus.phi_rad = *std::move(phi);
   const double steepest = std::max(std::abs(torus.theta_rad.front()), std::abs(torus.theta_rad.back()));
   if (!(torus.start_mm * std::cos(steepest) > torus.axisDepth_mm))
-    return badField(file, "C200/0002", textOf(*axis_steps), "an axis of the planes that lies behind the first samples");
+    return badField(file, verbatim("C200/0002"), verbatim(textOf(*axis_steps)),
+                    say<"an axis of the planes that lies behind the first samples">());
   if (options.spacing_mm != 0.0 && !(options.spacing_mm > 1e-3 && options.spacing_mm < 1e3))
-    return failure(ErrorCode::badUsage, "The spacing must lie between 0.001 and 1000 mm.", {{"ask", "spacing"}});
+    return failure(ErrorCode::badUsage, say<"The spacing must lie between 0.001 and 1000 mm.">(), {{"ask", "spacing"}});
   const double spacing_mm = options.spacing_mm > 0.0 ? options.spacing_mm : torus.step_mm;
   const double hand = options.mirrored ? -1.0 : 1.0;
   const auto grid = gridOf(torus, spacing_mm, hand, file, limits);
@@ -343,11 +365,8 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
   auto volume = converted(torus, *grid, hand, options.threads, file, progress);
   if (!volume) return passOn(volume.error());
   made.volume = *std::move(volume);
-  made.notes.push_back("The beams were converted to voxels of " + textOf(spacing_mm) + " mm: x lateral, y away from the probe, z " +
-                       (options.mirrored ? "against" : "along") +
-                       " x cross y, from the centre of the beams' arc. Readers of this format disagree about the side of z; if left and "
-                       "right planes are swapped, import it mirrored.");
-  made.notes.push_back("The layout of Kretz files is not published by its maker; distances are as good as what is known of it.");
+  made.notes.push_back(converted(options.mirrored, textOf(spacing_mm)));
+  made.notes.push_back(say<"The layout of Kretz files is not published by its maker; distances are as good as what is known of it.">());
   return made;
 }
 
@@ -368,7 +387,7 @@ Result<KretzVolume> readKretz(const fs::path& file, const KretzOptions& options,
     if (!dicom) return passOn(dicom.error());
     const Bytes inside = kretzInside(dicom->data);
     if (inside.empty())
-      return failure(ErrorCode::unsupported, quoted(file) + " is a DICOM file without a Kretz volume in it; import it as pictures.",
+      return failure(ErrorCode::unsupported, say<"%1 is a DICOM file without a Kretz volume in it; import it as pictures.">(quoted(file)),
                      {{"file", file.string()}});
     auto made = readBytes(inside, file, options, progress, limits);
     if (!made) return made;
@@ -381,7 +400,7 @@ Result<KretzVolume> readKretz(const fs::path& file, const KretzOptions& options,
   if (!bytes) return passOn(bytes.error());
   return readBytes(*bytes, file, options, progress, limits);
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

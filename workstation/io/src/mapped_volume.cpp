@@ -52,17 +52,17 @@ std::uint64_t residentFileBytes(int statm) {
 
 /// Success when the samples lie in the file as they would lie in memory.
 Result<void> checkMappable(const ImageHeader& header) {
-  const std::string found = header.packing == Packing::deflated ? "compressed"
-                            : header.packing == Packing::text   ? "written as text"
-                            : header.type != SampleType::u8     ? std::string(nameOf(header.type)) + " samples"
-                            : header.channels != 1              ? std::to_string(header.channels) + " values a voxel"
-                            : !(header.slope > 0.0)             ? "rescaled with a slope that is not positive"
-                                                                : "";
+  const Message found = header.packing == Packing::deflated ? say<"compressed">()
+                        : header.packing == Packing::text   ? say<"written as text">()
+                        : header.type != SampleType::u8     ? say<"%1 samples">(nameOf(header.type))
+                        : header.channels != 1              ? say<"%1 values a voxel">(header.channels)
+                        : !(header.slope > 0.0)             ? say<"rescaled with a slope that is not positive">()
+                                                            : Message();
   if (found.empty()) return {};
   return failure(
       ErrorCode::unsupported,
-      quoted(header.file) + " is " + found + ", so it cannot be mapped; read it into memory, or save it uncompressed with 8 bit samples.",
-      {{"file", header.file.string()}, {"found", found}, {"expected", "uncompressed 8 bit unsigned samples"}});
+      say<"%1 is %2, so it cannot be mapped; read it into memory, or save it uncompressed with 8 bit samples.">(quoted(header.file), found),
+      {{"file", header.file.string()}, {"found", found.english()}, {"expected", "uncompressed 8 bit unsigned samples"}});
 }
 
 struct Place {
@@ -74,7 +74,7 @@ struct Place {
 Result<Place> placeOf(const ImageHeader& header, std::uint64_t promised_bytes, int file) {
   Place place;
   if (::fstat(file, &place.status) != 0)
-    return failure(ErrorCode::notReadable, quoted(header.dataFile) + " cannot be read; check its permissions.",
+    return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(header.dataFile)),
                    {{"file", header.dataFile.string()}});
   const auto length = static_cast<std::uint64_t>(place.status.st_size);
   place.offset = header.dataOffset + header.skipUnpacked;
@@ -83,8 +83,8 @@ Result<Place> placeOf(const ImageHeader& header, std::uint64_t promised_bytes, i
   if (promised_bytes > available)
     return failure(
         ErrorCode::truncated,
-        quoted(header.dataFile) + " is too short: its header promises " + std::to_string(promised_bytes) +
-            " bytes of samples, the file has " + std::to_string(available) + "; get the file again.",
+        say<"%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.">(quoted(header.dataFile),
+                                                                                                              promised_bytes, available),
         {{"file", header.dataFile.string()}, {"promised", std::to_string(promised_bytes)}, {"found", std::to_string(available)}});
   return place;
 }
@@ -150,7 +150,7 @@ Result<void> MappedVolume::unchanged() const {
   if (::fstat(mapping_->descriptor.number, &now) == 0 && now.st_size == then.st_size && now.st_mtim.tv_sec == then.st_mtim.tv_sec &&
       now.st_mtim.tv_nsec == then.st_mtim.tv_nsec)
     return {};
-  return failure(ErrorCode::notReadable, quoted(mapping_->file) + " was changed while it was in use; open it again.",
+  return failure(ErrorCode::notReadable, say<"%1 was changed while it was in use; open it again.">(quoted(mapping_->file)),
                  {{"file", mapping_->file.string()}});
 }
 
@@ -165,7 +165,7 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
   auto mapping = std::make_unique<MappedVolume::Mapping>(header->dataFile, ::open(header->dataFile.c_str(), O_RDONLY | O_CLOEXEC));
   if (mapping->descriptor.number < 0)
     return failure(ErrorCode::notReadable,
-                   quoted(header->dataFile) + " cannot be opened (" + std::strerror(errno) + "); check its permissions.",
+                   say<"%1 cannot be opened (%2); check its permissions.">(quoted(header->dataFile), verbatim(std::strerror(errno))),
                    {{"file", header->dataFile.string()}});
   const auto place = placeOf(*header, extent->promised, mapping->descriptor.number);
   if (!place) return passOn(place.error());
@@ -179,7 +179,8 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
   mapping->reserved = ::mmap(nullptr, mapping->reserved_bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (mapping->reserved == MAP_FAILED || ::mmap(mapping->reserved, mapping->mapped_bytes, PROT_READ, MAP_SHARED | MAP_FIXED,
                                                 mapping->descriptor.number, static_cast<off_t>(place->offset - ahead)) == MAP_FAILED)
-    return failure(ErrorCode::tooLarge, quoted(header->dataFile) + " cannot be mapped (" + std::strerror(errno) + "); read it into memory.",
+    return failure(ErrorCode::tooLarge,
+                   say<"%1 cannot be mapped (%2); read it into memory.">(quoted(header->dataFile), verbatim(std::strerror(errno))),
                    {{"file", header->dataFile.string()}});
   mapping->view = {static_cast<const std::uint8_t*>(mapping->reserved) + ahead, extent->grid};
   mapping->notes = std::move(notes);
@@ -187,7 +188,7 @@ Result<MappedVolume> mapVolume(const fs::path& file, const MapOptions& options) 
   try {
     mapping->watcher = std::thread([watched = mapping.get()] { watched->watch(); });
   } catch (const std::system_error&) {
-    return failure(ErrorCode::tooLarge, "There are no threads left to keep watch over " + quoted(file) + "; close other programs.",
+    return failure(ErrorCode::tooLarge, say<"There are no threads left to keep watch over %1; close other programs.">(quoted(file)),
                    {{"file", file.string()}});
   }
   return MappedVolume(std::move(mapping));

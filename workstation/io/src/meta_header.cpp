@@ -50,34 +50,34 @@ struct MetaDraft {
 
 Result<void> take(MetaDraft& draft, const std::string& key, const std::string& value) {
   ImageHeader& header = draft.header;
-  const auto bad = [&](std::string_view expected) { return badField(header.file, key, value, expected); };
+  const auto bad = [&](const Message& expected) { return badField(header.file, verbatim(key), verbatim(value), expected); };
   const auto boolean = [&](bool& target) -> Result<void> {
     const auto parsed = parseBool(value);
-    if (!parsed) return bad("True or False");
+    if (!parsed) return bad(say<"True or False">());
     target = *parsed;
     return {};
   };
   if (key == "ObjectType") {
-    if (lowerCase(value) != "image") return bad("Image");
+    if (lowerCase(value) != "image") return bad(verbatim("Image"));
   } else if (key == "NDims") {
     const auto number = parseIntegers(value);
-    if (!number || number->size() != 1 || number->front() < 1 || number->front() > 10) return bad("a number from 1 to 10");
+    if (!number || number->size() != 1 || number->front() < 1 || number->front() > 10) return bad(say<"a number from 1 to 10">());
     draft.dimensions = static_cast<std::uint64_t>(number->front());
   } else if (key == "DimSize") {
     const auto numbers = parseIntegers(value);
     if (!numbers || std::any_of(numbers->begin(), numbers->end(), [](long long size) { return size < 0; }))
-      return bad("one whole number per dimension, none negative,");
+      return bad(say<"one whole number per dimension, none negative,">());
     header.sizes.assign(numbers->begin(), numbers->end());
   } else if (key == "ElementType") {
     std::string name = value;
     if (name.ends_with("_ARRAY")) name.resize(name.size() - 6);
     const auto* const found = std::find_if(kMetaTypes.begin(), kMetaTypes.end(), [&](const MetaType& type) { return name == type.name; });
-    if (found == kMetaTypes.end()) return bad("a type from MET_UCHAR to MET_DOUBLE");
+    if (found == kMetaTypes.end()) return bad(say<"a type from MET_UCHAR to MET_DOUBLE">());
     header.type = found->type;
     draft.hasType = true;
   } else if (key == "ElementNumberOfChannels") {
     const auto number = parseIntegers(value);
-    if (!number || number->size() != 1 || number->front() < 1) return bad("a number above 0");
+    if (!number || number->size() != 1 || number->front() < 1) return bad(say<"a number above 0">());
     header.channels = static_cast<std::uint64_t>(number->front());
   } else if (key == "BinaryData") {
     return boolean(draft.binary);
@@ -89,11 +89,11 @@ Result<void> take(MetaDraft& draft, const std::string& key, const std::string& v
     header.packing = compressed ? Packing::deflated : Packing::raw;
   } else if (key == "CompressedDataSize") {
     const auto number = parseIntegers(value);
-    if (!number || number->size() != 1 || number->front() < 0) return bad("a number of bytes");
+    if (!number || number->size() != 1 || number->front() < 0) return bad(say<"a number of bytes">());
     if (number->front() > 0) header.packedBytes = static_cast<std::uint64_t>(number->front());
   } else if (key == "HeaderSize") {
     const auto number = parseIntegers(value);
-    if (!number || number->size() != 1 || number->front() < -1) return bad("a number of bytes or -1");
+    if (!number || number->size() != 1 || number->front() < -1) return bad(say<"a number of bytes or -1">());
     draft.headerSize = number->front();
   } else if (key == "ElementSpacing") {
     draft.spacing = value;
@@ -116,7 +116,7 @@ Result<std::vector<double>> numbersFor(const ImageHeader& header, std::string_vi
   auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != count ||
       std::any_of(numbers->begin(), numbers->end(), [](double value) { return !std::isfinite(value); }))
-    return badField(header.file, field, text, std::to_string(count) + " finite numbers");
+    return badField(header.file, verbatim(std::string(field)), verbatim(text), say<"%1 finite numbers">(count));
   return *std::move(numbers);
 }
 
@@ -151,10 +151,10 @@ Result<void> takeGeometry(MetaDraft& draft) {
 Result<void> takeDataFile(MetaDraft& draft, const std::string& name, std::uint64_t headerBytes) {
   ImageHeader& header = draft.header;
   const std::string lower = lowerCase(name);
-  if (name.empty()) return badField(header.file, "ElementDataFile", name, "LOCAL or the name of a file");
+  if (name.empty()) return badField(header.file, verbatim("ElementDataFile"), verbatim(name), say<"LOCAL or the name of a file">());
   if (lower.starts_with("list") && (lower.size() == 4 || lower[4] == ' '))
     return failure(ErrorCode::unsupported,
-                   quoted(header.file) + " lists one file per slice, which is not read; convert it to a single .mha.",
+                   say<"%1 lists one file per slice, which is not read; convert it to a single .mha.">(quoted(header.file)),
                    {{"file", header.file.string()}});
   if (lower == "local") {
     header.dataFile = header.file;
@@ -162,7 +162,7 @@ Result<void> takeDataFile(MetaDraft& draft, const std::string& name, std::uint64
   } else {
     if (name.find('%') != std::string::npos)
       return failure(ErrorCode::unsupported,
-                     quoted(header.file) + " names one file per slice by a pattern, which is not read; convert it to a single .mha.",
+                     say<"%1 names one file per slice by a pattern, which is not read; convert it to a single .mha.">(quoted(header.file)),
                      {{"file", header.file.string()}});
     auto file = resolveDataFile(header.file, name);
     if (!file) return passOn(file.error());
@@ -191,7 +191,8 @@ Result<ImageHeader> readMetaHeader(const fs::path& file, bool mayEndEarly) {
     const auto equals = (*line)->find('=');
     if (equals == std::string::npos && mayEndEarly && anyKnown) break;  // a line that was being written
     if (equals == std::string::npos)
-      return failure(ErrorCode::badHeader, quoted(file) + " is not a MetaImage: a header line has no \"=\"; check what kind of file it is.",
+      return failure(ErrorCode::badHeader,
+                     say<"%1 is not a MetaImage: a header line has no \"=\"; check what kind of file it is.">(quoted(file)),
                      {{"file", file.string()}});
     const std::string key(trimmed(std::string_view(**line).substr(0, equals)));
     const std::string value(trimmed(std::string_view(**line).substr(equals + 1)));
@@ -205,15 +206,15 @@ Result<ImageHeader> readMetaHeader(const fs::path& file, bool mayEndEarly) {
   draft.header.endsEarly = !dataFile;
   if (!dataFile && !(mayEndEarly && productOf(draft.header.sizes) == std::optional<std::uint64_t>(0)))
     return failure(anyKnown ? ErrorCode::truncated : ErrorCode::badHeader,
-                   "The header of " + quoted(file) + " ends before it says where the samples are (ElementDataFile); get the file again.",
+                   say<"The header of %1 ends before it says where the samples are (ElementDataFile); get the file again.">(quoted(file)),
                    {{"file", file.string()}});
   ImageHeader& header = draft.header;
-  if (header.sizes.empty()) return badField(file, "DimSize", "", "one whole number per dimension");
+  if (header.sizes.empty()) return badField(file, verbatim("DimSize"), verbatim(""), say<"one whole number per dimension">());
   if (draft.dimensions && *draft.dimensions != header.sizes.size())
-    return badField(file, "DimSize", sizesText(header.sizes), std::to_string(*draft.dimensions) + " numbers (NDims)");
-  if (!draft.hasType) return badField(file, "ElementType", "", "a type from MET_UCHAR to MET_DOUBLE");
+    return badField(file, verbatim("DimSize"), verbatim(sizesText(header.sizes)), say<"%1 numbers (NDims)">(*draft.dimensions));
+  if (!draft.hasType) return badField(file, verbatim("ElementType"), verbatim(""), say<"a type from MET_UCHAR to MET_DOUBLE">());
   if (header.type == SampleType::none && productOf(header.sizes) != std::optional<std::uint64_t>(0))
-    return badField(file, "ElementType", "MET_OTHER", "a type from MET_UCHAR to MET_DOUBLE");
+    return badField(file, verbatim("ElementType"), verbatim("MET_OTHER"), say<"a type from MET_UCHAR to MET_DOUBLE">());
   if (!draft.binary) header.packing = Packing::text;
   if (header.packing != Packing::deflated) header.packedBytes.reset();
   if (const auto taken = takeGeometry(draft); !taken) return passOn(taken.error());

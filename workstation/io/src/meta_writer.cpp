@@ -63,30 +63,31 @@ Result<void> checkFields(const fs::path& file, const MetaText& meta) {
     const bool keyFits = !key.empty() && trimmed(key) == key && key.find_first_of("=\n\r\0", 0, 4) == std::string::npos;
     const bool valueFits = trimmed(value) == value && value.find_first_of("\n\r\0", 0, 3) == std::string::npos;
     if (!keyFits || !valueFits)
-      return badField(file, key.empty() ? "a field without a name" : key, value, "text on one line, without blanks around it,");
+      return badField(file, key.empty() ? say<"a field without a name">() : verbatim(key), verbatim(value),
+                      say<"text on one line, without blanks around it,">());
   }
   return {};
 }
 
-Result<void> writeRaw(std::ostream& out, const fs::path& file, std::span<const std::uint8_t> samples, std::string_view what,
+Result<void> writeRaw(std::ostream& out, const fs::path& file, std::span<const std::uint8_t> samples, const Message& what,
                       Progress& progress) {
   for (std::size_t at = 0; at < samples.size(); at += kWriteChunk) {
     if (progress.cancelRequested()) return stopped(file);
     const auto part = samples.subspan(at, std::min(kWriteChunk, samples.size() - at));
     out.write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(part.size()));
-    if (!out) return notWritable(file, "the medium is full or gone");
+    if (!out) return notWritable(file, say<"the medium is full or gone">());
     progress.report(what, static_cast<double>(at + part.size()) / static_cast<double>(samples.size()));
   }
   return {};
 }
 
-Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std::span<const std::uint8_t> samples, std::string_view what,
+Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std::span<const std::uint8_t> samples, const Message& what,
                                     Progress& progress) {
   z_stream stream{};
   // Speckle hardly packs better at higher levels, which take three times as long.
   constexpr int level = 2;
   if (deflateInit(&stream, level) != Z_OK)
-    return failure(ErrorCode::internal, "The compressor could not be started; free some memory and try again.");
+    return failure(ErrorCode::internal, say<"The compressor could not be started; free some memory and try again.">());
   std::vector<std::uint8_t> packed(kWriteChunk);
   std::uint64_t written = 0;
   Result<std::uint64_t> result = 0;
@@ -109,7 +110,7 @@ Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std
       written += got;
     } while (stream.avail_out == 0);
     if (!out) {
-      result = notWritable(file, "the medium is full or gone");
+      result = notWritable(file, say<"the medium is full or gone">());
       break;
     }
     progress.report(what, static_cast<double>(at) / static_cast<double>(std::max<std::size_t>(samples.size(), 1)));
@@ -125,7 +126,7 @@ Result<std::uint64_t> writeDeflated(std::ostream& out, const fs::path& file, std
 }  // namespace
 
 Result<void> writeMetaFile(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, bool compress,
-                           std::string_view what, Progress& progress) {
+                           const Message& what, Progress& progress) {
   if (auto fits = checkFields(file, meta); !fits) return fits;
   compress = compress && !samples.empty();
   return writeFileSafely(file, [&](std::ostream& out) -> Result<void> {
@@ -159,12 +160,12 @@ Result<void> writeMetaStream(const fs::path& file, const MetaText& meta, const s
       if (!part) return passOn(part.error());
       if (part->empty()) return {};
       out.write(reinterpret_cast<const char*>(part->data()), static_cast<std::streamsize>(part->size()));
-      if (!out) return notWritable(file, "the medium is full or gone");
+      if (!out) return notWritable(file, say<"the medium is full or gone">());
     }
   });
 }
 
-Result<void> writeMetaPair(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, std::string_view what,
+Result<void> writeMetaPair(const fs::path& file, const MetaText& meta, std::span<const std::uint8_t> samples, const Message& what,
                            Progress& progress) {
   if (auto fits = checkFields(file, meta); !fits) return fits;
   OutputSet outputs(LateFile::replace);

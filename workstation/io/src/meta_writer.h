@@ -26,7 +26,7 @@ struct MetaText {
 
 /// A single file, header and samples.
 [[nodiscard]] Result<void> writeMetaFile(const std::filesystem::path& file, const MetaText& text, std::span<const std::uint8_t> samples,
-                                         bool compress, std::string_view what, Progress& progress);
+                                         bool compress, const Message& what, Progress& progress);
 
 /// The header of a single file of uncompressed 8 bit voxels: what comes before the first of them.
 [[nodiscard]] std::string plainVolumeHeader(const Grid& grid);
@@ -37,6 +37,6 @@ struct MetaText {
 
 /// A header and a raw file of the same name beside it: both are complete, or both are as before.
 [[nodiscard]] Result<void> writeMetaPair(const std::filesystem::path& file, const MetaText& text, std::span<const std::uint8_t> samples,
-                                         std::string_view what, Progress& progress);
+                                         const Message& what, Progress& progress);
 
 }  // namespace ew::detail

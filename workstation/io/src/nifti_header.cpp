@@ -134,8 +134,8 @@ Result<void> takeType(const Nifti& nifti, ImageHeader& header) {
       return {};
     default:
       return failure(ErrorCode::unsupported,
-                     quoted(header.file) + " has samples of NIfTI data type " + std::to_string(nifti.dataType) +
-                         ", which is not read; convert it to whole or floating point numbers.",
+                     say<"%1 has samples of NIfTI data type %2, which is not read; convert it to whole or floating point numbers.">(
+                         quoted(header.file), nifti.dataType),
                      {{"file", header.file.string()}, {"datatype", std::to_string(nifti.dataType)}});
   }
 }
@@ -174,7 +174,7 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
     const bool used = static_cast<std::int64_t>(axis) < nifti.dim[0];
     const double size = used ? std::abs(nifti.pixdim[axis + 1]) : 1.0;
     pixel[axis] = size;
-    if (used && !std::isfinite(size)) return badField(header.file, "pixdim", "not a number", "finite voxel sizes");
+    if (used && !std::isfinite(size)) return badField(header.file, verbatim("pixdim"), say<"not a number">(), say<"finite voxel sizes">());
   }
   // The affine is the fuller description, so it is asked first; the quaternion, then the bare voxel sizes stand in for it.
   if (nifti.sformCode > 0) {
@@ -192,14 +192,14 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
     origin = glm::dvec3(nifti.offset[0], nifti.offset[1], nifti.offset[2]);
   } else {
     for (int axis = 0; axis < 3; ++axis) axes[axis][axis] = pixel[static_cast<std::size_t>(axis)];
-    header.notes.push_back("The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.");
+    header.notes.push_back(say<"The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.">());
   }
   const glm::dvec3 toLps(-1.0, -1.0, 1.0);
   for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec3 step_mm = axes[axis] * toLps * mm;
     const double length = glm::length(step_mm);
     if (!std::isfinite(length) || !(length > 0.0))
-      return badField(header.file, "the voxel size along axis " + std::to_string(axis + 1), textOf(length), "a length above 0");
+      return badField(header.file, say<"the voxel size along axis %1">(axis + 1), verbatim(textOf(length)), say<"a length above 0">());
     header.geometry.spacing_mm[axis] = length;
     header.geometry.directions[axis] = step_mm / length;
   }
@@ -215,7 +215,8 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
 }
 
 tl::unexpected<Error> notNifti(const fs::path& file) {
-  return failure(ErrorCode::badHeader, quoted(file) + " is not a NIfTI volume; check what kind of file it is.", {{"file", file.string()}});
+  return failure(ErrorCode::badHeader, say<"%1 is not a NIfTI volume; check what kind of file it is.">(quoted(file)),
+                 {{"file", file.string()}});
 }
 
 }  // namespace
@@ -225,15 +226,15 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
   // gzread passes files through that are not compressed, so one way serves .nii and .nii.gz.
   gzFile in = gzopen(file.c_str(), "rb");
   if (in == nullptr)
-    return failure(ErrorCode::notReadable, quoted(file) + " cannot be opened; check its permissions.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(quoted(file)), {{"file", file.string()}});
   const int got = gzread(in, bytes.data(), static_cast<unsigned>(bytes.size()));
   const bool compressed = gzdirect(in) == 0;
   gzclose(in);
   if (got < static_cast<int>(kSize1))
-    return failure(ErrorCode::truncated,
-                   quoted(file) + " is too short: a NIfTI header has at least 348 bytes, the file has " + std::to_string(std::max(got, 0)) +
-                       "; get the file again.",
-                   {{"file", file.string()}});
+    return failure(
+        ErrorCode::truncated,
+        say<"%1 is too short: a NIfTI header has at least 348 bytes, the file has %2; get the file again.">(quoted(file), std::max(got, 0)),
+        {{"file", file.string()}});
   const auto sizeIs = [&](bool bigEndian) { return Binary(bytes, bigEndian).at<std::int32_t>(0); };
   ImageHeader header;
   header.file = file;
@@ -246,7 +247,7 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
   if (size == static_cast<int>(kSize1)) {
     if (std::string_view(text + 344, 3) == "ni1")
       return failure(ErrorCode::unsupported,
-                     quoted(file) + " is the header of a two-file NIfTI (.hdr + .img); convert it to a single .nii.",
+                     say<"%1 is the header of a two-file NIfTI (.hdr + .img); convert it to a single .nii.">(quoted(file)),
                      {{"file", file.string()}});
     if (std::string_view(text + 344, 3) != "n+1") return notNifti(file);
     nifti = parse1(Binary(bytes, header.bigEndian));
@@ -255,10 +256,12 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
   } else {
     return notNifti(file);
   }
-  if (nifti.dim[0] < 1 || nifti.dim[0] > 7) return badField(file, "dim[0]", std::to_string(nifti.dim[0]), "a number of axes from 1 to 7");
+  if (nifti.dim[0] < 1 || nifti.dim[0] > 7)
+    return badField(file, verbatim("dim[0]"), verbatim(std::to_string(nifti.dim[0])), say<"a number of axes from 1 to 7">());
   for (std::int64_t axis = 1; axis <= nifti.dim[0]; ++axis) {
     const std::int64_t length = nifti.dim[static_cast<std::size_t>(axis)];
-    if (length < 0) return badField(file, "dim[" + std::to_string(axis) + "]", std::to_string(length), "a length above 0");
+    if (length < 0)
+      return badField(file, verbatim("dim[" + std::to_string(axis) + "]"), verbatim(std::to_string(length)), say<"a length above 0">());
     header.sizes.push_back(static_cast<std::uint64_t>(length));
   }
   if (auto taken = takeType(nifti, header); !taken) return passOn(taken.error());
@@ -266,7 +269,7 @@ Result<ImageHeader> readNiftiHeader(const fs::path& file) {
   const double smallest = size == static_cast<int>(kSize1) ? 352.0 : 544.0;
   if (nifti.voxelOffset == 0.0) nifti.voxelOffset = smallest;
   if (!std::isfinite(nifti.voxelOffset) || nifti.voxelOffset < smallest || nifti.voxelOffset > 1e15)
-    return badField(file, "vox_offset", textOf(nifti.voxelOffset), "at least " + std::to_string(static_cast<int>(smallest)));
+    return badField(file, verbatim("vox_offset"), verbatim(textOf(nifti.voxelOffset)), say<"at least %1">(static_cast<int>(smallest)));
   (compressed ? header.skipUnpacked : header.dataOffset) = static_cast<std::uint64_t>(nifti.voxelOffset);
   if (nifti.slope != 0.0 && std::isfinite(nifti.slope) && std::isfinite(nifti.intercept)) {
     header.slope = nifti.slope;

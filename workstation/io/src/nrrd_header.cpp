@@ -108,10 +108,10 @@ struct NrrdDraft {
 
 Result<void> take(NrrdDraft& draft, std::string field, const std::string& value) {
   ImageHeader& header = draft.header;
-  const auto bad = [&](std::string_view expected) { return badField(header.file, field, value, expected); };
+  const auto bad = [&](const Message& expected) { return badField(header.file, verbatim(field), verbatim(value), expected); };
   const auto whole = [&](long long& target, long long smallest) -> Result<void> {
     const auto number = parseIntegers(value);
-    if (!number || number->size() != 1 || number->front() < smallest) return bad("a whole number from " + std::to_string(smallest));
+    if (!number || number->size() != 1 || number->front() < smallest) return bad(say<"a whole number from %1">(smallest));
     target = number->front();
     return {};
   };
@@ -119,18 +119,18 @@ Result<void> take(NrrdDraft& draft, std::string field, const std::string& value)
   if (field == "type") {
     const std::string name = lowerCase(value);
     const auto* const found = std::find_if(kNrrdTypes.begin(), kNrrdTypes.end(), [&](const NrrdType& type) { return name == type.name; });
-    if (found == kNrrdTypes.end()) return bad("a type from uchar to double");
+    if (found == kNrrdTypes.end()) return bad(say<"a type from uchar to double">());
     header.type = found->type;
     draft.hasType = true;
   } else if (field == "dimension") {
     long long number = 0;
     if (auto read = whole(number, 1); !read) return read;
-    if (number > 16) return bad("a number from 1 to 16");
+    if (number > 16) return bad(say<"a number from 1 to 16">());
     draft.dimension = static_cast<std::uint64_t>(number);
   } else if (field == "sizes") {
     const auto numbers = parseIntegers(value);
     if (!numbers || std::any_of(numbers->begin(), numbers->end(), [](long long size) { return size < 0; }))
-      return bad("one whole number per axis, none negative,");
+      return bad(say<"one whole number per axis, none negative,">());
     header.sizes.assign(numbers->begin(), numbers->end());
   } else if (field == "kinds") {
     header.kinds = wordsOf(value);
@@ -173,15 +173,16 @@ Result<void> takeStorage(NrrdDraft& draft, std::uint64_t headerBytes) {
   } else {
     return failure(
         ErrorCode::unsupported,
-        quoted(header.file) + " is packed as \"" + draft.encoding.substr(0, 40) + "\", which is not read; save it as raw or gzip.",
+        say<"%1 is packed as \"%2\", which is not read; save it as raw or gzip.">(quoted(header.file), draft.encoding.substr(0, 40)),
         {{"file", header.file.string()}, {"encoding", draft.encoding.substr(0, 40)}});
   }
   const bool orderMatters = header.packing != Packing::text && bytesOf(header.type) > 1;
   if (orderMatters && draft.endian != "little" && draft.endian != "big")
-    return badField(header.file, "endian", draft.endian, "little or big");
+    return badField(header.file, verbatim("endian"), verbatim(draft.endian), say<"little or big">());
   header.bigEndian = draft.endian == "big";
   if (draft.lineSkip > 0)
-    return failure(ErrorCode::unsupported, quoted(header.file) + " asks to skip lines of its data file, which is not read; use byte skip.",
+    return failure(ErrorCode::unsupported,
+                   say<"%1 asks to skip lines of its data file, which is not read; use byte skip.">(quoted(header.file)),
                    {{"file", header.file.string()}});
   const std::string lower = lowerCase(draft.dataFile);
   if (draft.dataFile.empty()) {
@@ -189,7 +190,7 @@ Result<void> takeStorage(NrrdDraft& draft, std::uint64_t headerBytes) {
     header.dataOffset = headerBytes;
   } else if (lower == "list" || lower.starts_with("list ") || draft.dataFile.find('%') != std::string::npos) {
     return failure(ErrorCode::unsupported,
-                   quoted(header.file) + " keeps its samples in many files, which is not read; save it as one .nrrd.",
+                   say<"%1 keeps its samples in many files, which is not read; save it as one .nrrd.">(quoted(header.file)),
                    {{"file", header.file.string()}});
   } else {
     auto file = resolveDataFile(header.file, draft.dataFile);
@@ -215,7 +216,8 @@ Result<std::size_t> takeChannels(NrrdDraft& draft, const std::optional<std::vect
   const bool first = kind == "list" || (axes && !axes->empty() && !axes->front());
   if (!named && !first) return std::size_t{0};
   header.channels = header.sizes.front();
-  if (header.channels == 0) return badField(header.file, "sizes", sizesText(header.sizes), "at least one value per sample");
+  if (header.channels == 0)
+    return badField(header.file, verbatim("sizes"), verbatim(sizesText(header.sizes)), say<"at least one value per sample">());
   header.sizes.erase(header.sizes.begin());
   if (!header.kinds.empty()) header.kinds.erase(header.kinds.begin());
   return std::size_t{1};
@@ -235,9 +237,10 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   const std::size_t spatial = std::min<std::size_t>(header.sizes.size(), 3);
   const auto signs = signsOf(draft.space);
   if (!signs && (!draft.space.empty() || axes) && header.sizes.size() > 2)
-    header.notes.push_back("The file's space is " +
-                           (draft.space.empty() ? std::string("not named") : "\"" + draft.space.substr(0, 40) + "\"") +
-                           "; its axes were taken for left, posterior and superior.");
+    header.notes.push_back(
+        draft.space.empty()
+            ? say<"The file's space is not named; its axes were taken for left, posterior and superior.">()
+            : say<"The file's space is \"%1\"; its axes were taken for left, posterior and superior.">(draft.space.substr(0, 40)));
   const glm::dvec3 toLps = signs.value_or(glm::dvec3(1.0));
   const auto finite = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -249,11 +252,11 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       if (!step) continue;
       glm::dvec3 step_mm(0.0);
       if (step->size() > 4 || !finite(*step))
-        return badField(header.file, "space directions", draft.directions, "finite vectors of 2 or 3 numbers");
+        return badField(header.file, verbatim("space directions"), verbatim(draft.directions), say<"finite vectors of 2 or 3 numbers">());
       for (std::size_t row = 0; row < std::min<std::size_t>(step->size(), 3); ++row) step_mm[static_cast<int>(row)] = (*step)[row];
       const double length = glm::length(step_mm);
       if (!(length > 0.0) || !std::isfinite(length))
-        return badField(header.file, "space directions", draft.directions, "vectors longer than 0");
+        return badField(header.file, verbatim("space directions"), verbatim(draft.directions), say<"vectors longer than 0">());
       header.geometry.spacing_mm[static_cast<int>(axis)] = length;
       header.geometry.directions[static_cast<int>(axis)] = step_mm / length * toLps;
       given[axis] = true;
@@ -267,7 +270,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
     // "nan" marks axes that have no spacing.
     const auto numbers = parseNumbers(draft.spacings);
     if (!numbers || numbers->size() != header.sizes.size() + channelAxes)
-      return badField(header.file, "spacings", draft.spacings, "one number per axis");
+      return badField(header.file, verbatim("spacings"), verbatim(draft.spacings), say<"one number per axis">());
     for (std::size_t axis = 0; axis < spatial; ++axis) {
       const double spacing = (*numbers)[axis + channelAxes];
       if (!std::isnan(spacing)) header.geometry.spacing_mm[static_cast<int>(axis)] = spacing;
@@ -276,7 +279,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
   if (!draft.origin.empty()) {
     const auto origin = parseVectors(draft.origin);
     if (!origin || origin->size() != 1 || !origin->front() || origin->front()->size() > 4 || !finite(*origin->front()))
-      return badField(header.file, "space origin", draft.origin, "one finite vector");
+      return badField(header.file, verbatim("space origin"), verbatim(draft.origin), say<"one finite vector">());
     glm::dvec3 origin_mm(0.0);
     for (std::size_t row = 0; row < std::min<std::size_t>(origin->front()->size(), 3); ++row)
       origin_mm[static_cast<int>(row)] = (*origin->front())[row];
@@ -294,7 +297,8 @@ Result<ImageHeader> readNrrdHeader(const fs::path& file) {
   ImageHeader& header = draft.header;
   header.file = file;
   const auto notNrrd = [&] {
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a NRRD file; check what kind of file it is.", {{"file", file.string()}});
+    return failure(ErrorCode::badHeader, say<"%1 is not a NRRD file; check what kind of file it is.">(quoted(file)),
+                   {{"file", file.string()}});
   };
   const auto magic = lines.next();
   if (!magic) return magic.error().code == ErrorCode::badHeader ? notNrrd() : passOn(magic.error());
@@ -320,20 +324,19 @@ Result<ImageHeader> readNrrdHeader(const fs::path& file) {
   }
   // A detached header may end with the file; one with samples behind it needs its blank line.
   if (!ended && draft.dataFile.empty())
-    return failure(ErrorCode::truncated, "The header of " + quoted(file) + " breaks off before its samples; get the file again.",
+    return failure(ErrorCode::truncated, say<"The header of %1 breaks off before its samples; get the file again.">(quoted(file)),
                    {{"file", file.string()}});
-  if (!draft.hasType) return badField(file, "type", "", "a type from uchar to double");
-  if (header.sizes.empty()) return badField(file, "sizes", "", "one whole number per axis");
+  if (!draft.hasType) return badField(file, verbatim("type"), verbatim(""), say<"a type from uchar to double">());
+  if (header.sizes.empty()) return badField(file, verbatim("sizes"), verbatim(""), say<"one whole number per axis">());
   if (draft.dimension && *draft.dimension != header.sizes.size())
-    return badField(file, "sizes", sizesText(header.sizes), std::to_string(*draft.dimension) + " numbers (dimension)");
+    return badField(file, verbatim("sizes"), verbatim(sizesText(header.sizes)), say<"%1 numbers (dimension)">(*draft.dimension));
   if (!header.kinds.empty() && header.kinds.size() != header.sizes.size())
-    return badField(file, "kinds", std::to_string(header.kinds.size()) + " words",
-                    std::to_string(header.sizes.size()) + " words, one per axis,");
+    return badField(file, verbatim("kinds"), say<"%1 words">(header.kinds.size()), say<"%1 words, one per axis,">(header.sizes.size()));
   std::optional<std::vector<Axis>> axes;
   if (!draft.directions.empty()) {
     axes = parseVectors(draft.directions);
     if (!axes || axes->size() != header.sizes.size())
-      return badField(file, "space directions", draft.directions, "one vector or none per axis");
+      return badField(file, verbatim("space directions"), verbatim(draft.directions), say<"one vector or none per axis">());
   }
   const auto channelAxes = takeChannels(draft, axes);
   if (!channelAxes) return passOn(channelAxes.error());

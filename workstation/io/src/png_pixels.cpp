@@ -47,7 +47,7 @@ Result<PngPixels> readPngPixels(Bytes bytes, const std::filesystem::path& file, 
   const auto refuse = [&] {
     const std::string why = png.message;
     png_image_free(&png);
-    return failure(ErrorCode::badHeader, quoted(file) + " is not a PNG that can be read (" + why + "); save the picture again.",
+    return failure(ErrorCode::badHeader, say<"%1 is not a PNG that can be read (%2); save the picture again.">(quoted(file), verbatim(why)),
                    {{"file", file.string()}, {"reason", why}});
   };
   const std::vector<std::uint8_t> plain = withoutScreens(bytes);
@@ -55,8 +55,7 @@ Result<PngPixels> readPngPixels(Bytes bytes, const std::filesystem::path& file, 
   if (const std::uint64_t pixels = std::uint64_t{png.width} * png.height; pixels > mostPixels) {
     png_image_free(&png);
     return failure(ErrorCode::tooLarge,
-                   quoted(file) + " promises " + std::to_string(pixels) + " pixels, but the limit is " + std::to_string(mostPixels) +
-                       "; save a smaller picture.",
+                   say<"%1 promises %2 pixels, but the limit is %3; save a smaller picture.">(quoted(file), pixels, mostPixels),
                    {{"file", file.string()}, {"pixels", std::to_string(pixels)}, {"limit", std::to_string(mostPixels)}});
   }
   png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // or 16 bits would count as linear light and get a screen's curve

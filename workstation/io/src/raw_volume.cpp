@@ -46,9 +46,10 @@ Result<ImageHeader> headerOf(const fs::path& file, const RawLayout& layout) {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   for (int axis = 0; axis < 3; ++axis) {
     if (layout.dims[axis] < 1)
-      return failure(ErrorCode::badUsage, "The volume needs at least one sample along each axis; give its dimensions.", {{"ask", "raw"}});
+      return failure(ErrorCode::badUsage, say<"The volume needs at least one sample along each axis; give its dimensions.">(),
+                     {{"ask", "raw"}});
     if (!std::isfinite(layout.spacing_mm[axis]) || !(layout.spacing_mm[axis] > 0.0))
-      return failure(ErrorCode::missingCalibration, "The spacing of raw samples is not in the file; give it in mm, above 0.",
+      return failure(ErrorCode::missingCalibration, say<"The spacing of raw samples is not in the file; give it in mm, above 0.">(),
                      {{"file", file.string()}, {"ask", "spacing"}});
   }
   ImageHeader header;
@@ -101,18 +102,19 @@ const char* nameOf(RawType type) { return entryOf(type).name; }
 std::uint64_t bytesOf(RawType type) { return detail::bytesOf(entryOf(type).sample); }
 
 Result<RawLayout> parseRawLayout(std::string_view text) {
-  const auto refuse = [&](const char* what) {
-    return failure(ErrorCode::badUsage, "'" + std::string(text) + "' does not describe raw samples (" + what +
-                                            "); write DIMS:TYPE:SPACING[:OFFSET], as in 256x256x180:u8:0.5,0.5,1.2:512.");
+  const auto refuse = [&](const Message& what) {
+    return failure(ErrorCode::badUsage,
+                   say<"'%1' does not describe raw samples (%2); write DIMS:TYPE:SPACING[:OFFSET], as in 256x256x180:u8:0.5,0.5,1.2:512.">(
+                       std::string(text), what));
   };
   const auto parts = split(text, ':');
-  if (parts.size() < 3 || parts.size() > 4) return refuse("three or four parts are needed");
+  if (parts.size() < 3 || parts.size() > 4) return refuse(say<"three or four parts are needed">());
   RawLayout layout;
   const auto dims = split(parts[0], 'x');
-  if (dims.size() != 3) return refuse("three dimensions are needed");
+  if (dims.size() != 3) return refuse(say<"three dimensions are needed">());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = parseIntegers(dims[axis]);
-    if (!value || value->size() != 1 || value->front() < 1 || value->front() > (1 << 30)) return refuse("a dimension is no count");
+    if (!value || value->size() != 1 || value->front() < 1 || value->front() > (1 << 30)) return refuse(say<"a dimension is no count">());
     layout.dims[static_cast<int>(axis)] = static_cast<int>(value->front());
   }
   std::string type = lowerCase(parts[1]);
@@ -121,18 +123,18 @@ Result<RawLayout> parseRawLayout(std::string_view text) {
     type.resize(type.size() - 2);
   }
   const auto* const known = std::find_if(kRawTypes.begin(), kRawTypes.end(), [&](const TypeName& one) { return type == one.name; });
-  if (known == kRawTypes.end()) return refuse("the type is not known");
+  if (known == kRawTypes.end()) return refuse(say<"the type is not known">());
   layout.type = known->type;
   const auto spacing = split(parts[2], ',');
-  if (spacing.size() != 1 && spacing.size() != 3) return refuse("one or three spacings are needed");
+  if (spacing.size() != 1 && spacing.size() != 3) return refuse(say<"one or three spacings are needed">());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = parseNumber(spacing[spacing.size() == 1 ? 0 : axis]);
-    if (!value || !(*value > 0.0) || !std::isfinite(*value)) return refuse("a spacing is not above 0 mm");
+    if (!value || !(*value > 0.0) || !std::isfinite(*value)) return refuse(say<"a spacing is not above 0 mm">());
     layout.spacing_mm[static_cast<int>(axis)] = *value;
   }
   if (parts.size() == 4) {
     const auto offset = parseIntegers(parts[3]);
-    if (!offset || offset->size() != 1 || offset->front() < 0) return refuse("the offset is no count of bytes");
+    if (!offset || offset->size() != 1 || offset->front() < 0) return refuse(say<"the offset is no count of bytes">());
     layout.offset = static_cast<std::uint64_t>(offset->front());
   }
   return layout;
@@ -152,14 +154,14 @@ Result<LoadedVolume> readRawVolume(const fs::path& file, const RawLayout& layout
   LoadedVolume loaded;
   const auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
-  auto echo =
-      readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = "Reading voxels"}, limits, progress, loaded.notes);
+  auto echo = readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = say<"Reading voxels">()}, limits, progress,
+                       loaded.notes);
   if (!echo) return passOn(echo.error());
   loaded.volume.grid = extent->grid;
   loaded.volume.echo = *std::move(echo);
-  loaded.notes.push_back("Read as " + textOf(layout) +
-                         ", as you said; the origin is the first voxel, and which way the axes lie in the "
-                         "patient is not in the file.");
+  loaded.notes.push_back(
+      say<"Read as %1, as you said; the origin is the first voxel, and which way the axes lie in the patient is not in the file.">(
+          textOf(layout)));
   return loaded;
 }
 
@@ -211,11 +213,11 @@ Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layou
   const std::array<std::uint64_t, 3> pictures{x * y, x * z, y * z};
   if (*std::max_element(pictures.begin(), pictures.end()) > (64u << 20))
     return failure(ErrorCode::tooLarge,
-                   "Slices of " + sizesText(header->sizes) + " samples are too large for a preview; check the dimensions.");
+                   say<"Slices of %1 samples are too large for a preview; check the dimensions.">(sizesText(header->sizes)));
   if (ec || !samples || *samples > bytes / size || layout.offset > bytes - *samples * size)
     return failure(ErrorCode::truncated,
-                   quoted(file) + " has " + std::to_string(bytes) + " bytes, fewer than " + sizesText(header->sizes) + " samples of " +
-                       std::to_string(size) + " after " + std::to_string(layout.offset) + " need; correct the dimensions.",
+                   say<"%1 has %2 bytes, fewer than %3 samples of %4 after %5 need; correct the dimensions.">(
+                       quoted(file), bytes, sizesText(header->sizes), size, layout.offset),
                    {{"file", file.string()}});
   std::ifstream in(file, std::ios::binary);
   std::vector<std::uint8_t> row(x * size);
@@ -226,17 +228,18 @@ Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layou
     return static_cast<bool>(in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size())));
   };
   const auto unreadable = [&] {
-    return failure(ErrorCode::notReadable, quoted(file) + " cannot be read; check its permissions.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 cannot be read; check its permissions.">(quoted(file)), {{"file", file.string()}});
   };
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "Reading the slices was stopped."); };
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"Reading the slices was stopped.">()); };
   const auto value = [&](std::uint64_t i) { return valueAt(row.data() + i * size, layout.type, layout.bigEndian); };
   for (std::uint64_t j = 0; j < y; ++j) {
     if (progress.cancelRequested()) return stopped();
     if (!readRow(j, z / 2)) return unreadable();
     for (std::uint64_t i = 0; i < x; ++i) values[0].push_back(value(i));
   }
+  const Message reading = say<"Reading the slices">();
   for (std::uint64_t k = 0; k < z; ++k) {
-    progress.report("Reading the slices", static_cast<double>(k) / static_cast<double>(z));
+    progress.report(reading, static_cast<double>(k) / static_cast<double>(z));
     if (!readRow(y / 2, k)) return unreadable();
     for (std::uint64_t i = 0; i < x; ++i) values[1].push_back(value(i));
     for (std::uint64_t j = 0; j < y; ++j) {

@@ -12,21 +12,22 @@ namespace ew {
 namespace fs = std::filesystem;
 namespace detail {
 
-tl::unexpected<Error> notWritable(const fs::path& file, const std::string& reason) {
+tl::unexpected<Error> notWritable(const fs::path& file, const Message& reason) {
   return failure(ErrorCode::notWritable,
-                 "\"" + file.string() + "\" cannot be written (" + reason + "); choose another place or free some room.",
-                 {{"file", file.string()}, {"reason", reason}});
+                 say<"\"%1\" cannot be written (%2); choose another place or free some room.">(file.string(), reason),
+                 {{"file", file.string()}, {"reason", reason.english()}});
 }
 
 Result<StagedFile> StagedFile::create(const fs::path& target) {
-  if (target.empty()) return notWritable(target, "it names no file");
+  if (target.empty()) return notWritable(target, say<"it names no file">());
   StagedFile staged;
   staged.target_ = target;
   if (auto announced = staged.outputs_.announce(target); !announced) return passOn(announced.error());
   staged.aside_ = staged.outputs_.staged(target);
   errno = 0;
   staged.out_.open(staged.aside_, std::ios::binary);
-  if (!staged.out_) return notWritable(target, errno != 0 ? std::generic_category().message(errno) : "its neighbour could not be opened");
+  if (!staged.out_)
+    return notWritable(target, errno != 0 ? verbatim(std::generic_category().message(errno)) : say<"its neighbour could not be opened">());
   return staged;
 }
 
@@ -36,7 +37,7 @@ Result<void> finishStream(std::ofstream& out, const fs::path& target) {
   const bool written = out.good();
   out.close();
   if (written && !out.fail()) return {};
-  return notWritable(target, errno != 0 ? std::generic_category().message(errno) : "the medium is full or gone");
+  return notWritable(target, errno != 0 ? verbatim(std::generic_category().message(errno)) : say<"the medium is full or gone">());
 }
 
 Result<void> StagedFile::finish() { return finishStream(out_, target_); }
@@ -51,7 +52,7 @@ Result<void> writeFileSafely(const fs::path& file, const std::function<Result<vo
   try {
     if (auto written = write(staged->stream()); !written) return written;
   } catch (const std::exception& thrown) {
-    return failure(ErrorCode::internal, "\"" + file.string() + "\" was not written because of a fault in the program; try again.",
+    return failure(ErrorCode::internal, say<"\"%1\" was not written because of a fault in the program; try again.">(file.string()),
                    {{"file", file.string()}, {"reason", thrown.what()}});
   }
   if (auto finished = staged->finish(); !finished) return finished;
@@ -69,7 +70,8 @@ Result<std::string> readTextFile(const fs::path& file, std::size_t maxBytes) {
   if (const auto status = detail::checkIsFile(file); !status) return passOn(status.error());
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    return failure(ErrorCode::notReadable, detail::quoted(file) + " cannot be opened; check its permissions.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(detail::quoted(file)),
+                   {{"file", file.string()}});
   // The size on disk is not asked for: files under /proc have none, and a growing file has an old one.
   std::string text;
   std::string chunk(64u << 10, '\0');
@@ -77,13 +79,13 @@ Result<std::string> readTextFile(const fs::path& file, std::size_t maxBytes) {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     text.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
     if (text.size() > maxBytes)
-      return failure(
-          ErrorCode::tooLarge,
-          detail::quoted(file) + " has more than the " + std::to_string(maxBytes) + " bytes allowed here; check that it is the right file.",
-          {{"file", file.string()}, {"limit", std::to_string(maxBytes)}});
+      return failure(ErrorCode::tooLarge,
+                     say<"%1 has more than the %2 bytes allowed here; check that it is the right file.">(detail::quoted(file), maxBytes),
+                     {{"file", file.string()}, {"limit", std::to_string(maxBytes)}});
   }
   if (in.bad())
-    return failure(ErrorCode::notReadable, detail::quoted(file) + " cannot be read; check the medium it is on.", {{"file", file.string()}});
+    return failure(ErrorCode::notReadable, say<"%1 cannot be read; check the medium it is on.">(detail::quoted(file)),
+                   {{"file", file.string()}});
   return text;
 }
 

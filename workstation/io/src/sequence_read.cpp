@@ -26,18 +26,19 @@ Result<Layout> layoutOf(const ImageHeader& header) {
   // Newer writers give each frame a third axis of one slice.
   const bool flatFrames = sizes.size() == 4 && sizes[2] == 1;
   if (sizes.size() != 2 && sizes.size() != 3 && !flatFrames)
-    return failure(ErrorCode::unsupported,
-                   quoted(header.file) + " has sizes " + sizesText(sizes) + ", but a recording is width x height x frames; " +
-                       "sequences of volumes are not read, export its frames.",
-                   {{"file", header.file.string()}, {"sizes", sizesText(sizes)}});
+    return failure(
+        ErrorCode::unsupported,
+        say<"%1 has sizes %2, but a recording is width x height x frames; sequences of volumes are not read, export its frames.">(
+            quoted(header.file), sizesText(sizes)),
+        {{"file", header.file.string()}, {"sizes", sizesText(sizes)}});
   const Layout layout{sizes[0], sizes[1], sizes.size() == 2 ? 1 : sizes.back()};
   constexpr std::uint64_t largest = 1u << 30;
   if (layout.width > largest || layout.height > largest || layout.frames > largest)
     return failure(ErrorCode::tooLarge,
-                   "The header of " + quoted(header.file) + " promises " + sizesText(sizes) + " samples, but an axis may have " +
-                       std::to_string(largest) + " at most; check that the file is undamaged.",
+                   say<"The header of %1 promises %2 samples, but an axis may have %3 at most; check that the file is undamaged.">(
+                       quoted(header.file), sizesText(sizes), largest),
                    {{"file", header.file.string()}, {"promised", sizesText(sizes)}, {"limit", std::to_string(largest)}});
-  if (layout.frames == 0) return badField(header.file, "the number of frames", "0", "at least one frame");
+  if (layout.frames == 0) return badField(header.file, say<"the number of frames">(), verbatim("0"), say<"at least one frame">());
   return layout;
 }
 
@@ -47,14 +48,13 @@ Result<void> checkFrameCount(const ImageHeader& header, const Layout& layout, co
   // Frames without pixels exist only through their fields, so a recording of poses cannot have more frames than header bytes.
   if (layout.width * layout.height == 0 && layout.frames > headerBytes)
     return failure(ErrorCode::badHeader,
-                   "The header of " + quoted(header.file) + " promises " + std::to_string(layout.frames) +
-                       " frames without pixels, but describes far fewer in its " + std::to_string(headerBytes) +
-                       " bytes of fields; check that the file is undamaged.",
+                   say<"The header of %1 promises %2 frames without pixels, but describes far fewer in its %3 bytes of fields; check that "
+                       "the file is undamaged.">(quoted(header.file), layout.frames, headerBytes),
                    {{"file", header.file.string()}, {"frames", std::to_string(layout.frames)}});
   if (layout.frames > limits.maxBytes / sizeof(SequenceFrame))
     return failure(ErrorCode::tooLarge,
-                   "The header of " + quoted(header.file) + " promises " + std::to_string(layout.frames) + " frames, but only " +
-                       std::to_string(limits.maxBytes / sizeof(SequenceFrame)) + " fit the memory limit; cut the recording into parts.",
+                   say<"The header of %1 promises %2 frames, but only %3 fit the memory limit; cut the recording into parts.">(
+                       quoted(header.file), layout.frames, limits.maxBytes / sizeof(SequenceFrame)),
                    {{"file", header.file.string()}, {"frames", std::to_string(layout.frames)}});
   return {};
 }
@@ -78,17 +78,17 @@ struct OpenFrame {
 Result<void> takeTransform(const ImageHeader& header, std::string_view key, std::string_view value, const TransformName& name,
                            SequenceFrame& frame) {
   const auto numbers = parseNumbers(value);
-  if (!numbers || numbers->size() != 16) return badField(header.file, key, value, "16 numbers (4 x 4, row by row)");
+  if (!numbers || numbers->size() != 16)
+    return badField(header.file, verbatim(std::string(key)), verbatim(std::string(value)), say<"16 numbers (4 x 4, row by row)">());
   std::array<double, 16> rows{};
   std::copy_n(numbers->begin(), 16, rows.begin());
   const NamedTransform read{name.from, name.to, matrixFromRows(rows), PoseStatus::ok};
   // Real recordings have a handful; looking each one up among the others must not become the work of a broken file.
   constexpr std::size_t most = 1000;
   if (frame.transforms.size() >= most)
-    return failure(
-        ErrorCode::unsupported,
-        quoted(header.file) + " gives more than " + std::to_string(most) + " transforms for one frame; check that the file is undamaged.",
-        {{"file", header.file.string()}, {"field", std::string(key)}});
+    return failure(ErrorCode::unsupported,
+                   say<"%1 gives more than %2 transforms for one frame; check that the file is undamaged.">(quoted(header.file), most),
+                   {{"file", header.file.string()}, {"field", std::string(key)}});
   const auto same = std::find_if(frame.transforms.begin(), frame.transforms.end(),
                                  [&](const NamedTransform& known) { return known.from == name.from && known.to == name.to; });
   if (same == frame.transforms.end())
@@ -104,7 +104,8 @@ Result<void> takeFrameField(const ImageHeader& header, std::string_view key, std
   constexpr std::string_view transformStatus = "TransformStatus";
   if (name == "Timestamp") {
     const auto time = parseNumber(value);
-    if (!time || !std::isfinite(*time)) return badField(header.file, key, value, "a time in seconds");
+    if (!time || !std::isfinite(*time))
+      return badField(header.file, verbatim(std::string(key)), verbatim(value), say<"a time in seconds">());
     frame.time_s = *time;
     return {};
   }
@@ -170,15 +171,16 @@ Result<void> takeFields(const ImageHeader& header, Sequence& sequence, Progress&
     return !frame.time_s && frame.transforms.empty() && frame.otherFields.empty() && frame.imageStatus == PoseStatus::missing;
   });
   if (silent > 0)
-    sequence.notes.push_back("The header says nothing about " + std::to_string(silent) + " of " + std::to_string(sequence.frames.size()) +
-                             " frames; their poses and times count as missing.");
+    sequence.notes.push_back(
+        say<"The header says nothing about %1 of %2 frames; their poses and times count as missing.">(silent, sequence.frames.size()));
   if (remarks.withoutStatus > 0)
-    sequence.notes.push_back(counted(remarks.withoutStatus, "transform comes without a status and counts as valid.",
-                                     "transforms come without a status and count as valid."));
+    sequence.notes.push_back(
+        counted<"%1 transform comes without a status and counts as valid.", "%1 transforms come without a status and count as valid.">(
+            remarks.withoutStatus));
   if (remarks.beyondEnd > 0)
-    sequence.notes.push_back("The header has " + counted(remarks.beyondEnd, "field", "fields") +
-                             " about frames after the last image, number " + std::to_string(sequence.frames.size() - 1) +
-                             "; they were kept but not used.");
+    sequence.notes.push_back(counted<"The header has %1 field about frames after the last image, number %2; they were kept but not used.",
+                                     "The header has %1 fields about frames after the last image, number %2; they were kept but not used.">(
+        remarks.beyondEnd, sequence.frames.size() - 1));
   return {};
 }
 
@@ -188,14 +190,14 @@ Result<void> dropLastFrame(ImageHeader& header) {
   for (const auto& [key, value] : header.fields)
     if (const auto frame = frameKey(key)) last = std::max(last, frame->frame);
   if (last == 0)
-    return failure(ErrorCode::truncated, quoted(header.file) + " ends before its first frame is whole; nothing of it can be used.",
+    return failure(ErrorCode::truncated, say<"%1 ends before its first frame is whole; nothing of it can be used.">(quoted(header.file)),
                    {{"file", header.file.string()}});
   std::erase_if(header.fields, [&](const auto& field) {
     const auto frame = frameKey(field.first);
     return frame && frame->frame == last;
   });
   header.sizes.back() = last;
-  header.notes.push_back("The end of " + quoted(header.file) + " is missing; the " + std::to_string(last) + " frames before it were read.");
+  header.notes.push_back(say<"The end of %1 is missing; the %2 frames before it were read.">(quoted(header.file), last));
   return {};
 }
 
@@ -204,12 +206,12 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
   if (!header) return passOn(header.error());
   const std::string name = lowerCase(file.filename().string());
   if (name.ends_with(".nii") || name.ends_with(".nii.gz"))
-    return failure(ErrorCode::unsupported, quoted(file) + " is a volume, not a recorded sweep; open it as a volume.",
+    return failure(ErrorCode::unsupported, say<"%1 is a volume, not a recorded sweep; open it as a volume.">(quoted(file)),
                    {{"file", file.string()}});
   const bool asSequence = describesSequence(*header);
   if (!asSequence && header->hasGeometry && header->sizes.size() > 2)
     return failure(ErrorCode::unsupported,
-                   quoted(file) + " is a volume, not a recorded sweep: its voxels have a place of their own; open it as a volume.",
+                   say<"%1 is a volume, not a recorded sweep: its voxels have a place of their own; open it as a volume.">(quoted(file)),
                    {{"file", file.string()}});
   const auto layout = layoutOf(*header);
   if (!layout) return passOn(layout.error());
@@ -217,11 +219,11 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
   const auto pixels = productOf(sizes);
   // What cannot be a real recording is refused before a single frame is made.
   if (!pixels || *pixels > limits.maxBytes)
-    return failure(ErrorCode::tooLarge,
-                   "The header of " + quoted(file) + " promises " + sizesText(sizes) + " samples, for which " + countText(pixels) +
-                       " bytes of memory would be needed, but the limit is " + std::to_string(limits.maxBytes) +
-                       "; check that the file is undamaged, or cut it into parts.",
-                   {{"file", file.string()}, {"needed", countText(pixels)}, {"limit", std::to_string(limits.maxBytes)}});
+    return failure(
+        ErrorCode::tooLarge,
+        say<"The header of %1 promises %2 samples, for which %3 bytes of memory would be needed, but the limit is %4; check that the file "
+            "is undamaged, or cut it into parts.">(quoted(file), sizesText(sizes), countText(pixels), limits.maxBytes),
+        {{"file", file.string()}, {"needed", countText(pixels).english()}, {"limit", std::to_string(limits.maxBytes)}});
   if (const auto counted = checkFrameCount(*header, *layout, limits); !counted) return passOn(counted.error());
 
   Sequence sequence;
@@ -234,16 +236,16 @@ Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& f
   if (beforePixels)
     if (const auto checked = beforePixels(sequence); !checked) return passOn(checked.error());
   std::vector<Message> notes = header->notes;
-  if (!asSequence) notes.push_back("The file does not say that it is a recording; each slice was taken for a frame.");
+  if (!asSequence) notes.push_back(say<"The file does not say that it is a recording; each slice was taken for a frame.">());
   if (*pixels > 0) {
-    auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = "Reading frames"}, limits, progress, notes);
+    auto grey = readGrey(*header, {.pixels = *pixels, .promised = *pixels, .what = say<"Reading frames">()}, limits, progress, notes);
     if (!grey) return passOn(grey.error());
     sequence.pixels = *std::move(grey);
   } else {
-    notes.push_back("The recording has poses but no images.");
+    notes.push_back(say<"The recording has poses but no images.">());
   }
   sequence.notes.insert(sequence.notes.begin(), notes.begin(), notes.end());
-  progress.report("Reading frames", 1.0);
+  progress.report(say<"Reading frames">(), 1.0);
   return sequence;
 }
 
@@ -267,7 +269,7 @@ Result<Sequence> readSequence(const fs::path& file, Progress& progress, const Re
     return sequenceOf(readImageHeader(file), file, progress, limits, beforePixels);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
-                   "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",
+                   say<"There is not enough memory for the recording %1; close other programs, or cut it into parts.">(quoted(file)),
                    {{"file", file.string()}});
   }
 }
@@ -276,13 +278,14 @@ Result<Sequence> readPoseSequence(const fs::path& file, Progress& progress, cons
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   auto header = readMetaHeader(file, true);
   if (header && productOf(header->sizes) != std::optional<std::uint64_t>(0))
-    return failure(ErrorCode::unsupported, quoted(file) + " holds images, not poses alone; open it as a sweep.", {{"file", file.string()}});
+    return failure(ErrorCode::unsupported, say<"%1 holds images, not poses alone; open it as a sweep.">(quoted(file)),
+                   {{"file", file.string()}});
   if (header && header->endsEarly)
     if (auto dropped = dropLastFrame(*header); !dropped) return passOn(dropped.error());
   return sequenceOf(header, file, progress, limits, {});
 } catch (const std::bad_alloc&) {
   return failure(ErrorCode::tooLarge,
-                 "There is not enough memory for the recording " + quoted(file) + "; close other programs, or cut it into parts.",
+                 say<"There is not enough memory for the recording %1; close other programs, or cut it into parts.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

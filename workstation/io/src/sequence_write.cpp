@@ -35,7 +35,7 @@ Result<void> addFrame(const fs::path& file, const SequenceFrame& frame, const st
     const std::string joined = transform.from + "To" + transform.to;
     const auto split = splitTransformName(joined);
     if (!split || split->from != transform.from || split->to != transform.to)
-      return badField(file, "a transform's name", joined, "two frame names that \"To\" joins in one way only");
+      return badField(file, say<"a transform's name">(), verbatim(joined), say<"two frame names that \"To\" joins in one way only">());
     std::string numbers;
     for (const double value : rowsOf(transform.matrix)) numbers += (numbers.empty() ? "" : " ") + textOf(value);
     fields.emplace_back(prefix + joined + "Transform", numbers);
@@ -51,10 +51,10 @@ Result<void> addFrame(const fs::path& file, const SequenceFrame& frame, const st
 
 Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progress& progress) {
   if (!lowerCase(file.filename().string()).ends_with(".mha"))
-    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .igs.mha.",
+    return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .igs.mha.">(quoted(file)),
                    {{"file", file.string()}});
   if (sequence.frames.empty())
-    return failure(ErrorCode::badField, "The recording has no frames, so " + quoted(file) + " was not written; record or open one first.",
+    return failure(ErrorCode::badField, say<"The recording has no frames, so %1 was not written; record or open one first.">(quoted(file)),
                    {{"file", file.string()}});
   const bool hasImages = !sequence.pixels.empty();
   const std::uint64_t width = hasImages ? static_cast<std::uint64_t>(sequence.width) : 0;
@@ -62,7 +62,7 @@ Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progr
   const bool complete = sequence.width >= 0 && sequence.height >= 0 && sequence.pixels.size() == width * height * sequence.frames.size();
   EW_EXPECTS(complete);
   if (!complete)
-    return failure(ErrorCode::internal, "The recording's pixels do not match its size, so " + quoted(file) + " was not written.");
+    return failure(ErrorCode::internal, say<"The recording's pixels do not match its size, so %1 was not written.">(quoted(file)));
   MetaText text{
       .sizes = {width, height, sequence.frames.size()}, .geometry = {}, .kinds = "domain domain list", .samples = hasImages, .fields = {}};
   if (!sequence.orientation.empty()) text.fields.emplace_back("UltrasoundImageOrientation", sequence.orientation);
@@ -70,7 +70,7 @@ Result<void> writeSequence(const Sequence& sequence, const fs::path& file, Progr
   text.fields.insert(text.fields.end(), sequence.otherFields.begin(), sequence.otherFields.end());
   for (std::size_t frame = 0; frame < sequence.frames.size(); ++frame)
     if (auto added = addFrame(file, sequence.frames[frame], prefixOf(frame), text.fields); !added) return added;
-  return writeMetaFile(file, text, sequence.pixels, true, "Writing frames", progress);
+  return writeMetaFile(file, text, sequence.pixels, true, say<"Writing frames">(), progress);
 }
 
 }  // namespace ew

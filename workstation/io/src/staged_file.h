@@ -35,6 +35,6 @@ class StagedFile {
 /// Closes a stream. @error notWritable (something did not reach the file): `target` is what the user calls it
 [[nodiscard]] Result<void> finishStream(std::ofstream& out, const std::filesystem::path& target);
 
-[[nodiscard]] tl::unexpected<Error> notWritable(const std::filesystem::path& file, const std::string& reason);
+[[nodiscard]] tl::unexpected<Error> notWritable(const std::filesystem::path& file, const Message& reason);
 
 }  // namespace ew::detail

@@ -25,9 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-tl::unexpected<Error> storeNotWritable(const fs::path& folder, const std::string& reason) {
+tl::unexpected<Error> storeNotWritable(const fs::path& folder, const Message& reason) {
   return failure(ErrorCode::notWritable,
-                 "The folder '" + folder.string() + "' cannot be written (" + reason + "); choose one you may write to.",
+                 say<"The folder '%1' cannot be written (%2); choose one you may write to.">(folder.string(), reason),
                  {{"file", folder.string()}});
 }
 
@@ -70,18 +70,18 @@ bool isMarkedAsOwn(std::string_view text) { return text.substr(0, 64).find(kOwne
 
 Result<std::optional<StepLock>> StepLock::tryTake(const fs::path& file, Kind kind) {
   StepLock lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  if (lock.descriptor_ < 0) return storeNotWritable(file.parent_path(), std::generic_category().message(errno));
+  if (lock.descriptor_ < 0) return storeNotWritable(file.parent_path(), verbatim(std::generic_category().message(errno)));
   const int how = (kind == Kind::alone ? LOCK_EX : LOCK_SH) | LOCK_NB;
   if (::flock(lock.descriptor_, how) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) return std::optional<StepLock>();
   return std::optional(std::move(lock));
 }
 
-Result<StepLock> StepLock::take(const fs::path& file, std::string_view waiting, Progress& progress) {
+Result<StepLock> StepLock::take(const fs::path& file, const Message& waiting, Progress& progress) {
   while (true) {
     auto taken = tryTake(file);
     if (!taken) return passOn(taken.error());
     if (*taken) return std::move(**taken);
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Waiting for another program was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Waiting for another program was cancelled.">());
     progress.report(waiting, 0.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
@@ -94,12 +94,12 @@ StepLock::~StepLock() {
 Result<void> StepStore::takeFolder(StepLock::Kind kind) {
   std::error_code error;
   fs::create_directories(folder_ / "steps", error);
-  if (error) return storeNotWritable(folder_, error.message());
+  if (error) return storeNotWritable(folder_, verbatim(error.message()));
   auto taken = StepLock::tryTake(folder_ / "steps" / ".lock", kind);
   if (!taken) return passOn(taken.error());
   if (!*taken)
     return failure(ErrorCode::notWritable,
-                   "Another run is at work in '" + folder_.string() + "'; wait until it has ended, or choose another folder.",
+                   say<"Another run is at work in '%1'; wait until it has ended, or choose another folder.">(folder_.string()),
                    {{"file", folder_.string()}});
   lock_ = std::move(**taken);
   isShared_ = kind == StepLock::Kind::shared;
@@ -123,7 +123,7 @@ StepStore StepStore::peek(const fs::path& folder, const std::vector<std::string>
 
 fs::path StepStore::lockOf(const std::string& step, const std::string& key) const { return folder_ / "steps" / step / (key + ".lock"); }
 
-Result<StepLock> StepStore::lock(const std::string& step, const std::string& key, std::string_view waiting, Progress& progress) const {
+Result<StepLock> StepStore::lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const {
   if (auto room = prepare(step); !room) return passOn(room.error());
   return StepLock::take(lockOf(step, key), waiting, progress);
 }
@@ -256,7 +256,7 @@ bool StepStore::readBytes(const std::string& step, const std::string& key, const
 Result<void> StepStore::prepare(const std::string& step) const {
   std::error_code error;
   fs::create_directories(folder_ / "steps" / step, error);
-  if (error) return storeNotWritable(folder_, error.message());
+  if (error) return storeNotWritable(folder_, verbatim(error.message()));
   return {};
 }
 
@@ -269,9 +269,9 @@ Result<void> StepStore::keep(const std::string& step, const std::string& key, nl
     std::error_code error;
     const fs::path file = fileOf(step, key, name);
     const auto size = fs::file_size(file, error);
-    if (error) return storeNotWritable(folder_, error.message());
+    if (error) return storeNotWritable(folder_, verbatim(error.message()));
     const auto content = contentOf(file, noProgress());
-    if (!content || !*content) return storeNotWritable(folder_, "what was just written cannot be read");
+    if (!content || !*content) return storeNotWritable(folder_, say<"what was just written cannot be read">());
     promise(file, **content);
     entry["files"].push_back({{"name", name}, {"bytes", size}, {"content", **content}});
   }

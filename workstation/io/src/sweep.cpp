@@ -49,10 +49,29 @@ std::vector<NamedTransform> allNames(const Sequence& sequence, std::span<const N
   return names;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
+/// "A", "A and B", "A, B and C".
+Message listed(const std::vector<std::string>& names) {
+  std::vector<Message> all;
+  for (const std::string& name : names) all.push_back(verbatim(name));
+  if (all.size() < 2) return joined(std::move(all));
+  Message last = std::move(all.back());
+  all.pop_back();
+  return say<"%1 and %2">(joined(std::move(all), ", "), std::move(last));
+}
+
+/// @param reachable, others frames that a chain from Image leads to, and those beside them
+Message noWay(const std::vector<std::string>& reachable, const std::set<std::string>& others, const Message& goal, const Message& advice) {
+  const Message apart = listed({others.begin(), others.end()});
+  if (reachable.empty())
+    return others.empty()
+               ? say<"There is no way from the pixels (frame Image) to %1: nothing can be reached from Image; %2.">(goal, advice)
+               : say<"There is no way from the pixels (frame Image) to %1: nothing can be reached from Image, and %2 stand apart; %3.">(
+                     goal, apart, advice);
+  return others.empty()
+             ? say<"There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached; %3.">(goal, listed(reachable),
+                                                                                                                  advice)
+             : say<"There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached, and %3 stand apart; %4.">(
+                   goal, listed(reachable), apart, advice);
 }
 
 tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTransform> names, bool calibrated, std::string_view toFrame) {
@@ -64,40 +83,36 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   }
   for (const std::string& name : reachable) others.erase(name);
   others.erase(std::string(kImage));
-  const std::string goal = toFrame.empty() ? "Reference, Tracker or World" : std::string(toFrame);
-  std::string sentence = "There is no way from the pixels (frame Image) to " + goal + ": ";
-  sentence += reachable.empty() ? "nothing can be reached from Image" : "from Image only " + listed(reachable) + " can be reached";
-  if (!others.empty()) sentence += ", and " + listed(std::vector<std::string>(others.begin(), others.end())) + " stand apart";
   const bool tracked =
       std::any_of(sequence.frames.begin(), sequence.frames.end(), [](const SequenceFrame& frame) { return !frame.transforms.empty(); });
   // Imported pictures know the size of a pixel and nothing else: brought "to the frame" they reach, they would all lie in one place.
   const bool unplaced = tracked && std::all_of(names.begin(), names.end(),
                                                [&](const NamedTransform& one) { return one.from == kImage && one.to == kPicture; });
+  const Message goal = toFrame.empty() ? say<"Reference, Tracker or World">() : verbatim(std::string(toFrame));
   if (unplaced)
-    return failure(
-        ErrorCode::missingCalibration,
-        "The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor "
-        "file does.",
-        {{"from", std::string(kImage)}, {"to", goal}, {"ask", "motor"}});
-  if (!tracked) {
-    sentence +=
-        "; the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved the "
-        "probe.";
-  } else if (reachable.empty() && !calibrated) {
-    const std::string tool = others.contains("Probe") ? "Probe" : "the tracked probe";
-    sentence += "; give the device set (.xml) with the calibration from Image to " + tool + ".";
-  } else if (reachable.empty()) {
-    sentence += "; the device set given has no transform from or to Image, give the one this sweep was recorded with.";
-  } else if (!toFrame.empty()) {
-    sentence += "; choose one of those frames, or give the device set (.xml) that leads on.";
-  } else {
-    sentence += "; name one of those frames as the target, or give the device set (.xml) that leads on.";
-  }
-  std::string joined;
-  for (const std::string& name : reachable) joined += (joined.empty() ? "" : ",") + name;
-  return failure(ErrorCode::missingCalibration, std::move(sentence),
+    return failure(ErrorCode::missingCalibration,
+                   say<"The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a "
+                       "motor file does.">(),
+                   {{"from", std::string(kImage)}, {"to", goal.english()}, {"ask", "motor"}});
+  Message advice;
+  if (!tracked)
+    advice =
+        say<"the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved "
+            "the probe">();
+  else if (reachable.empty() && !calibrated)
+    advice = others.contains("Probe") ? say<"give the device set (.xml) with the calibration from Image to Probe">()
+                                      : say<"give the device set (.xml) with the calibration from Image to the tracked probe">();
+  else if (reachable.empty())
+    advice = say<"the device set given has no transform from or to Image, give the one this sweep was recorded with">();
+  else if (!toFrame.empty())
+    advice = say<"choose one of those frames, or give the device set (.xml) that leads on">();
+  else
+    advice = say<"name one of those frames as the target, or give the device set (.xml) that leads on">();
+  std::string targets;
+  for (const std::string& name : reachable) targets += (targets.empty() ? "" : ",") + name;
+  return failure(ErrorCode::missingCalibration, noWay(reachable, others, goal, advice),
                  {{"to", std::string(toFrame)},
-                  {"reachable", joined},
+                  {"reachable", targets},
                   {"ask", !tracked            ? "motor"
                           : reachable.empty() ? "calibration"
                                               : "frame"},
@@ -141,9 +156,9 @@ std::string withOneDecimal(double value) { return textOf(std::round(value * 10.0
 
 void noteGeometry(const glm::dmat4& imageToWorld, std::vector<Message>& notes) {
   if (const double skew = skewPercent(imageToWorld); skew > 1.0)
-    notes.push_back("The calibration's axes are up to " + withOneDecimal(skew) + " % off the right angle; they were used as they are.");
+    notes.push_back(say<"The calibration's axes are up to %1 % off the right angle; they were used as they are.">(withOneDecimal(skew)));
   if (glm::determinant(glm::dmat3(imageToWorld)) < 0.0)
-    notes.push_back("The calibration is mirrored (a left-handed frame); it was used as it is.");
+    notes.push_back(say<"The calibration is mirrored (a left-handed frame); it was used as it is.">());
 }
 
 void noteTimes(const Sequence& sequence, std::vector<Message>& notes) {
@@ -156,19 +171,23 @@ void noteTimes(const Sequence& sequence, std::vector<Message>& notes) {
     if (before_s && *frame.time_s < *before_s) ++backwards;
     before_s = frame.time_s;
   }
-  if (equal > 0) notes.push_back(detail::counted(equal, "frame carries", "frames carry") + " the same time as the frame before.");
+  if (equal > 0)
+    notes.push_back(
+        detail::counted<"%1 frame carries the same time as the frame before.", "%1 frames carry the same time as the frame before.">(
+            equal));
   if (backwards > 0)
-    notes.push_back("Time runs backwards at " + detail::counted(backwards, "frame", "frames") + "; the order in the file was kept.");
+    notes.push_back(detail::counted<"Time runs backwards at %1 frame; the order in the file was kept.",
+                                    "Time runs backwards at %1 frames; the order in the file was kept.">(backwards));
 }
 
 void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<Message>& notes) {
-  std::set<std::string> replaced;
+  std::set<std::pair<std::string, std::string>> replaced;
   for (const SequenceFrame& frame : sequence.frames)
     for (const NamedTransform& own : frame.transforms)
       if (std::any_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); }))
-        replaced.insert(own.from + " to " + own.to);
-  for (const std::string& name : replaced)
-    notes.push_back("The recording and the device set both say " + name + "; the device set was used.");
+        replaced.emplace(own.from, own.to);
+  for (const auto& [from, to] : replaced)
+    notes.push_back(say<"The recording and the device set both say %1 to %2; the device set was used.">(from, to));
 }
 
 }  // namespace
@@ -185,23 +204,27 @@ Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibra
     if (!chain(names, kImage, target)) continue;
     SweepPoses found = posesTo(sequence, given, target);
     if (found.usable == 0 && toFrame.empty())
-      notes.push_back("No frame has a valid way to " + std::string(target) + ", so it was not used.");
+      notes.push_back(say<"No frame has a valid way to %1, so it was not used.">(std::string(target)));
     const bool better = !best || (best->usable == 0 && found.usable > 0);
     if (better) best = std::move(found);
     if (best->usable > 0) break;
   }
   if (!best) return noChain(sequence, names, calibration != nullptr, toFrame);
   if (best->usable == 0)
-    return failure(ErrorCode::noValidPose,
-                   "Of " + detail::counted(sequence.frames.size(), "frame", "frames") + ", none has a usable pose to " + best->toFrame +
-                       ": " + detail::counted(best->invalid, "is", "are") + " INVALID and " + std::to_string(best->missing) +
-                       " missing; check that the tracker saw the probe, or choose another target frame.",
-                   {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
+    return failure(
+        ErrorCode::noValidPose,
+        detail::counted<
+            "Of %1 frame, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.",
+            "Of %1 frames, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.">(
+            sequence.frames.size(), best->toFrame,
+            detail::counted<"%1 is INVALID and %2 missing", "%1 are INVALID and %2 missing">(best->invalid, best->missing)),
+        {{"to", best->toFrame}, {"invalid", std::to_string(best->invalid)}, {"missing", std::to_string(best->missing)}});
   best->notes = std::move(notes);
-  if (toFrame.empty()) best->notes.push_back("The volume is placed in the recording's frame " + best->toFrame + ".");
+  if (toFrame.empty()) best->notes.push_back(say<"The volume is placed in the recording's frame %1.">(best->toFrame));
   if (best->invalid + best->missing > 0)
-    best->notes.push_back(detail::counted(best->invalid, "frame", "frames") + " with an INVALID and " + std::to_string(best->missing) +
-                          " with a missing pose were left out; " + detail::counted(best->usable, "is", "are") + " used.");
+    best->notes.push_back(detail::counted<"%1 frame with an INVALID and %2 with a missing pose were left out; %3.",
+                                          "%1 frames with an INVALID and %2 with a missing pose were left out; %3.">(
+        best->invalid, best->missing, detail::counted<"%1 is used", "%1 are used">(best->usable)));
   const auto first = std::find_if(best->imageToWorld.begin(), best->imageToWorld.end(), [](const auto& pose) { return pose.has_value(); });
   noteGeometry((*first)->matrix, best->notes);
   noteOverride(sequence, given, best->notes);

@@ -21,9 +21,9 @@ Result<void> writeVectorField(const Grid& grid, int components, const fs::path& 
   const bool flat = components == 2 && grid.dims.z == 1;
   EW_EXPECTS(components == 3 || flat);
   if (components != 3 && !flat)
-    return failure(ErrorCode::internal, "A field of two components lies in one slice; " + quoted(file) + " was not written.");
+    return failure(ErrorCode::internal, say<"A field of two components lies in one slice; %1 was not written.">(quoted(file)));
   if (lowerCase(file.extension().string()) != ".mha")
-    return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .mha.",
+    return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .mha.">(quoted(file)),
                    {{"file", file.string()}});
   MetaText text{.sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y)},
                 .geometry = grid,
@@ -44,7 +44,7 @@ Result<void> writeVectorField(const Grid& grid, int components, const fs::path& 
     const std::span<float> part(some.data(), static_cast<std::size_t>(now) * perSlice * static_cast<std::size_t>(components));
     if (auto filled = slices(next, now, part); !filled) return passOn(filled.error());
     next += now;
-    progress.report("Writing vectors", static_cast<double>(next) / grid.dims.z);
+    progress.report(say<"Writing vectors">(), static_cast<double>(next) / grid.dims.z);
     return std::span(reinterpret_cast<const std::uint8_t*>(part.data()), part.size_bytes());
   };
   return writeMetaStream(file, text, more, progress);
@@ -54,12 +54,12 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   if (header->type != SampleType::f32 && header->type != SampleType::f64)
-    return badField(file, "the sample type", nameOf(header->type), "32 or 64 bit floating point");
+    return badField(file, say<"the sample type">(), nameOf(header->type), say<"32 or 64 bit floating point">());
   // MetaImage and NRRD tell channels apart from axes; NIfTI has them as the fifth axis and is not read here.
   if (header->channels != 2 && header->channels != 3)
-    return badField(file, "the number of components", std::to_string(header->channels), "2 or 3");
+    return badField(file, say<"the number of components">(), verbatim(std::to_string(header->channels)), say<"2 or 3">());
   if (header->packing == Packing::text)
-    return failure(ErrorCode::unsupported, quoted(file) + " holds its vectors as text, which is not read; write it as binary.",
+    return failure(ErrorCode::unsupported, say<"%1 holds its vectors as text, which is not read; write it as binary.">(quoted(file)),
                    {{"file", file.string()}});
   VectorField field;
   field.components = static_cast<int>(header->channels);
@@ -70,7 +70,7 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
   const std::uint64_t count = extent->voxels * header->channels;
   const std::uint64_t bytes = count * bytesOf(header->type);
   if (bytes > limits.maxBytes)
-    return failure(ErrorCode::tooLarge, quoted(file) + " holds more than may be read at once.", {{"file", file.string()}});
+    return failure(ErrorCode::tooLarge, say<"%1 holds more than may be read at once.">(quoted(file)), {{"file", file.string()}});
   auto opened = openSamples(*header, bytes, noProgress());
   if (!opened) return passOn(opened.error());
   if (const auto held = checkAgainstFile(*header, bytes, count, opened->packedBytes); !held) return passOn(held.error());
@@ -80,7 +80,8 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
     const auto part = opened->source->read(std::span(raw).subspan(got));
     if (!part) return passOn(part.error());
     if (*part == 0)
-      return failure(ErrorCode::truncated, quoted(file) + " ends before its header says so; copy it again.", {{"file", file.string()}});
+      return failure(ErrorCode::truncated, say<"%1 ends before its header says so; copy it again.">(quoted(file)),
+                     {{"file", file.string()}});
     got += *part;
   }
   const std::size_t size = bytesOf(header->type);
@@ -98,7 +99,7 @@ Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limi
   }
   return field;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, "There is not enough memory for " + quoted(file) + "; close other programs.",
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});
 }
 

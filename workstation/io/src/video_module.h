@@ -3,8 +3,8 @@
 #include <cstddef>
 
 /// What the module `ew_video` offers. It links OpenCV's video, and with it more than two hundred libraries: a program loads it when it
-/// meets a film, not when it starts. Every function catches what is thrown; `why` gets a sentence's end, in at most `room` bytes with the
-/// NUL.
+/// meets a film, not when it starts. Every function catches what is thrown; `why` gets what OpenCV said, in at most `room` bytes with the
+/// NUL, and is left alone when it said nothing.
 extern "C" {
 using EwClip = struct EwClipParts;
 /// @return null when the film cannot be begun

@@ -19,4 +19,10 @@ struct VolumeExtent {
 /// @error unsupported (a recorded sweep), emptyVolume, tooLarge, badField (spacing or directions)
 [[nodiscard]] Result<VolumeExtent> volumeExtentOf(const ImageHeader& header, std::vector<Message>& notes);
 
+/// Of a file with several volumes: that the first was read.
+[[nodiscard]] Message firstOfSeveral(const ImageHeader& header, std::uint64_t volumes);
+
+/// That a file with `volumes` volumes has no such one.
+[[nodiscard]] Message noSuchVolume(const std::filesystem::path& file, std::uint64_t volumes, std::int64_t asked);
+
 }  // namespace ew::detail

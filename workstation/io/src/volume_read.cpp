@@ -13,22 +13,19 @@ namespace {
 Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& extent, std::vector<Message>& notes) {
   const std::uint64_t steps = extent.promised / extent.voxels;
   if (timeStep < 1 || timeStep > steps)
-    return failure(ErrorCode::badUsage,
-                   quoted(header.file) + " holds " + counted(steps, "volume", "volumes") + ", no number " + std::to_string(timeStep) +
-                       "; choose one that is there.",
+    return failure(ErrorCode::badUsage, noSuchVolume(header.file, steps, static_cast<std::int64_t>(timeStep)),
                    {{"file", header.file.string()}, {"ask", "time-step"}});
   if (timeStep == 1) return {};
   if (header.packing == Packing::text || header.dataAtEnd)
     return failure(
         ErrorCode::unsupported,
-        "Of " + quoted(header.file) + " the first volume alone can be read, because of how it is stored; convert it to .nii or .mha.",
+        say<"Of %1 the first volume alone can be read, because of how it is stored; convert it to .nii or .mha.">(quoted(header.file)),
         {{"file", header.file.string()}});
   const std::uint64_t skipped = (timeStep - 1) * extent.voxels;
   (header.packing == Packing::deflated ? header.skipUnpacked : header.dataOffset) += skipped * header.channels * bytesOf(header.type);
   extent.promised -= skipped;
-  std::erase_if(notes, [](const Message& note) { return note.english().ends_with("the first was read."); });
-  notes.push_back(quoted(header.file) + " holds " + std::to_string(steps) + " volumes one after the other; number " +
-                  std::to_string(timeStep) + " was read.");
+  std::erase(notes, firstOfSeveral(header, steps));
+  notes.push_back(say<"%1 holds %2 volumes one after the other; number %3 was read.">(quoted(header.file), steps, timeStep));
   return {};
 }
 
@@ -44,12 +41,12 @@ Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const 
   loaded.spacingKnown = header->hasGeometry;
   loaded.timeSteps = extent->promised / extent->voxels;
   if (auto there = skipTo(options.timeStep, *header, *extent, loaded.notes); !there) return passOn(there.error());
-  auto echo =
-      readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = "Reading voxels"}, limits, progress, loaded.notes);
+  auto echo = readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = say<"Reading voxels">()}, limits, progress,
+                       loaded.notes);
   if (!echo) return passOn(echo.error());
   loaded.volume.grid = extent->grid;
   loaded.volume.echo = *std::move(echo);
-  progress.report("Reading voxels", 1.0);
+  progress.report(say<"Reading voxels">(), 1.0);
   return loaded;
 }
 
@@ -58,10 +55,11 @@ Result<LoadedVolume> readLabelVolume(const fs::path& file, Progress& progress, c
   if (!header) return passOn(header.error());
   const bool rescaled = header->slope != 1.0 || header->intercept != 0.0;
   if (header->type != SampleType::u8 || header->channels != 1 || rescaled) {
-    const std::string found = std::to_string(header->channels) + " x " + nameOf(header->type) + (rescaled ? ", rescaled" : "");
+    const Message found = rescaled ? say<"%1 x %2, rescaled">(header->channels, nameOf(header->type))
+                                   : say<"%1 x %2">(header->channels, nameOf(header->type));
     return failure(ErrorCode::unsupported,
-                   quoted(file) + " holds " + found + " samples, but labels are one 8 bit unsigned number a voxel; export them as such.",
-                   {{"file", file.string()}, {"found", found}, {"expected", "1 x 8 bit unsigned"}});
+                   say<"%1 holds %2 samples, but labels are one 8 bit unsigned number a voxel; export them as such.">(quoted(file), found),
+                   {{"file", file.string()}, {"found", found.english()}, {"expected", "1 x 8 bit unsigned"}});
   }
   return readVolume(file, progress, limits);
 }

@@ -43,7 +43,7 @@ struct VolumeStream::Parts {
   }
 
   [[nodiscard]] tl::unexpected<Error> refused(int number) const {
-    return detail::notWritable(target, std::generic_category().message(number));
+    return detail::notWritable(target, verbatim(std::generic_category().message(number)));
   }
 };
 
@@ -55,7 +55,7 @@ VolumeStream& VolumeStream::operator=(VolumeStream&&) noexcept = default;
 Result<VolumeStream> VolumeStream::create(const Grid& grid, const fs::path& file) {
   if (auto usable = checkGrid(grid); !usable) return passOn(usable.error());
   if (detail::lowerCase(file.extension().string()) != ".mha")
-    return failure(ErrorCode::unsupported, detail::quoted(file) + " cannot be written in blocks; end its name in .mha.",
+    return failure(ErrorCode::unsupported, say<"%1 cannot be written in blocks; end its name in .mha.">(detail::quoted(file)),
                    {{"file", file.string()}});
   auto staged = detail::StagedFile::create(file);
   if (!staged) return passOn(staged.error());
@@ -96,10 +96,10 @@ Result<void> VolumeStream::finish(Progress& progress) {
     if (progress.cancelRequested()) {
       const fs::path file = parts.target;
       parts_.reset();
-      return failure(ErrorCode::cancelled, "Writing " + detail::quoted(file) + " was stopped; nothing was left of it.");
+      return failure(ErrorCode::cancelled, say<"Writing %1 was stopped; nothing was left of it.">(detail::quoted(file)));
     }
     if (::msync(parts.mapped + at, std::min(Parts::kSyncPiece, parts.bytes - at), MS_SYNC) != 0) return parts.refused(errno);
-    progress.report("Writing voxels", static_cast<double>(at) / static_cast<double>(parts.bytes));
+    progress.report(say<"Writing voxels">(), static_cast<double>(at) / static_cast<double>(parts.bytes));
   }
   if (auto finished = parts.staged.finish(); !finished) return finished;
   return parts.staged.commit();

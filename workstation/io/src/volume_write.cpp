@@ -13,14 +13,14 @@ using namespace detail;
 namespace fs = std::filesystem;
 
 /// @param samples the bytes of the voxels, two for each when `wide`
-Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> samples, const fs::path& file, std::string_view what,
+Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> samples, const fs::path& file, const Message& what,
                           Progress& progress, const WriteOptions& options, bool wide = false) {
   if (auto usable = checkGrid(grid); !usable) return usable;
   const std::size_t bytes = grid.voxelCount() * (wide ? 2 : 1);
   EW_EXPECTS(samples.size() == bytes);
   if (samples.size() != bytes)
-    return failure(ErrorCode::internal, "The volume has " + std::to_string(samples.size()) + " bytes of voxels, but its grid " +
-                                            std::to_string(grid.voxelCount()) + "; it was not written.");
+    return failure(ErrorCode::internal,
+                   say<"The volume has %1 bytes of voxels, but its grid %2; it was not written.">(samples.size(), grid.voxelCount()));
   const MetaText text{
       .sizes = {static_cast<std::uint64_t>(grid.dims.x), static_cast<std::uint64_t>(grid.dims.y), static_cast<std::uint64_t>(grid.dims.z)},
       .geometry = grid,
@@ -31,17 +31,18 @@ Result<void> writeSamples(const Grid& grid, std::span<const std::uint8_t> sample
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".mha") return writeMetaFile(file, text, samples, options.compress, what, progress);
   if (ending == ".mhd") return writeMetaPair(file, text, samples, what, progress);
-  return failure(ErrorCode::unsupported, quoted(file) + " has an ending that is not written; end its name in .mha or .mhd.",
+  return failure(ErrorCode::unsupported, say<"%1 has an ending that is not written; end its name in .mha or .mhd.">(quoted(file)),
                  {{"file", file.string()}});
 }
 
 /// The samples of a file that lies on the grid of a volume.
-/// @param what "coverage", for the sentences
-Result<std::vector<std::uint8_t>> readBeside(const Grid& expected, const fs::path& file, const std::string& what, const char* samples,
+/// @param samples   what its samples must be
+/// @param otherGrid what to say when it lies on another grid
+Result<std::vector<std::uint8_t>> readBeside(const Grid& expected, const fs::path& file, const Message& samples, const Message& otherGrid,
                                              Progress& progress) {
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
-  if (header->type != SampleType::u8) return badField(file, "the sample type", std::string(nameOf(header->type)), samples);
+  if (header->type != SampleType::u8) return badField(file, say<"the sample type">(), nameOf(header->type), samples);
   auto loaded = readVolume(file, progress);
   if (!loaded) return passOn(loaded.error());
   const Grid& found = loaded->volume.grid;
@@ -56,11 +57,7 @@ Result<std::vector<std::uint8_t>> readBeside(const Grid& expected, const fs::pat
                                                  (corner >> 2) * (expected.dims.z - 1))};
     same = farthest((found.voxelToWorld() * p_voxel).at - (expected.voxelToWorld() * p_voxel).at) <= nearly_mm;
   }
-  if (!same)
-    return failure(
-        ErrorCode::badField,
-        "The " + what + " in " + quoted(file) + " lies on another grid than its volume; give the " + what + " made with this volume.",
-        {{"file", file.string()}});
+  if (!same) return failure(ErrorCode::badField, otherGrid, {{"file", file.string()}});
   return std::move(loaded->volume.echo);
 }
 
@@ -82,40 +79,45 @@ Result<VolumeHeader> readVolumeHeader(const fs::path& file) {
 }
 
 Result<void> writeVolume(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
-  return writeSamples(volume.grid, volume.echo, file, "Writing voxels", progress, options);
+  return writeSamples(volume.grid, volume.echo, file, say<"Writing voxels">(), progress, options);
 }
 
 Result<void> writeCoverage(const Volume& volume, const fs::path& file, Progress& progress, const WriteOptions& options) {
-  if (!volume.coverage.empty()) return writeSamples(volume.grid, volume.coverage, file, "Writing coverage", progress, options);
+  if (!volume.coverage.empty()) return writeSamples(volume.grid, volume.coverage, file, say<"Writing coverage">(), progress, options);
   if (auto usable = checkGrid(volume.grid); !usable) return usable;
   const std::vector<std::uint8_t> measured(volume.grid.voxelCount(), static_cast<std::uint8_t>(Coverage::measured));
-  return writeSamples(volume.grid, measured, file, "Writing coverage", progress, options);
+  return writeSamples(volume.grid, measured, file, say<"Writing coverage">(), progress, options);
 }
 
 Result<void> writeSources(const Grid& grid, std::span<const std::uint16_t> sources, const fs::path& file, Progress& progress,
                           const WriteOptions& options) {
   static_assert(std::endian::native == std::endian::little, "the file has the low byte first");
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(sources.data()), sources.size_bytes());
-  return writeSamples(grid, bytes, file, "Writing sources", progress, options, true);
+  return writeSamples(grid, bytes, file, say<"Writing sources">(), progress, options, true);
 }
 
 Result<void> writeConfidence(const Grid& grid, std::span<const std::uint8_t> confidence, const fs::path& file, Progress& progress,
                              const WriteOptions& options) {
-  return writeSamples(grid, confidence, file, "Writing confidence", progress, options);
+  return writeSamples(grid, confidence, file, say<"Writing confidence">(), progress, options);
 }
 
 Result<void> readCoverageInto(Volume& volume, const fs::path& file, Progress& progress) {
-  auto values = readBeside(volume.grid, file, "coverage", "8 bit unsigned (0 absent, 1 interpolated, 2 measured)", progress);
+  auto values = readBeside(
+      volume.grid, file, say<"8 bit unsigned (0 absent, 1 interpolated, 2 measured)">(),
+      say<"The coverage in %1 lies on another grid than its volume; give the coverage made with this volume.">(quoted(file)), progress);
   if (!values) return passOn(values.error());
   if (const auto beyond = std::find_if(values->begin(), values->end(), [](std::uint8_t value) { return value > 2; });
       beyond != values->end())
-    return badField(file, "a coverage value", std::to_string(*beyond), "0 (absent), 1 (interpolated) or 2 (measured)");
+    return badField(file, say<"a coverage value">(), verbatim(std::to_string(*beyond)),
+                    say<"0 (absent), 1 (interpolated) or 2 (measured)">());
   volume.coverage = std::move(*values);
   return {};
 }
 
 Result<std::vector<std::uint8_t>> readConfidence(const Grid& grid, const fs::path& file, Progress& progress) {
-  return readBeside(grid, file, "confidence", "8 bit unsigned (0 to 255 for 0 to 1)", progress);
+  return readBeside(
+      grid, file, say<"8 bit unsigned (0 to 255 for 0 to 1)">(),
+      say<"The confidence in %1 lies on another grid than its volume; give the confidence made with this volume.">(quoted(file)), progress);
 }
 
 }  // namespace ew

@@ -39,10 +39,7 @@ EwClip* ewClipOpen(const char* file, int width_px, int height_px, double rate_hz
     // OpenCV writes Motion JPEG itself, without any other library.
     const int back = isAvi ? static_cast<int>(cv::CAP_OPENCV_MJPEG) : static_cast<int>(cv::CAP_ANY);
     const int code = isAvi ? cv::VideoWriter::fourcc('M', 'J', 'P', 'G') : cv::VideoWriter::fourcc('m', 'p', '4', 'v');
-    if (!clip->writer.open(file, back, code, rate_hz, size, true)) {
-      tell("the film could not be begun", why, room);
-      return nullptr;
-    }
+    if (!clip->writer.open(file, back, code, rate_hz, size, true)) return nullptr;
     clip->writer.set(cv::VIDEOWRITER_PROP_QUALITY, 95.0);
     clip->blueGreenRed.create(size, CV_8UC3);
     return clip.release();

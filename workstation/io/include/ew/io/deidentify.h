@@ -23,7 +23,7 @@ struct PixelRect {
 
 /// What an import left behind, by name and never by value.
 struct Removed {
-  std::vector<std::string> fields;        ///< "(0010,0010) Patient's Name" ...; what was there and can name a person, a place or a time
+  std::vector<Message> fields;            ///< "(0010,0010) Patient's Name" ...; what was there and can name a person, a place or a time
   std::uint64_t privateFields = 0;        ///< fields of makers, dropped whatever they hold
   std::vector<PixelRect> blankedOutside;  ///< what was kept of each picture; everything around it was cut away
   std::vector<PixelRect> blanked;         ///< rectangles the user named, made black

@@ -26,12 +26,13 @@ struct UltrasoundRegion {
   double deltaY = 0.0;
   std::optional<glm::dvec2> referencePixel;  ///< counted from the region's corner
   glm::dvec2 referenceValue{0.0};            ///< what the units are at the reference pixel
-  std::string problem;                       ///< why it cannot be used as a calibrated picture; empty: it can
+  Message problem;                           ///< why it cannot be used as a calibrated picture; empty: it can
+  bool stale = false;                        ///< it reaches beyond the picture: made for another size
   [[nodiscard]] bool isBMode() const { return spatialFormat == 1 && dataType == 1; }
   [[nodiscard]] bool usable() const { return problem.empty(); }
   [[nodiscard]] glm::dvec2 pixel_mm() const { return {10.0 * deltaX, 10.0 * deltaY}; }
   /// "1: tissue, 511 x 384 pixels at (84, 31), 0.5105 x 0.5105 mm a pixel": for lists a person chooses from.
-  [[nodiscard]] std::string describe(std::size_t number) const;
+  [[nodiscard]] Message describe(std::size_t number) const;
 };
 
 enum class DicomKind {

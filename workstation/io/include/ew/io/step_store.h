@@ -39,7 +39,7 @@ class StepLock {
   /// Waits for whoever holds it.
   /// @param waiting what is reported meanwhile
   /// @error notWritable, cancelled
-  [[nodiscard]] static Result<StepLock> take(const std::filesystem::path& file, std::string_view waiting, Progress& progress);
+  [[nodiscard]] static Result<StepLock> take(const std::filesystem::path& file, const Message& waiting, Progress& progress);
   ~StepLock();
   StepLock(StepLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   StepLock& operator=(StepLock&& other) noexcept {
@@ -69,7 +69,7 @@ class StepStore {
   [[nodiscard]] static StepStore peek(const std::filesystem::path& folder, const std::vector<std::string>& steps);
 
   /// The lock of a result in a shared folder. @error notWritable, cancelled
-  [[nodiscard]] Result<StepLock> lock(const std::string& step, const std::string& key, std::string_view waiting, Progress& progress) const;
+  [[nodiscard]] Result<StepLock> lock(const std::string& step, const std::string& key, const Message& waiting, Progress& progress) const;
   /// Takes away what was not used for so long, and files without a result; what somebody holds the lock of stays.
   void removeUnused(std::chrono::seconds unusedFor) const;
 
