@@ -323,7 +323,7 @@ TEST(DicomCine, PatientFieldsAreNamedInTheReportAndTheirValuesAreNowhere) {
   EXPECT_EQ(cine->removed.privateFields, 1u);
   std::string all;
   for (const auto& words : {cine->notes, cine->removed.fields, sentencesOf(cine->removed)})
-    for (const std::string& sentence : words) all += sentence;
+    for (const Message& sentence : words) all += sentence.english();
   for (const auto& [name, value] : cine->sequence.otherFields) all += name + value;
   for (const char* secret : {"Doe", "4711", "Some Hospital", "private words"}) EXPECT_EQ(all.find(secret), std::string::npos) << secret;
 }

@@ -101,7 +101,7 @@ TEST(Kretz, PatientTextIsReportedByNameAlone) {
   const auto read = readKretz(folder.put("a.vol", kretzFile(of)), {.spacing_mm = 2.0, .mirrored = false, .timeStep = {}, .threads = 1});
   ASSERT_TRUE(succeeded(read));
   EXPECT_TRUE(contains(read->removed.fields, "(0110,0002) patient text"));
-  for (const auto& note : read->notes) EXPECT_EQ(note.find("DOE"), std::string::npos);
+  for (const auto& note : read->notes) EXPECT_EQ(note.english().find("DOE"), std::string::npos);
 }
 
 TEST(Kretz, OneInsideADicomFileIsFound) {

@@ -22,7 +22,7 @@ TEST(SafeFile, ReplacesAFileOnlyWhenTheNewOneIsComplete) {
   const auto file = folder.put("a.txt", "before");
   const auto failed = writeFileSafely(file, [](std::ostream& out) -> Result<void> {
     out << "half";
-    return failure(ErrorCode::cancelled, "Stopped.");
+    return failure(ErrorCode::cancelled, verbatim("Stopped."));
   });
   EXPECT_TRUE(failedWith(failed, ErrorCode::cancelled));
   EXPECT_EQ(bytesOfFile(file), "before");

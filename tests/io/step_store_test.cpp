@@ -108,7 +108,7 @@ TEST(StepStore, IsForOneProgramOrSharedByMany) {
   bool together = false;
   const auto work = [&](const StepStore& store) {
     for (int n = 0; n < 5; ++n) {
-      const auto lock = store.lock("sweeps", kKey, "waiting", noProgress());
+      const auto lock = store.lock("sweeps", kKey, verbatim("waiting"), noProgress());
       EXPECT_TRUE(lock);
       if (++inside != 1) together = true;
       std::this_thread::yield();
@@ -136,7 +136,7 @@ TEST(StepStore, TakesAwayWhatNobodyUsedAndWhatAKilledProgramLeftAndNothingElse) 
   const auto aDayAgo = fs::file_time_type::clock::now() - std::chrono::hours(24);
   for (const std::string& key : {kKey, kOther}) fs::last_write_time(home / (key + ".json"), aDayAgo);
   ASSERT_TRUE(store->find("sweeps", kKey)) << "which is a use";
-  const auto lock = store->lock("sweeps", busy, "waiting", noProgress());
+  const auto lock = store->lock("sweeps", busy, verbatim("waiting"), noProgress());
   ASSERT_TRUE(lock);
   store->removeUnused(std::chrono::hours(1));
   EXPECT_TRUE(store->find("sweeps", kKey));

@@ -71,7 +71,7 @@ TEST(VectorFile, AFailureHalfwayLeavesWhatWasThere) {
   std::ofstream(file) << "earlier";
   const Grid grid = someGrid({100, 100, 50});
   const auto written = writeVectorField(grid, 3, file, [](int first, int, std::span<float>) -> Result<void> {
-    if (first > 0) return failure(ErrorCode::cancelled, "Stopped.");
+    if (first > 0) return failure(ErrorCode::cancelled, verbatim("Stopped."));
     return {};
   });
   ASSERT_FALSE(written);

@@ -33,7 +33,14 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
   const std::string from = node.attribute("From").value();
   const std::string to = node.attribute("To").value();
   if (from.empty() || to.empty())
-    return badField(file, verbatim("Transform"), say<"%1 to %2">(from, to), say<"two frame names (From and To)">());
+    return failure(
+        ErrorCode::badField,
+        say<"In %1, Transform is \"%2 to %3\", but two frame names (From and To) is needed; correct the header or export the file again.">(
+            quoted(file), shortened(from), shortened(to)),
+        {{"file", file.string()},
+         {"field", "Transform"},
+         {"found", shortened(from + " to " + to)},
+         {"expected", "two frame names (From and To)"}});
   const auto matrix = node.attribute("Matrix");
   const auto numbers = parseNumbers(matrix.value());
   if (!numbers || numbers->size() != 16 ||

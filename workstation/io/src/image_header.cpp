@@ -7,20 +7,6 @@
 namespace ew::detail {
 namespace fs = std::filesystem;
 
-namespace {
-
-/// What a file holds, for a sentence: its beginning, in letters that can be shown.
-std::string shortened(const std::string& found) {
-  constexpr std::size_t longest = 80;
-  std::string shown = found.substr(0, longest);
-  if (found.size() > longest) shown += "...";
-  for (char& letter : shown)
-    if (static_cast<unsigned char>(letter) < 0x20 || static_cast<unsigned char>(letter) > 0x7e) letter = '?';
-  return shown;
-}
-
-}  // namespace
-
 std::uint64_t bytesOf(SampleType type) {
   switch (type) {
     case SampleType::u8:
@@ -117,6 +103,15 @@ std::string sizesText(std::span<const std::uint64_t> sizes) {
 }
 
 std::string quoted(const fs::path& file) { return "\"" + file.filename().string() + "\""; }
+
+std::string shortened(const std::string& found) {
+  constexpr std::size_t longest = 80;
+  std::string shown = found.substr(0, longest);
+  if (found.size() > longest) shown += "...";
+  for (char& letter : shown)
+    if (static_cast<unsigned char>(letter) < 0x20 || static_cast<unsigned char>(letter) > 0x7e) letter = '?';
+  return shown;
+}
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\v\f";

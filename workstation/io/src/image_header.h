@@ -74,6 +74,8 @@ template <Literal one, Literal many, class... More>
 [[nodiscard]] std::string sizesText(std::span<const std::uint64_t> sizes);
 
 [[nodiscard]] std::string quoted(const std::filesystem::path& file);
+/// What a file holds, for a sentence: its beginning, in letters that can be shown.
+[[nodiscard]] std::string shortened(const std::string& found);
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string lowerCase(std::string_view text);
 [[nodiscard]] std::vector<std::string> wordsOf(std::string_view text);
@@ -84,8 +86,8 @@ template <Literal one, Literal many, class... More>
 /// The samples' file named in a header: relative to the header, there, and a regular file.
 [[nodiscard]] Result<std::filesystem::path> resolveDataFile(const std::filesystem::path& header, std::string_view name);
 
-/// A field that cannot be used: its name, what was found (shortened) and what was expected.
-/// @param field, found a name and a value as the file has them are verbatim()
+/// A field that cannot be used: its name, what was found and what was expected.
+/// @param field, found a name and a value as the file has them are verbatim(); such a value is shortened()
 [[nodiscard]] tl::unexpected<Error> badField(const std::filesystem::path& file, const Message& field, const Message& found,
                                              const Message& expected);
 

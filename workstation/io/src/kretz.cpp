@@ -287,7 +287,7 @@ Result<Bytes> samplesOf(const Reader& in, const fs::path& file, const glm::ivec3
   return one;
 }
 
-Message converted(bool mirrored, const std::string& spacing_mm) {
+Message conversionNote(bool mirrored, const std::string& spacing_mm) {
   return joined({mirrored ? say<"The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z against x cross y, from "
                                 "the centre of the beams' arc.">(spacing_mm)
                           : say<"The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z along x cross y, from "
@@ -365,7 +365,7 @@ Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOpti
   auto volume = converted(torus, *grid, hand, options.threads, file, progress);
   if (!volume) return passOn(volume.error());
   made.volume = *std::move(volume);
-  made.notes.push_back(converted(options.mirrored, textOf(spacing_mm)));
+  made.notes.push_back(conversionNote(options.mirrored, textOf(spacing_mm)));
   made.notes.push_back(say<"The layout of Kretz files is not published by its maker; distances are as good as what is known of it.">());
   return made;
 }
