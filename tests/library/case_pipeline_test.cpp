@@ -42,7 +42,8 @@ class CancelAt final : public Progress {
  public:
   explicit CancelAt(int report = 1 << 30) : at_(report) {}
   void report(const Message& what, double fraction) override {
-    steps.insert(std::string(what.substr(0, what.find(','))));
+    const std::string said = what.english();
+    steps.insert(said.substr(0, said.find(',')));
     backwards = backwards || fraction < furthest;
     furthest = fraction;
     ++reports;
@@ -286,7 +287,7 @@ TEST_F(CasePipeline, OpensTheCaseWhenTheCacheCannotBeWrittenAndSaysSoOnce) {
   ASSERT_TRUE(echo) << echo.error();
   EXPECT_GT(echo->volume.echo.size(), 0u);
   ASSERT_EQ(echo->notes.size(), 1u);
-  EXPECT_NE(echo->notes[0].find("ECHOWEAVE_CACHE"), std::string::npos) << echo->notes[0];
+  EXPECT_NE(echo->notes[0].english().find("ECHOWEAVE_CACHE"), std::string::npos) << echo->notes[0];
 }
 
 TEST_F(CasePipeline, TwoProgramsAtOnceMakeItOnceAndTheSame) {
@@ -374,7 +375,7 @@ TEST_F(CasePipeline, EstimatesTheTimeFromTheWorkThatIsLeftAndFromWhatEachStepToo
 TEST_F(CasePipeline, ReportsTheShareOfTheTimeExpectedAndWhatIsLeftOfIt) {
   class Said final : public Progress {
    public:
-    void report(const Message& what, double fraction) override { all.emplace_back(what, fraction); }
+    void report(const Message& what, double fraction) override { all.emplace_back(what.english(), fraction); }
     [[nodiscard]] bool cancelRequested() const override { return false; }
     std::vector<std::pair<std::string, double>> all;
   } said;

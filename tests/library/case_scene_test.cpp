@@ -76,7 +76,7 @@ TEST(CaseScene, TheSchemaAndTheReaderAllowTheSame) {
     else
       scene[effect][key] = value;
     EXPECT_EQ(sceneFromJson(scene, "scene").has_value(), isGood) << scene;
-    EXPECT_EQ(schemaProblems(caseWith(scene), SchemaName::caseManifest, "case.json").empty(), isGood) << scene;
+    EXPECT_EQ(schemaProblems(caseWith(scene), SchemaName::caseManifest, verbatim("case.json")).empty(), isGood) << scene;
   };
   int checked = 0;
   const auto check = [&](const std::string& effect, const json& properties) {
@@ -102,6 +102,17 @@ TEST(CaseScene, TheSchemaAndTheReaderAllowTheSame) {
   EXPECT_EQ(checked, 20);
   const json everything = toJson(sceneWithEverything());
   for (const auto& [key, value] : everything.items()) EXPECT_TRUE(scene.contains(key)) << key << " is missing in the schema";
+}
+
+TEST(CaseSchema, WhatAFieldHasToBeIsATextForTranslators) {
+  const auto problems = schemaProblems(caseWith({{"reverberation", {{"bounces", 9}}}}), SchemaName::caseManifest, verbatim("case.json"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].sentence(), "'scene.reverberation.bounces' in case.json is 9; it must be a whole number from 1 to 6.");
+  const char* expected = problems[0].message.arguments().back().text();
+  EXPECT_STREQ(expected, "a whole number from 1 to 6");
+  bool isListed = false;
+  for (const MessageText* each = firstMessageText(); each != nullptr; each = each->next) isListed = isListed || each->text == expected;
+  EXPECT_TRUE(isListed);
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   ASSERT_TRUE(succeeded(volume));
   EXPECT_EQ(volume->volume->grid.spacing_mm, glm::dvec3(0.3, 0.4, 0.5));
   EXPECT_TRUE(contains(volume->notes, "was given"));
+  EXPECT_FALSE(contains(volume->notes, "probably unknown"));
   answers = {};
   answers.raw = RawLayout{.dims = {5, 5, 4}, .spacing_mm = glm::dvec3(2.0)};
   const auto raw = importFile(folder.put("x.bin", ramp(100)), answers);

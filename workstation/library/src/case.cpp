@@ -33,16 +33,15 @@ Result<std::string> readManifestText(const fs::path& folderOrManifest) {
   const fs::path file = manifestFileOf(folderOrManifest);
   std::error_code ignored;
   if (file != folderOrManifest && !fs::exists(file, ignored))
-    return failure(
-        ErrorCode::notFound,
-        "The folder '" + folderOrManifest.string() + "' holds no " + kManifestName + ", so it is not a case; choose a case folder.",
-        {{"file", file.string()}});
+    return failure(ErrorCode::notFound,
+                   say<"The folder '%1' holds no case.json, so it is not a case; choose a case folder.">(folderOrManifest),
+                   {{"file", file.string()}});
   return readTextFile(file, kLargestManifest_bytes);
 }
 
 Result<nlohmann::json> parseManifest(const std::string& text, const fs::path& folderOrManifest) {
   const fs::path file = manifestFileOf(folderOrManifest);
-  auto manifest = parseJson(text, file.filename().string());
+  auto manifest = parseJson(text, verbatim(file.filename().string()));
   if (!manifest) {
     Error problem = manifest.error();
     problem.context.emplace_back("path", file.string());
@@ -72,7 +71,7 @@ Result<std::string> manifestText(const Case& edited) {
   try {
     return orderedManifestOf(edited).dump(2) + "\n";
   } catch (const nlohmann::json::exception&) {
-    return failure(ErrorCode::badField, "A text of the case is not valid UTF-8 and cannot be saved; type it again.");
+    return failure(ErrorCode::badField, say<"A text of the case is not valid UTF-8 and cannot be saved; type it again.">());
   }
 }
 
@@ -88,32 +87,31 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !(fs::is_directory(folder, error) && fs::is_empty(folder, error)))
     return failure(ErrorCode::notWritable,
-                   "'" + folder.string() + "' is not empty, and nothing in it is overwritten; choose a new or an empty folder.",
+                   say<"'%1' is not empty, and nothing in it is overwritten; choose a new or an empty folder.">(folder),
                    {{"file", folder.string()}});
   fs::path target = fs::absolute(folder, error);
   if (!target.has_filename()) target = target.parent_path();
   if (inside(fs::weakly_canonical(target, error), fs::weakly_canonical(edited.folder, error)))
-    return failure(ErrorCode::notWritable, "A case cannot be saved inside its own folder; choose a folder beside it.",
+    return failure(ErrorCode::notWritable, say<"A case cannot be saved inside its own folder; choose a folder beside it.">(),
                    {{"file", folder.string()}});
-  const auto giveUp = [&](const std::string& reason) {
-    return failure(
-        ErrorCode::notWritable,
-        "The case cannot be saved to '" + folder.string() + "' (" + reason + "); choose a folder you may write to, with enough space.",
-        {{"file", folder.string()}});
+  const auto giveUp = [&](const Message& reason) {
+    return failure(ErrorCode::notWritable,
+                   say<"The case cannot be saved to '%1' (%2); choose a folder you may write to, with enough space.">(folder, reason),
+                   {{"file", folder.string()}});
   };
   const auto reasonOf = [](const Error& refused) {
     for (const auto& [name, value] : refused.context)
-      if (name == "reason") return value;
-    return refused.sentence();
+      if (name == "reason") return verbatim(value);
+    return refused.message;
   };
   const fs::path source = fs::canonical(edited.folder, error);  // copying a link would copy nothing and say that all is well
-  if (error) return giveUp(error.message());
+  if (error) return giveUp(verbatim(error.message()));
   OutputSet outputs;
   if (auto made = outputs.announceFolder(target.parent_path()); !made) return giveUp(reasonOf(made.error()));
   if (auto announced = outputs.announceNewFolder(target); !announced) return giveUp(reasonOf(announced.error()));
   const fs::path aside = outputs.staged(target);
   fs::copy(source, aside, fs::copy_options::recursive | fs::copy_options::skip_symlinks, error);
-  if (error) return giveUp(error.message());
+  if (error) return giveUp(verbatim(error.message()));
   if (auto written = writeManifest(edited, aside); !written) return passOn(outputs.inGivenNames(std::move(written.error())));
   if (auto committed = outputs.commit(); !committed) return giveUp(reasonOf(committed.error()));
   return {};
@@ -123,23 +121,29 @@ Result<void> saveElsewhere(const Case& edited, const fs::path& folder) {
 
 Result<fs::path> fileOfCase(const fs::path& folder, const std::string& relative, const std::string& field) {
   const fs::path path(relative);
-  const auto refuse = [&](ErrorCode code, const std::string& why) {
-    return failure(code, "'" + field + "' in " + kManifestName + " is \"" + relative + "\", " + why,
-                   {{"field", field}, {"found", relative}, {"expected", "a file inside the case folder"}});
+  const auto refuse = [&](ErrorCode code, Message message) {
+    return failure(code, std::move(message), {{"field", field}, {"found", relative}, {"expected", "a file inside the case folder"}});
   };
   if (relative.empty() || path.is_absolute() || relative.find('\0') != std::string::npos || relative.find('\\') != std::string::npos ||
       std::find(path.begin(), path.end(), "..") != path.end())
     return refuse(ErrorCode::badField,
-                  "which is not a relative path inside the case folder; copy the file into the case folder and name it there.");
+                  say<"'%1' in case.json is \"%2\", which is not a relative path inside the case folder; copy the file into "
+                      "the case folder and name it there.">(field, relative));
   if (folder.empty()) return path;
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
-  if (error) return refuse(ErrorCode::notFound, "but the case folder cannot be opened; check that it is still there.");
+  if (error)
+    return refuse(ErrorCode::notFound,
+                  say<"'%1' in case.json is \"%2\", but the case folder cannot be opened; check that it is still there.">(field, relative));
   const fs::path file = fs::weakly_canonical(root / path, error);
   if (error || !inside(file, root))
-    return refuse(ErrorCode::badField, "which leads out of the case folder through a link; copy the file itself into the case folder.");
+    return refuse(ErrorCode::badField,
+                  say<"'%1' in case.json is \"%2\", which leads out of the case folder through a link; copy the file itself "
+                      "into the case folder.">(field, relative));
   if (!fs::is_regular_file(file, error))
-    return refuse(ErrorCode::notFound, "but there is no such file in the case folder; put it there or correct the name.");
+    return refuse(ErrorCode::notFound,
+                  say<"'%1' in case.json is \"%2\", but there is no such file in the case folder; put it there or correct "
+                      "the name.">(field, relative));
   return file;
 }
 
@@ -153,10 +157,11 @@ Result<fs::path> volumeOfCase(const fs::path& folder, const std::string& relativ
   for (const fs::path& part : header->files) {
     const fs::path samples = fs::canonical(part, error);
     if (error || inside(samples, root)) continue;
-    return failure(ErrorCode::badField,
-                   "'" + field + "' in " + kManifestName + " is \"" + relative + "\", which keeps its samples in '" + part.string() +
-                       "', outside of the case folder; copy both files into the case folder and correct the name in the header.",
-                   {{"field", field}, {"found", part.string()}, {"expected", "samples inside the case folder"}});
+    return failure(
+        ErrorCode::badField,
+        say<"'%1' in case.json is \"%2\", which keeps its samples in '%3', outside of the case folder; copy both files into the case "
+            "folder and correct the name in the header.">(field, relative, part),
+        {{"field", field}, {"found", part.string()}, {"expected", "samples inside the case folder"}});
   }
   return file;
 }
@@ -170,7 +175,7 @@ Result<Case> loadCase(const fs::path& folderOrManifest) {
 }
 
 Result<CaseAsRead> readCase(const fs::path& folderOrManifest) {
-  return guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<CaseAsRead> {
+  return guardedCase(folderOrManifest, [&]() -> Result<CaseAsRead> {
     auto text = readManifestText(folderOrManifest);
     if (!text) return passOn(text.error());
     auto manifest = parseManifest(*text, folderOrManifest);
@@ -188,7 +193,7 @@ Result<Fingerprint> manifestFingerprint(const fs::path& folderOrManifest) {
 }
 
 std::vector<Error> validateCase(const fs::path& folderOrManifest) {
-  auto checked = guardedCase("The case '" + folderOrManifest.string() + "'", [&]() -> Result<std::vector<Error>> {
+  auto checked = guardedCase(folderOrManifest, [&]() -> Result<std::vector<Error>> {
     auto manifest = readManifest(folderOrManifest);
     if (!manifest) return passOn(manifest.error());
     auto problems = checkManifest(*manifest, folderOf(folderOrManifest));
@@ -207,7 +212,7 @@ Result<void> saveCase(const Case& edited, const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error)
     return failure(ErrorCode::notWritable,
-                   "The case folder '" + folder.string() + "' cannot be made (" + error.message() + "); choose a folder you may write to.",
+                   say<"The case folder '%1' cannot be made (%2); choose a folder you may write to.">(folder, verbatim(error.message())),
                    {{"file", folder.string()}});
   return writeManifest(edited, folder);
 }
@@ -240,10 +245,9 @@ CaseList listCases(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator entries(folder, error);
   if (error) {
-    found.problems.push_back(
-        {ErrorCode::notReadable,
-         "The case library '" + folder.string() + "' cannot be opened (" + error.message() + "); choose another folder.",
-         {{"file", folder.string()}}});
+    found.problems.push_back({ErrorCode::notReadable,
+                              say<"The case library '%1' cannot be opened (%2); choose another folder.">(folder, verbatim(error.message())),
+                              {{"file", folder.string()}}});
     return found;
   }
   for (; entries != fs::directory_iterator(); entries.increment(error)) {
@@ -260,7 +264,7 @@ CaseList listCases(const fs::path& folder) {
       found.cases.push_back(std::move(*opened));
     else {
       Error problem = opened.error();
-      problem.message = "The case in the folder '" + entry.filename().string() + "' is left out: " + problem.sentence();
+      problem.message = say<"The case in the folder '%1' is left out: %2">(entry.filename(), std::move(problem.message));
       problem.context.emplace_back("case", entry.string());
       found.problems.push_back(std::move(problem));
     }

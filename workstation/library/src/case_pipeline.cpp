@@ -36,7 +36,7 @@ using PatientPtr = std::shared_ptr<const Patient>;
 constexpr int kPreparationFormat = 4;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
-tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, "Preparing the case was stopped."); }
+tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, say<"Preparing the case was stopped.">()); }
 
 /// What the time of a recording goes by: resolution cells of its frames, in millions. Lines times wavelengths of depth; a small frame of
 /// a high frequency takes as long as a large one of a low, so its area would say nothing.
@@ -73,8 +73,8 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
   auto probeText = readTextFile(probeFile, kLargestSweepFile_bytes);
   if (!probeText)
     return failure(ErrorCode::badField,
-                   "The sweep '" + relative + "' asks for the probe '" + recipe->probe +
-                       "', which the program does not have; name one of resources/probes.",
+                   say<"The sweep '%1' asks for the probe '%2', which the program does not have; name one of resources/probes.">(
+                       relative, recipe->probe),
                    {{"field", "probe"}, {"found", recipe->probe}, {"file", relative}});
   auto probe = readProbe(probeFile);
   if (!probe) return passOn(probe.error());
@@ -136,7 +136,7 @@ bool isWhole(const StepStore& store, const char* step, const std::string& key, s
 }
 
 tl::unexpected<Error> damagedInCache(const StepStore& store, const char* step, const std::string& key) {
-  return failure(ErrorCode::badHeader, "A prepared volume in the cache was damaged; it is made again.",
+  return failure(ErrorCode::badHeader, say<"A prepared volume in the cache was damaged; it is made again.">(),
                  {{"file", store.fileOf(step, key, {}).string()}});
 }
 
@@ -218,18 +218,18 @@ class Preparation {
   }
 
  private:
-  void begin(PreparationStep kind, std::string what) { clock_.begin(static_cast<int>(kind), std::move(what)); }
+  void begin(PreparationStep kind, Message what) { clock_.begin(static_cast<int>(kind), std::move(what)); }
 
   Result<Prepared> joined() {
     Prepared made;
     auto kept = readKeptVolume(store_, kVolumes, plan_.volume, silent_);  // there when it was killed before it labelled
     if (!kept && kept.error().code == ErrorCode::cancelled) return passOn(kept.error());
     if (kept) {
-      begin(PreparationStep::stitch, "Labelling the tissues");
+      begin(PreparationStep::stitch, say<"Labelling the tissues">());
     } else {
       for (const PlannedSweep& sweep : plan_.sweeps)
         if (auto swept = makeSweep(sweep); !swept) return passOn(swept.error());
-      begin(PreparationStep::stitch, "Stitching");
+      begin(PreparationStep::stitch, say<"Stitching">());
       kept = stitchedVolume();
       if (!kept) return passOn(kept.error());
     }
@@ -244,7 +244,7 @@ class Preparation {
   Result<Prepared> voxelised() {
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
-    begin(PreparationStep::voxelise, "Building the virtual patient");
+    begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
     auto voxels = voxelise(**patient,
                            {.spacing_mm = case_.volume.recipeSpacing_mm, .threads = options_.threads, .maxBytes = options_.maxBytes}, most);
@@ -260,7 +260,7 @@ class Preparation {
 
   Result<PatientPtr> patientOf() {
     if (patient_) return patient_;
-    begin(PreparationStep::patient, "Reading the patient");
+    begin(PreparationStep::patient, say<"Reading the patient">());
     auto read = readPatient(plan_.patientFile, plan_.mannequins, {}, clock_);
     if (!read) return passOn(read.error());
     patient_ = std::move(*read);
@@ -279,7 +279,7 @@ class Preparation {
     if (isWhole(store_, kRecordings, sweep.recording, {kImagesFile, kDeviceSetFile})) return {};
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
-    begin(PreparationStep::record, "Recording the sweep '" + sweep.name + "'");
+    begin(PreparationStep::record, say<"Recording the sweep '%1'">(sweep.name));
     PartOfProgress most(clock_, 0.0, 0.9), rest(clock_, 0.9, 1.0);
     const auto swept = recordSweep(*patient, sweep.probe, sweep.recipe, options_.threads, most, options_.maxBytes);
     if (!swept) return passOn(swept.error());
@@ -298,7 +298,7 @@ class Preparation {
 
   /// The way a user's recording goes into a volume for stitching, with the options of the case.
   Result<void> reconstruct(const PlannedSweep& sweep) {
-    begin(PreparationStep::reconstruct, "Reconstructing the sweep '" + sweep.name + "'");
+    begin(PreparationStep::reconstruct, say<"Reconstructing the sweep '%1'">(sweep.name));
     const CaseReconstruction& asked = case_.volume.reconstruct;
     SweepImportOptions import;
     import.calibrations = {fileOf(sweep, kDeviceSetFile)};
@@ -331,8 +331,8 @@ class Preparation {
     if (!volume) return passOn(volume.error());
     if (store_.find(kSweeps, sweep.volume)) {
       if (isWhole(store_, kSweeps, sweep.volume, {kVolumeFile, kCoverageFile, kConfidenceFile})) return {};
-      notes_.push_back("A part of the case in the cache could not be used and was made again. " +
-                       damagedInCache(store_, kSweeps, sweep.volume).value().sentence());
+      notes_.push_back(say<"A part of the case in the cache could not be used and was made again. %1">(
+          damagedInCache(store_, kSweeps, sweep.volume).value().message));
     }
     if (auto recorded = record(sweep); !recorded) return recorded;
     if (auto made = reconstruct(sweep); !made) return made;
@@ -353,7 +353,7 @@ class Preparation {
         if (!error) continue;
         isNamedFolderInTheWay_ = true;
         return failure(ErrorCode::notWritable,
-                       "The recording cannot be written to '" + target.string() + "' (" + error.message() + "); choose another folder.",
+                       say<"The recording cannot be written to '%1' (%2); choose another folder.">(target, verbatim(error.message())),
                        {{"file", target.string()}});
       }
     }
@@ -490,7 +490,7 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
       auto sweep = sweepOf(opened, relative, *resources, *patient);
       if (!sweep) return passOn(sweep.error());
       if (!names.insert(sweep->name).second)
-        return failure(ErrorCode::badField, "Two sweeps of the case are called '" + sweep->name + "'; give each a name of its own.",
+        return failure(ErrorCode::badField, say<"Two sweeps of the case are called '%1'; give each a name of its own.">(sweep->name),
                        {{"field", "volume.sweeps"}, {"found", sweep->name}});
       whole.add(sweep->name).add(sweep->volume);
       plan.sweeps.push_back(std::move(*sweep));
@@ -506,7 +506,7 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
 }  // namespace
 
 Result<CasePlan> planOf(const Case& opened) {
-  return guardedCase("The case '" + opened.folder.string() + "'", [&] { return unguardedPlanOf(opened); });
+  return guardedCase(opened.folder, [&] { return unguardedPlanOf(opened); });
 }
 
 const std::vector<std::string>& preparationSteps() {
@@ -536,7 +536,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   const auto readOrNote = [&](const StepStore& store) -> Result<Prepared> {
     auto cached = readDone(plan, store, progress);
     if (!cached && cached.error().code != ErrorCode::cancelled)
-      notes.push_back("The prepared volume in the cache could not be used and was made again. " + cached.error().sentence());
+      notes.push_back(say<"The prepared volume in the cache could not be used and was made again. %1">(cached.error().message));
     return cached;
   };
   const bool wasThere = plan.isDone();
@@ -553,7 +553,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
       auto cached = readOrNote(*cache);
       if (cached || cached.error().code == ErrorCode::cancelled) return cached;
     } else if (!wasThere && cache->claims(kVolumes, plan.volume)) {
-      notes.push_back("The prepared volume in the cache was damaged and was made again.");
+      notes.push_back(say<"The prepared volume in the cache was damaged and was made again.">());
     }
     if (progress.cancelRequested()) return stopped();
     removeOld(*cache);
@@ -565,8 +565,8 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   if (made || made.error().code != ErrorCode::notWritable || isNamedFolderInTheWay) return made;
   // Without a cache the case still opens; it is only made anew next time, and the user is told why, once. The way leads through files all
   // the same, in a folder that nobody else can write to.
-  notes.push_back("The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. " +
-                  made.error().sentence());
+  notes.push_back(say<"The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. %1">(
+      made.error().message));
   const auto aside = PrivateFolder::make();
   if (!aside) return made;
   const auto store = StepStore::share(aside->path(), preparationSteps());

@@ -20,15 +20,16 @@ glm::dvec3 pointOf(const json& three) { return {three.at(0).get<double>(), three
 glm::dmat4 truthMatrixOf(const json& rows) { return matrixFromRows(rows.get<std::array<double, 16>>()); }
 
 /// The element of a list of objects that has this name, or the names there are.
-Result<json> named(const json& list, const std::string& name, const std::string& field, const std::string& what) {
+/// @param noSuch what the patient has not: "no such organ"
+Result<json> named(const json& list, const std::string& name, const std::string& field, const Message& noSuch) {
   std::string names;
   for (const json& each : list) {
     if (each.at("name") == name) return each;
     names += (names.empty() ? "" : ", ") + each.at("name").get<std::string>();
   }
   return failure(ErrorCode::badField,
-                 "'" + field + "' in case.json is \"" + name + "\", and the patient has no such " + what +
-                     (names.empty() ? "" : "; it has " + names) + ".",
+                 names.empty() ? say<"'%1' in case.json is \"%2\", and the patient has %3.">(field, name, noSuch)
+                               : say<"'%1' in case.json is \"%2\", and the patient has %3; it has %4.">(field, name, noSuch, names),
                  {{"field", field}, {"found", name}, {"expected", names}});
 }
 
@@ -37,11 +38,11 @@ Result<json> patientTruth(const Case& opened, Progress& progress) {
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
   if (auto kept = StepStore::peek(cacheFolder(), preparationSteps()).find(kTruths, plan->truth)) return std::move(*kept);
-  progress.report("Reading the patient", 0.1);
+  progress.report(say<"Reading the patient">(), 0.1);
   PartOfProgress reading(progress, 0.1, 0.8);
   const auto patient = readPatient(plan->patientFile, plan->mannequins, {}, reading);
   if (!patient) return passOn(patient.error());
-  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Opening the case was stopped.");
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Opening the case was stopped.">());
   auto truth = truthOfPatient(**patient, progress);
   if (!truth) return passOn(truth.error());
   if (const auto store = StepStore::share(cacheFolder(), preparationSteps()))
@@ -64,7 +65,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
       point.tolerance_mm = target.tolerance_mm.value_or(point.tolerance_mm);
       found.points.push_back(point);
     } else if (target.kind == CaseTarget::Kind::structure) {
-      auto organ = named(truth.at("organs"), target.organ, field + ".organ", "organ");
+      auto organ = named(truth.at("organs"), target.organ, field + ".organ", say<"no such organ">());
       if (!organ) return passOn(organ.error());
       found.structures.push_back({target.name, target.organ, organ->at("label").get<int>()});
     } else {
@@ -73,7 +74,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
       if (target.probeToWorld) {
         plane.probeToWorld = place * *target.probeToWorld;
       } else {
-        auto known = named(truth.at("planes"), target.name, field + ".name", "standard plane");
+        auto known = named(truth.at("planes"), target.name, field + ".name", say<"no such standard plane">());
         if (!known) return passOn(known.error());
         plane.probeToWorld = place * truthMatrixOf(known->at("probe_to_world"));
         plane.positionTolerance_mm = known->at("position_tolerance_mm").get<double>();
@@ -87,7 +88,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
   }
   for (std::size_t n = 0; n < opened.measurements.size(); ++n) {
     const CaseMeasurement& asked = opened.measurements[n];
-    auto known = named(truth.at("measurements"), asked.name, "measurements[" + std::to_string(n) + "].name", "measurement");
+    auto known = named(truth.at("measurements"), asked.name, "measurements[" + std::to_string(n) + "].name", say<"no such measurement">());
     if (!known) return passOn(known.error());
     ExpectedMeasurement expected;
     expected.name = asked.name;
@@ -141,7 +142,8 @@ Result<CaseTruth> loadCaseTruth(const Case& opened, Progress& progress) {
     // A truth file that someone edited: it is only a copy.
     const auto plan = planOf(opened);
     if (plan) StepStore::peek(cacheFolder(), preparationSteps()).remove(kTruths, plan->truth);
-    return failure(ErrorCode::badHeader, "The patient's truth in the cache was damaged and has been taken away; open the case again.");
+    return failure(ErrorCode::badHeader,
+                   say<"The patient's truth in the cache was damaged and has been taken away; open the case again.">());
   }
 }
 

@@ -57,10 +57,9 @@ std::vector<Error> problemsInUse(const Case& opened) {
       const std::string& id = opened.probes[n];
       if (std::any_of(probes->begin(), probes->end(), [&](const Probe& probe) { return probe.id == id; })) continue;
       const std::string field = "probes[" + std::to_string(n) + "]";
-      problems.push_back(
-          {ErrorCode::badField,
-           "'" + field + "' in " + kManifestName + " is \"" + id + "\", which is no probe of the program; name one of " + known + ".",
-           {{"field", field}, {"found", id}, {"expected", known}}});
+      problems.push_back({ErrorCode::badField,
+                          say<"'%1' in case.json is \"%2\", which is no probe of the program; name one of %3.">(field, id, known),
+                          {{"field", field}, {"found", id}, {"expected", known}}});
     }
   }
   if (!opened.startPose) return problems;
@@ -71,8 +70,9 @@ std::vector<Error> problemsInUse(const Case& opened) {
   if (glm::length(outside) > kFarthestStart_mm)
     problems.push_back(
         {ErrorCode::badField,
-         std::string("'start_pose' in ") + kManifestName + " lies " + textOf(std::round(glm::length(outside))) +
-             " mm beside the volume, where a probe sees nothing; put the probe on the body above the volume and take that pose.",
+         say<"'start_pose' in case.json lies %1 mm beside the volume, where a probe sees nothing; put the probe on the body above the "
+             "volume and "
+             "take that pose.">(textOf(std::round(glm::length(outside)))),
          {{"field", "start_pose"}, {"found", textOf(glm::length(outside))}, {"expected", "at most " + textOf(kFarthestStart_mm)}}});
   return problems;
 }

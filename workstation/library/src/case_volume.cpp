@@ -85,12 +85,11 @@ Result<PreparationEstimate> estimatePreparation(const Case& opened) {
   if (opened.volume.recipe.empty()) return PreparationEstimate{0.0, true};
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
-  return guardedCase("The case '" + opened.folder.string() + "'",
-                     [&]() -> Result<PreparationEstimate> { return estimateOf(opened, *plan); });
+  return guardedCase(opened.folder, [&]() -> Result<PreparationEstimate> { return estimateOf(opened, *plan); });
 }
 
 Result<std::vector<Message>> prepareCase(const Case& opened, const PreparationOptions& options, Progress& progress) {
-  if (opened.volume.recipe.empty()) return std::vector<std::string>{};
+  if (opened.volume.recipe.empty()) return std::vector<Message>{};
   const auto plan = planOf(opened);
   if (!plan) return passOn(plan.error());
   std::vector<Message> notes;

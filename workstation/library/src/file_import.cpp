@@ -25,8 +25,8 @@ bool among(const std::string& ending, std::initializer_list<const char*> endings
   return std::any_of(endings.begin(), endings.end(), [&](const char* one) { return ending == one; });
 }
 
-tl::unexpected<Error> ask(ErrorCode code, const char* what, std::string sentence, const fs::path& file) {
-  return failure(code, std::move(sentence), {{"file", file.string()}, {"ask", what}});
+tl::unexpected<Error> ask(ErrorCode code, const char* what, Message message, const fs::path& file) {
+  return failure(code, std::move(message), {{"file", file.string()}, {"ask", what}});
 }
 
 Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
@@ -36,24 +36,22 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
   if (!read) return passOn(read.error());
   if (read->timeSteps > 1 && !answers.timeStep)
     return ask(ErrorCode::missingCalibration, "time-step",
-               "'" + file.filename().string() + "' holds " + std::to_string(read->timeSteps) +
-                   " volumes one after the other; choose one by its number, 1 to " + std::to_string(read->timeSteps) + ".",
+               say<"'%1' holds %2 volumes one after the other; choose one by its number, 1 to %2.">(file.filename(), read->timeSteps),
                file);
   ImportedFile made;
   made.notes = std::move(read->notes);
   if (answers.spacing_mm) {
     read->volume.grid.spacing_mm = *answers.spacing_mm;
     if (auto usable = checkGrid(read->volume.grid); !usable) return passOn(usable.error());
-    std::erase_if(made.notes,
-                  [](const std::string& note) { return note.find("the true spacing is probably unknown") != std::string::npos; });
-    made.notes.push_back("The spacing was given and replaces that of the file; origin and directions are the file's.");
+    std::erase(made.notes, say<"Spacing is 1 x 1 x 1 mm with the origin at 0 and no rotation: the true spacing is probably unknown.">());
+    made.notes.push_back(say<"The spacing was given and replaces that of the file; origin and directions are the file's.">());
   } else if (!read->spacingKnown) {
     return ask(ErrorCode::missingCalibration, "spacing",
-               "'" + file.filename().string() +
-                   "' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.",
+               say<"'%1' says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.">(
+                   file.filename()),
                file);
   } else {
-    made.notes.push_back("Spacing, origin and directions are the file's own, in LPS.");
+    made.notes.push_back(say<"Spacing, origin and directions are the file's own, in LPS.">());
   }
   made.volume = std::move(read->volume);
   return made;
@@ -85,9 +83,8 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
     case FileKind::sweep:
       return ask(
           ErrorCode::unsupported, "reconstruct",
-          "'" + file.filename().string() +
-              "' is a recording already, so there is nothing to import; with the poses of a tracker, or a file that says how a motor "
-              "moved the probe, a volume can be made of it.",
+          say<"'%1' is a recording already, so there is nothing to import; with the poses of a tracker, or a file that says how a motor "
+              "moved the probe, a volume can be made of it.">(file.filename()),
           file);
     case FileKind::dicomPictures:
       return fromCine(readDicomCine(file,
@@ -115,8 +112,8 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
   }
   return ask(
       ErrorCode::missingCalibration, "raw",
-      "'" + file.filename().string() +
-          "' is of no known kind; if it holds samples without a header, say how they are stored (dimensions, type, spacing, offset).",
+      say<"'%1' is of no known kind; if it holds samples without a header, say how they are stored (dimensions, type, spacing, offset).">(
+          file.filename()),
       file);
 }
 
@@ -130,12 +127,12 @@ const char* nameOf(FileKind kind) {
 Result<FileKind> kindOfFile(const fs::path& file) {
   std::error_code ec;
   if (!fs::exists(file, ec))
-    return failure(ErrorCode::notFound, "There is no file or folder '" + file.string() + "'; check the name.", {{"file", file.string()}});
+    return failure(ErrorCode::notFound, say<"There is no file or folder '%1'; check the name.">(file), {{"file", file.string()}});
   if (fs::is_directory(file, ec)) return FileKind::pictures;
   // Opening a pipe to see what it begins with would wait for whoever writes into it.
   if (!fs::is_regular_file(file, ec))
     return failure(ErrorCode::notReadable,
-                   "'" + file.string() + "' is a pipe or a device and not a file; save what comes out of it as a file first.",
+                   say<"'%1' is a pipe or a device and not a file; save what comes out of it as a file first.">(file),
                    {{"file", file.string()}});
   const std::string ending = endingOf(file);
   if (among(ending, {".mha", ".mhd", ".nrrd", ".nhdr", ".nii"})) {
@@ -174,7 +171,7 @@ Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answe
   if (answers.spacing_mm)
     for (int axis = 0; axis < 3; ++axis)
       if (!((*answers.spacing_mm)[axis] > 0.0 && (*answers.spacing_mm)[axis] < 1e6))
-        return failure(ErrorCode::badUsage, "The spacing must be above 0 mm along every axis.", {{"ask", "spacing"}});
+        return failure(ErrorCode::badUsage, say<"The spacing must be above 0 mm along every axis.">(), {{"ask", "spacing"}});
   const auto kind = kindOfFile(file);
   if (!kind) return passOn(kind.error());
   auto made = read(*kind, file, answers, progress, limits);

@@ -35,11 +35,11 @@ Result<fs::path> dataFolder(const std::string& name) {
   homes.emplace_back(EW_INSTALLED_DATA_DIR);
   for (const auto& home : homes)
     if (isFolder(home / name)) return home / name;
-  return failure(ErrorCode::notFound,
-                 "The program's folder '" + name +
-                     "' was not found beside the program; install EchoWeave again or set ECHOWEAVE_RESOURCES to "
-                     "its resources folder.",
-                 {{"folder", name}, {"program", program.string()}});
+  return failure(
+      ErrorCode::notFound,
+      say<"The program's folder '%1' was not found beside the program; install EchoWeave again or set ECHOWEAVE_RESOURCES to its "
+          "resources folder.">(name),
+      {{"folder", name}, {"program", program.string()}});
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ Result<fs::path> resourceFolder() {
   // Someone who sets the variable wants that folder; another one in its place would only hide a typing error.
   if (const std::string chosen = environment("ECHOWEAVE_RESOURCES"); !chosen.empty()) {
     if (isFolder(chosen)) return fs::path(chosen);
-    return failure(ErrorCode::notFound, "ECHOWEAVE_RESOURCES is '" + chosen + "', which is not a folder; correct it or unset it.",
+    return failure(ErrorCode::notFound, say<"ECHOWEAVE_RESOURCES is '%1', which is not a folder; correct it or unset it.">(chosen),
                    {{"folder", chosen}});
   }
   return dataFolder("resources");

@@ -58,12 +58,12 @@ Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& option
   if (options.by == GateBy::ecg || (automatic && carries(sequence, fields::kEcg)))
     if (auto problem = take(GateBy::ecg, byEcg(sequence))) {
       if (!automatic) return passOn(std::move(*problem));
-      gate.notes.push_back(problem->sentence());
+      gate.notes.push_back(std::move(problem->message));
     }
   if (!cycles && (options.by == GateBy::respiration || (automatic && carries(sequence, fields::kRespiration))))
     if (auto problem = take(GateBy::respiration, byRespiration(sequence))) {
       if (!automatic) return passOn(std::move(*problem));
-      gate.notes.push_back(problem->sentence());
+      gate.notes.push_back(std::move(problem->message));
     }
   if (!cycles)
     if (auto problem = take(GateBy::images, byImages(sequence, time_s, options, progress))) return passOn(std::move(*problem));
@@ -82,7 +82,7 @@ Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& option
 Result<Grid> importPhases(const OpenedSweep& opened, const SweepGate& gate, int phases, const KeepPhase& keep, Progress& progress) {
   if (!opened.plan.fits)
     return failure(ErrorCode::tooLarge,
-                   "A volume of this sweep needs more memory than allowed; use a coarser spacing or allow more memory.",
+                   say<"A volume of this sweep needs more memory than allowed; use a coarser spacing or allow more memory.">(),
                    {{"bytes", std::to_string(opened.plan.bytes)}});
   const auto lists = framesOfPhase(gate.frames, phases);
   if (!lists) return passOn(lists.error());

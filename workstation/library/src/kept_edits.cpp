@@ -36,7 +36,7 @@ std::optional<KeptEdits::Left> read(const fs::path& folder) {
   const fs::path file = folder / kFile;
   const auto text = readTextFile(file, kLargest_bytes);
   if (!text) return std::nullopt;
-  auto kept = parseJson(*text, kFile);
+  auto kept = parseJson(*text, verbatim(kFile));
   if (!kept || !kept->is_object()) return std::nullopt;
   const auto place = kept->find("case_folder"), manifest = kept->find("manifest"), size = kept->find("read_bytes"),
              hash = kept->find("read_hash");
@@ -67,10 +67,10 @@ Result<void> KeptEdits::makeFolder() {
   fs::create_directories(root_, failed);
   std::string name = (root_ / "XXXXXX").string();
   const auto refuse = [&](const std::string& reason) {
-    return failure(ErrorCode::notWritable,
-                   "Unsaved changes of the case cannot be kept in '" + root_.string() + "' (" + reason +
-                       "), so a crash would lose them; save the case often.",
-                   {{"folder", root_.string()}});
+    return failure(
+        ErrorCode::notWritable,
+        say<"Unsaved changes of the case cannot be kept in '%1' (%2), so a crash would lose them; save the case often.">(root_, reason),
+        {{"folder", root_.string()}});
   };
   if (failed) return refuse(failed.message());
   if (::mkdtemp(name.data()) == nullptr) return refuse(std::generic_category().message(errno));

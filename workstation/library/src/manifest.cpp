@@ -65,13 +65,13 @@ glm::dmat4 matrixOf(const json& sixteen) {
 }
 
 void checkMatrix(const json& owner, const char* key, const std::string& place, std::vector<Error>& problems) {
-  JsonReading reading(kManifestName);
+  JsonReading reading(verbatim(kManifestName));
   JsonFields(owner, reading, place).rigid(key);
   if (reading.problem()) problems.push_back(*reading.problem());
 }
 
-Error wrongField(const std::string& field, const std::string& found, const std::string& expected) {
-  return fieldError(kManifestName, field, found, expected);
+Error wrongField(const std::string& field, const Message& found, const Message& expected) {
+  return fieldError(verbatim(kManifestName), field, found, expected);
 }
 
 /// What the schema cannot say: each kind of target has fields of its own.
@@ -82,20 +82,23 @@ void checkTargets(const json& manifest, std::vector<Error>& problems) {
     const std::string field = "targets[" + std::to_string(n) + "]";
     const std::string kind = target["kind"];
     if (kind == "point" && !target.contains("at_mm"))
-      problems.push_back(wrongField(field + ".at_mm", "missing", "three numbers, mm in the world"));
+      problems.push_back(wrongField(field + ".at_mm", say<"missing">(), say<"three numbers, mm in the world">()));
     if (kind == "structure" && !target.contains("organ"))
-      problems.push_back(wrongField(field + ".organ", "missing", "the name of an organ of the patient"));
+      problems.push_back(wrongField(field + ".organ", say<"missing">(), say<"the name of an organ of the patient">()));
     const bool needsPatient = kind == "structure" || (kind == "plane" && !target.contains("probe_to_world"));
     if (needsPatient && !manifest["volume"].contains("recipe"))
-      problems.push_back(wrongField(field, "a " + kind + " of a patient, and the case has no recipe",
-                                    kind == "plane" ? "a plane with probe_to_world" : "a point or a plane"));
+      problems.push_back(
+          kind == "plane"
+              ? wrongField(field, say<"a plane of a patient, and the case has no recipe">(), say<"a plane with probe_to_world">())
+              : wrongField(field, say<"a structure of a patient, and the case has no recipe">(), say<"a point or a plane">()));
     checkMatrix(target, "probe_to_world", field, problems);
   }
 }
 
 void checkMeasurements(const json& manifest, std::vector<Error>& problems) {
   if (manifest.contains("measurements") && !manifest["measurements"].empty() && !manifest["volume"].contains("recipe"))
-    problems.push_back(wrongField("measurements", "given, and the case has no recipe whose patient could know their values", "left out"));
+    problems.push_back(
+        wrongField("measurements", say<"given, and the case has no recipe whose patient could know their values">(), say<"left out">()));
 }
 
 void checkFile(const std::filesystem::path& folder, const json& owner, const char* key, const std::string& field,
@@ -123,9 +126,8 @@ void checkMannequin(const std::filesystem::path& folder, const json& manifest, s
   const auto resources = resourceFolder();
   if (folder.empty() || (resources && std::filesystem::exists(*resources / "mannequin" / name, ignored))) return;
   problems.push_back({ErrorCode::notFound,
-                      "The mannequin '" + name +
-                          "' is neither in the case folder nor among the program's own; put the file into the case "
-                          "folder or leave the field empty.",
+                      say<"The mannequin '%1' is neither in the case folder nor among the program's own; put the file into the case folder "
+                          "or leave the field empty.">(name),
                       {{"field", "mannequin"}, {"found", name}}});
 }
 
@@ -136,11 +138,11 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
       manifest["format"].get<double>() > kCaseFormat) {
     const std::string found = manifest["format"].dump();
     return {{ErrorCode::newerFormat,
-             std::string(kManifestName) + " has format " + found + ", and this program reads formats up to " + std::to_string(kCaseFormat) +
-                 "; open it with a newer EchoWeave.",
+             say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(std::string(kManifestName),
+                                                                                                               found, kCaseFormat),
              {{"field", "format"}, {"found", found}, {"expected", "at most " + std::to_string(kCaseFormat)}}}};
   }
-  auto problems = schemaProblems(manifest, SchemaName::caseManifest, kManifestName);
+  auto problems = schemaProblems(manifest, SchemaName::caseManifest, verbatim(kManifestName));
   // What follows reads the fields as the types the schema promises.
   if (!problems.empty()) return problems;
 
@@ -148,7 +150,7 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
   checkMatrix(volume, "file_to_world", "volume", problems);
   for (const char* pose : {"start_pose", "expert_pose"}) checkMatrix(manifest, pose, {}, problems);
   if (volume.contains("recipe_spacing_mm") && !std::isfinite(volume["recipe_spacing_mm"].get<double>()))
-    problems.push_back(wrongField("volume.recipe_spacing_mm", "not a number", "from 0.1 to 10 mm"));
+    problems.push_back(wrongField("volume.recipe_spacing_mm", say<"not a number">(), say<"from 0.1 to 10 mm">()));
   if (manifest.contains("scene")) {
     json unknown;
     if (auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown); !scene) {
@@ -162,18 +164,20 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
   checkVolumeFile(folder, volume, "labels", "volume.labels", problems);
   if (volume.contains("labels") && volume.contains("recipe"))
     problems.push_back({ErrorCode::badField,
-                        "'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.",
+                        say<"'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.">(),
                         {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
   checkFile(folder, volume, "recipe", "volume.recipe", problems);
   if (volume.contains("sweeps")) {
     if (!volume.contains("recipe"))
-      problems.push_back(wrongField("volume.sweeps", "given without a recipe", "left out, or beside the recipe whose patient is swept"));
+      problems.push_back(
+          wrongField("volume.sweeps", say<"given without a recipe">(), say<"left out, or beside the recipe whose patient is swept">()));
     for (std::size_t n = 0; n < volume["sweeps"].size(); ++n) {
       const std::string field = "volume.sweeps[" + std::to_string(n) + "]";
       if (auto file = fileOfCase(folder, volume["sweeps"][n].get<std::string>(), field); !file) problems.push_back(file.error());
     }
   } else if (volume.contains("reconstruct")) {
-    problems.push_back(wrongField("volume.reconstruct", "given without sweeps", "left out, or beside the sweeps it is about"));
+    problems.push_back(
+        wrongField("volume.reconstruct", say<"given without sweeps">(), say<"left out, or beside the sweeps it is about">()));
   }
   checkTargets(manifest, problems);
   checkMeasurements(manifest, problems);

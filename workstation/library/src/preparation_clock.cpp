@@ -10,10 +10,10 @@ double secondsBetween(std::chrono::steady_clock::time_point from, std::chrono::s
   return std::chrono::duration<double>(to - from).count();
 }
 
-/// In steps of five seconds: a console that prints each change would be full of them.
-std::string inWords(double left_s) {
-  if (left_s >= 120.0) return std::to_string(static_cast<int>(std::ceil(left_s / 60.0))) + " min left";
-  return std::to_string(5 * std::max(1, static_cast<int>(std::ceil(left_s / 5.0)))) + " s left";
+/// A step and how long all will take, in steps of five seconds: a console that prints each change would be full of them.
+Message withTimeLeft(const Message& step, double left_s) {
+  if (left_s >= 120.0) return say<"%1, %2 min left">(step, static_cast<int>(std::ceil(left_s / 60.0)));
+  return say<"%1, %2 s left">(step, 5 * std::max(1, static_cast<int>(std::ceil(left_s / 5.0))));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void PreparationClock::finishStep() {
   ++at_;
 }
 
-void PreparationClock::begin(int kind, std::string what) {
+void PreparationClock::begin(int kind, Message what) {
   {
     const std::lock_guard lock(guard_);
     finishStep();
@@ -74,7 +74,7 @@ void PreparationClock::report(const Message&, double fraction) {
   finished_.pop_back();
   const double passed_s = secondsBetween(started_, Clock::now());
   furthest_ = std::max(furthest_, passed_s + rest_s > 0.0 ? passed_s / (passed_s + rest_s) : 0.0);
-  whole_.report(what_ + ", " + inWords(rest_s), furthest_);
+  whole_.report(withTimeLeft(what_, rest_s), furthest_);
 }
 
 }  // namespace ew

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <mutex>
-#include <string>
 #include <vector>
 
 #include "ew/core/progress.h"
@@ -10,7 +9,7 @@
 namespace ew {
 
 /// Turns the progress of steps of very different length into one of time: the fraction is the time that passed over the time it will take,
-/// and the step's words end with the seconds left. What finished steps of a kind took corrects what is expected of the others.
+/// and the step's words end with the time left. What finished steps of a kind took corrects what is expected of the others.
 class PreparationClock final : public Progress {
  public:
   struct Step {
@@ -20,7 +19,7 @@ class PreparationClock final : public Progress {
   PreparationClock(Progress& whole, std::vector<Step> steps) : whole_(whole), steps_(std::move(steps)) {}
 
   /// Begins the next step of that kind, ending the one before; one that nobody expected (damage in the cache) counts as taking no time.
-  void begin(int kind, std::string what);
+  void begin(int kind, Message what);
   /// Seconds the step that is under way has taken.
   [[nodiscard]] double sinceBegin_s() const;
   void report(const Message& what, double fraction) override;
@@ -40,7 +39,7 @@ class PreparationClock final : public Progress {
   std::mutex guard_;  // of what follows: steps report from their worker threads
   std::size_t at_ = 0;
   bool begun_ = false;
-  std::string what_;
+  Message what_;
   Clock::time_point started_ = Clock::now();
   Clock::time_point stepStarted_ = started_;
   double furthest_ = 0.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -21,9 +23,29 @@ struct LoadedSchema {
   valijson::Schema rules;
 };
 
+/// What a schema says a value must be, in its own words, is a text as those of say() are: entered once, and kept as long as the program
+/// runs, for whatever language a window has. A plugin brings the words of its schema with its own.
+Message expectation(const std::string& description) {
+  if (description.empty()) return {};
+  static std::mutex guard;
+  static auto& texts = *new std::map<std::string, const MessageText*>;
+  const std::lock_guard lock(guard);
+  const auto [at, isNew] = texts.try_emplace(description, nullptr);
+  if (isNew) at->second = new MessageText(at->first.c_str());
+  return MessageMaker::of(at->second->text, {});
+}
+
+void enterExpectations(const nlohmann::json& schema) {
+  if (!schema.is_structured()) return;
+  if (schema.is_object() && schema.contains("description") && schema["description"].is_string())
+    static_cast<void>(expectation(schema["description"].get<std::string>()));
+  for (const auto& inner : schema) enterExpectations(inner);
+}
+
 void compile(LoadedSchema& schema) {
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema.document), schema.rules);
+  enterExpectations(schema.document);
 }
 
 const LoadedSchema& loadedSchema(SchemaName name) {
@@ -85,7 +107,7 @@ const nlohmann::json* valueAt(const nlohmann::json& document, const Path& path) 
   return at;
 }
 
-std::string expectedAt(const nlohmann::json& schema, const Path& path) {
+Message expectedAt(const nlohmann::json& schema, const Path& path) {
   const nlohmann::json* at = &schema;
   for (const auto& step : path) {
     if (at->contains("properties") && (*at)["properties"].contains(step))
@@ -95,7 +117,7 @@ std::string expectedAt(const nlohmann::json& schema, const Path& path) {
     else
       return {};
   }
-  return at->value("description", std::string());
+  return expectation(at->value("description", std::string()));
 }
 
 std::optional<std::string> missingProperty(const std::string& description) {
@@ -114,21 +136,22 @@ bool onlyRepeatsAChild(const std::string& description) {
 
 /// @param place of `document` in the one that is named; empty: it is that one
 Error problemAt(const nlohmann::json& document, const nlohmann::json& schema, const Path& path, const std::string& place,
-                const std::string& documentName) {
+                const Message& documentName) {
   const nlohmann::json* found = valueAt(document, path);
   const std::string inside = fieldName(path);
   const std::string field = place.empty() || inside.empty() ? place + inside : place + (inside.front() == '[' ? "" : ".") + inside;
-  const std::string expected = expectedAt(schema, path);
-  const std::string foundText = found == nullptr ? "missing" : shown(*found).english();
+  const Message expected = expectedAt(schema, path);
+  const Message foundThere = found == nullptr ? say<"missing">() : shown(*found);
   if (expected.empty())
     return {ErrorCode::badField,
-            (field.empty() ? documentName : "'" + field + "' in " + documentName) + " is " + foundText + ", which cannot be used.",
-            {{"field", field}, {"found", foundText}, {"in", documentName}}};
-  return fieldError(documentName, field, foundText, expected);
+            field.empty() ? say<"%1 is %2, which cannot be used.">(documentName, foundThere)
+                          : say<"'%1' in %2 is %3, which cannot be used.">(field, documentName, foundThere),
+            {{"field", field}, {"found", foundThere.english()}, {"in", documentName.english()}}};
+  return fieldError(documentName, field, foundThere, expected);
 }
 
 /// Texts that are too long for their pattern. std::regex recurses once per character, so these must never reach it.
-std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohmann::json& schema, const std::string& documentName) {
+std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohmann::json& schema, const Message& documentName) {
   std::vector<Error> problems;
   if (!document.is_object()) return problems;
   for (const auto& [name, rule] : schema["properties"].items()) {
@@ -140,7 +163,7 @@ std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohma
 }
 
 std::vector<Error> problemsOf(const nlohmann::json& document, const LoadedSchema& schema, const std::string& place,
-                              const std::string& documentName) {
+                              const Message& documentName) {
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   valijson::ValidationResults results;
   if (validator.validate(schema.rules, valijson::adapters::NlohmannJsonAdapter(document), &results)) return {};
@@ -187,7 +210,7 @@ constexpr std::size_t kLongestForPatterns = 2000;
 
 }  // namespace
 
-std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const std::string& documentName) {
+std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const Message& documentName) {
   const LoadedSchema& schema = loadedSchema(name);
   if (auto overlong = overlongPatterns(document, schema.document, documentName); !overlong.empty()) return overlong;
   return problemsOf(document, schema, {}, documentName);
@@ -198,7 +221,7 @@ struct PartSchema::Loaded {
   bool hasPatterns = false;
 };
 
-Result<PartSchema> PartSchema::of(const std::string& text, const std::string& documentName) {
+Result<PartSchema> PartSchema::of(const std::string& text, const Message& documentName) {
   auto parsed = parseJson(text, documentName);
   if (!parsed) return passOn(parsed.error());
   auto loaded = std::make_shared<Loaded>();
@@ -207,26 +230,29 @@ Result<PartSchema> PartSchema::of(const std::string& text, const std::string& do
   try {
     compile(loaded->schema);
   } catch (const std::exception& problem) {
-    return failure(ErrorCode::badHeader, documentName + " is no JSON Schema that can be used; correct it (" + problem.what() + ").",
-                   {{"file", documentName}, {"reason", problem.what()}});
+    return failure(ErrorCode::badHeader,
+                   say<"%1 is no JSON Schema that can be used; correct it (%2).">(documentName, verbatim(problem.what())),
+                   {{"file", documentName.english()}, {"reason", problem.what()}});
   }
   PartSchema made;
   made.loaded_ = std::move(loaded);
   return made;
 }
 
-std::vector<Error> PartSchema::problems(const nlohmann::json& part, const std::string& place, const std::string& documentName) const {
-  const auto problem = [&](const std::string& sentence) {
-    return std::vector<Error>{{ErrorCode::badField, sentence, {{"field", place}, {"found", shown(part).english()}, {"expected", ""}}}};
+std::vector<Error> PartSchema::problems(const nlohmann::json& part, const std::string& place, const Message& documentName) const {
+  const auto problem = [&](Message message) {
+    return std::vector<Error>{
+        {ErrorCode::badField, std::move(message), {{"field", place}, {"found", shown(part).english()}, {"expected", ""}}}};
   };
   // The library's patterns are std::regex, which recurses once per character.
   if (loaded_->hasPatterns && longestText(part) > kLongestForPatterns)
-    return problem("A text of '" + place + "' in " + documentName + " is too long to be checked; shorten it to at most " +
-                   std::to_string(kLongestForPatterns) + " bytes.");
+    return problem(
+        say<"A text of '%1' in %2 is too long to be checked; shorten it to at most %3 bytes.">(place, documentName, kLongestForPatterns));
   try {
     return problemsOf(part, loaded_->schema, place, documentName);
   } catch (const std::exception& thrown) {
-    return problem("'" + place + "' in " + documentName + " cannot be checked (" + thrown.what() + "); the schema of its plugin is wrong.");
+    return problem(
+        say<"'%1' in %2 cannot be checked (%3); the schema of its plugin is wrong.">(place, documentName, verbatim(thrown.what())));
   }
 }
 

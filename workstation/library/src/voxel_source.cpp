@@ -75,8 +75,8 @@ Result<Sequence> readTracedImages(const Provenance& provenance, Progress& progre
          });
   if (!same)
     return failure(ErrorCode::badField,
-                   "The recording '" + provenance.sweep.filename().string() +
-                       "' is no longer the one that the volume was made from; make the volume again to see its frames.",
+                   say<"The recording '%1' is no longer the one that the volume was made from; make the volume again to see its frames.">(
+                       provenance.sweep.filename()),
                    {{"file", provenance.sweep.string()}});
   return std::move(opened->sequence);
 }

@@ -14,18 +14,19 @@ enum class SchemaName { caseManifest, pluginManifest };
 
 /// Everything in which `document` departs from the schema, each as a sentence a user can act on, with the context "field"
 /// ("patient.age_years", "start_pose[3]"), "found" and "expected"; empty when it conforms.
-/// @param documentName how the file is called in the sentences: "case.json"
+/// @param documentName how the file is called in the sentences: verbatim("case.json")
 /// @error codes: badField throughout
-[[nodiscard]] std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName schema, const std::string& documentName);
+[[nodiscard]] std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName schema, const Message& documentName);
 
-/// A schema that comes at run time, with a plugin: what it says about a part of a document.
+/// A schema that comes at run time, with a plugin: what it says about a part of a document. Its descriptions are texts of messages, which
+/// the plugin's own words can translate.
 class PartSchema {
  public:
   /// @param text JSON Schema, draft 7, that refers to no other file
   /// @error badHeader (not JSON, or no such schema)
-  [[nodiscard]] static Result<PartSchema> of(const std::string& text, const std::string& documentName);
+  [[nodiscard]] static Result<PartSchema> of(const std::string& text, const Message& documentName);
   /// As schemaProblems, of a part of a document. @param place of the part in it, for the sentences: "parts.lesson"
-  [[nodiscard]] std::vector<Error> problems(const nlohmann::json& part, const std::string& place, const std::string& documentName) const;
+  [[nodiscard]] std::vector<Error> problems(const nlohmann::json& part, const std::string& place, const Message& documentName) const;
 
  private:
   struct Loaded;
