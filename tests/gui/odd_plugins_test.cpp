@@ -5,16 +5,12 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTimer>
-#include <QTranslator>
 #include <nlohmann/json.hpp>
 
 #include "ew/door/door.h"
 #include "guarded_application.h"
 #include "gui/answers.h"
 #include "gui/window_fixture.h"
-
-/// Outside of any namespace, as the macro demands.
-static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui {
 namespace {
@@ -184,20 +180,6 @@ class OddPluginsTest final : public testing::WindowFixture {
         QStringLiteral("Counting"), [](Progress&) { return Result<void>(); }, [](const Result<void>&) { throw 42; });
     window_->jobs().cancelAllAndWait();  // as when the window closes, where nobody above could stop it
     QVERIFY2(window_->messages().text().contains(QStringLiteral("'Counting'")), qPrintable(window_->messages().text()));
-  }
-
-  void everySentenceAboutAPluginHasGermanWords() {
-    initTranslations();
-    QTranslator german;
-    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
-    for (int moment = 0; moment <= static_cast<int>(door::PluginMoment::end); ++moment)
-      for (const bool noMemory : {false, true}) {
-        const door::PluginFault fault{"Rechner", static_cast<door::PluginMoment>(moment), "Teil", {noMemory, "Grund"}};
-        const QString words = german.translate("ew::door::PluginFault", door::patternOf(fault));
-        QVERIFY2(!words.isEmpty(), door::patternOf(fault));
-        for (const char* place : {"%1", "%2", "%3"})
-          QCOMPARE(words.contains(QLatin1String(place)), QString::fromUtf8(door::patternOf(fault)).contains(QLatin1String(place)));
-      }
   }
 };
 

@@ -86,10 +86,7 @@ void MainWindow::openPlugins() {
   p.host->setWorkspaceSwitch({[this](const sdk::Workspace& workspace) { return addWorkspace(workspace); },
                               [this](const std::string& id) { showWorkspace(id); }, [this] { return parts_->workspace; }});
   p.host->setMenu([this](const sdk::MenuEntry& entry, std::function<void()> run) { return addTool(entry, std::move(run)); });
-  p.plugins->openAll(*p.host, [this](const door::PluginFault& fault) {
-    const QString pattern = QCoreApplication::translate("ew::door::PluginFault", door::patternOf(fault));
-    parts_->messages->showError(words(door::filled(pattern.toStdString(), fault)));
-  });
+  p.plugins->openAll(*p.host, [this](const door::PluginFault& fault) { parts_->messages->showError(words(door::messageOf(fault))); });
   for (const door::PluginStatus& plugin : p.plugins->states()) {
     if (plugin.state != door::PluginState::loaded && plugin.state != door::PluginState::replaced)
       p.messages->showError(words(plugin.message));

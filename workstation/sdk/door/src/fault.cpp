@@ -2,66 +2,59 @@
 
 namespace ew::door {
 
-const char* patternOf(const PluginFault& fault) {
-  switch (fault.moment) {
+Message messageOf(const PluginFault& fault) {
+  const auto& [plugin, moment, what, thrown] = fault;
+  switch (moment) {
     case PluginMoment::start:
-      return "The plugin '%1' could not start (%3); the rest of the program is not affected.";
+      return say<"The plugin '%1' could not start (%2); the rest of the program is not affected.">(plugin, thrown.reason);
     case PluginMoment::panel:
-      return "The panel '%2' of the plugin '%1' could not be opened (%3); the rest of the program is not affected.";
+      return say<"The panel '%1' of the plugin '%2' could not be opened (%3); the rest of the program is not affected.">(what, plugin,
+                                                                                                                         thrown.reason);
     case PluginMoment::command:
-      return fault.thrown.noMemory
-                 ? "There is not enough memory for '%2' of the plugin '%1'; use a coarser spacing or a smaller input."
-                 : "The command '%2' of the plugin '%1' stopped unexpectedly (%3); please report it with the command you gave.";
+      if (thrown.noMemory)
+        return say<"There is not enough memory for '%1' of the plugin '%2'; use a coarser spacing or a smaller input.">(what, plugin);
+      return say<"The command '%1' of the plugin '%2' stopped unexpectedly (%3); please report it with the command you gave.">(
+          what, plugin, thrown.reason);
     case PluginMoment::job:
-      return fault.thrown.noMemory
-                 ? "There is not enough memory for '%2' of the plugin '%1'; close other programs or choose a coarser spacing."
-                 : "'%2' of the plugin '%1' stopped unexpectedly (%3); please report it with what you did.";
+      if (thrown.noMemory)
+        return say<"There is not enough memory for '%1' of the plugin '%2'; close other programs or choose a coarser spacing.">(what,
+                                                                                                                                plugin);
+      return say<"'%1' of the plugin '%2' stopped unexpectedly (%3); please report it with what you did.">(what, plugin, thrown.reason);
     case PluginMoment::jobDone:
-      return "The plugin '%1' could not take over the result of '%2' (%3); please report it with what you did.";
+      return say<"The plugin '%1' could not take over the result of '%2' (%3); please report it with what you did.">(plugin, what,
+                                                                                                                     thrown.reason);
     case PluginMoment::caseChanged:
-      return "The plugin '%1' could not follow a change of the case (%3); what its panel shows may be out of date.";
+      return say<"The plugin '%1' could not follow a change of the case (%2); what its panel shows may be out of date.">(plugin,
+                                                                                                                         thrown.reason);
     case PluginMoment::undo:
-      return "The plugin '%1' could not undo the last step (%3); save under another name before you go on.";
+      return say<"The plugin '%1' could not undo the last step (%2); save under another name before you go on.">(plugin, thrown.reason);
     case PluginMoment::redo:
-      return "The plugin '%1' could not redo the step (%3); save under another name before you go on.";
+      return say<"The plugin '%1' could not redo the step (%2); save under another name before you go on.">(plugin, thrown.reason);
     case PluginMoment::save:
-      return "The plugin '%1' could not save (%3); try another name or folder.";
+      return say<"The plugin '%1' could not save (%2); try another name or folder.">(plugin, thrown.reason);
     case PluginMoment::document:
-      return "The plugin '%1' could not say what its panel holds (%3); save under another name before you go on.";
+      return say<"The plugin '%1' could not say what its panel holds (%2); save under another name before you go on.">(plugin,
+                                                                                                                       thrown.reason);
     case PluginMoment::scan:
-      return "The plugin '%1' could not follow the scan (%3); what it shows may be out of date.";
+      return say<"The plugin '%1' could not follow the scan (%2); what it shows may be out of date.">(plugin, thrown.reason);
     case PluginMoment::drive:
-      return "The plugin '%1' could not move the probe (%3); press Escape to take the probe back.";
+      return say<"The plugin '%1' could not move the probe (%2); press Escape to take the probe back.">(plugin, thrown.reason);
     case PluginMoment::menu:
-      return "'%2' of the plugin '%1' did not come to its end (%3); please report it with what you did.";
+      return say<"'%1' of the plugin '%2' did not come to its end (%3); please report it with what you did.">(what, plugin, thrown.reason);
     case PluginMoment::closing:
-      return "The plugin '%1' could not say what it still holds (%3); save your work before you close the window.";
+      return say<"The plugin '%1' could not say what it still holds (%2); save your work before you close the window.">(plugin,
+                                                                                                                        thrown.reason);
     case PluginMoment::event:
-      return "The plugin '%1' met a problem that it did not foresee (%3); save your work, and please report it with what you did.";
+      return say<"The plugin '%1' met a problem that it did not foresee (%2); save your work, and please report it with what you did.">(
+          plugin, thrown.reason);
     case PluginMoment::end:
-      return "The plugin '%1' did not end in order (%3); nothing of your work is affected.";
+      return say<"The plugin '%1' did not end in order (%2); nothing of your work is affected.">(plugin, thrown.reason);
   }
-  return "The plugin '%1' failed (%3).";
+  return say<"The plugin '%1' failed (%2).">(plugin, thrown.reason);
 }
-
-std::string filled(const std::string& pattern, const PluginFault& fault) {
-  std::string text;
-  for (std::size_t n = 0; n < pattern.size(); ++n) {
-    const char place = pattern[n] == '%' && n + 1 < pattern.size() ? pattern[n + 1] : '\0';
-    if (place < '1' || place > '3') {
-      text += pattern[n];
-      continue;
-    }
-    text += place == '1' ? fault.plugin : place == '2' ? fault.what : fault.thrown.reason.english();
-    ++n;
-  }
-  return text;
-}
-
-std::string sentenceOf(const PluginFault& fault) { return filled(patternOf(fault), fault); }
 
 Error errorOf(const PluginFault& fault) {
-  return {fault.thrown.noMemory ? ErrorCode::tooLarge : ErrorCode::internal, sentenceOf(fault), {{"plugin", fault.plugin}}};
+  return {fault.thrown.noMemory ? ErrorCode::tooLarge : ErrorCode::internal, messageOf(fault), {{"plugin", fault.plugin}}};
 }
 
 }  // namespace ew::door

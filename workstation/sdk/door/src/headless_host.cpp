@@ -17,7 +17,7 @@
 namespace ew::door {
 namespace {
 
-auto noCaseIsOpen() { return failure(ErrorCode::notFound, "No case is open; open one in the workstation first."); }
+auto noCaseIsOpen() { return failure(ErrorCode::notFound, say<"No case is open; open one in the workstation first.">()); }
 
 class NoOpenCase final : public sdk::Cases {
  public:
@@ -71,7 +71,7 @@ class NoScan final : public sdk::Scan {
   [[nodiscard]] sdk::Ticket keepSettings() override { return nullptr; }
 
  private:
-  static Result<void> nothing() { return failure(ErrorCode::badUsage, "Nothing is scanned; open a case in the workstation first."); }
+  static Result<void> nothing() { return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case in the workstation first.">()); }
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

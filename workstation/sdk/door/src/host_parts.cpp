@@ -21,7 +21,7 @@ SweepVolumeOptions optionsOf(const sdk::SweepOptions& asked) {
 Result<Volume> FileVolumes::read(const std::filesystem::path& file, Progress& progress) {
   auto loaded = readVolume(file, progress);
   if (!loaded) return passOn(loaded.error());
-  for (const auto& note : loaded->notes) spdlog::warn("{}: {}", file.string(), note);
+  for (const auto& note : loaded->notes) spdlog::warn("{}: {}", file.string(), note.english());
   return std::move(loaded->volume);
 }
 Result<void> FileVolumes::write(const Volume& volume, const std::filesystem::path& file, Progress& progress) {

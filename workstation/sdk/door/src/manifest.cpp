@@ -71,13 +71,13 @@ Result<PluginManifest> readPluginManifest(const fs::path& folder) {
   if (!fs::exists(file, error))
     return failure(
         ErrorCode::notFound,
-        "The plugin folder '" + folder.string() + "' holds no " + kManifestName + "; install the plugin again or remove the folder.",
+        say<"The plugin folder '%1' holds no %2; install the plugin again or remove the folder.">(folder, std::string(kManifestName)),
         {{"file", file.string()}});
   auto text = readTextFile(file, kLargestManifest_bytes);
   if (!text) return passOn(text.error());
-  auto json = parseJson(*text, kManifestName);
+  auto json = parseJson(*text, verbatim(kManifestName));
   if (json) {
-    const auto problems = schemaProblems(*json, SchemaName::pluginManifest, kManifestName);
+    const auto problems = schemaProblems(*json, SchemaName::pluginManifest, verbatim(kManifestName));
     if (!problems.empty()) json = passOn(problems.front());
   }
   if (!json) {
@@ -96,8 +96,8 @@ Result<PluginManifest> readPluginManifest(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder / (*json)["library"].get<std::string>(), error);
   if (error || !fs::is_regular_file(whole, error))
     return failure(ErrorCode::notFound,
-                   "The plugin '" + manifest.title + "' names the library '" + (*json)["library"].get<std::string>() +
-                       "', which is not in its folder; install the plugin again.",
+                   say<"The plugin '%1' names the library '%2', which is not in its folder; install the plugin again.">(
+                       manifest.title, (*json)["library"].get<std::string>()),
                    {{"file", whole.string()}});
   manifest.library = whole;
   return manifest;

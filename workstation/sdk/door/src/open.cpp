@@ -15,10 +15,10 @@ namespace {
 
 /// "2893710604 (interface ac7b0f, compiler 12)" for a number made as in abi_number.h: people can act on the compiler, and see that the
 /// interface is another one.
-std::string readable(std::uint32_t abi) {
+Message readable(std::uint32_t abi) {
   std::array<char, 8> interface {};
   std::snprintf(interface.data(), interface.size(), "%06x", abi >> 8);
-  return std::to_string(abi) + " (interface " + interface.data() + ", compiler " + std::to_string(abi & 0xffu) + ")";
+  return say<"%1 (interface %2, compiler %3)">(abi, std::string(interface.data()), abi & 0xffu);
 }
 
 void refuse(PluginStatus& status, PluginState state, Message message) {
@@ -26,15 +26,15 @@ void refuse(PluginStatus& status, PluginState state, Message message) {
   status.message = std::move(message);
 }
 
-std::string otherAbiSentence(const PluginManifest& manifest, std::uint32_t found) {
-  return "The plugin '" + manifest.title + "' " + manifest.version + " was built for ABI " + readable(found) +
-         ", and this program has ABI " + readable(sdk::kAbi) +
-         "; install the version of the plugin that belongs to this EchoWeave, or build it again.";
+Message builtForAnother(const PluginManifest& manifest, std::uint32_t found) {
+  return say<
+      "The plugin '%1' %2 was built for ABI %3, and this program has ABI %4; install the version of the plugin that belongs to this "
+      "EchoWeave, or build it again.">(manifest.title, manifest.version, readable(found), readable(sdk::kAbi));
 }
 
-std::string linkerMessage() {
+Message linkerMessage() {
   const char* message = ::dlerror();
-  return message == nullptr ? "no reason given" : message;
+  return message == nullptr ? say<"no reason given">() : verbatim(message);
 }
 
 template <class Function>
@@ -51,14 +51,14 @@ struct Library {
 
 /// Loads the library of a manifest whose ABI fits. @error a sentence for the Plugins page
 Result<Library> loaded(const PluginManifest& manifest) {
-  const auto notLoadable = [&](const std::string& rest) {
-    return failure(ErrorCode::notReadable, "The library of the plugin '" + manifest.title + "' " + rest);
-  };
-  if (const std::string why = whyNotALibrary(manifest.library); !why.empty())
-    return notLoadable("cannot be loaded: " + why + "; install the plugin again.");
+  if (const Message why = whyNotALibrary(manifest.library); !why.empty())
+    return failure(ErrorCode::notReadable,
+                   say<"The library of the plugin '%1' cannot be loaded: %2; install the plugin again.">(manifest.title, why));
   // RTLD_NODELETE: what a plugin registers with VTK or Qt outlives any handle, and unloading its code crashes the program at its end.
   void* library = ::dlopen(manifest.library.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (library == nullptr) return notLoadable("cannot be loaded (" + linkerMessage() + "); install the plugin again.");
+  if (library == nullptr)
+    return failure(ErrorCode::notReadable,
+                   say<"The library of the plugin '%1' cannot be loaded (%2); install the plugin again.">(manifest.title, linkerMessage()));
   Library found;
   found.abi = symbol<std::uint32_t (*)()>(library, "ewPluginAbi");
   found.create = symbol<sdk::Plugin* (*)(sdk::Host&)>(library, "ewPluginCreate");
@@ -66,8 +66,9 @@ Result<Library> loaded(const PluginManifest& manifest) {
   for (const auto& [present, name] : {std::pair{found.abi != nullptr, "ewPluginAbi"}, std::pair{found.create != nullptr, "ewPluginCreate"},
                                       std::pair{found.destroy != nullptr, "ewPluginDestroy"}})
     if (!present)
-      return notLoadable(std::string("has no function ") + name +
-                         ", so it is not an EchoWeave plugin; install the plugin again or remove its folder.");
+      return failure(ErrorCode::notReadable,
+                     say<"The library of the plugin '%1' has no function %2, so it is not an EchoWeave plugin; install "
+                         "the plugin again or remove its folder.">(manifest.title, std::string(name)));
   return found;
 }
 
@@ -94,7 +95,7 @@ struct PluginList::Open {
     const auto failed = [&](const Thrown& thrown) { return errorOf(host.calls().faultOf(PluginMoment::start, {}, thrown)); };
     const auto abi = guarded([&] { return library.abi(); }, failed);
     if (!abi) return refuse(status, PluginState::failed, abi.error().message);
-    if (*abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, otherAbiSentence(*status.manifest, *abi));
+    if (*abi != sdk::kAbi) return refuse(status, PluginState::otherAbi, builtForAnother(*status.manifest, *abi));
     const auto made = guarded([&] { return library.create(host); }, failed);
     if (!made || *made == nullptr) {
       host.calls().withdraw();
@@ -126,14 +127,14 @@ void PluginList::openAll(sdk::Host& host, const Tell& tell) {
   for (auto& status : states_) {
     if (status.state == PluginState::found && running.contains(status.manifest->name)) {
       refuse(status, PluginState::replaced,
-             "Another plugin named '" + status.manifest->name + "' was found before this one and is used instead; remove one of them.");
+             say<"Another plugin named '%1' was found before this one and is used instead; remove one of them.">(status.manifest->name));
     } else if (status.state == PluginState::found && status.manifest->abi != sdk::kAbi) {
-      refuse(status, PluginState::otherAbi, otherAbiSentence(*status.manifest, status.manifest->abi));
+      refuse(status, PluginState::otherAbi, builtForAnother(*status.manifest, status.manifest->abi));
     } else if (status.state == PluginState::found) {
       if (const auto library = loaded(*status.manifest)) {
         // The address stays: the list of states neither grows nor shrinks, and moving it moves none of them.
         open_.push_back(std::make_unique<Open>(host, status.title(), [&host, &status, tell](const PluginFault& fault) {
-          status.message = sentenceOf(fault);
+          status.message = messageOf(fault);
           host.log().error(status.sentence());
           if (tell) tell(fault);
         }));

@@ -19,10 +19,10 @@ bool isPartName(const std::string& name) {
 
 Result<sdk::Ticket> PartSchemas::add(const std::string& name, const std::string& schema) {
   if (!isPartName(name))
-    return failure(ErrorCode::badUsage, "'" + name + "' cannot be a section of a case; it needs small letters, digits, '-' and '_'.");
+    return failure(ErrorCode::badUsage, say<"'%1' cannot be a section of a case; it needs small letters, digits, '-' and '_'.">(name));
   if (knows(name))
-    return failure(ErrorCode::badUsage, "The section '" + name + "' of a case belongs to another plugin; take another name.");
-  auto made = PartSchema::of(schema, "the schema of the section '" + name + "'");
+    return failure(ErrorCode::badUsage, say<"The section '%1' of a case belongs to another plugin; take another name.">(name));
+  auto made = PartSchema::of(schema, say<"the schema of the section '%1'">(name));
   if (!made) return passOn(made.error());
   schemas_.emplace(name, std::move(*made));
   return sdk::Ticket(nullptr, [weak = weak_from_this(), name](void*) {
@@ -44,7 +44,7 @@ std::vector<Error> PartSchemas::problems(const nlohmann::json& manifest) const {
 std::vector<Error> PartSchemas::problems(const std::string& name, const nlohmann::json& section) const {
   const auto schema = schemas_.find(name);
   if (schema == schemas_.end()) return {};
-  return schema->second.problems(section, std::string(kParts) + "." + name, "case.json");
+  return schema->second.problems(section, std::string(kParts) + "." + name, verbatim("case.json"));
 }
 
 std::optional<nlohmann::json> partOf(const nlohmann::json& manifest, const std::string& name) {

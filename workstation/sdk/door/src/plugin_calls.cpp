@@ -46,7 +46,7 @@ bool PluginCalls::isWithdrawn() const {
 }
 
 Error PluginCalls::notRunning() const {
-  return {ErrorCode::notFound, "The plugin '" + plugin_ + "' is not running any more; start the program again.", {{"plugin", plugin_}}};
+  return {ErrorCode::notFound, say<"The plugin '%1' is not running any more; start the program again.">(plugin_), {{"plugin", plugin_}}};
 }
 
 PluginCalls::Working::Working(PluginCalls& calls) : calls_(calls) {

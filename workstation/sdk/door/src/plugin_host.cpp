@@ -151,7 +151,7 @@ class PluginJobs final : public sdk::Jobs {
   static Result<void> workOn(PluginCalls& calls, const std::string& title, const std::function<Result<void>(Progress&)>& work,
                              Progress& progress, std::optional<PluginFault>& fault) {
     const PluginCalls::Working working(calls);
-    if (!working.mayBegin()) return failure(ErrorCode::cancelled, "The plugin of this work is not running any more.");
+    if (!working.mayBegin()) return failure(ErrorCode::cancelled, say<"The plugin of this work is not running any more.">());
     UntilWithdrawn watched(progress, calls);
     return guarded([&] { return work(watched); },
                    [&](const Thrown& thrown) { return errorOf(fault.emplace(calls.faultOf(PluginMoment::job, title, thrown))); });

@@ -34,14 +34,9 @@ struct PluginFault {
   Thrown thrown;
 };
 
-/// The sentence for a fault with places to fill: %1 the plugin, %2 `what`, %3 the reason. It is also the key of its translation, in the
-/// context "ew::door::PluginFault".
-[[nodiscard]] const char* patternOf(const PluginFault& fault);
-/// A pattern, translated or not, with its places filled.
-[[nodiscard]] std::string filled(const std::string& pattern, const PluginFault& fault);
-/// What happened and what to do, in English.
-[[nodiscard]] std::string sentenceOf(const PluginFault& fault);
-/// For callers that want an Error: tooLarge or internal, with the sentence.
+/// What happened and what to do.
+[[nodiscard]] Message messageOf(const PluginFault& fault);
+/// For callers that want an Error: tooLarge or internal, with the message.
 [[nodiscard]] Error errorOf(const PluginFault& fault);
 
 }  // namespace ew::door
