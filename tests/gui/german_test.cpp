@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QTest>
 #include <QTranslator>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "ew/core/message.h"
+#include "ew/library/schema.h"
 #include "ew/sdk/words.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -45,6 +47,8 @@ class GermanTest : public QObject {
   }
 
   void everyTextOfAMessageHasItsGermanWithTheSamePlaces() {
+    for (const SchemaName schema : {SchemaName::caseManifest, SchemaName::pluginManifest})  // enters what they say of their fields
+      QVERIFY(!schemaProblems(nlohmann::json::object(), schema, verbatim("x.json")).empty());
     std::set<std::string> texts;
     for (const MessageText* said = firstMessageText(); said != nullptr; said = said->next) texts.insert(said->text);
     QVERIFY2(texts.size() > 400, qPrintable(QString::number(texts.size())));  // else libraries were not linked as a whole

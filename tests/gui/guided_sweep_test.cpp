@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/imaging/picture.h"
+#include "ew/library/schema.h"
 #include "gui/answers.h"
 #include "gui/window_fixture.h"
 #include "saved_picture.h"
+#include "words.h"
 
 namespace ew::ui {
 namespace {
@@ -278,6 +280,11 @@ class GuidedSweepTest final : public testing::WindowFixture {
     press("guideStart");
     QCOMPARE(window_->document().history().undoText(), QStringLiteral("Anfang des Schwenks"));
     window_->document().history().undo();
+    QCOMPARE(words(say<"Nothing is scanned; open a case first.">()), QStringLiteral("Es wird nichts geschallt; zuerst einen Fall öffnen."));
+    const auto schema = PartSchema::of(R"({"description": "a number from 1 to 60", "maximum": 60})", verbatim("the plugin's own"));
+    QVERIFY(schema.has_value());
+    const QString refused = words(schema->problems(600, "parts.guided_sweep.duration_s", verbatim("case.json")).front());
+    QVERIFY2(refused.contains(QStringLiteral("eine Zahl von 1 bis 60")), qPrintable(refused));
   }
 
  private:

@@ -63,7 +63,7 @@ class MessagesTest : public QObject {
     MessageBar bar(&parent);
     bar.resize(800, 200);
     parent.show();
-    bar.showNotes(text("a.dcm was imported; 3 notes."), {"One.", "Two.", "Three."}, text("open"));
+    bar.showNotes(text("a.dcm was imported; 3 notes."), {verbatim("One."), verbatim("Two."), verbatim("Three.")}, text("open"));
     QCOMPARE(bar.count(), 1);
     QCOMPARE(bar.text(), text("a.dcm was imported; 3 notes."));
     auto* unfold = bar.findChild<QPushButton*>(text("unfoldMessage"));
@@ -73,7 +73,7 @@ class MessagesTest : public QObject {
     unfold->click();
     QVERIFY(details->isVisible());
     QCOMPARE(details->text(), text("One.\nTwo.\nThree."));
-    bar.showNotes(text("1 note."), {"A single one says itself."}, text("open"));
+    bar.showNotes(text("1 note."), {verbatim("A single one says itself.")}, text("open"));
     QCOMPARE(bar.count(), 1);
     QCOMPARE(bar.text(), text("A single one says itself."));
     QVERIFY(!unfold->isVisible());

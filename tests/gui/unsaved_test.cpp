@@ -76,7 +76,7 @@ class UnsavedTest : public WindowFixture {
           while (!save->letGo) {
             if (progress.cancelRequested()) {
               save->cancelled = true;
-              return failure(ErrorCode::cancelled, "Stopped.");
+              return failure(ErrorCode::cancelled, verbatim("Stopped."));
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
           }
@@ -214,7 +214,7 @@ class UnsavedTest : public WindowFixture {
         QStringLiteral("Saving liver.mha"),
         [fail](Progress&) -> Result<void> {
           while (!*fail) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          return failure(ErrorCode::notWritable, "The disk is full.");
+          return failure(ErrorCode::notWritable, verbatim("The disk is full."));
         },
         [this](const Result<void>& outcome) { window_->messages().showError(outcome.error()); }, Jobs::Kind::saving);
     // The dialog's next look at the jobs is due by the time it hears of the failure; what it sees then must not count as saved.

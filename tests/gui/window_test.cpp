@@ -353,10 +353,10 @@ class WindowTest : public WindowFixture {
         QStringLiteral("Endless"),
         [](Progress& progress) -> Result<void> {
           while (!progress.cancelRequested()) {
-            progress.report("Turning", 0.25);
+            progress.report(verbatim("Turning"), 0.25);
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
           }
-          return failure(ErrorCode::cancelled, "Stopped.");
+          return failure(ErrorCode::cancelled, verbatim("Stopped."));
         },
         [&stopped](const Result<void>& outcome) { stopped = !outcome && outcome.error().code == ErrorCode::cancelled; });
     QVERIFY(waitUntil([this] { return find<QPushButton>("cancelJob") != nullptr && find<QPushButton>("cancelJob")->isVisible(); }));
@@ -372,7 +372,7 @@ class WindowTest : public WindowFixture {
                             running = true;
                             while (!progress.cancelRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
                             running = false;
-                            return failure(ErrorCode::cancelled, "Stopped.");
+                            return failure(ErrorCode::cancelled, verbatim("Stopped."));
                           },
                           {});
     QVERIFY(waitUntil([&running] { return running.load(); }));

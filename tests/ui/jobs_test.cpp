@@ -34,10 +34,10 @@ class JobsOnTheirOwn : public testing::Test {
   }
   static Result<void> workUntilCancelled(Progress& progress) {
     while (!progress.cancelRequested()) {
-      progress.report("Turning", 0.5);
+      progress.report(verbatim("Turning"), 0.5);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return failure(ErrorCode::cancelled, "It was stopped.");
+    return failure(ErrorCode::cancelled, verbatim("It was stopped."));
   }
 
  private:
@@ -74,7 +74,8 @@ TEST_F(JobsOnTheirOwn, StepAndPartAreSeenWhileTheWorkReportsThem) {
   std::atomic<bool> enough{false};
   jobs.start("Reporting",
              [&](Progress& progress) -> Result<void> {
-               for (int n = 0; !enough; ++n) progress.report(n % 2 == 0 ? "An even step of the work" : "An odd one", 0.25 + 0.5 * (n % 2));
+               for (int n = 0; !enough; ++n)
+                 progress.report(verbatim(n % 2 == 0 ? "An even step of the work" : "An odd one"), 0.25 + 0.5 * (n % 2));
                return {};
              },
              {});

@@ -66,7 +66,7 @@ Result<void> CaseDocument::restore(const nlohmann::json& manifest, const std::st
 nlohmann::json CaseDocument::manifest() const { return current_ ? manifestOf(*current_) : nlohmann::json(); }
 
 Result<void> CaseDocument::edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) {
-  if (!current_) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+  if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   auto next = caseFromManifest(manifest, current_->folder);
   if (!next) return passOn(next.error());
   next->folder = current_->folder;
@@ -83,18 +83,17 @@ bool CaseDocument::isChangedOnDisk() const {
 }
 
 Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseOverwrite& decided) {
-  if (!current_) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+  if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const std::filesystem::path target = folder.empty() ? current_->folder : folder;
   const bool isElsewhere = target != current_->folder;
   if (!decided.shipped && (isElsewhere ? isShipped(target) : isShipped_))
-    return failure(
-        ErrorCode::notWritable,
-        "'" + target.string() + "' belongs to the program, and the next version replaces it; save the case as a copy of your own.",
-        {{"file", target.string()}});
+    return failure(ErrorCode::notWritable,
+                   say<"'%1' belongs to the program, and the next version replaces it; save the case as a copy of your own.">(target),
+                   {{"file", target.string()}});
   if (!isElsewhere && !decided.changedOnDisk && isChangedOnDisk())
     return failure(ErrorCode::notWritable,
-                   "The case in '" + target.string() +
-                       "' was saved by another program since it was opened here; save it with File, Save case, which asks what to keep.",
+                   say<"The case in '%1' was saved by another program since it was opened here; save it with File, Save case, which asks "
+                       "what to keep.">(target),
                    {{"file", target.string()}});
   Case saved = *current_;
   if (isElsewhere) saved.id = idForFolder(target);

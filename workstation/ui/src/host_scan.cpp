@@ -70,8 +70,8 @@ void HostScan::takeProbeBack() {
 }
 
 Result<void> HostScan::mayChange() const {
-  if (!session_.subject()) return failure(ErrorCode::badUsage, "Nothing is scanned; open a case or a volume first.");
-  if (session_.isPlaying()) return failure(ErrorCode::badUsage, "A recording is shown; close it before the settings are changed.");
+  if (!session_.subject()) return failure(ErrorCode::badUsage, say<"Nothing is scanned; open a case or a volume first.">());
+  if (session_.isPlaying()) return failure(ErrorCode::badUsage, say<"A recording is shown; close it before the settings are changed.">());
   return {};
 }
 
@@ -85,7 +85,7 @@ Result<void> HostScan::chooseProbe(const std::string& id) {
   if (auto may = mayChange(); !may) return may;
   const auto& probes = session_.probes();
   if (std::none_of(probes.begin(), probes.end(), [&](const Probe& probe) { return probe.id == id; }))
-    return failure(ErrorCode::badUsage, "The probe '" + id + "' is none of this case; choose one that it names.");
+    return failure(ErrorCode::badUsage, say<"The probe '%1' is none of this case; choose one that it names.">(id));
   session_.chooseProbe(id);
   return {};
 }

@@ -138,7 +138,7 @@ Result<std::vector<double>> numbersIn(const QString& text, std::size_t count, co
   auto numbers = parseNumbers(spaced.simplified().toStdString());
   if (numbers && numbers->size() == count && std::all_of(numbers->begin(), numbers->end(), [](double one) { return std::isfinite(one); }))
     return *std::move(numbers);
-  return failure(ErrorCode::badUsage, ImportDialog::tr("'%1' is not %2.").arg(text, what).toStdString());
+  return failure(ErrorCode::badUsage, verbatim(ImportDialog::tr("'%1' is not %2.").arg(text, what).toStdString()));
 }
 
 QStringList filesIn(const QString& text) {
@@ -358,7 +358,7 @@ Result<SweepImportOptions> ImportDialog::options() const {
       break;
     case Moved::motorFile:
       if (motorFile_->text().trimmed().isEmpty())
-        return failure(ErrorCode::badUsage, tr("Choose the motor file that says how the probe moved.").toStdString());
+        return failure(ErrorCode::badUsage, verbatim(tr("Choose the motor file that says how the probe moved.").toStdString()));
       chosen.motor = motorFile_->text().trimmed().toStdString();
       break;
     case Moved::sideways:
@@ -373,7 +373,7 @@ Result<SweepImportOptions> ImportDialog::options() const {
   }
   if (chosen.statedMotor && chosen.statedMotor->step == 0.0)
     return failure(ErrorCode::badUsage,
-                   tr("Say how far the probe moved from frame to frame; 0 would put all frames into one place.").toStdString());
+                   verbatim(tr("Say how far the probe moved from frame to frame; 0 would put all frames into one place.").toStdString()));
   if (!clip_->text().trimmed().isEmpty()) {
     const auto rect = parsePixelRect(clip_->text().trimmed().toStdString());
     if (!rect) return passOn(rect.error());

@@ -38,17 +38,16 @@ namespace {
 
 Error unforeseen(const Thrown& thrown) {
   if (thrown.noMemory)
-    return {ErrorCode::tooLarge, "There is not enough memory for this; close other programs or choose a coarser spacing.", {}};
+    return {ErrorCode::tooLarge, say<"There is not enough memory for this; close other programs or choose a coarser spacing.">(), {}};
   return {ErrorCode::internal,
-          "The work stopped unexpectedly (" + thrown.reason.english() + "); nothing was changed, please report it with what you did.",
+          say<"The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.">(thrown.reason),
           {}};
 }
 
 Error notTakenOver(const QString& title, const Thrown& thrown) {
-  return {
-      ErrorCode::internal,
-      "The result of '" + title.toStdString() + "' could not be taken over (" + thrown.reason.english() + "); please report it with what you did.",
-      {}};
+  return {ErrorCode::internal,
+          say<"The result of '%1' could not be taken over (%2); please report it with what you did.">(title.toStdString(), thrown.reason),
+          {}};
 }
 
 }  // namespace
@@ -90,7 +89,7 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
       deliverSoon();
     });
   } catch (const std::system_error&) {
-    raw->outcome = failure(ErrorCode::internal, "The system has no room for another thread; close other programs and try again.");
+    raw->outcome = failure(ErrorCode::internal, say<"The system has no room for another thread; close other programs and try again.">());
     deliverSoon();
   }
   Q_EMIT started(id);

@@ -325,8 +325,8 @@ bool MainWindow::saveCase(bool elsewhere) {
 
 Result<void> MainWindow::saveCaseInPlace() {
   CaseDocument& document = parts_->document;
-  if (!document.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
-  const auto unsaved = failure(ErrorCode::cancelled, "The case is not saved.");
+  if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
+  const auto unsaved = failure(ErrorCode::cancelled, say<"The case is not saved.">());
   const QString title = words(document.current()->title);
   CaseOverwrite decided;
   if (document.isShippedCase()) {
@@ -364,11 +364,11 @@ Result<void> MainWindow::saveCaseInPlace() {
 
 Result<void> MainWindow::saveCaseCopy(const QString& why) {
   CaseDocument& document = parts_->document;
-  if (!document.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+  if (!document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   std::filesystem::path present = document.current()->folder;
   if (!present.has_filename()) present = present.parent_path();
   CaseFolderDialog dialog(why, wordsOf(present.filename()), this);
-  if (dialog.exec() != QDialog::Accepted) return failure(ErrorCode::cancelled, "The case is not saved.");
+  if (dialog.exec() != QDialog::Accepted) return failure(ErrorCode::cancelled, say<"The case is not saved.">());
   const std::filesystem::path folder = dialog.folder();
   if (auto saved = document.save(folder); !saved) return saved;
   remember(wordsOf(folder));

@@ -128,9 +128,9 @@ void MainWindow::takeRecording(const QString& path, std::shared_ptr<const ScanRe
     return open(wordsOf(known->folder));
   }
   p.messages->showError({ErrorCode::badUsage,
-                         tr("%1 is a recording of '%2'. Open what was scanned first, then the recording.")
-                             .arg(QFileInfo(path).fileName(), words(recording->title))
-                             .toStdString(),
+                         verbatim(tr("%1 is a recording of '%2'. Open what was scanned first, then the recording.")
+                                      .arg(QFileInfo(path).fileName(), words(recording->title))
+                                      .toStdString()),
                          {}},
                         kRecording);
 }

@@ -85,7 +85,7 @@ struct Opener::Image {
   std::shared_ptr<const ScanRecording> recording;  ///< null: the file is none
   FileKind kind = FileKind::volume;
   bool asks = false;
-  std::string question;
+  Message question;
 };
 
 Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar& messages, View3D& view, HandInput& hand, QObject* parent)
@@ -146,8 +146,9 @@ void Opener::tellOpened(const QString& path, const std::vector<Message>& notes) 
 void Opener::open(const QString& path) {
   const QFileInfo info(path);
   if (!info.exists()) {
-    const Error error{
-        ErrorCode::notFound, tr("There is no file or folder '%1'; check the name, or choose it with Open.").arg(path).toStdString(), {}};
+    const Error error{ErrorCode::notFound,
+                      verbatim(tr("There is no file or folder '%1'; check the name, or choose it with Open.").arg(path).toStdString()),
+                      {}};
     messages_.showError(error, kOpening);
     Q_EMIT failed(error);
     return;
@@ -319,7 +320,7 @@ void Opener::openImage(const QString& path) {
         } else {
           auto made = importFile(pathOf(path), {}, most);
           if (!made && askedFor(made.error()).empty()) return passOn(made.error());
-          if (!made) loaded->question = made.error().sentence();
+          if (!made) loaded->question = made.error().message;
           loaded->asks = !made || !made->volume;
           if (loaded->asks) return {};
           loaded->notes = std::move(made->notes);

@@ -139,7 +139,7 @@ class HostCases final : public sdk::Cases {
   }
   Result<void> save(const std::filesystem::path& folder) override { return saving.save ? saving.save(folder) : document_.save(folder); }
   Result<void> makeOwn() override {
-    if (!document_.current()) return failure(ErrorCode::badUsage, "No case is open; open one first.");
+    if (!document_.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
     return saving.makeOwn ? saving.makeOwn() : Result<void>();
   }
   [[nodiscard]] bool hasUnsavedChanges() const override { return document_.hasUnsavedChanges(); }
@@ -169,8 +169,8 @@ class HostCaseParts final : public sdk::CaseParts {
   }
   Result<void> edit(const std::string& name, const std::optional<nlohmann::json>& section, const std::string& what,
                     const std::string& mergeKey) override {
-    if (!document_.current()) return failure(ErrorCode::notFound, "No case is open; open one first.");
-    if (!schemas_.knows(name)) return failure(ErrorCode::badUsage, "The section '" + name + "' of a case has no schema; add it first.");
+    if (!document_.current()) return failure(ErrorCode::notFound, say<"No case is open; open one first.">());
+    if (!schemas_.knows(name)) return failure(ErrorCode::badUsage, say<"The section '%1' of a case has no schema; add it first.">(name));
     if (section)
       if (auto problems = schemas_.problems(name, *section); !problems.empty()) return passOn(std::move(problems.front()));
     return document_.edit(door::withPart(document_.manifest(), name, section), what, mergeKey);
