@@ -144,8 +144,8 @@ std::vector<std::string> joinNumberLists(std::span<const std::string> args) {
 Result<std::vector<Pose>> posesOf(const std::string& argument) {
   if (const auto numbers = parseNumbers(argument); numbers && numbers->size() % 16 != 0 && argument.find('\n') == std::string::npos)
     return failure(ErrorCode::badUsage,
-                   "The pose has " + std::to_string(numbers->size()) + (numbers->size() == 1 ? " number" : " numbers") +
-                       "; give 16, row by row, from probe to world in mm, or the name of a file with one pose a line.");
+                   say<"The pose has %1; give 16, row by row, from probe to world in mm, or the name of a file with one pose a line.">(
+                       counted(numbers->size(), "number")));
   return posesFromArgument(argument);
 }
 

@@ -22,9 +22,10 @@ std::string optionFor(const std::string& asked) {
 
 tl::unexpected<Error> withOption(Error error) {
   const std::string option = optionFor(askedFor(error));
-  if (!option.empty() && error.sentence().ends_with('.')) {
-    error.sentence().pop_back();
-    error.message = error.sentence() + ": " + option + ".";
+  std::string sentence = error.sentence();
+  if (!option.empty() && sentence.ends_with('.')) {
+    sentence.pop_back();
+    error.message = verbatim(sentence + ": " + option + ".");
   }
   return passOn(std::move(error));
 }

@@ -113,8 +113,7 @@ Result<std::vector<int>> sidesOf(const BenchArguments& arguments, std::vector<in
   for (const auto& side : arguments.sides) {
     const auto value = parseIntegers(side);
     if (!value || value->size() != 1 || value->front() < smallest || value->front() > 1024)
-      return failure(ErrorCode::badUsage,
-                     "--side '" + side + "' cannot be used; give a whole number from " + std::to_string(smallest) + " to 1024.");
+      return failure(ErrorCode::badUsage, say<"--side '%1' cannot be used; give a whole number from %2 to 1024.">(side, smallest));
     sides.push_back(static_cast<int>(value->front()));
   }
   return sides;
@@ -165,7 +164,7 @@ Result<json> reconstruction(const BenchArguments& arguments, Run& run, Progress&
   if (!arguments.spacings_mm.empty()) options.spacings_mm.clear();
   for (const auto& spacing : arguments.spacings_mm) {
     const auto value = parseNumber(spacing);
-    if (!value) return failure(ErrorCode::badUsage, "--spacing '" + spacing + "' is no number of mm; give one from 0.25 to 4.");
+    if (!value) return failure(ErrorCode::badUsage, say<"--spacing '%1' is no number of mm; give one from 0.25 to 4.">(spacing));
     options.spacings_mm.push_back(*value);
   }
   run.report.options["reconstruct"] = {{"spacings_mm", options.spacings_mm},

@@ -161,7 +161,7 @@ Result<json> benchConfidence(const ReconstructBenchOptions& options, Progress& p
   if (!resources) return passOn(resources.error());
   const auto patient = blockWithStones();
   if (!patient) return passOn(patient.error());
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "The benchmark was stopped."); };
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">()); };
   json rows = json::array();
   double done = 0.0;
   const double steps = 2.0 * (options.views + options.repetitions);
@@ -170,7 +170,7 @@ Result<json> benchConfidence(const ReconstructBenchOptions& options, Progress& p
     if (!probe) return passOn(probe.error());
     std::vector<View> views;
     for (int n = 0; n < options.views; ++n) {
-      progress.report("Forming virtual frames with known shadows", done++ / steps);
+      progress.report(say<"Forming virtual frames with known shadows">(), done++ / steps);
       if (progress.cancelRequested()) return stopped();
       auto view = viewAt(8.0 * (n - 0.5 * (options.views - 1)), *patient, *probe);  // beyond the slice's thickness: other speckle
       if (!view) return passOn(view.error());
@@ -183,7 +183,7 @@ Result<json> benchConfidence(const ReconstructBenchOptions& options, Progress& p
     std::mt19937 random(7);
     Image<float> confidence;
     for (int repetition = 0; repetition < options.repetitions; ++repetition) {
-      progress.report("Timing confidence maps", done++ / steps);
+      progress.report(say<"Timing confidence maps">(), done++ / steps);
       std::shuffle(order.begin(), order.end(), random);
       for (const std::size_t n : order)
         for (const View& view : views) {

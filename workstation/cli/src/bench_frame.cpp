@@ -417,7 +417,7 @@ bool timeSettings(std::vector<FrameSetting>& settings, const World& world, Progr
     std::shuffle(order.begin(), order.end(), random);
     for (std::size_t n = 0; n < order.size(); ++n) {
       if (progress.cancelRequested()) return false;
-      progress.report("Timing frames of " + std::to_string(world.side) + " cubed",
+      progress.report(say<"Timing frames of %1 cubed">(world.side),
                       (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / world.options.repetitions);
       FrameSetting& setting = settings[order[n]];
       setting.frame(world.poses.back());  // its tables come back into the caches
@@ -477,14 +477,14 @@ void addToReport(const std::vector<FrameSetting>& settings, const World& world, 
 }
 
 Result<void> checkOptions(const FrameBenchOptions& options) {
-  const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
-  if (options.volumeSides.empty()) return refuse("The benchmark of frames needs at least one volume side; give --side 256.");
+  const auto refuse = [](const Message& what) { return failure(ErrorCode::badUsage, what); };
+  if (options.volumeSides.empty()) return refuse(say<"The benchmark of frames needs at least one volume side; give --side 256.">());
   for (const int side : options.volumeSides)
-    if (side < 64 || side > 1024) return refuse("A volume side must lie between 64 and 1024 voxels.");
+    if (side < 64 || side > 1024) return refuse(say<"A volume side must lie between 64 and 1024 voxels.">());
   if (options.width_px < 128 || options.width_px > 4096 || options.height_px < 128 || options.height_px > 4096)
-    return refuse("A picture must be between 128 and 4096 pixels wide and high.");
-  if (options.poses < 2 || options.poses > 1000) return refuse("The number of poses must lie between 2 and 1000.");
-  if (options.repetitions < 1 || options.repetitions > 1000) return refuse("The number of repetitions must lie between 1 and 1000.");
+    return refuse(say<"A picture must be between 128 and 4096 pixels wide and high.">());
+  if (options.poses < 2 || options.poses > 1000) return refuse(say<"The number of poses must lie between 2 and 1000.">());
+  if (options.repetitions < 1 || options.repetitions > 1000) return refuse(say<"The number of repetitions must lie between 1 and 1000.">());
   return {};
 }
 
@@ -496,7 +496,7 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
   if (!resources) return passOn(resources.error());
   const auto probe = readProbe(*resources / "probes" / "convex-3.5.json");
   if (!probe) return passOn(probe.error());
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "The benchmark was stopped."); };
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">()); };
 
   json report = {{"machine", machineName()}, {"width", options.width_px},  {"height", options.height_px},
                  {"probe", probe->name},     {"poses", options.poses},     {"repetitions", options.repetitions},
@@ -505,7 +505,7 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
     const int side = options.volumeSides[n];
     const double share = 1.0 / static_cast<double>(options.volumeSides.size());
     PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
-    part.report("Filling a volume of " + std::to_string(side) + " cubed", 0.0);
+    part.report(say<"Filling a volume of %1 cubed">(side), 0.0);
     auto made = makeWorld(options, side, *probe, part);
     if (!made) return passOn(made.error());
     World& world = **made;
@@ -518,7 +518,7 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
       };
       if (setting.threads == 1 && !runsOnThisThreadAlone(all))
         return failure(ErrorCode::internal,
-                       "'" + setting.name + "' used more than one thread, so its times cannot be compared; report this.");
+                       say<"'%1' used more than one thread, so its times cannot be compared; report this.">(setting.name));
     }
     // Only now, for the field alone has an exact answer: strong interfaces, so that every effect has something to do.
     paintBalls(world);

@@ -161,8 +161,8 @@ Result<Volume> sweptVolume(Recorder& recorder, double first_mm, double last_mm, 
   Volume volume;
   const int frames = static_cast<int>(std::lround((last_mm - first_mm) / kFrame_mm)) + 1;
   for (int n = 0; n < frames; ++n) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The figures were cancelled.");
-    progress.report("Recording virtual sweeps", static_cast<double>(n) / frames);
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The figures were cancelled.">());
+    progress.report(say<"Recording virtual sweeps">(), static_cast<double>(n) / frames);
     const GreyImage frame = recorder.frameAt(first_mm + n * kFrame_mm, deformation, static_cast<std::uint64_t>(n));
     if (n == 0) {
       volume.grid.dims = {frames, frame.height, frame.width};
@@ -336,7 +336,7 @@ Result<void> checkPaperOptions(const PaperBenchOptions& options) {
         std::tuple{options.sweep_mm, 8.0, 60.0, "sweep"}}) {
     if (!(value >= low && value <= high))
       return failure(ErrorCode::badUsage,
-                     std::string("The ") + name + " must lie between " + fixedText(low, 1) + " and " + fixedText(high, 1) + " mm.");
+                     say<"The %1 must lie between %2 and %3 mm.">(std::string(name), fixedText(low, 1), fixedText(high, 1)));
   }
   return {};
 }
@@ -494,7 +494,7 @@ Result<json> benchPaper(const PaperBenchOptions& options, const PaperPlace& plac
   if (!seven) return passOn(seven.error());
   report["figure7"] = std::move(*seven);
   if (auto written = writePages(report, placeOf); !written) return passOn(written.error());
-  progress.report("Figures of the paper", 1.0);
+  progress.report(say<"Figures of the paper">(), 1.0);
   return report;
 }
 

@@ -63,7 +63,7 @@ Result<Volume> BenchField::volume(Progress& progress) const {
   const auto side = static_cast<std::size_t>(side_);
   std::uint8_t* voxel = made.echo.data();
   for (std::size_t k = 0; k < side; ++k) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
     for (std::size_t j = 0; j < side; ++j) {
       std::array<float, kTerms> factor{};
       for (std::size_t t = 0; t < kTerms; ++t) factor[t] = static_cast<float>(kAmplitude) * terms_[t].table[1][j] * terms_[t].table[2][k];

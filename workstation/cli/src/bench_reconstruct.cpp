@@ -36,7 +36,7 @@ struct Truth {
   std::vector<float> level;
 };
 
-tl::unexpected<Error> reconstructStopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
+tl::unexpected<Error> reconstructStopped() { return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">()); }
 
 double reconstructWall_us() {
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -168,7 +168,7 @@ Result<void> measureErrors(std::vector<ReconstructSetting>& settings, Progress& 
     const auto made = reconstruct(setting.sweep->frames, setting.options, part);
     if (!made) return passOn(made.error());
     if (made->volume.grid != setting.truth->grid)
-      return failure(ErrorCode::internal, "'" + setting.name + "' made a volume on another grid than planned; report this.");
+      return failure(ErrorCode::internal, say<"'%1' made a volume on another grid than planned; report this.">(setting.name));
     setting.pixels = made->pixelsPasted;
     setting.measured = errorsOf(made->volume, *setting.truth, Coverage::measured, made->measuredVoxels);
     setting.filled = errorsOf(made->volume, *setting.truth, Coverage::interpolated, made->interpolatedVoxels);
@@ -184,7 +184,8 @@ Result<void> timeSettings(std::vector<ReconstructSetting>& settings, int repetit
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     std::shuffle(order.begin(), order.end(), random);
     for (std::size_t n = 0; n < order.size(); ++n) {
-      progress.report("Timing reconstructions", (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / repetitions);
+      progress.report(say<"Timing reconstructions">(),
+                      (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / repetitions);
       if (progress.cancelRequested()) return reconstructStopped();
       ReconstructSetting& setting = settings[order[n]];
       const double start_s = threadTime_s();
@@ -229,14 +230,14 @@ Result<json> timeThreads(const std::vector<ReconstructSetting>& settings, int re
 }
 
 Result<void> checkOptions(const ReconstructBenchOptions& options) {
-  const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
-  if (options.spacings_mm.empty()) return refuse("The benchmark of reconstruction needs at least one spacing; give --spacing 0.5.");
+  const auto refuse = [](const Message& what) { return failure(ErrorCode::badUsage, what); };
+  if (options.spacings_mm.empty()) return refuse(say<"The benchmark of reconstruction needs at least one spacing; give --spacing 0.5.">());
   for (const double spacing_mm : options.spacings_mm)
-    if (!(spacing_mm >= 0.25 && spacing_mm <= 4.0)) return refuse("A spacing must lie between 0.25 and 4 mm.");
-  if (options.frames < 6 || options.frames > 1000) return refuse("The number of frames must lie between 6 and 1000.");
-  if (options.imageSide < 32 || options.imageSide > 1024) return refuse("The side of an image must lie between 32 and 1024 pixels.");
-  if (options.views < 1 || options.views > 20) return refuse("The number of virtual frames must lie between 1 and 20.");
-  if (options.repetitions < 1 || options.repetitions > 1000) return refuse("The number of repetitions must lie between 1 and 1000.");
+    if (!(spacing_mm >= 0.25 && spacing_mm <= 4.0)) return refuse(say<"A spacing must lie between 0.25 and 4 mm.">());
+  if (options.frames < 6 || options.frames > 1000) return refuse(say<"The number of frames must lie between 6 and 1000.">());
+  if (options.imageSide < 32 || options.imageSide > 1024) return refuse(say<"The side of an image must lie between 32 and 1024 pixels.">());
+  if (options.views < 1 || options.views > 20) return refuse(say<"The number of virtual frames must lie between 1 and 20.">());
+  if (options.repetitions < 1 || options.repetitions > 1000) return refuse(say<"The number of repetitions must lie between 1 and 1000.">());
   return {};
 }
 
@@ -246,7 +247,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
   if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
   PartOfProgress preparing(progress, 0.0, 0.05), comparing(progress, 0.05, 0.2), timing(progress, 0.2, 0.75),
       threading(progress, 0.75, 0.8), believing(progress, 0.8, 1.0);
-  preparing.report("Drawing sweeps of an exact field", 0.0);
+  preparing.report(say<"Drawing sweeps of an exact field">(), 0.0);
   const BenchField field(1);
   std::vector<Sweep> sweeps;
   std::vector<std::vector<Truth>> truths;
@@ -267,7 +268,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
   if (auto measured = measureErrors(settings, comparing); !measured) return passOn(measured.error());
   const auto once = [&] { static_cast<void>(reconstruct(settings.back().sweep->frames, settings.back().options, noProgress())); };
   if (!runsOnThisThreadAlone(once))
-    return failure(ErrorCode::internal, "The reconstruction used more than one thread, so its times mean nothing; report this.");
+    return failure(ErrorCode::internal, say<"The reconstruction used more than one thread, so its times mean nothing; report this.">());
   if (auto timed = timeSettings(settings, options.repetitions, timing); !timed) return passOn(timed.error());
   auto threads = timeThreads(settings, options.repetitions, threading);
   if (!threads) return passOn(threads.error());

@@ -36,7 +36,7 @@ constexpr double kPeak_mm = 5.0;
 constexpr double kWave_mm = 100.0;  // of the elastic motion: smooth, as tissue under a probe moves
 constexpr double kShared = 0.8;     // of the speckle's amplitude: two thirds of its power
 
-tl::unexpected<Error> registerStopped() { return failure(ErrorCode::cancelled, "The benchmark was stopped."); }
+tl::unexpected<Error> registerStopped() { return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">()); }
 
 using Motion = std::function<glm::dvec3(const glm::dvec3&)>;  // a fixed point's true place in the moving volume
 
@@ -400,7 +400,7 @@ class WorkFolder {
       std::string name = (base / "echoweave-bench-XXXXXX").string();
       if (::mkdtemp(name.data()) != nullptr) return std::unique_ptr<WorkFolder>(new WorkFolder(name));
     }
-    return failure(ErrorCode::notWritable, "There is no folder for temporary files; set TMPDIR to one, or leave the peers out.");
+    return failure(ErrorCode::notWritable, say<"There is no folder for temporary files; set TMPDIR to one, or leave the peers out.">());
   }
   ~WorkFolder() {
     std::error_code ignored;
@@ -431,7 +431,7 @@ Result<void> measurePeers(const Pair& pair, json& report, Progress& progress) {
         if (auto written = writeVolume(*volume, work->path / name, noProgress(), {.compress = false}); !written)
           return passOn(written.error());
     }
-    progress.report("Waiting for " + peers[n].program, static_cast<double>(n) / static_cast<double>(peers.size()));
+    progress.report(say<"Waiting for %1">(peers[n].program), static_cast<double>(n) / static_cast<double>(peers.size()));
     const auto folder = work->path / std::to_string(n);
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
@@ -456,9 +456,9 @@ Result<void> measurePeers(const Pair& pair, json& report, Progress& progress) {
 
 Result<void> checkOptions(const RegisterBenchOptions& options) {
   if (options.side < 48 || options.side > 256)
-    return failure(ErrorCode::badUsage, "The side of the volumes must lie between 48 and 256 voxels.");
+    return failure(ErrorCode::badUsage, say<"The side of the volumes must lie between 48 and 256 voxels.">());
   if (options.repetitions < 1 || options.repetitions > 100)
-    return failure(ErrorCode::badUsage, "The number of repetitions must lie between 1 and 100.");
+    return failure(ErrorCode::badUsage, say<"The number of repetitions must lie between 1 and 100.">());
   return {};
 }
 
@@ -469,7 +469,7 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
   PartOfProgress preparing(progress, 0.0, 0.1);
   PartOfProgress timing(progress, 0.1, options.peers ? 0.6 : 1.0);
   PartOfProgress waiting(progress, 0.6, 1.0);
-  preparing.report("Imaging speckled tissue", 0.0);
+  preparing.report(say<"Imaging speckled tissue">(), 0.0);
   PartOfProgress silent(noProgress(), 0.0, 1.0);
   auto pairs = makePairs(options, preparing);
   if (!pairs) return passOn(pairs.error());
@@ -487,7 +487,7 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
                  {"results", json::array()}, {"peers", json::array()}, {"peers_missing", json::array()},     {"steps", json::array()}};
   for (std::size_t n = 0; n < trials.size(); ++n) {
     const Trial& trial = trials[n];
-    timing.report("Registering", static_cast<double>(n) / static_cast<double>(trials.size()));
+    timing.report(say<"Registering">(), static_cast<double>(n) / static_cast<double>(trials.size()));
     std::vector<double> times_us;
     Result<Answer> answer = Answer{};
     for (int repetition = 0; repetition < options.repetitions; ++repetition) {

@@ -51,7 +51,7 @@ std::string complaintIn(const fs::path& log) {
 /// Runs a program to its end, its words into a file; gives its processor time.
 Result<double> runProgram(const std::vector<std::string>& words, const fs::path& log, Progress& progress) {
   const auto program = findProgram(words.front());
-  if (!program) return failure(ErrorCode::notFound, words.front() + " is not installed; install it to compare with it.");
+  if (!program) return failure(ErrorCode::notFound, say<"%1 is not installed; install it to compare with it.">(words.front()));
   std::vector<char*> arguments;
   for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -75,22 +75,22 @@ Result<double> runProgram(const std::vector<std::string>& words, const fs::path&
   pid_t process = 0;
   const int problem = posix_spawn(&process, program->c_str(), &files, nullptr, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&files);
-  if (problem != 0) return failure(ErrorCode::internal, words.front() + " could not be started; check its installation.");
+  if (problem != 0) return failure(ErrorCode::internal, say<"%1 could not be started; check its installation.">(words.front()));
   int status = 0;
   rusage used{};
   while (true) {
     const pid_t ended = ::wait4(process, &status, WNOHANG, &used);
     if (ended == process) break;
-    if (ended < 0) return failure(ErrorCode::internal, words.front() + " was lost track of.");
+    if (ended < 0) return failure(ErrorCode::internal, say<"%1 was lost track of.">(words.front()));
     if (progress.cancelRequested()) {
       ::kill(process, SIGKILL);
       ::wait4(process, &status, 0, &used);
-      return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+      return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    return failure(ErrorCode::internal, words.front() + " failed on this pair" + complaintIn(log) + ".");
+    return failure(ErrorCode::internal, say<"%1 failed on this pair%2.">(words.front(), complaintIn(log)));
   const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }

@@ -202,7 +202,7 @@ void timeCases(std::vector<SlicingCase>& cases, const SlicingScene& scene, const
         state.SetIterationTime(spent_s);
         tested.slices_us.push_back(1e6 * spent_s);
       }
-      progress.report("Timing the slicers", (done += 1.0) / total);
+      progress.report(say<"Timing the slicers">(), (done += 1.0) / total);
     };
     benchmark::RegisterBenchmark(tested.name.c_str(), body)
         ->UseManualTime()
@@ -216,13 +216,13 @@ void timeCases(std::vector<SlicingCase>& cases, const SlicingScene& scene, const
 }
 
 Result<void> checkOptions(const BenchOptions& options) {
-  const auto refuse = [](const std::string& what) { return failure(ErrorCode::badUsage, what); };
-  if (options.volumeSides.empty()) return refuse("The slicing benchmark needs at least one volume side; give --side 256.");
+  const auto refuse = [](const Message& what) { return failure(ErrorCode::badUsage, what); };
+  if (options.volumeSides.empty()) return refuse(say<"The slicing benchmark needs at least one volume side; give --side 256.">());
   for (const int side : options.volumeSides)
-    if (side < 8 || side > 1024) return refuse("A volume side must lie between 8 and 1024 voxels.");
-  if (options.sliceSide < 16 || options.sliceSide > 4096) return refuse("The side of a slice must lie between 16 and 4096 pixels.");
-  if (options.poses < 2 || options.poses > 1000) return refuse("The number of poses must lie between 2 and 1000.");
-  if (options.repetitions < 1 || options.repetitions > 1000) return refuse("The number of repetitions must lie between 1 and 1000.");
+    if (side < 8 || side > 1024) return refuse(say<"A volume side must lie between 8 and 1024 voxels.">());
+  if (options.sliceSide < 16 || options.sliceSide > 4096) return refuse(say<"The side of a slice must lie between 16 and 4096 pixels.">());
+  if (options.poses < 2 || options.poses > 1000) return refuse(say<"The number of poses must lie between 2 and 1000.">());
+  if (options.repetitions < 1 || options.repetitions > 1000) return refuse(say<"The number of repetitions must lie between 1 and 1000.">());
   return {};
 }
 
@@ -383,22 +383,23 @@ Result<json> benchSlicing(const BenchOptions& options, Progress& progress) {
     const int volumeSide = options.volumeSides[n];
     const double share = 1.0 / static_cast<double>(options.volumeSides.size());
     PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
-    part.report("Filling a volume of " + std::to_string(volumeSide) + " cubed", 0.0);
+    part.report(say<"Filling a volume of %1 cubed">(volumeSide), 0.0);
     auto made = makeScene(options, volumeSide, progress);
     if (!made) return passOn(made.error());
     const SlicingScene& scene = **made;
     std::vector<SlicingCase> cases = casesFor(options, scene, volumeSide);
     for (SlicingCase& tested : cases) {
-      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
       measureError(tested, scene, options.sliceSide);
       const auto sliceAll = [&] {
         for (const ImageToVoxel& pose : scene.poses.at(tested.poseKind)) tested.slicer(pose);
       };
       if (tested.peer && !runsOnThisThreadAlone(sliceAll))
-        return failure(ErrorCode::internal, "VTK's reslice used more than one thread, so its times cannot be compared; report this.");
+        return failure(ErrorCode::internal,
+                       say<"VTK's reslice used more than one thread, so its times cannot be compared; report this.">());
     }
     timeCases(cases, scene, options, part);
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
     addToReport(cases, volumeSide, report);
     report["threads_measured"].push_back(timeThreads(scene, volumeSide));
   }

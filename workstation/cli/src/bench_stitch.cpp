@@ -207,10 +207,10 @@ Result<json> timeThreads(const Views& made, const StitchSetting& like, int repet
 
 Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) {
   if (options.side < 64 || options.side > 320)
-    return failure(ErrorCode::badUsage, "The side of a view must lie between 64 and 320 voxels.");
+    return failure(ErrorCode::badUsage, say<"The side of a view must lie between 64 and 320 voxels.">());
   if (options.repetitions < 1 || options.repetitions > 1000)
-    return failure(ErrorCode::badUsage, "The number of repetitions must lie between 1 and 1000.");
-  progress.report("Drawing views of a known scene", 0.0);
+    return failure(ErrorCode::badUsage, say<"The number of repetitions must lie between 1 and 1000.">());
+  progress.report(say<"Drawing views of a known scene">(), 0.0);
   Views made = viewsOf(options);
   StitchOptions unlimited;
   const auto forecast = forecastStitch(gridsOf(made.views), unlimited);
@@ -227,7 +227,7 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
     equalised = equaliseViews(made.views, equalising, noProgress());
     equalise_us.push_back(threadTime_us() - begun_us);
     if (!equalised) return passOn(equalised.error());
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
   }
   for (std::size_t n = 0; n < made.views.size(); ++n) made.views[n].correction = equalised->corrections[n];
 
@@ -239,8 +239,8 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
     std::shuffle(order.begin(), order.end(), random);
     for (std::size_t n = 0; n < order.size(); ++n) {
       const double done = (repetition + static_cast<double>(n) / static_cast<double>(order.size())) / options.repetitions;
-      progress.report("Timing seams and blends", 0.1 + 0.8 * done);
-      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The benchmark was stopped.");
+      progress.report(say<"Timing seams and blends">(), 0.1 + 0.8 * done);
+      if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
       if (auto ran = run(made, settings[order[n]], threadTime_us, noProgress()); !ran) return passOn(ran.error());
     }
   }

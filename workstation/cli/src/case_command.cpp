@@ -88,7 +88,7 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
   }
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
-    return failure(ErrorCode::notFound, "There is no folder '" + folder.string() + "'; give a folder that holds case folders.",
+    return failure(ErrorCode::notFound, say<"There is no folder '%1'; give a folder that holds case folders.">(folder.string()),
                    {{"file", folder.string()}});
   if (auto kept = run.input(folder); !kept) return passOn(kept.error());
   if (auto kept = protectCasesOf(folder, run); !kept) return passOn(kept.error());
@@ -118,8 +118,8 @@ Result<int> listAll(const CaseArguments& arguments, Run& run) {
               << std::string(titleWidth - each.title.size() + 2, ' ') << each.region
               << (caseNeedsPreparation(each) ? "  (not prepared yet)" : "") << "\n";
   if (list.cases.empty()) run.out() << "No cases in " << folder.string() << ".\n";
-  for (const auto& problem : list.problems) run.remark(problem.sentence());
-  for (const auto& other : list.noCases) run.remark("The folder '" + other.filename().string() + "' is left out: it holds no case.json.");
+  for (const auto& problem : list.problems) run.remark(problem.message);
+  for (const auto& other : list.noCases) run.remark(say<"The folder '%1' is left out: it holds no case.json.">(other.filename().string()));
   return kDone;
 }
 
@@ -165,7 +165,7 @@ std::vector<Error> problemsOfParts(const std::filesystem::path& place, Run& run)
   std::error_code ignored;
   const auto text = readTextFile(std::filesystem::is_directory(place, ignored) ? place / "case.json" : place);
   if (!text) return {};
-  const auto manifest = parseJson(*text, "case.json");
+  const auto manifest = parseJson(*text, verbatim("case.json"));
   if (!manifest || !manifest->is_object() || !manifest->contains("parts")) return {};  // what else is wrong has been said
   door::HeadlessHost host(run.progress);
   door::PluginList plugins;
@@ -197,21 +197,20 @@ Result<int> validate(const CaseArguments& arguments, Run& run) {
   }
   run.out() << std::flush;
   return run.answer({ErrorCode::badField,
-                     "The case '" + arguments.chosen + "' has " + counted(problems.size(), "problem") + "; correct what is listed.",
+                     say<"The case '%1' has %2; correct what is listed.">(arguments.chosen, counted(problems.size(), "problem")),
                      {{"case", place.string()}}});
 }
 
 Result<std::vector<Case>> casesToPrepare(const CaseArguments& arguments, Run& run) {
   if ((arguments.all || arguments.first) != arguments.several.empty() || (arguments.all && arguments.first))
-    return failure(ErrorCode::badUsage,
-                   "Say which cases to prepare, or --all for the shipped ones, or --first for the one that is ready "
-                   "soonest; one of the three.");
+    return failure(ErrorCode::badUsage, say<"Say which cases to prepare, or --all for the shipped ones, or --first for the one that is "
+                                            "ready soonest; one of the three.">());
   std::vector<Case> cases;
   if (arguments.several.empty()) {
     const auto shipped = shippedCasesFolder();
     if (!shipped) return passOn(shipped.error());
     auto list = listCases(*shipped);
-    for (const auto& problem : list.problems) run.remark(problem.sentence());
+    for (const auto& problem : list.problems) run.remark(problem.message);
     cases = std::move(list.cases);
   }
   for (const auto& each : arguments.several) {
@@ -276,9 +275,9 @@ Result<int> prepare(const CaseArguments& arguments, Run& run) {
     if (!made) return passOn(made.error());
     for (const auto& note : *made) run.remark(note);
     run.say("Prepared " + waiting[n].title + ".");
-    run.stoppedSentence = "Stopped as asked; of " + counted(waiting.size(), "case") + " " + std::to_string(n + 1) +
-                          (n == 0 ? " is" : " are") + " prepared and kept" +
-                          (arguments.keepSweeps.empty() ? "." : ", and no recording was written.");
+    run.stopped = say<"Stopped as asked; of %1 %2 prepared and kept%3">(
+        counted(waiting.size(), "case"), std::to_string(n + 1) + (n == 0 ? " is" : " are"),
+        std::string(arguments.keepSweeps.empty() ? "." : ", and no recording was written."));
   }
   if (!arguments.keepSweeps.empty()) leaveOutEmpty(arguments, waiting, run);
   run.report.quality = {{"cases", cases->size()}, {"prepared_now", waiting.size()}, {"estimated_s", total_s}};

@@ -49,7 +49,7 @@ class Run {
   [[nodiscard]] const std::optional<Error>& answered() const { return answer_; }
 
   /// What the user reads when the command is stopped. Empty: whoever was stopped says himself what he kept.
-  std::string stoppedSentence = "Stopped as asked; nothing was written.";
+  Message stopped = ew::say<"Stopped as asked; nothing was written.">();
   /// The command has put its outputs in place itself: there is nothing left that could be stopped.
   bool isPublished = false;
   /// Outputs that somebody else puts in place, after those of `outputs` and with them: all or none. Empty: there are none.

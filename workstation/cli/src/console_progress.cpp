@@ -40,14 +40,15 @@ void ConsoleProgress::drawBar(double fraction) {
   std::string bar = "\r\x1b[2K[";
   for (int cell = 0; cell < kBarWidth; ++cell) bar += cell < full ? '#' : '.';
   const std::string percent = std::to_string(std::lround(fraction * 100.0));
-  bar += "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_;
+  bar += "] " + std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_.english();
   surroundings_.err << bar << std::flush;
   barShown_ = true;
 }
 
 void ConsoleProgress::writeLine(double fraction) {
   const std::string percent = std::to_string(std::lround(fraction * 100.0));
-  surroundings_.err << std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_ + "\n" << std::flush;
+  surroundings_.err << std::string(3 - std::min<std::size_t>(3, percent.size()), ' ') + percent + " %  " + what_.english() + "\n"
+                    << std::flush;
 }
 
 void ConsoleProgress::clear() {

@@ -30,7 +30,7 @@ class ConsoleProgress final : public Progress {
   Surroundings surroundings_;
   bool quiet_;
   std::mutex mutex_;
-  std::string what_;
+  Message what_;
   int shownTenth_ = -1;
   bool barShown_ = false;
   std::chrono::steady_clock::time_point lastDrawn_{};

@@ -36,8 +36,8 @@ Result<std::vector<double>> lengths(const std::string& option, const std::string
   if (values && values->size() == 1) values->resize(count, values->front());
   if (!values || values->size() != count ||
       !std::all_of(values->begin(), values->end(), [](double value) { return value > 0.0 && value < 1e6; }))
-    return failure(ErrorCode::badUsage, option + " takes one length or " + std::to_string(count) +
-                                            " with commas between them, in mm, above 0; not '" + text + "'.");
+    return failure(ErrorCode::badUsage,
+                   say<"%1 takes one length or %2 with commas between them, in mm, above 0; not '%3'.">(option, count, text));
   return *values;
 }
 
@@ -48,7 +48,7 @@ Result<ImportAnswers> answersOf(const ImportArguments& arguments) {
   } else if (!arguments.region.empty()) {
     const auto number = parseIntegers(arguments.region);
     if (!number || number->size() != 1 || number->front() < 0 || number->front() > 1000)
-      return failure(ErrorCode::badUsage, "--region takes the number of a region from 1, or all; not '" + arguments.region + "'.");
+      return failure(ErrorCode::badUsage, say<"--region takes the number of a region from 1, or all; not '%1'.">(arguments.region));
     answers.region = static_cast<int>(number->front());
   }
   if (!arguments.pixel_mm.empty()) {
@@ -114,7 +114,7 @@ tl::unexpected<Error> withAllQuestions(Error error, const std::string& file, Imp
     asked = question;
   }
   auto told = withOption(std::move(error));
-  if (!further.empty()) told.value().sentence() += further + ".";
+  if (!further.empty()) told.value().message = verbatim(told.value().sentence() + further + ".");
   return told;
 }
 
@@ -140,7 +140,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
   const auto out = run.outputs.staged(arguments.output);
   if (read->volume) {
     if (!arguments.mask.empty())
-      return failure(ErrorCode::badUsage, "--colour-mask is for pictures; " + arguments.file + " became a volume.");
+      return failure(ErrorCode::badUsage, say<"--colour-mask is for pictures; %1 became a volume.">(arguments.file));
     const Grid& grid = read->volume->grid;
     if (auto written = writeVolume(*read->volume, out, writing); !written) return passOn(written.error());
     run.report.quality = {{"voxels", grid.voxelCount()}, {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}}};
@@ -150,7 +150,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     return kDone;
   }
   if (arguments.output.ends_with(".mhd"))
-    return failure(ErrorCode::badUsage, arguments.file + " holds pictures without a volume; end the output's name in .igs.mha.");
+    return failure(ErrorCode::badUsage, say<"%1 holds pictures without a volume; end the output's name in .igs.mha.">(arguments.file));
   Cine& cine = *read->pictures;
   if (auto written = writeSequence(cine.sequence, out, writing); !written) return passOn(written.error());
   if (!arguments.mask.empty()) {

@@ -94,8 +94,8 @@ Result<void> checkSamplesAreItsOwn(const fs::path& output) {
     for (const auto& file : header->files)
       if (fs::equivalent(file, files.front(), ignored)) return {};
   return failure(ErrorCode::badUsage,
-                 "'" + output.string() + "' would write its voxels over '" + files.front().string() +
-                     "', which is there already and is not its own; give the output another name or move that file away.",
+                 say<"'%1' would write its voxels over '%2', which is there already and is not its own; give the output another name or "
+                     "move that file away.">(output.string(), files.front().string()),
                  {{"file", files.front().string()}});
 }
 

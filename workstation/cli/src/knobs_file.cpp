@@ -16,7 +16,7 @@ Result<T> readSetting(const std::filesystem::path& file,
   constexpr std::size_t kMaxBytes = 1u << 20;
   const auto text = readTextFile(file, kMaxBytes);
   if (!text) return passOn(text.error());
-  const auto document = parseJson(*text, file.filename().string());
+  const auto document = parseJson(*text, verbatim(file.filename().string()));
   if (!document) return passOn(document.error());
   auto setting = fromJson(*document, "'" + file.string() + "'", nullptr);
   if (!setting) {
@@ -35,8 +35,8 @@ Result<Scene> readScene(const std::filesystem::path& file) { return readSetting<
 Result<void> checkDepth(const Knobs& knobs, const Probe& probe) {
   if (knobs.depth_mm == 0.0 || (knobs.depth_mm >= probe.minDepth_mm && knobs.depth_mm <= probe.maxDepth_mm)) return {};
   return failure(ErrorCode::badField,
-                 "The depth of " + textOf(knobs.depth_mm) + " mm is not one of the probe " + probe.name + "; give " +
-                     textOf(probe.minDepth_mm) + " to " + textOf(probe.maxDepth_mm) + " mm, or 0 for its own.",
+                 say<"The depth of %1 mm is not one of the probe %2; give %3 to %4 mm, or 0 for its own.">(
+                     textOf(knobs.depth_mm), probe.name, textOf(probe.minDepth_mm), textOf(probe.maxDepth_mm)),
                  {{"field", "depth_mm"}});
 }
 

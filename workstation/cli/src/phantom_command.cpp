@@ -38,7 +38,8 @@ Result<ParameterValues> parameterValues(const std::vector<std::string>& words) {
     const auto sign = word.find('=');
     const auto value = sign == std::string::npos ? std::nullopt : parseNumber(std::string_view(word).substr(sign + 1));
     if (!value || sign == 0)
-      return failure(ErrorCode::badUsage, "--set takes NAME=VALUE with a number, as in --set stone_diameter_mm=9; found \"" + word + "\".");
+      return failure(ErrorCode::badUsage,
+                     say<"--set takes NAME=VALUE with a number, as in --set stone_diameter_mm=9; found \"%1\".">(word));
     values[word.substr(0, sign)] = *value;
   }
   return values;
@@ -92,7 +93,7 @@ Result<Surfaces> wantedSurfaces(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const auto sign = word.find('=');
     if (sign == std::string::npos || sign == 0 || sign + 1 == word.size())
-      return failure(ErrorCode::badUsage, "--surface takes ORGAN=FILE, as in --surface liver=liver.stl; found \"" + word + "\".");
+      return failure(ErrorCode::badUsage, say<"--surface takes ORGAN=FILE, as in --surface liver=liver.stl; found \"%1\".">(word));
     wanted.emplace_back(word.substr(0, sign), word.substr(sign + 1));
   }
   return wanted;
@@ -175,9 +176,8 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   if (!surfaces) return passOn(surfaces.error());
   if (auto announced = announcePhantom(arguments, *surfaces, run); !announced) return passOn(announced.error());
   if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty())
-    return failure(ErrorCode::badUsage,
-                   "Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface ORGAN=FILE, "
-                   "--sweep SWEEP.json -o SWEEP.igs.mha, or several.");
+    return failure(ErrorCode::badUsage, say<"Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface "
+                                            "ORGAN=FILE, --sweep SWEEP.json -o SWEEP.igs.mha, or several.">());
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 

@@ -22,7 +22,7 @@ Result<Probe> probeOf(const SweepRecipe& recipe) {
     if (probe.id == recipe.probe) return probe;
     ids += (ids.empty() ? "" : ", ") + probe.id;
   }
-  return failure(ErrorCode::badField, "The sweep is made with the probe '" + recipe.probe + "', but there are only " + ids + ".",
+  return failure(ErrorCode::badField, say<"The sweep is made with the probe '%1', but there are only %2.">(recipe.probe, ids),
                  {{"field", "probe"}, {"found", recipe.probe}, {"expected", ids}});
 }
 
@@ -51,10 +51,10 @@ Result<void> announceSweep(const SweepArguments& arguments, Run& run) {
   if (arguments.sweep.empty()) {
     if (!arguments.output.empty() || !arguments.truePoses.empty() || !arguments.deviceSet.empty())
       return failure(ErrorCode::badUsage,
-                     "--output, --truth-poses and --device-set belong to a sweep; give its file with --sweep SWEEP.json.");
+                     say<"--output, --truth-poses and --device-set belong to a sweep; give its file with --sweep SWEEP.json.">());
     return {};
   }
-  if (arguments.output.empty()) return failure(ErrorCode::badUsage, "Say where to write the sweep: -o SWEEP.igs.mha.");
+  if (arguments.output.empty()) return failure(ErrorCode::badUsage, say<"Say where to write the sweep: -o SWEEP.igs.mha.">());
   if (auto kept = run.input(arguments.sweep); !kept) return kept;
   if (auto announced = run.output(arguments.output, ".mha"); !announced) return announced;
   if (!arguments.truePoses.empty())

@@ -50,11 +50,10 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   if (!command) {
     for (const auto& plugin : loaded->plugins.states())
       if (brings(plugin, name) && !plugin.message.empty())
-        return failure(ErrorCode::notFound, "The plugin that brings '" + name + "' cannot be used: " + plugin.sentence(),
+        return failure(ErrorCode::notFound, say<"The plugin that brings '%1' cannot be used: %2">(name, plugin.message),
                        {{"plugin", plugin.title()}});
-    return failure(ErrorCode::badUsage, "'" + name +
-                                            "' is neither a command nor a case, volume or sweep that exists; "
-                                            "'echoweave --help' lists the commands.");
+    return failure(ErrorCode::badUsage,
+                   say<"'%1' is neither a command nor a case, volume or sweep that exists; 'echoweave --help' lists the commands.">(name));
   }
   if (help) {
     run.out() << "Usage: echoweave " << command->usage << "\n\nOptions all commands have:\n"
@@ -66,7 +65,7 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   const auto readable = existingFiles(words);
   for (const auto& file : readable)
     if (auto kept = run.protect(file); !kept) return passOn(kept.error());
-  const std::string stopped = std::exchange(run.stoppedSentence, {});  // while it runs, a plugin says itself what it kept
+  const Message stopped = std::exchange(run.stopped, {});  // while it runs, a plugin says itself what it kept
   run.report.options["arguments"] = words;
   auto outcome = [&] {
     const StepClock clock(run.report, name);
@@ -75,7 +74,7 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   if (!outcome) return passOn(outcome.error());
   run.isPublished = !outcome->putInPlace;
   if (outcome->putInPlace) {
-    run.stoppedSentence = stopped;
+    run.stopped = stopped;
     loaded->putInPlace = std::move(outcome->putInPlace);
     run.putInPlace = [loaded] { return loaded->putInPlace(); };
   }
@@ -90,7 +89,7 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
   run.report.verdict = *outcome->verdict;
   if (!outcome->reason.empty()) run.report.details["reason"] = outcome->reason;
   if (*outcome->verdict == kGoodVerdict) return kDone;
-  run.remark("The verdict is \"" + *outcome->verdict + "\". " + outcome->reason);
+  run.remark(say<"The verdict is \"%1\". %2">(*outcome->verdict, outcome->reason));
   return kVerdict;
 }
 
@@ -132,7 +131,7 @@ Result<void> selectPluginCommand(std::span<const std::string> args, Selection& s
     } else if (word.starts_with("--report=")) {
       selection.reportFile = word.substr(9);
     } else if (word == "--report") {
-      if (at + 1 == args.size()) return failure(ErrorCode::badUsage, "--report needs the name of a file to write.");
+      if (at + 1 == args.size()) return failure(ErrorCode::badUsage, say<"--report needs the name of a file to write.">());
       selection.reportFile = args[++at];
     } else {
       words.push_back(word);

@@ -114,15 +114,15 @@ std::vector<std::uint16_t> usedFrames(const SweepPoses& poses) {
 
 Result<void> checkReconstruction(const ReconstructArguments& arguments) {
   if (arguments.noClip && (arguments.clip_px || arguments.fan))
-    return failure(ErrorCode::badUsage, "--no-clip contradicts --clip and --fan; give one of them.");
+    return failure(ErrorCode::badUsage, say<"--no-clip contradicts --clip and --fan; give one of them.">());
   if (arguments.fill && (arguments.fillReach_mm || arguments.fillReach_voxels))
-    return failure(ErrorCode::badUsage, "--fill chooses the reach itself; leave it out beside --fill-reach-mm and --fill-reach.");
+    return failure(ErrorCode::badUsage, say<"--fill chooses the reach itself; leave it out beside --fill-reach-mm and --fill-reach.">());
   if (arguments.fillReach_mm && arguments.fillReach_voxels)
-    return failure(ErrorCode::badUsage, "--fill-reach-mm and --fill-reach say the same in two units; give one of them.");
+    return failure(ErrorCode::badUsage, say<"--fill-reach-mm and --fill-reach say the same in two units; give one of them.">());
   if (!arguments.confidence.empty() && arguments.compounding != "weighted")
-    return failure(ErrorCode::badUsage, "--confidence says how pixels are weighted; give --compounding weighted with it.");
+    return failure(ErrorCode::badUsage, say<"--confidence says how pixels are weighted; give --compounding weighted with it.">());
   if (!arguments.provenance.empty() && arguments.acquisition.phases)
-    return failure(ErrorCode::badUsage, "--provenance is written for one volume, not for phases; leave one of them out.");
+    return failure(ErrorCode::badUsage, say<"--provenance is written for one volume, not for phases; leave one of them out.">());
   return {};
 }
 

@@ -54,7 +54,7 @@ void addAcquisitionOptions(CLI::App& app, AcquisitionArguments& arguments) {
 
 Result<void> applyTo(SweepImportOptions& options, const AcquisitionArguments& arguments, Run& run) {
   if (!arguments.phases && (arguments.gate != "automatic" || arguments.rhythm != "heart"))
-    return failure(ErrorCode::badUsage, "--gate and --rhythm say how to find phases; give --phases N with them.");
+    return failure(ErrorCode::badUsage, say<"--gate and --rhythm say how to find phases; give --phases N with them.">());
   options.motor = arguments.motor;
   if (arguments.motor != kRecordedMotor)
     if (auto kept = run.input(arguments.motor); !kept) return kept;
@@ -63,8 +63,9 @@ Result<void> applyTo(SweepImportOptions& options, const AcquisitionArguments& ar
   } else if (!arguments.timeOffset.empty()) {
     const auto delay_s = parseNumber(arguments.timeOffset);
     if (!delay_s || !(std::abs(*delay_s) <= 1000.0))
-      return failure(ErrorCode::badUsage, "The time offset '" + arguments.timeOffset +
-                                              "' is neither a number of seconds nor the word estimate; give one of them.");
+      return failure(
+          ErrorCode::badUsage,
+          say<"The time offset '%1' is neither a number of seconds nor the word estimate; give one of them.">(arguments.timeOffset));
     options.poseDelay_s = *delay_s;
   }
   return {};

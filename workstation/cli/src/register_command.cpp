@@ -59,7 +59,7 @@ struct Side {
 /// What any method found, in one form.
 struct Found {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;
+  Message reason;
   Deformation fixedToMoving;
   bool flat = false;  ///< two-dimensional images: so is their field
   StopReason stop = StopReason::notRun;
@@ -81,7 +81,7 @@ Result<Side> readSide(Run& run, const std::string& file, const std::string& cove
     if (!map) return passOn(map.error());
     if (map->volume.grid.dims != side.volume.grid.dims)
       return failure(ErrorCode::badField,
-                     "The confidence in '" + confidence + "' lies on another grid than '" + file + "'; give the map made with this volume.",
+                     say<"The confidence in '%1' lies on another grid than '%2'; give the map made with this volume.">(confidence, file),
                      {{"file", confidence}});
     side.confidence.resize(map->volume.echo.size());
     for (std::size_t i = 0; i < side.confidence.size(); ++i) side.confidence[i] = static_cast<float>(map->volume.echo[i]) / 255.0F;
@@ -105,8 +105,8 @@ Result<Found> byLandmarks(const RegisterArguments& arguments, const Side& fixed,
   const auto file = readLandmarks(arguments.landmarks);
   if (!file) return passOn(file.error());
   for (const auto& pair : file->pairs) {
-    if (!contains(fixed.volume.grid, pair.fixed_mm)) run.remark("The landmark '" + pair.name + "' lies outside the fixed volume.");
-    if (!contains(moving.volume.grid, pair.moving_mm)) run.remark("The landmark '" + pair.name + "' lies outside the moving volume.");
+    if (!contains(fixed.volume.grid, pair.fixed_mm)) run.remark(say<"The landmark '%1' lies outside the fixed volume.">(pair.name));
+    if (!contains(moving.volume.grid, pair.moving_mm)) run.remark(say<"The landmark '%1' lies outside the moving volume.">(pair.name));
   }
   LandmarkOptions options;
   options.pickError_mm = arguments.pickError_mm.value_or(file->pickError_mm.value_or(options.pickError_mm));
@@ -135,12 +135,12 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   const Grid& f = fixed.volume.grid;
   const Grid& m = moving.volume.grid;
   if (f.dims.z != 1 || m.dims.z != 1)
-    return failure(ErrorCode::badUsage, "--method elastic2d takes two pictures, but '" +
-                                            (f.dims.z != 1 ? arguments.fixed : arguments.moving) +
-                                            "' is a volume; cut a slice out of it, or use --method elastic3d.");
+    return failure(ErrorCode::badUsage,
+                   say<"--method elastic2d takes two pictures, but '%1' is a volume; cut a slice out of it, or use --method elastic3d.">(
+                       f.dims.z != 1 ? arguments.fixed : arguments.moving));
   const glm::dvec2 pixel_mm(f.spacing_mm.x, f.spacing_mm.y);
   if (std::abs(m.spacing_mm.x / pixel_mm.x - 1.0) > 1e-3 || std::abs(m.spacing_mm.y / pixel_mm.y - 1.0) > 1e-3)
-    return failure(ErrorCode::badField, "The pixels of the two pictures are not of one size; resample one of them.",
+    return failure(ErrorCode::badField, say<"The pixels of the two pictures are not of one size; resample one of them.">(),
                    {{"field", "spacing"}});
   Elastic2dOptions options;
   options.singleResolution = arguments.singleResolution;
@@ -285,8 +285,8 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
     if (!given || isOneOf(method, methods)) return {};
     std::string names;
     for (const char* name : methods) names += (names.empty() ? "" : " or ") + std::string(name);
-    return failure(ErrorCode::badUsage, std::string(option) + " goes with --method " + names + ", not with " + method +
-                                            "; leave it out or choose another method.");
+    return failure(ErrorCode::badUsage, say<"%1 goes with --method %2, not with %3; leave it out or choose another method.">(
+                                            std::string(option), names, method));
   };
   for (const auto& fits :
        {only(!arguments.start.empty(), "--start", {"rigid", "elastic3d"}), only(!arguments.landmarks.empty(), "--landmarks", {"landmarks"}),
@@ -305,7 +305,7 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
         only(arguments.singleResolution, "--single-resolution", {"elastic2d"})})
     if (!fits) return fits;
   if (method == "landmarks" && arguments.landmarks.empty())
-    return failure(ErrorCode::badUsage, "--method landmarks needs the pairs: give --landmarks L.json.");
+    return failure(ErrorCode::badUsage, say<"--method landmarks needs the pairs: give --landmarks L.json.">());
   return {};
 }
 
@@ -429,7 +429,7 @@ void reportFound(const Found& found, const Grid& fixed, Report& report) {
   report.quality = found.quality;
   transformInto(report.quality, found.fixedToMoving.rigid, fixed);
   report.verdict = nameOf(found.verdict);
-  report.details["reason"] = found.reason;
+  report.details["reason"] = found.reason.english();
   report.details["stop"] = nameOf(found.stop);
   for (const auto& [key, value] : found.details.items()) report.details[key] = value;
 }
@@ -458,7 +458,7 @@ Result<int> registerVolumes(const RegisterArguments& arguments, Run& run) {
 
   std::string verdict = nameOf(found->verdict);
   verdict.front() = static_cast<char>(verdict.front() - 'a' + 'A');
-  run.say(verdict + ": " + found->reason);
+  run.say(verdict + ": " + found->reason.english());
   if (found->verdict != Verdict::aligned)
     run.say("What was found is in " + arguments.output + " all the same, for a look; do not build on it.");
   return found->verdict == Verdict::aligned ? kDone : kVerdict;

@@ -32,14 +32,15 @@ Result<glm::dmat4> readTransform(const fs::path& file) {
   const auto numbers = parseNumbers(plain);
   if (!numbers || numbers->size() != 16)
     return failure(ErrorCode::badField,
-                   "'" + file.string() + "' does not hold a transform: sixteen numbers are expected, the rows of a 4 x 4 matrix in mm" +
-                       (numbers ? ", not " + std::to_string(numbers->size()) : std::string()) + ".",
+                   numbers ? say<"'%1' does not hold a transform: sixteen numbers are expected, the rows of a 4 x 4 matrix in mm, not %2.">(
+                                 file, numbers->size())
+                           : say<"'%1' does not hold a transform: sixteen numbers are expected, the rows of a 4 x 4 matrix in mm.">(file),
                    {{"file", file.string()}});
   std::array<double, 16> rows{};
   std::copy(numbers->begin(), numbers->end(), rows.begin());
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (const auto rigid = checkRigid(matrix); !rigid)
-    return failure(ErrorCode::notRigid, "The transform in '" + file.string() + "' cannot be used: " + rigid.error().sentence(),
+    return failure(ErrorCode::notRigid, say<"The transform in '%1' cannot be used: %2">(file.string(), rigid.error().message),
                    {{"file", file.string()}});
   return matrix;
 }
@@ -55,23 +56,23 @@ Result<LandmarkFile> readLandmarks(const fs::path& file) {
   constexpr std::size_t kMaxBytes = 16u << 20;
   const auto text = readTextFile(file, kMaxBytes);
   if (!text) return passOn(text.error());
-  const auto document = parseJson(*text, file.filename().string());
+  const auto document = parseJson(*text, verbatim(file.filename().string()));
   if (!document) return passOn(document.error());
   LandmarkFile found;
-  JsonReading reading("'" + file.string() + "'");
+  JsonReading reading(verbatim("'" + file.string() + "'"));
   const json whole = document->is_array() ? json{{"landmarks", *document}} : *document;
   const JsonFields fields(whole, reading);
   fields.only({"landmarks", "pick_error_mm"});
   if (fields.has("pick_error_mm"))
-    found.pickError_mm = fields.number("pick_error_mm", kSmallestPickError_mm, kLargestPickError_mm, {}, "a length above 0 mm");
-  constexpr const char* kLandmarks = "a list of objects with fixed_mm and moving_mm";
-  if (!fields.has("landmarks")) fields.refuse("landmarks", kLandmarks);
-  for (const JsonFields& entry : fields.objects("landmarks", 0, kMostLandmarks, kLandmarks)) {
+    found.pickError_mm = fields.number("pick_error_mm", kSmallestPickError_mm, kLargestPickError_mm, {}, say<"a length above 0 mm">());
+  const Message pairs = say<"a list of objects with fixed_mm and moving_mm">(), three = say<"a list of three numbers, in mm">();
+  if (!fields.has("landmarks")) fields.refuse("landmarks", pairs);
+  for (const JsonFields& entry : fields.objects("landmarks", 0, kMostLandmarks, pairs)) {
     registration::LandmarkPair pair;
     pair.name = entry.text("name", "", 0, kLongestLandmarkName);
     if (pair.name.empty()) pair.name = std::to_string(found.pairs.size() + 1);
-    pair.fixed_mm = entry.point("fixed_mm", kFarthestLandmark_mm, {}, "a list of three numbers, in mm");
-    pair.moving_mm = entry.point("moving_mm", kFarthestLandmark_mm, {}, "a list of three numbers, in mm");
+    pair.fixed_mm = entry.point("fixed_mm", kFarthestLandmark_mm, {}, three);
+    pair.moving_mm = entry.point("moving_mm", kFarthestLandmark_mm, {}, three);
     found.pairs.push_back(std::move(pair));
   }
   if (reading.problem()) return passOn(*reading.problem());
@@ -86,7 +87,7 @@ Result<void> writeField(const registration::Deformation& fixedToMoving, const Gr
     part.dims.z = count;
     part.origin_mm += fixed.directions[2] * (fixed.spacing_mm.z * first);
     PartOfProgress silent(noProgress(), 0.0, 1.0);
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
     const auto field = registration::fieldOf(fixedToMoving, part, threads, silent);
     if (!field) return passOn(field.error());
     std::size_t at = 0;

@@ -103,14 +103,13 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
   if (!recording) return passOn(recording.error());
   for (const Message& note : recording->notes) run.remark(note);
   if (opened && !recording->caseId.empty() && recording->caseId != opened->id)
-    run.remark("The recording is of the case '" + recording->caseId + "', not of '" + opened->id +
-               "'; what it shows is not what was seen.");
+    run.remark(say<"The recording is of the case '%1', not of '%2'; what it shows is not what was seen.">(recording->caseId, opened->id));
 
   const ScanLog& log = recording->log;
   const std::vector<std::size_t> frames = framesOf(arguments, log);
   if (frames.size() > kMostImages)
-    return failure(ErrorCode::badUsage, "The recording would give more than " + std::to_string(kMostImages) +
-                                            " images; give a smaller --rate, or a larger --every.");
+    return failure(ErrorCode::badUsage,
+                   say<"The recording would give more than %1 images; give a smaller --rate, or a larger --every.">(kMostImages));
   Images images(arguments, frames.size(), run);
   if (auto announced = images.announce(); !announced) return passOn(announced.error());
   const glm::ivec2 size_px = arguments.size_px.x > 0 ? arguments.size_px : recording->size_px;
@@ -122,17 +121,17 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
   for (std::size_t n = 0; n < frames.size(); ++n) {
     // What is not shown is made all the same: it shows in what follows.
     for (std::size_t frame = n == 0 ? 0 : frames[n - 1] + 1; frame < frames[n]; ++frame) {
-      if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+      if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
       scan.make(frame, size_px.x, size_px.y);
     }
-    if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+    if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
     Picture picture;
     {
       const StepClock clock(run.report, "frame");
       picture = scan.make(frames[n], size_px.x, size_px.y);
     }
     if (auto added = images.add(n, picture, scan.scanner().geometry().pixel_mm); !added) return passOn(added.error());
-    run.progress.report("Making images",
+    run.progress.report(say<"Making images">(),
                         kShareOfReading + (1.0 - kShareOfReading) * static_cast<double>(n + 1) / static_cast<double>(frames.size()));
   }
   if (auto finished = images.finish(); !finished) return passOn(finished.error());

@@ -62,20 +62,20 @@ void tell(std::ostream& err, const Error& error, bool verbose) {
 
 /// Turns whatever a library throws into an Error: nothing leaves the program as an exception.
 Result<int> runGuarded(const Work& work, Run& run) {
-  return guarded([&] { return work(run); },
-                 [](const Thrown& thrown) -> Error {
-                   if (thrown.noMemory)
-                     return {ErrorCode::tooLarge, "There is not enough memory for this; use a coarser spacing or a smaller size.", {}};
-                   return {
-                       ErrorCode::internal,
-                       "The program met a problem it did not foresee (" + thrown.reason.english() + "); please report it with the command you gave.",
-                       {}};
-                 });
+  return guarded(
+      [&] { return work(run); },
+      [](const Thrown& thrown) -> Error {
+        if (thrown.noMemory)
+          return {ErrorCode::tooLarge, say<"There is not enough memory for this; use a coarser spacing or a smaller size.">(), {}};
+        return {ErrorCode::internal,
+                say<"The program met a problem it did not foresee (%1); please report it with the command you gave.">(thrown.reason),
+                {}};
+      });
 }
 
 /// What the user reads: outputs by the names they were given, and one sentence for every way a library says that it was stopped.
 Error forTheUser(Error error, const Run& run) {
-  if (error.code == ErrorCode::cancelled && !run.stoppedSentence.empty()) error.message = run.stoppedSentence;
+  if (error.code == ErrorCode::cancelled && !run.stopped.empty()) error.message = run.stopped;
   return run.outputs.inGivenNames(std::move(error));
 }
 
@@ -87,7 +87,7 @@ Result<int> execute(const Selection& selection, Run& run) {
     if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
   auto status = runGuarded(selection.work, run);
   if (!status) return status;
-  if (run.progress.cancelRequested() && !run.isPublished) return failure(ErrorCode::cancelled, run.stoppedSentence);
+  if (run.progress.cancelRequested() && !run.isPublished) return failure(ErrorCode::cancelled, run.stopped);
   if (wantsReport) {
     const std::string text = run.report.toJson().dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     if (auto written = writeFileSafely(run.outputs.staged(selection.reportFile), text); !written) return passOn(written.error());
@@ -221,7 +221,7 @@ int runCommand(std::span<const std::string> args, const Surroundings& surroundin
     root.exit(wish, surroundings.out, surroundings.err);
     return kDone;
   } catch (const CLI::ParseError& error) {
-    tell(surroundings.err, {ErrorCode::badUsage, sentenceOf(error, selectedName(root)), {}}, false);
+    tell(surroundings.err, {ErrorCode::badUsage, verbatim(sentenceOf(error, selectedName(root))), {}}, false);
     return kWrongUsage;
   }
   return finish(selection, surroundings);

@@ -45,13 +45,13 @@ Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string
   for (const auto& probe : *probes) {
     if (!name.empty() && (probe.id == name || probe.name == name)) {
       if (!allowed.empty() && std::find(allowed.begin(), allowed.end(), probe.id) == allowed.end())
-        return failure(ErrorCode::badUsage, "The case does not allow the probe '" + probe.id + "'; choose one of its own with --probe.");
+        return failure(ErrorCode::badUsage, say<"The case does not allow the probe '%1'; choose one of its own with --probe.">(probe.id));
       return probe;
     }
     ids += (ids.empty() ? "" : ", ") + probe.id;
   }
-  if (name.empty()) return failure(ErrorCode::badUsage, "Say which probe scans with --probe; there are " + ids + ".");
-  return failure(ErrorCode::badUsage, "There is no probe '" + name + "'; there are " + ids + ", or give a probe's .json file.");
+  if (name.empty()) return failure(ErrorCode::badUsage, say<"Say which probe scans with --probe; there are %1.">(ids));
+  return failure(ErrorCode::badUsage, say<"There is no probe '%1'; there are %2, or give a probe's .json file.">(name, ids));
 }
 
 /// Frames made only to be timed: the first frame of a program meets cold memory and says little.
@@ -100,8 +100,9 @@ Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wa
 Result<std::vector<Pose>> posesFor(const ScanArguments& arguments, const Wanted& wanted, Run& run) {
   if (!arguments.pose.empty()) return readPoses(run, arguments.pose);
   if (wanted.opened && wanted.opened->startPose) return std::vector<Pose>{*wanted.opened->startPose};
-  return failure(ErrorCode::badUsage, wanted.opened ? "The case has no start pose; say where the probe is with --pose."
-                                                    : "Say where the probe is with --pose: 16 numbers, or a file with one pose a line.");
+  return failure(ErrorCode::badUsage, wanted.opened
+                                          ? say<"The case has no start pose; say where the probe is with --pose.">()
+                                          : say<"Say where the probe is with --pose: 16 numbers, or a file with one pose a line.">());
 }
 
 /// Gaps between skin and face at evenly spread points of the face; empty when everything touches.
@@ -117,9 +118,8 @@ Result<std::vector<float>> gapsOf(const std::vector<std::string>& parts) {
     const auto from = parseNumber(std::string_view(part).substr(0, colon));
     const auto to = colon == std::string::npos ? std::nullopt : parseNumber(std::string_view(part).substr(colon + 1));
     if (!from || !to || !(*from >= -1.0 && *from <= *to && *to <= 1.0))
-      return failure(ErrorCode::badUsage, "--off-skin is '" + part +
-                                              "', expected are two numbers from -1 (the face's -x end) to 1 (its +x end), the smaller "
-                                              "one first, such as 0.5:1.");
+      return failure(ErrorCode::badUsage, say<"--off-skin is '%1', expected are two numbers from -1 (the face's -x end) to 1 (its +x end), "
+                                              "the smaller one first, such as 0.5:1.">(part));
     for (int n = 0; n < kPoints; ++n) {
       const double position = 2.0 * n / (kPoints - 1) - 1.0;
       if (position >= *from && position <= *to) gaps_mm[static_cast<std::size_t>(n)] = kAir_mm;
@@ -198,10 +198,11 @@ void printPlan(std::ostream& out, const Scanner& scanner, const Report& report) 
 Result<void> checkContactSheet(const ScanArguments& arguments, Run& run) {
   constexpr glm::ivec2 kSmallest_px{160, 120}, kLargest_px{1024, 768};
   if (!arguments.output.empty() || arguments.repeat > 0 || arguments.plan)
-    return failure(ErrorCode::badUsage, "--contact-sheet makes a picture of its own; give it without -o, --repeat and --plan.");
+    return failure(ErrorCode::badUsage, say<"--contact-sheet makes a picture of its own; give it without -o, --repeat and --plan.">());
   const glm::ivec2& size_px = arguments.size_px;
   if (glm::any(glm::lessThan(size_px, kSmallest_px)) || glm::any(glm::greaterThan(size_px, kLargest_px)))
-    return failure(ErrorCode::badUsage, "The tiles of a contact sheet are from 160x120 to 1024x768 pixels large; give --size 320x240.");
+    return failure(ErrorCode::badUsage,
+                   say<"The tiles of a contact sheet are from 160x120 to 1024x768 pixels large; give --size 320x240.">());
   return run.output(arguments.contactSheet, ".png");
 }
 
@@ -213,7 +214,7 @@ Result<int> makeContactSheet(const ScanArguments& arguments, const ScanSubject& 
   if (!probes) return passOn(probes.error());
   const SheetSource source{
       .subject = subject, .probe = probe, .probes = std::move(*probes), .pose = poses.front(), .interfacePose = poses.back()};
-  run.progress.report("Making the contact sheet", kShareOfReading);
+  run.progress.report(say<"Making the contact sheet">(), kShareOfReading);
   const RgbImage sheet = contactSheet(source, arguments.size_px);
   if (auto written = writePicture(sheet, 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
   run.say("Wrote a contact sheet of " + std::to_string(sheet.width) + " x " + std::to_string(sheet.height) + " pixels.");
@@ -228,10 +229,10 @@ Result<void> checkScanUsage(const ScanArguments& arguments, Run& run) {
   const bool writes = writesPictures(arguments);
   if (!writes && arguments.repeat == 0 && !arguments.plan && arguments.contactSheet.empty())
     return failure(ErrorCode::badUsage,
-                   "Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.");
+                   say<"Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.">());
   if (writes)
     if (auto fits = checkRoomForWarning(arguments.size_px.x, arguments.size_px.y, arguments.output); !fits)
-      return failure(ErrorCode::badUsage, fits.error().sentence());
+      return failure(ErrorCode::badUsage, fits.error().message);
   return {};
 }
 
@@ -268,7 +269,8 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   if (!gaps_mm) return passOn(gaps_mm.error());
   const bool hasContact = wanted->opened ? wanted->opened->scene.contact.has_value() : wanted->scene && wanted->scene->contact;
   if (!gaps_mm->empty() && !hasContact)
-    run.remark("Nothing shows that a part of the face is off the skin, because the scene has no contact effect; give one with --scene.");
+    run.remark(
+        say<"Nothing shows that a part of the face is off the skin, because the scene has no contact effect; give one with --scene.">());
   plan.wanted = std::move(*wanted);
   plan.probe = std::move(*probe);
   plan.poses = std::move(*poses);
@@ -302,19 +304,19 @@ Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& pl
   std::size_t litPictures = 0;
   for (int round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < plan.poses.size(); ++n) {
-      if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was written.");
+      if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
       if (auto whole = voxels.unchanged(); !whole) return passOn(whole.error());
       const auto frame = timed.make(plan.poses[n]);
       if (round == 0) {
         if (isLit(frame.grey))
           ++litPictures;
         else
-          run.remark("The picture of pose " + std::to_string(n + 1) + " is black; the probe looks past the volume or the gain is 0.");
+          run.remark(say<"The picture of pose %1 is black; the probe looks past the volume or the gain is 0.">(n + 1));
       }
       if (writes && !plan.isStrip())
         if (auto written = write(run, numbered(arguments.output, n, plan.outputs()), frame, pixel_mm); !written)
           return passOn(written.error());
-      run.progress.report("Scanning", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
+      run.progress.report(say<"Scanning">(), kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
   if (writes && plan.isStrip())
     if (auto written = write(run, numbered(arguments.output, 0, 1), {timed.scanner.strip()}, pixel_mm); !written)

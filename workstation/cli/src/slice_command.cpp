@@ -45,12 +45,12 @@ double shareInside(const Grid& grid, const Transform<frame::Voxel, frame::Image>
   return static_cast<double>(inside) / (static_cast<double>(size_px.x) * size_px.y);
 }
 
-Error stopped() { return {ErrorCode::cancelled, "Stopped as asked; nothing was written.", {}}; }
+Error stopped() { return {ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">(), {}}; }
 
 Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   const bool writes = arguments.repeat == 0;
   if (writes && arguments.output.empty())
-    return failure(ErrorCode::badUsage, "Say where the picture goes with -o OUT.png, or measure with --repeat N.");
+    return failure(ErrorCode::badUsage, say<"Say where the picture goes with -o OUT.png, or measure with --repeat N.">());
   const auto poses = readPoses(run, arguments.pose);
   if (!poses) return passOn(poses.error());
   if (auto kept = run.protect(arguments.volume); !kept) return passOn(kept.error());
@@ -93,15 +93,15 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
         leastInside = std::min(leastInside, inside);
         sumInside += inside;
         if (inside == 0.0)
-          run.remark("The plane of pose " + std::to_string(n + 1) + " does not meet the volume, which spans " + extentOf(volume->grid()) +
-                     "; its picture is black.");
+          run.remark(
+              say<"The plane of pose %1 does not meet the volume, which spans %2; its picture is black.">(n + 1, extentOf(volume->grid())));
       }
       if (writes) {
         const StepClock clock(run.report, "write");
         const auto target = run.outputs.staged(numbered(arguments.output, n, poses->size()));
         if (auto written = writeImage(viewOf(std::as_const(picture)), pixel_mm, target); !written) return passOn(written.error());
       }
-      run.progress.report("Slicing", kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
+      run.progress.report(say<"Slicing">(), kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
   run.report.quality = {{"inside_share_mean", sumInside / static_cast<double>(poses->size())}, {"inside_share_min", leastInside}};
   if (writes)

@@ -60,8 +60,8 @@ Result<Case> findCase(const std::string& caseOrId) {
     ids += (ids.empty() ? "" : ", ") + each.id;
   }
   return failure(ErrorCode::notFound,
-                 "There is no case '" + caseOrId + "'; give a case folder, its case.json, or a shipped case (" +
-                     (ids.empty() ? "none found" : ids) + ").",
+                 say<"There is no case '%1'; give a case folder, its case.json, or a shipped case (%2).">(
+                     caseOrId, ids.empty() ? say<"none found">() : verbatim(ids)),
                  {{"case", caseOrId}});
 }
 

@@ -23,16 +23,16 @@ Result<WindowWish> windowArguments(std::span<const std::string> args) {
     std::vector<std::string> words(args.rbegin(), args.rend());  // CLI11 takes the words from the back
     app.parse(words);
   } catch (const CLI::ParseError& error) {
-    return failure(ErrorCode::badUsage, std::string(error.what()) + "; 'echoweave --help' shows what the window understands.");
+    return failure(ErrorCode::badUsage, say<"%1; 'echoweave --help' shows what the window understands.">(std::string(error.what())));
   }
   if (!open.empty() && !wish.open.empty())
-    return failure(ErrorCode::badUsage, "Both '" + wish.open + "' and '" + open + "' should be opened; give one of them.");
+    return failure(ErrorCode::badUsage, say<"Both '%1' and '%2' should be opened; give one of them.">(wish.open, open));
   if (wish.open.empty()) wish.open = open;
   if (!wish.open.empty()) {
     std::error_code ignored;
     if (!std::filesystem::exists(wish.open, ignored)) {
       if (!meansCase(wish.open))
-        return failure(ErrorCode::notFound, "There is no file '" + wish.open + "'; give a case, a volume or a sweep that exists.",
+        return failure(ErrorCode::notFound, say<"There is no file '%1'; give a case, a volume or a sweep that exists.">(wish.open),
                        {{"file", wish.open}});
       const auto found = findCase(wish.open);
       if (!found) return passOn(found.error());
