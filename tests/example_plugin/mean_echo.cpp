@@ -22,7 +22,7 @@ class MeanEcho final : public ew::sdk::Plugin {
     host.commands().add("mean-echo", "mean-echo VOLUME",
                         [&host](const std::vector<std::string>& args, ew::Progress& progress) -> ew::Result<ew::sdk::Commands::Outcome> {
                           if (args.size() != 1)
-                            return ew::failure(ew::ErrorCode::badUsage, "Name one volume. Usage: echoweave mean-echo VOLUME.");
+                            return ew::failure(ew::ErrorCode::badUsage, ew::say<"Name one volume. Usage: echoweave mean-echo VOLUME.">());
                           auto volume = host.volumes().read(args.front(), progress);
                           if (!volume) return ew::passOn(volume.error());
                           ew::sdk::Commands::Outcome outcome;

@@ -36,7 +36,7 @@ Guide::Guide(ew::sdk::Host& host, Words words)
 
 ew::Result<ew::Pose> Guide::poseNow() const {
   const auto state = host_.scan().state();
-  if (!state) return ew::failure(ew::ErrorCode::badUsage, "Nothing is scanned; open a case first.");
+  if (!state) return ew::failure(ew::ErrorCode::badUsage, ew::say<"Nothing is scanned; open a case first.">());
   ew::Pose pose;
   pose.probeToWorld = state->pose.probeToWorld;
   return pose;

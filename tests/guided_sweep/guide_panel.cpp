@@ -8,6 +8,7 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/sdk/window.h"
+#include "ew/sdk/words.h"
 
 namespace guided_sweep {
 
@@ -69,7 +70,7 @@ void GuidePanel::show_() {
 }
 
 void GuidePanel::tell(const ew::Result<void>& done) {
-  if (!done) host_.window().error(done.error().sentence(), "guided sweep");
+  if (!done) host_.window().error(ew::sdk::words(done.error()).toStdString(), "guided sweep");
 }
 
 }  // namespace guided_sweep

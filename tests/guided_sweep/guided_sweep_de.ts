@@ -103,4 +103,23 @@
         <translation>%1 mm in %2 s</translation>
     </message>
 </context>
+<context>
+    <name>ew::Message</name>
+    <message>
+        <source>Nothing is scanned; open a case first.</source>
+        <translation>Es wird nichts geschallt; zuerst einen Fall öffnen.</translation>
+    </message>
+    <message>
+        <source>an object with start, end and duration_s</source>
+        <translation>ein Objekt mit start, end und duration_s</translation>
+    </message>
+    <message>
+        <source>16 numbers, probe to world, row by row</source>
+        <translation>16 Zahlen, Schallkopf zu Welt, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 60</source>
+        <translation>eine Zahl von 1 bis 60</translation>
+    </message>
+</context>
 </TS>
