@@ -17,7 +17,7 @@ constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 1.2, 1.6
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kSpeedFile, 1u << 16);
   if (!text) return nlohmann::json::object();
-  auto kept = parseJson(*text, kSpeedFile);
+  auto kept = parseJson(*text, verbatim(kSpeedFile));
   return kept && kept->is_object() ? *kept : nlohmann::json::object();
 }
 
