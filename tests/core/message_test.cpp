@@ -32,6 +32,8 @@ TEST(Message, IsEqualWhenItSaysTheSameOfTheSame) {
   EXPECT_NE(say<"It is there.">(), verbatim("It is there."));
   EXPECT_TRUE(Message().empty());
   EXPECT_FALSE(verbatim("a").empty());
+  EXPECT_NE(numeral("0.5"), verbatim("0.5"));
+  EXPECT_EQ(numeral("0.5").english(), "0.5");
 }
 
 TEST(Message, IsListedForTranslators) {
@@ -43,12 +45,13 @@ TEST(Message, IsListedForTranslators) {
 
 TEST(Message, IsKeptInAFileWithItsArguments) {
   const std::vector<Message> notes = {say<"It breaks at %1 (%2).">(say<"line %1">(3), std::string("%1")), verbatim("as it is"),
-                                      joined({say<"line %1">(1), say<"line %1">(2)}, ", "), Message()};
+                                      joined({say<"line %1">(1), say<"line %1">(2)}, ", "), say<"It is %1 mm wide.">(numeral("0.5")),
+                                      Message()};
   const nlohmann::json kept = notes;
   EXPECT_EQ(nlohmann::json::parse(kept.dump()).get<std::vector<Message>>(), notes);
   EXPECT_EQ(nlohmann::json::parse(R"({"text": "No program has this %1.", "with": ["text"]})").get<Message>(),
             verbatim("No program has this text."));
-  EXPECT_EQ(nlohmann::json::parse(R"([7, {"with": 3}])").get<std::vector<Message>>(), (std::vector<Message>{Message(), Message()}));
+  EXPECT_EQ(nlohmann::json::parse(R"([7, {"with": 3}, {"number": 3}])").get<std::vector<Message>>(), std::vector<Message>(3));
 }
 
 TEST(Message, OfAnErrorIsItsSentence) {

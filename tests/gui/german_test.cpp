@@ -1,6 +1,7 @@
 // Whatever a library tells a person has German words: every text of a message that any library or plugin of this program can make is
 // walked, put into German with arguments at its places, and compared.
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTest>
 #include <QTranslator>
 #include <nlohmann/json.hpp>
@@ -65,6 +66,14 @@ class GermanTest : public QObject {
     QVERIFY2(missing.isEmpty(), qPrintable(QString::number(missing.size()) + QLatin1Char('\n') + missing.join(QLatin1Char('\n'))));
     QVERIFY2(otherPlaces.isEmpty(), qPrintable(otherPlaces.join(QLatin1Char('\n'))));
     QVERIFY2(blanks.isEmpty(), qPrintable(blanks.join(QLatin1Char('\n'))));
+  }
+
+  void decimalsHaveTheirComma() {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+    const QString said = sdk::words(say<"%1: %2">(std::string("1.5.mha"), numeral("0.5")));
+    QLocale::setDefault(before);
+    QCOMPARE(said, QStringLiteral("1.5.mha: 0,5"));
   }
 };
 

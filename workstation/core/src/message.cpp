@@ -56,7 +56,8 @@ Message Message::withVerbatim(const std::function<std::string(std::string)>& cha
 
 bool operator==(const Message& a, const Message& b) {
   if ((a.text_ == nullptr) != (b.text_ == nullptr)) return false;
-  return (a.text_ == nullptr || std::strcmp(a.text_, b.text_) == 0) && a.verbatim_ == b.verbatim_ && a.arguments_ == b.arguments_;
+  return (a.text_ == nullptr || std::strcmp(a.text_, b.text_) == 0) && a.verbatim_ == b.verbatim_ && a.arguments_ == b.arguments_ &&
+         a.isNumeral_ == b.isNumeral_;
 }
 
 std::ostream& operator<<(std::ostream& out, const Message& message) { return out << message.english(); }
@@ -86,6 +87,12 @@ Message MessageMaker::joined(std::string between, std::vector<Message> parts) {
 Message MessageMaker::verbatim(std::string text) {
   Message made;
   made.verbatim_ = std::move(text);
+  return made;
+}
+
+Message MessageMaker::numeral(std::string number) {
+  Message made = verbatim(std::move(number));
+  made.isNumeral_ = true;
   return made;
 }
 

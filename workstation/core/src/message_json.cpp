@@ -7,6 +7,7 @@ namespace {
 
 template <class Json>
 Json written(const Message& message) {
+  if (message.isNumeral()) return {{"number", message.verbatim()}};
   if (message.arguments().empty() && message.text() == nullptr) return message.verbatim();
   Json with = Json::array();
   for (const Message& argument : message.arguments()) with.push_back(written<Json>(argument));
@@ -24,6 +25,8 @@ template <class Json>
 Message read(const Json& stored) {
   if (stored.is_string()) return verbatim(stored.template get<std::string>());
   if (!stored.is_object()) return {};
+  if (const auto number = stored.find("number"); number != stored.end())
+    return number->is_string() ? numeral(number->template get<std::string>()) : Message();
   std::vector<Message> with;
   if (const auto listed = stored.find("with"); listed != stored.end() && listed->is_array())
     for (const Json& one : *listed) with.push_back(read(one));

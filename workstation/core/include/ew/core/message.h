@@ -35,6 +35,8 @@ class Message {
   [[nodiscard]] const std::vector<Message>& arguments() const { return arguments_; }
   /// What every language writes alike; of joined messages, what stands between them.
   [[nodiscard]] const std::string& verbatim() const { return verbatim_; }
+  /// A number with its decimals, in the C locale: the window writes its point as its language does.
+  [[nodiscard]] bool isNumeral() const { return isNumeral_; }
   [[nodiscard]] bool empty() const { return text_ == nullptr && verbatim_.empty() && arguments_.empty(); }
   [[nodiscard]] std::string english() const;
   /// The same with every verbatim part replaced by what `change` makes of it: names of files, for instance.
@@ -47,6 +49,7 @@ class Message {
   const char* text_ = nullptr;
   std::string verbatim_;
   std::vector<Message> arguments_;
+  bool isNumeral_ = false;
 };
 std::ostream& operator<<(std::ostream& out, const Message& message);  ///< english()
 [[nodiscard]] std::vector<std::string> english(const std::vector<Message>& messages);
@@ -94,6 +97,7 @@ struct MessageMaker {
   [[nodiscard]] static Message of(const char* text, std::vector<Message> arguments);
   [[nodiscard]] static Message joined(std::string between, std::vector<Message> parts);
   [[nodiscard]] static Message verbatim(std::string text);
+  [[nodiscard]] static Message numeral(std::string number);
 
   template <Literal text>
   struct Listed {
@@ -114,13 +118,16 @@ struct MessageMaker {
 /// A name, a number, what another program says: it reads the same in every language.
 [[nodiscard]] inline Message verbatim(std::string text) { return MessageMaker::verbatim(std::move(text)); }
 
+/// A number with decimals, written in the C locale by who knows how many it deserves: "0.8" reads "0,8" in a German sentence.
+[[nodiscard]] inline Message numeral(std::string number) { return MessageMaker::numeral(std::move(number)); }
+
 /// Sentences one after another, or the parts of a list.
 [[nodiscard]] inline Message joined(std::vector<Message> parts, std::string between = " ") {
   return MessageMaker::joined(std::move(between), std::move(parts));
 }
 
 /// A message of an English text. The number of its places is compared with that of the arguments when the program is compiled.
-/// @param arguments messages, std::string for names, whole numbers; a number with decimals is written by who knows how many it deserves
+/// @param arguments messages, std::string for names, whole numbers; a number with decimals is a numeral()
 template <Literal text, class... Arguments>
 [[nodiscard]] Message say(Arguments&&... arguments) {
   static_assert(text.places() >= 0, "the places of a message are %1, %2, ... without a gap");

@@ -7,7 +7,7 @@
 namespace ew {
 
 /// Messages in files that the program keeps for itself, so that a later start says them in its own language: what is verbatim as text, a
-/// text with its arguments as {"text": "%1 is %2.", "with": ["a", "b"]}, joined messages as {"between": " ", "with": [...]}.
+/// text with its arguments as {"text": "%1 is %2.", "with": ["a", {"number": "0.5"}]}, joined messages as {"between": " ", "with": [...]}.
 /// Reports for people and other programs hold english() instead.
 void to_json(nlohmann::json& json, const Message& message);
 void to_json(nlohmann::ordered_json& json, const Message& message);
