@@ -44,7 +44,7 @@ TEST(HardElastic, ConstantImagesAreNamedSingularAndMoveNothing) {
   expectUsable(found);
   EXPECT_EQ(found.verdict, Verdict::cannotTell);
   EXPECT_EQ(found.stop, StopReason::singular);
-  EXPECT_NE(found.reason.find("singular"), std::string::npos);
+  EXPECT_NE(found.reason.english().find("singular"), std::string::npos);
   EXPECT_EQ(found.largestMotion_mm, 0.0);
   for (const float u : found.uncertainty) EXPECT_EQ(u, 1.0F);
 }
@@ -109,7 +109,7 @@ TEST(HardElastic, DisjointVolumesAreNamedSo) {
   expectUsable(found);
   EXPECT_EQ(found.verdict, Verdict::cannotTell);
   EXPECT_EQ(found.stop, StopReason::noOverlap);
-  EXPECT_NE(found.reason.find("overlap"), std::string::npos);
+  EXPECT_NE(found.reason.english().find("overlap"), std::string::npos);
 }
 
 TEST(HardElastic, AShadowOverHalfOfOneImageIsFilledAndTheOtherHalfIsNotHurt) {

@@ -14,7 +14,7 @@ using test::rigid;
 using test::scattered;
 using test::worst;
 
-bool mentions(const LandmarkResult& result, const std::string& words) { return result.reason.find(words) != std::string::npos; }
+bool mentions(const LandmarkResult& result, const std::string& words) { return result.reason.english().find(words) != std::string::npos; }
 
 const glm::dmat4 kTruth = rigid(0.6, {1.0, 2.0, 3.0}, {20.0, -30.0, 5.0});
 

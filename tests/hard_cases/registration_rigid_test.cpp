@@ -19,7 +19,7 @@ using test::seen;
 using test::Tissue;
 using test::tissue;
 
-bool mentions(const std::string& reason, const std::string& words) { return reason.find(words) != std::string::npos; }
+bool mentions(const Message& reason, const std::string& words) { return reason.english().find(words) != std::string::npos; }
 
 const Grid kGrid = centred(glm::ivec3(40), 1.5);
 const glm::dmat4 kTruth = pose({8.0, -6.0, 4.0}, {8.0, 6.0, -5.0});

@@ -153,9 +153,9 @@ TEST(PoseGraph, TwelveSubvolumesWithTwoWrongPairsAreAllPlacedAndTheWrongOnesName
     EXPECT_LT(error.mm, 1.0) << seed;
     EXPECT_LT(error.deg, 1.0) << seed;
     EXPECT_LT(found->edges[first].weight, 0.1);
-    EXPECT_NE(
-        found->reason.find("'" + known.nodes[known.edges[first].fixed].name + "' with '" + known.nodes[known.edges[first].moving].name),
-        std::string::npos)
+    EXPECT_NE(found->reason.english().find("'" + known.nodes[known.edges[first].fixed].name + "' with '" +
+                                           known.nodes[known.edges[first].moving].name),
+              std::string::npos)
         << found->reason;
     EXPECT_GT(found->closure_mm, 0.0);
     EXPECT_LT(found->closure_mm, 6.0);
@@ -175,7 +175,7 @@ void expectPlaced(const std::string& file, std::size_t gauge, int count, Verdict
     ASSERT_TRUE(found) << found.error();
     EXPECT_EQ(found->verdict, verdict) << seed << ": " << found->reason;
     EXPECT_EQ(found->wrong, graph.spoiled) << seed << ": " << found->reason;
-    EXPECT_NE(found->reason.find(words), std::string::npos) << found->reason;
+    EXPECT_NE(found->reason.english().find(words), std::string::npos) << found->reason;
     const auto placed = test::placedWith(gauge, *found, *views);
     EXPECT_EQ(placed.count, count) << seed;
     EXPECT_LT(placed.worst.mm, 1.0) << seed;
@@ -255,7 +255,7 @@ TEST(PoseGraph, ATrackerPullsWhereItIsBelievedAndItsWrongPoseIsNamed) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->wrongPriors, std::vector<std::size_t>{3}) << found->reason;
   EXPECT_TRUE(found->wrong.empty());
-  EXPECT_NE(found->reason.find("the tracker's pose of 'd'"), std::string::npos) << found->reason;
+  EXPECT_NE(found->reason.english().find("the tracker's pose of 'd'"), std::string::npos) << found->reason;
   EXPECT_LT(worstError(found->toWorld, known.truth).mm, 1.5);
 }
 

@@ -63,7 +63,7 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
     const auto ideal = trueEdge(views[a], views[b]);
     if (best.verdict != Verdict::aligned) {
       ++undecided;
-      std::printf("%zu-%zu %s: %s\n", a, b, nameOf(best.verdict), best.reason.c_str());
+      std::printf("%zu-%zu %s: %s\n", a, b, nameOf(best.verdict), best.reason.english().c_str());
       continue;
     }
     ASSERT_TRUE(ideal && best.covariance);
@@ -87,7 +87,7 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
       "seed %llu: %zu of 29 pairs aligned, %d not; worst pose %.2f mm, %.2f degrees; with the true rigid parts of the pairs %.2f mm, %.2f "
       "degrees; %s\n",
       static_cast<unsigned long long>(GetParam()), found.edges.size(), undecided, placed.worst.mm, placed.worst.deg, ideal.worst.mm,
-      ideal.worst.deg, solved->reason.c_str());
+      ideal.worst.deg, solved->reason.english().c_str());
   EXPECT_EQ(solved->wrong, graph.spoiled) << solved->reason;
   EXPECT_EQ(placed.count, 12) << solved->reason;
   EXPECT_LT(placed.worst.mm, 1.0);

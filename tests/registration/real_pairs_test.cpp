@@ -101,7 +101,7 @@ void count(const char* how, const Wrong& wrong, const RigidResult& result, const
   if (result.verdict != Verdict::aligned) {
     ++tally.undecided;
     EXPECT_FALSE(result.reason.empty());
-    std::printf("  %s\n", result.reason.c_str());
+    std::printf("  %s\n", result.reason.english().c_str());
   } else if (mean > goal_mm) {
     ++tally.wronglyAligned;
   } else {
@@ -293,7 +293,7 @@ TEST(RealPairs, SimulatedLiverSweepsAreHardlyBentThoughTheirShadowsTurn) {
   const double mean_mm = std::accumulate(bent_mm.begin(), bent_mm.end(), 0.0) / static_cast<double>(bent_mm.size());
   const double p95_mm = bent_mm[bent_mm.size() * 95 / 100];
   std::printf("simulated liver at its exact poses: bent by %.2f mm in the mean, %.2f mm at 95 %%; %s\n", mean_mm, p95_mm,
-              found->reason.c_str());
+              found->reason.english().c_str());
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
   EXPECT_LT(mean_mm, 0.6);  // 3.9 and 11 mm when shadows are left in
   EXPECT_LT(p95_mm, 1.2);

@@ -306,7 +306,7 @@ TEST(RefineRigid, SearchesAboutAStartFromWhichDescendingLeadsNowhere) {
   ASSERT_TRUE(searched);
   EXPECT_EQ(searched->verdict, Verdict::aligned) << searched->reason;
   EXPECT_LT(apart_mm(searched->fixedToMoving, pair.truth, pair.fixed.grid), 0.5);
-  EXPECT_NE(searched->reason.find("search about it"), std::string::npos) << searched->reason;
+  EXPECT_NE(searched->reason.english().find("search about it"), std::string::npos) << searched->reason;
   EXPECT_EQ(searched->before, descended->before);
   // A start that is believed to a few millimetres rules that pose out.
   const auto narrow = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchTurn_deg = 20.0, .searchShift_mm = 5.0}, noProgress());
@@ -440,7 +440,7 @@ TEST(RefineRigid, AndMatchPartialAreNotDrawnAwayByShadowsThatTurnWithTheProbe) {
     ASSERT_TRUE(matched);
     EXPECT_EQ(matched->best.verdict, Verdict::aligned) << matched->best.reason;
     EXPECT_LT(apart_mm(matched->best.fixedToMoving, pair.truth, pair.fixed.grid), 1.0) << matched->best.reason;
-    EXPECT_EQ(matched->best.reason.find("streaks were taken out") != std::string::npos, !given) << matched->best.reason;
+    EXPECT_EQ(matched->best.reason.english().find("streaks were taken out") != std::string::npos, !given) << matched->best.reason;
   }
 }
 

@@ -80,7 +80,8 @@ Result<glm::dmat4> placeOf(const nlohmann::json& manifest) {
   const auto value = fieldOf(manifest, "volume.file_to_world");
   if (value.is_null()) return glm::dmat4(1.0);
   if (const auto matrix = matrixIn(value)) return *matrix;
-  return failure(ErrorCode::badField, "The volume's place is not 16 numbers, row by row; correct 'volume.file_to_world' in case.json.",
+  return failure(ErrorCode::badField,
+                 say<"The volume's place is not 16 numbers, row by row; correct 'volume.file_to_world' in case.json.">(),
                  {{"field", "volume.file_to_world"}});
 }
 

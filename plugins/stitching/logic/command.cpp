@@ -10,11 +10,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string namesOfSteps() {
-  std::string names;
-  for (std::size_t n = 0; n < kSteps.size(); ++n)
-    names += std::string(n == 0 ? "" : n + 1 == kSteps.size() ? " and " : ", ") + nameOf(kSteps[n]);
-  return names;
+Message namesOfSteps() {
+  std::vector<Message> names;
+  for (std::size_t n = 0; n + 1 < kSteps.size(); ++n) names.push_back(verbatim(nameOf(kSteps[n])));
+  return say<"%1 and %2">(joined(std::move(names), ", "), verbatim(nameOf(kSteps.back())));
+}
+
+Message messageOf(registration::Verdict verdict) {
+  switch (verdict) {
+    case registration::Verdict::aligned:
+      return say<"aligned">();
+    case registration::Verdict::notAligned:
+      return say<"not aligned">();
+    case registration::Verdict::cannotTell:
+      break;
+  }
+  return say<"cannot tell">();
 }
 
 void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
@@ -60,15 +71,15 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
 }
 
 /// What a person should know of a run, a sentence each: how each pair ended, what holds the whole, what joining had to decide.
-std::vector<std::string> notesOf(const StitchProject& project, const ChainState& state) {
+std::vector<Message> notesOf(const StitchProject& project, const ChainState& state) {
   std::vector<Message> notes;
   for (const PairOutcome& pair : state.pairs) {
-    const std::string verdict = pair.used == PairMethod::byHand ? "by hand, not checked"
-                                : pair.used == PairMethod::landmarks
-                                    ? std::string("by landmarks, ") + registration::nameOf(pair.rigid.verdict)
-                                    : registration::nameOf(pair.rigid.verdict);
-    notes.push_back("'" + project.volumes[pair.fixed].name + "' with '" + project.volumes[pair.moving].name + "': " + verdict +
-                    (pair.wrong ? ", and the other pairs contradict it. " : ". ") + pair.rigid.reason);
+    const Message verdict = pair.used == PairMethod::byHand      ? say<"by hand, not checked">()
+                            : pair.used == PairMethod::landmarks ? say<"by landmarks, %1">(messageOf(pair.rigid.verdict))
+                                                                 : messageOf(pair.rigid.verdict);
+    const std::string &fixed = project.volumes[pair.fixed].name, &moving = project.volumes[pair.moving].name;
+    notes.push_back(pair.wrong ? say<"'%1' with '%2': %3, and the other pairs contradict it. %4">(fixed, moving, verdict, pair.rigid.reason)
+                               : say<"'%1' with '%2': %3. %4">(fixed, moving, verdict, pair.rigid.reason));
   }
   // Another verdict is told with its reason by whoever ends the program.
   if (state.graph && !state.pairs.empty() && state.verdict == registration::Verdict::aligned && !state.reason.empty())
@@ -103,39 +114,41 @@ const char* const kStitchHelp =
     "about which there is something to say. Every field: resources/docs/stitching.md.";
 
 Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& args, Progress& progress) {
-  const auto usage = [](const std::string& what) { return failure(ErrorCode::badUsage, what + " Usage: echoweave " + kStitchUsage + "."); };
+  const auto usage = [](const Message& what) {
+    return failure(ErrorCode::badUsage, say<"%1 Usage: echoweave %2.">(what, verbatim(kStitchUsage)));
+  };
   std::string projectFile;
   std::string folder;
   ChainOptions options;
   for (std::size_t i = 0; i < args.size(); ++i) {
     const bool takesValue = args[i] == "-o" || args[i] == "--output" || args[i] == "--threads" || args[i] == "--until";
-    if (takesValue && i + 1 == args.size()) return usage("A value is missing after " + args[i] + ".");
+    if (takesValue && i + 1 == args.size()) return usage(say<"A value is missing after %1.">(args[i]));
     if (args[i] == "-o" || args[i] == "--output") {
       folder = args[++i];
     } else if (args[i] == "--threads") {
       const auto& word = args[++i];
       if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789") != std::string::npos)
-        return usage("--threads is '" + word + "' and must be a whole number from 0 to 9999.");
+        return usage(say<"--threads is '%1' and must be a whole number from 0 to 9999.">(word));
       options.threads = std::stoi(word);
     } else if (args[i] == "--until") {
       const auto& word = args[++i];
       const auto step = std::find_if(kSteps.begin(), kSteps.end(), [&](Step each) { return word == nameOf(each); });
-      if (step == kSteps.end()) return usage("'" + word + "' is not a step; the steps are " + namesOfSteps() + ".");
+      if (step == kSteps.end()) return usage(say<"'%1' is not a step; the steps are %2.">(word, namesOfSteps()));
       options.until = *step;
     } else if (args[i] == "--prune") {
       options.keepBytes = 0;
     } else if (args[i].size() > 1 && args[i].front() == '-') {
-      return usage("'" + args[i] + "' is not an option of stitch.");
+      return usage(say<"'%1' is not an option of stitch.">(args[i]));
     } else if (projectFile.empty()) {
       projectFile = args[i];
     } else {
-      return usage("There are two projects, '" + projectFile + "' and '" + args[i] + "', and only one can be stitched.");
+      return usage(say<"There are two projects, '%1' and '%2', and only one can be stitched.">(projectFile, args[i]));
     }
   }
   if (options.keepBytes == 0 && options.until != Step::volume)
-    return usage("--prune keeps what a finished volume was made of and does not go with --until.");
-  if (projectFile.empty()) return usage("The project file is missing.");
-  if (folder.empty()) return usage("The output folder is missing.");
+    return usage(say<"--prune keeps what a finished volume was made of and does not go with --until.">());
+  if (projectFile.empty()) return usage(say<"The project file is missing.">());
+  if (folder.empty()) return usage(say<"The output folder is missing.">());
 
   auto text = readTextFile(projectFile);
   if (!text) return passOn(text.error());
@@ -154,7 +167,7 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   // Recorded places that are taken as they are were judged by nobody.
   if (state->graph && !state->pairs.empty()) {
     outcome.verdict = registration::nameOf(state->verdict);
-    outcome.reason = state->reason;
+    outcome.reason = state->reason.english();
   }
   return outcome;
 }

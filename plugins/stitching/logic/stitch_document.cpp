@@ -147,10 +147,10 @@ StitchProject withStroke(StitchProject project, const SeamStroke& stroke) {
 
 std::optional<Error> problemOfName(const StitchProject& project, std::size_t volume, const std::string& name) {
   if (name.find_first_not_of(" \t\r\n") == std::string::npos)
-    return Error{ErrorCode::badField, "A volume needs a name; type one.", {{"field", "name"}}};
+    return Error{ErrorCode::badField, say<"A volume needs a name; type one.">(), {{"field", "name"}}};
   for (std::size_t n = 0; n < project.volumes.size(); ++n)
     if (n != volume && project.volumes[n].name == name)
-      return Error{ErrorCode::badField, "Another volume is called '" + name + "' already; choose another name.", {{"field", "name"}}};
+      return Error{ErrorCode::badField, say<"Another volume is called '%1' already; choose another name.">(name), {{"field", "name"}}};
   return std::nullopt;
 }
 
@@ -224,7 +224,7 @@ bool StitchDocument::isChangedOnDisk() const {
 }
 
 Result<void> StitchDocument::save(const fs::path& file) {
-  if (now_.volumes.empty()) return failure(ErrorCode::emptyVolume, "The project has no volume yet; add one before it is saved.");
+  if (now_.volumes.empty()) return failure(ErrorCode::emptyVolume, say<"The project has no volume yet; add one before it is saved.">());
   std::string text = projectText(now_, file.parent_path());
   if (auto written = files_.writeText(file, text); !written) return written;
   file_ = file;
@@ -259,8 +259,8 @@ Result<std::optional<StitchDocument::Left>> StitchDocument::leftIn(const fs::pat
   const auto around = jsonOfText(*text);
   if (!around.is_object() || !around.contains(kRecoveryProject) || !around.contains(kRecoveryFile) ||
       !around.at(kRecoveryFile).is_string()) {
-    return failure(ErrorCode::badHeader, "The file that keeps unsaved work ('" + recovery.string() +
-                                             "') is damaged; it is left where it is and nothing was reopened.");
+    return failure(ErrorCode::badHeader,
+                   say<"The file that keeps unsaved work ('%1') is damaged; it is left where it is and nothing was reopened.">(recovery));
   }
   auto project = parseProject(around.at(kRecoveryProject).dump(), recovery.parent_path());
   if (!project) return passOn(project.error());

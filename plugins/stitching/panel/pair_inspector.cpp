@@ -12,7 +12,6 @@
 
 #include "ew/stitching/places.h"
 #include "panel/look.h"
-#include "panel/reasons.h"
 
 namespace ew::stitching {
 namespace {
@@ -20,6 +19,9 @@ namespace {
 using sdk::kGap_px;
 using sdk::words;
 
+QString briefly(const std::vector<registration::Remark>& remarks) {
+  return words(registration::messageOf(remarks, registration::Wording::brief));
+}
 QString numberText(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 QString mebibytesText(double bytes) {
@@ -386,12 +388,12 @@ void PairInspector::showLandmarks() {
   } else if (marks.empty()) {
     text = tr("None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.");
   } else if (result) {
-    text = sentencesOf(result->remarks, result->reason);
+    text = briefly(result->remarks);
   }
   if (result && result->verdict == registration::Verdict::aligned && tools_.hand != Tools::Hand::pick)
     text = tr("%1 mm on average, %2 mm to be expected at the far side")
                .arg(numberText(result->rms_mm, 1), numberText(result->expectedError_mm, 1)) +
-           (result->outlying.empty() ? QString() : QStringLiteral(". ") + sentencesOf(result->remarks, result->reason));
+           (result->outlying.empty() ? QString() : QStringLiteral(". ") + briefly(result->remarks));
   landmarkWord_->say(text);
   landmarkWord_->setVisible(!text.isEmpty());
 }
@@ -418,8 +420,7 @@ void PairInspector::showCost() {
   }
   bentReason_->setVisible(bent != nullptr);
   if (bent != nullptr)
-    bentReason_->say(sentencesOf(bent->remarks, bent->reason) +
-                     (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
+    bentReason_->say(briefly(bent->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
   const auto a = session_.volume(fixed);
   const auto b = session_.volume(moving);
   searchCost_->setText(none);
@@ -493,7 +494,7 @@ void PairInspector::refresh() {
   if (said.decision == Decision::rejected)
     reason = tr("Rejected manually: the result does not use it.");
   else if (line.outcome != nullptr)
-    reason = sentencesOf(line.outcome->rigid.remarks, line.outcome->rigid.reason);
+    reason = briefly(line.outcome->rigid.remarks);
   else
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
   if (line.mark == StitchSession::Mark::landmarks && line.outcome->landmarks)

@@ -61,24 +61,24 @@ Result<Volume> readOne(const ProjectVolume& line, bool isSweep, const fs::path& 
   auto state = runChain(one, folder, options, progress);
   if (!state) return passOn(state.error());
   if (state->volumes.empty() || !state->volumes.front())
-    return failure(ErrorCode::notReadable, "'" + line.file.string() + "' gave no volume; check what kind of file it is.");
+    return failure(ErrorCode::notReadable, say<"'%1' gave no volume; check what kind of file it is.">(line.file));
   return *state->volumes.front();
 }
 
 /// Reads lines before they are added: a file that is no volume never becomes one. @error the first of `into.failed`, cancelled
 Result<void> readLines(const std::vector<ProjectVolume>& lines, const fs::path& folder, std::timed_mutex& turn, sdk::Volumes& volumes,
-                       FilesRead& into, Progress& whole) {
+                       FilesRead& into, Progress& progress) {
   const auto mine = waitForTurn(turn, progress);
-  if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+  if (!mine) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
   const double share = 1.0 / static_cast<double>(lines.size());
   std::optional<Error> first;
   for (std::size_t n = 0; n < lines.size(); ++n) {
     PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
-    part.report(lines[n].name, 0.0);
+    part.report(verbatim(lines[n].name), 0.0);
     const bool isSweep = isSweepFile(lines[n].file, volumes);
     if (isSweep) into.sweeps.insert(lines[n].file);
     auto volume = readOne(lines[n], isSweep, folder, volumes, part);
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
     if (volume) {
       into.volumes.emplace_back(lines[n], std::make_shared<const Volume>(std::move(*volume)));
       continue;
@@ -195,17 +195,17 @@ void StitchSession::readVolumes() {
   auto& volumes = host_.volumes();
   host_.jobs().start(
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
-      [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& whole) -> Result<void> {
+      [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& progress) -> Result<void> {
         const auto mine = waitForTurn(*turn, progress);
-        if (!mine) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+        if (!mine) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
         const double share = 1.0 / static_cast<double>(lines.size());
         for (std::size_t n = 0; n < lines.size(); ++n) {
           PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
-          part.report(lines[n].name, 0.0);
+          part.report(verbatim(lines[n].name), 0.0);
           const bool isSweep = isSweepFile(lines[n].file, volumes);
           if (isSweep) read->sweeps.insert(lines[n].file);
           auto volume = readOne(lines[n], isSweep, folder, volumes, part);
-          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Reading was cancelled.");
+          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
           if (!volume && !read->first) read->first = volume.error();
           if (!volume) read->reasons[keyOf(lines[n])] = volume.error().message;
           read->volumes.emplace_back(keyOf(lines[n]), volume ? std::make_shared<const Volume>(std::move(*volume)) : nullptr);

@@ -36,14 +36,13 @@ Result<void> putIntoCase(const std::array<fs::path, 4>& result, const fs::path& 
       if (auto announced = outputs.announce(volumes / (name + kEndings[n])); !announced) return announced;
   for (std::size_t n = 0; n < result.size(); ++n) {
     if (result[n].empty()) continue;
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Saving was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Saving was cancelled.">());
     const fs::path target = volumes / (name + kEndings[n]);
     fs::copy_file(result[n], outputs.staged(target), error);
     if (error)
-      return failure(ErrorCode::notWritable,
-                     "'" + target.string() + "' cannot be written (" + error.message() + "); choose another folder.",
+      return failure(ErrorCode::notWritable, say<"'%1' cannot be written (%2); choose another folder.">(target, error.message()),
                      {{"file", target.string()}});
-    progress.report("Copying", static_cast<double>(n + 1) / static_cast<double>(result.size()));
+    progress.report(say<"Copying">(), static_cast<double>(n + 1) / static_cast<double>(result.size()));
   }
   return outputs.commit();
 }
@@ -87,7 +86,7 @@ void StitchSession::saveResult(const fs::path& folder) {
   const QPointer<StitchSession> here(this);
   host_.jobs().startSaving(
       tr("Saving the stitched volume").toStdString(),
-      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& whole) -> Result<void> {
+      [folder, parts = resultFiles_, asked = project(), mayReplaceAll = !foreign.isEmpty()](Progress& progress) -> Result<void> {
         return copyResult(parts, asked, folder, mayReplaceAll, progress);
       },
       [here, folder](const Result<void>& outcome) {
@@ -139,7 +138,9 @@ void StitchSession::writeIntoCase(const fs::path& caseFolder, const std::string&
   const QPointer<StitchSession> here(this);
   host_.jobs().startSaving(
       tr("Adding the volume to the case").toStdString(),
-      [parts = resultFiles_, caseFolder, name](Progress& whole) -> Result<void> { return putIntoCase(parts, caseFolder, name, progress); },
+      [parts = resultFiles_, caseFolder, name](Progress& progress) -> Result<void> {
+        return putIntoCase(parts, caseFolder, name, progress);
+      },
       [here, caseFolder, name](const Result<void>& outcome) {
         if (StitchSession* session = here.data()) {
           if (!outcome) return session->say(outcome.error());

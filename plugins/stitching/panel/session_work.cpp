@@ -9,7 +9,6 @@
 
 #include "ew/sdk/panel.h"
 #include "ew/stitching/places.h"
-#include "panel/reasons.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {
@@ -36,7 +35,7 @@ void takeUpRead(const fs::path& reading, const fs::path& work) {
 
 /// Runs the chain as far as `until`, or as far as it was finished before, and reads the volume it made.
 Result<void> makeChain(const StitchProject& asked, const fs::path& folder, ChainOptions options, std::optional<Step> until,
-                       sdk::Volumes& volumes, ChainMade& made, Progress& whole) {
+                       sdk::Volumes& volumes, ChainMade& made, Progress& progress) {
   std::optional<Step> last = until;
   if (!last) {  // as far as it was finished before
     auto known = forecastChain(asked, folder, options);
@@ -195,7 +194,7 @@ void StitchSession::settle(ChainState state, StitchProject asked) {
   if (!found_->bends.empty() && hasElastic()) stage_ = Stage::elastic;
   afterChoice();
   fit();
-  if (!found_->reason.empty() && found_->verdict != registration::Verdict::aligned) Q_EMIT said(reasonOf(*found_, asked_));
+  if (!found_->reason.empty() && found_->verdict != registration::Verdict::aligned) Q_EMIT said(words(found_->reason));
 }
 
 }  // namespace ew::stitching

@@ -137,7 +137,7 @@ bool resampleAxis(std::vector<float>& data, glm::ivec3& dims, int axis, const Ta
   std::vector<float> result(static_cast<std::size_t>(out.x) * out.y * out.z);
   const std::size_t plane = static_cast<std::size_t>(dims.x) * dims.y;
   const std::size_t outPlane = static_cast<std::size_t>(out.x) * out.y;
-  const bool done = forEachTask(out.z, threads, progress, "Preparing images", [&](int k) {
+  const bool done = forEachTask(out.z, threads, progress, say<"Preparing images">(), [&](int k) {
     float* target = result.data() + k * outPlane;
     if (axis == 2) {
       const float* w = taps.weight.data() + static_cast<std::size_t>(k) * taps.count;
@@ -268,7 +268,7 @@ bool normalise(Weighted image, const ComparableOptions& options, ComparableImage
   out.weight.resize(n);
   const int planes = grid.dims.z;
   const bool done =
-      forEachTask((planes + kPlanesPerTask - 1) / kPlanesPerTask, options.threads, progress, "Preparing images", [&](int task) {
+      forEachTask((planes + kPlanesPerTask - 1) / kPlanesPerTask, options.threads, progress, say<"Preparing images">(), [&](int task) {
         std::vector<float> mean(coarse.dims.x + 1);
         std::vector<float> scale(coarse.dims.x + 1);
         for (int k = task * kPlanesPerTask; k < std::min(planes, (task + 1) * kPlanesPerTask); ++k) {
@@ -352,7 +352,7 @@ Result<std::vector<std::uint8_t>> coveredMask(const Volume& volume, Progress& pr
   erode(opened, dims, small, 1, progress);
   dilate(opened, dims, small, progress);
   erode(thick, dims, large, 1, progress);
-  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Registration was cancelled.">());
   // A part is outside when it holds such a thick place on the border itself.
   for (int k = 1; k < dims.z - 1; ++k) {
     for (int j = 1; j < dims.y - 1; ++j) {
@@ -364,7 +364,7 @@ Result<std::vector<std::uint8_t>> coveredMask(const Volume& volume, Progress& pr
   }
   for (std::size_t q = 0; q < n; ++q) opened[q] = opened[q] != 0 && volume.echo[q] == 0 ? 1 : 0;
   growFrom(opened, thick, volume.grid, progress);
-  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Registration was cancelled.">());
   for (std::size_t q = 0; q < n; ++q) mask[q] = opened[q] == 2 ? 0 : 255;
   return mask;
 }
@@ -378,41 +378,38 @@ std::vector<double> levelVoxels_mm(const Grid& fixed, const Grid& moving, double
   return levels;
 }
 
-Result<void> checkInput(const Input& input, const char* side) {
+Result<void> checkInput(const Input& input, const Message& side) {
   const Volume& volume = *input.volume;
   if (auto checked = checkGrid(volume.grid); !checked) return passOn(checked.error());
   const std::size_t n = volume.grid.voxelCount();
-  const std::string who = side;
   if (volume.echo.size() != n) {
-    return failure(ErrorCode::badField, "The " + who + " volume has " + std::to_string(volume.echo.size()) + " echo values for " +
-                                            std::to_string(n) + " voxels.");
+    return failure(ErrorCode::badField, say<"The %1 volume has %2 echo values for %3 voxels.">(side, volume.echo.size(), n));
   }
   if (!volume.coverage.empty() && volume.coverage.size() != n) {
-    return failure(ErrorCode::badField, "The coverage of the " + who + " volume has " + std::to_string(volume.coverage.size()) +
-                                            " values for " + std::to_string(n) + " voxels.");
+    return failure(ErrorCode::badField, say<"The coverage of the %1 volume has %2 values for %3 voxels.">(side, volume.coverage.size(), n));
   }
   if (input.beams) {
     const double length = glm::length(input.beams->direction);
     if (!(length > 1e-6 && length < 1e6))
-      return failure(ErrorCode::badField, "The direction of the beam of the " + who + " volume is no direction.");
+      return failure(ErrorCode::badField, say<"The direction of the beam of the %1 volume is no direction.">(side));
     if (const auto& fan = input.beams->fan) {
       const double farthest = std::max(glm::length(fan->from_mm), glm::length(fan->to_mm));
-      if (!(farthest < 1e6)) return failure(ErrorCode::badField, "The apex of the beams of the " + who + " volume is no place.");
+      if (!(farthest < 1e6)) return failure(ErrorCode::badField, say<"The apex of the beams of the %1 volume is no place.">(side));
     }
   }
   if (!input.confidence.empty()) {
     if (input.confidence.size() != n) {
-      return failure(ErrorCode::badField, "The confidence of the " + who + " volume has " + std::to_string(input.confidence.size()) +
-                                              " values for " + std::to_string(n) + " voxels.");
+      return failure(ErrorCode::badField,
+                     say<"The confidence of the %1 volume has %2 values for %3 voxels.">(side, input.confidence.size(), n));
     }
     for (const float c : input.confidence) {
       if (!(c >= 0.0f && c <= 1.0f)) {
-        return failure(ErrorCode::badField, "The confidence of the " + who + " volume has values outside 0 to 1.");
+        return failure(ErrorCode::badField, say<"The confidence of the %1 volume has values outside 0 to 1.">(side));
       }
     }
   }
   if (!volume.coverage.empty() && std::all_of(volume.coverage.begin(), volume.coverage.end(), [](std::uint8_t c) { return c == 0; })) {
-    return failure(ErrorCode::emptyVolume, "No voxel of the " + who + " volume was measured; choose a volume that holds an echo.");
+    return failure(ErrorCode::emptyVolume, say<"No voxel of the %1 volume was measured; choose a volume that holds an echo.">(side));
   }
   return {};
 }
@@ -431,7 +428,7 @@ std::span<const float> usedConfidence(const Input& input) {
 
 Result<std::vector<ComparableImage>> comparableImages(const Input& input, std::span<const double> voxel_mm,
                                                       const ComparableOptions& options, Progress& progress) {
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   const Volume& volume = *input.volume;
   const std::size_t n = volume.grid.voxelCount();
   const auto confidence = usedConfidence(input);

@@ -58,7 +58,7 @@ struct ComparableMemory {
 
 /// Whether an input can be used at all.
 /// @error emptyVolume (no voxel, none covered), badField (sizes, a confidence outside 0..1)
-[[nodiscard]] Result<void> checkInput(const Input& input, const char* side);
+[[nodiscard]] Result<void> checkInput(const Input& input, const Message& side);
 
 /// The confidence of a side; empty where there is none, or where it says nothing (see Input).
 [[nodiscard]] std::span<const float> usedConfidence(const Input& input);

@@ -337,12 +337,12 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
 
 Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, const LandmarkOptions& options) {
   if (!std::isfinite(options.pickError_mm) || options.pickError_mm <= 0.0)
-    return failure(ErrorCode::badField, "The pick error of landmarks must be a length above 0 mm.", {{"field", "pickError_mm"}});
+    return failure(ErrorCode::badField, say<"The pick error of landmarks must be a length above 0 mm.">(), {{"field", "pickError_mm"}});
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (!finite(pairs[i].fixed_mm) || !finite(pairs[i].moving_mm))
       return failure(ErrorCode::badField,
-                     "The landmark " + (pairs[i].name.empty() ? "number " + std::to_string(i + 1) : "'" + pairs[i].name + "'") +
-                         " has a coordinate that is not a number; correct or remove it.",
+                     say<"The landmark %1 has a coordinate that is not a number; correct or remove it.">(
+                         pairs[i].name.empty() ? say<"number %1">(i + 1) : say<"'%1'">(pairs[i].name)),
                      {{"field", pairs[i].name}});
   Points points;
   for (const LandmarkPair& pair : pairs) {
@@ -355,7 +355,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
   result.weight.assign(n, 1.0);
   if (n == 0) {
     judge(result, pairs, points, options, {});
-    result.reason = sentencesOf(result.remarks);
+    result.reason = messageOf(result.remarks);
     return result;
   }
 
@@ -409,7 +409,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
     if (result.stop == StopReason::converged) result.stop = StopReason::singular;
   }
   judge(result, pairs, points, options, fits);
-  result.reason = sentencesOf(result.remarks);
+  result.reason = messageOf(result.remarks);
   return result;
 }
 

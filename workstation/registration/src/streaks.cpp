@@ -102,7 +102,7 @@ bool takeOutAlong(const Grid& grid, const RowLayout& rows, const Beams& beams, d
   std::vector<float> out(sum.size());
   const std::vector<Tap> everywhere = beams.fan ? std::vector<Tap>() : tapsAlong(toAxes * beams.at(grid.origin_mm), voxel_mm, sigma_mm);
   const glm::dmat4 toFrame = grid.voxelToWorld().matrix;
-  const bool done = forEachTask(dims.z, threads, progress, "Preparing images", [&](int k) {
+  const bool done = forEachTask(dims.z, threads, progress, say<"Preparing images">(), [&](int k) {
     std::vector<float> echo(dims.x);
     std::vector<float> share(dims.x);
     std::map<Rounded, std::vector<Tap>> found;
@@ -161,7 +161,7 @@ std::vector<glm::dvec3> findStreaks(const ComparableImage& image, int threads, P
     const double angle = d * std::numbers::pi * (3.0 - std::sqrt(5.0));
     directions[d] = {r * std::cos(angle), r * std::sin(angle), z};
   }
-  const bool done = forEachTask(kDirections, threads, progress, "Looking for shadows", [&](int d) {
+  const bool done = forEachTask(kDirections, threads, progress, say<"Looking for shadows">(), [&](int d) {
     Alike sums;
     for (const double along_mm : {18.0, 24.0, 30.0, 36.0}) {
       addAlike(image, glm::ivec3(glm::round(directions[d] * along_mm / voxel_mm)), stride, sums);

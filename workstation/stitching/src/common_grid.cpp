@@ -11,21 +11,22 @@ namespace {
 
 constexpr std::size_t kMostInputs = 255;  // a source is one byte per voxel
 
-std::string gibibytes(double bytes) {
+Message gibibytes(double bytes) {
   std::string text(32, '\0');
-  const int length = std::snprintf(text.data(), text.size(), "%.1f GiB", bytes / (1024.0 * 1024.0 * 1024.0));
+  const int length = std::snprintf(text.data(), text.size(), "%.1f", bytes / (1024.0 * 1024.0 * 1024.0));
   text.resize(static_cast<std::size_t>(std::max(length, 0)));
-  return text;
+  return say<"%1 GiB">(numeral(text));
 }
 
 Result<void> checkOptions(const StitchOptions& options) {
   if (!(options.spacing_mm >= 0.0) || !std::isfinite(options.spacing_mm))
-    return failure(ErrorCode::badField, "The spacing of the result must be a positive number of mm, or 0 for the finest of the inputs.",
+    return failure(ErrorCode::badField,
+                   say<"The spacing of the result must be a positive number of mm, or 0 for the finest of the inputs.">(),
                    {{"field", "spacing_mm"}});
   if (!(options.featherWidth_mm >= 0.0) || !std::isfinite(options.featherWidth_mm))
-    return failure(ErrorCode::badField, "The feather width must be 0 or a positive number of mm.", {{"field", "feather_mm"}});
+    return failure(ErrorCode::badField, say<"The feather width must be 0 or a positive number of mm.">(), {{"field", "feather_mm"}});
   if (!(options.interpolatedWeight > 0.0 && options.interpolatedWeight <= 1.0))
-    return failure(ErrorCode::badField, "The weight of interpolated voxels must be above 0 and at most 1.",
+    return failure(ErrorCode::badField, say<"The weight of interpolated voxels must be above 0 and at most 1.">(),
                    {{"field", "interpolated_weight"}});
   return {};
 }
@@ -41,15 +42,14 @@ double spacingAlong(const Grid& grid, const glm::dvec3& axis) {
 }  // namespace
 
 Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const StitchOptions& options) {
-  if (inputs.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to stitch; add at least one.");
+  if (inputs.empty()) return failure(ErrorCode::emptyVolume, say<"There is no volume to stitch; add at least one.">());
   if (inputs.size() > kMostInputs)
-    return failure(ErrorCode::unsupported,
-                   "At most " + std::to_string(kMostInputs) + " volumes can be stitched at once; stitch them in groups.");
+    return failure(ErrorCode::unsupported, say<"At most %1 volumes can be stitched at once; stitch them in groups.">(kMostInputs));
   if (auto good = checkOptions(options); !good) return passOn(good.error());
   std::vector<Grid> grids;
   for (const auto& input : inputs) {
     const auto about = [&](Error problem) {
-      problem.message = "Volume '" + input.name + "' cannot be stitched. " + problem.sentence();
+      problem.message = say<"Volume '%1' cannot be stitched. %2">(input.name, problem.message);
       problem.context.emplace_back("volume", input.name);
       return passOn(std::move(problem));
     };
@@ -92,12 +92,15 @@ Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const 
   // Echo, coverage and source of the result; one distance per input voxel.
   const double bytes = 3.0 * voxels + (options.featherWidth_mm > 0.0 ? 4.0 * inputVoxels : 0.0);
   const bool countable = std::isfinite(voxels) && glm::all(glm::lessThan(dims, glm::dvec3(1 << 30)));
-  if (!countable || bytes > static_cast<double>(options.maxBytes))
+  if (!countable || bytes > static_cast<double>(options.maxBytes)) {
+    const Message limit = gibibytes(static_cast<double>(options.maxBytes));
     return failure(ErrorCode::tooLarge,
-                   "Stitching would need " + (countable ? gibibytes(bytes) : std::string("more memory than there is")) +
-                       ", and the limit is " + gibibytes(static_cast<double>(options.maxBytes)) +
-                       "; choose a coarser spacing, or check whether one of the volumes is placed far away.",
+                   countable ? say<"Stitching would need %1, and the limit is %2; choose a coarser spacing, or check whether one of the "
+                                   "volumes is placed far away.">(gibibytes(bytes), limit)
+                             : say<"Stitching would need more memory than there is, and the limit is %1; choose a coarser spacing, or "
+                                   "check whether one of the volumes is placed far away.">(limit),
                    {{"bytes", std::to_string(bytes)}});
+  }
   grid.origin_mm = (grid.voxelToWorld() * Point<frame::Voxel>{lowest}).at;
   grid.dims = glm::ivec3(dims);
   forecast.bytes = static_cast<std::uint64_t>(bytes);

@@ -63,8 +63,8 @@ Result<std::vector<float>> distanceFromBorder_mm(const Volume& volume, double li
   const glm::ivec3 dims = grid.dims;
   const std::ptrdiff_t row = dims.x;
   const std::ptrdiff_t slice = row * dims.y;
-  constexpr const char* what = "Measuring distances from the border";
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The stitching was cancelled."); };
+  const Message what = say<"Measuring distances from the border">();
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"The stitching was cancelled.">()); };
   PartOfProgress alongX(progress, 0.0, 0.4);
   PartOfProgress alongZ(progress, 0.4, 1.0);
   const bool first = forEachTask(dims.z, threads, alongX, what, [&](int k) {

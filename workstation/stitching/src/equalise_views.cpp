@@ -57,7 +57,7 @@ Result<Seen> look(const View& view, const Grid& world, int threads, Progress& pr
   seen.cells.resize(seen.box.count());
   const auto voxelToOwn = view.volume->grid.voxelToWorld();
   const std::optional<Beams>& beams = view.correction.beams;
-  const bool whole = forEachTask(seen.box.size().z, threads, progress, "Comparing views", [&](int slice, int, const auto& stopped) {
+  const bool whole = forEachTask(seen.box.size().z, threads, progress, say<"Comparing views">(), [&](int slice, int, const auto& stopped) {
     const int ck = seen.box.begin.z + slice;
     for (int k = ck * kLooksPerSide; k < (ck + 1) * kLooksPerSide && !stopped(); ++k)
       for (int j = seen.box.begin.y * kLooksPerSide; j < seen.box.end.y * kLooksPerSide; ++j)
@@ -131,7 +131,7 @@ Result<EqualisedViews> equaliseViews(std::span<const View> views, const Equalise
                      options.smoothness >= 0.0 && options.smoothness < 1e3 && options.common >= 0.0 && options.common < 1e6 &&
                      options.fewestCells >= 1;
   if (!sound)
-    return failure(ErrorCode::badField, "The options of the equalisation are out of range; use cells and knots above 0.",
+    return failure(ErrorCode::badField, say<"The options of the equalisation are out of range; use cells and knots above 0.">(),
                    {{"field", "equalise"}});
   const auto world = worldOf(views, options.cell_mm / kLooksPerSide);
   if (!world) return passOn(world.error());
@@ -180,11 +180,10 @@ Result<EqualisedViews> equaliseViews(std::span<const View> views, const Equalise
   }
   const std::vector<int> groups = groupsOf(pairs, views.size(), result.groups);
   for (int group = 0; group < result.groups && result.groups > 1; ++group) {
-    std::string names;
+    std::vector<Message> names;
     for (std::size_t n = 0; n < views.size(); ++n)
-      if (groups[n] == group) names += (names.empty() ? "" : ", ") + views[n].name;
-    result.notes.push_back("Part " + std::to_string(group + 1) + " of " + std::to_string(result.groups) +
-                           ", which overlaps no other: " + names + ".");
+      if (groups[n] == group) names.push_back(verbatim(views[n].name));
+    result.notes.push_back(say<"Part %1 of %2, which overlaps no other: %3.">(group + 1, result.groups, joined(std::move(names), ", ")));
   }
   return result;
 }

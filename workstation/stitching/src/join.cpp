@@ -62,20 +62,21 @@ Result<void> checkJoin(std::span<const View> views, const SeamMap& seams, const 
   if (auto good = checkGrid(result); !good) return good;
   if (auto good = checkSeamOptions(options.seam, views.size()); !good) return good;
   if (options.block < kSmallestBlock)
-    return failure(ErrorCode::badField, "The blocks of a join must be at least 8 voxels wide.", {{"field", "block"}});
+    return failure(ErrorCode::badField, say<"The blocks of a join must be at least 8 voxels wide.">(), {{"field", "block"}});
   if (options.seam.method == SeamMethod::feather) return {};
   if (seams.view.size() != seams.cells.voxelCount() || !ratioOf(seams.cells, result))
-    return failure(ErrorCode::badField, "The seams were found for another grid; find them again for this one.", {{"field", "seams"}});
+    return failure(ErrorCode::badField, say<"The seams were found for another grid; find them again for this one.">(),
+                   {{"field", "seams"}});
   bool whole = seams.levels.empty() || seams.levels.size() == views.size();
   for (const SeamMap::Levels& each : seams.levels)
     whole = whole && glm::all(glm::greaterThanEqual(glm::min(each.begin, each.size), glm::ivec3(0))) &&
             glm::all(glm::lessThanEqual(each.begin + each.size, seams.cells.dims)) &&
             each.offset.size() ==
                 static_cast<std::size_t>(each.size.x) * static_cast<std::size_t>(each.size.y) * static_cast<std::size_t>(each.size.z);
-  if (!whole) return failure(ErrorCode::badField, "The seams have levels of other volumes; find them again.", {{"field", "seams"}});
+  if (!whole) return failure(ErrorCode::badField, say<"The seams have levels of other volumes; find them again.">(), {{"field", "seams"}});
   const auto highest = seams.view.empty() ? seams.view.end() : std::max_element(seams.view.begin(), seams.view.end());
   if (highest != seams.view.end() && *highest > views.size())
-    return failure(ErrorCode::badField, "The seams name more volumes than there are; find them again.", {{"field", "seams"}});
+    return failure(ErrorCode::badField, say<"The seams name more volumes than there are; find them again.">(), {{"field", "seams"}});
   return {};
 }
 
@@ -87,9 +88,8 @@ void noteMissingCoverage(std::span<const View> views, std::vector<Message>& note
     if (!view.volume->coverage.empty()) continue;
     const auto black = std::count(view.volume->echo.begin(), view.volume->echo.end(), std::uint8_t{0});
     if (static_cast<double>(black) > suspicious * static_cast<double>(view.volume->echo.size()))
-      notes.push_back("Volume '" + view.name +
-                      "' has no coverage, so its black voxels count as measured and darken the blend; give its coverage file if "
-                      "there is one.");
+      notes.push_back(say<"Volume '%1' has no coverage, so its black voxels count as measured and darken the blend; give its coverage "
+                          "file if there is one.">(view.name));
   }
 }
 
@@ -100,11 +100,10 @@ void report(const Tally& sums, std::span<const View> views, bool seams, JoinRepo
   if (sums.blended > 0) report.disagreementRms = std::sqrt(sums.squaredSpread / static_cast<double>(sums.blended));
   for (const auto& each : report.contributions)
     if (each.voxels == 0)
-      report.notes.push_back("Volume '" + each.name +
-                             (seams ? "' contributed nothing: other volumes show all that it covers better."
-                                    : "' contributed nothing: none of its voxels are covered."));
+      report.notes.push_back(seams ? say<"Volume '%1' contributed nothing: other volumes show all that it covers better.">(each.name)
+                                   : say<"Volume '%1' contributed nothing: none of its voxels are covered.">(each.name));
   if (views.size() > 1 && sums.overlapping == 0)
-    report.notes.emplace_back("The volumes do not overlap anywhere, so nothing was blended; check their places if they should.");
+    report.notes.push_back(say<"The volumes do not overlap anywhere, so nothing was blended; check their places if they should.">());
   noteMissingCoverage(views, report.notes);
 }
 
@@ -176,14 +175,13 @@ Result<std::vector<std::vector<float>>> distancesOf(std::span<const View> views,
 BlockSink::~BlockSink() = default;
 
 Result<void> checkViews(std::span<const View> views) {
-  if (views.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to stitch; add at least one.");
+  if (views.empty()) return failure(ErrorCode::emptyVolume, say<"There is no volume to stitch; add at least one.">());
   if (views.size() > kMostViews)
-    return failure(ErrorCode::unsupported,
-                   "At most " + std::to_string(kMostViews) + " volumes can be stitched at once; stitch them in groups.");
+    return failure(ErrorCode::unsupported, say<"At most %1 volumes can be stitched at once; stitch them in groups.">(kMostViews));
   for (const View& view : views) {
     EW_EXPECTS(view.volume != nullptr);
     const auto about = [&](Error problem) {
-      problem.message = "Volume '" + view.name + "' cannot be stitched. " + problem.sentence();
+      problem.message = say<"Volume '%1' cannot be stitched. %2">(view.name, problem.message);
       problem.context.emplace_back("volume", view.name);
       return passOn(std::move(problem));
     };
@@ -193,29 +191,32 @@ Result<void> checkViews(std::span<const View> views) {
     bool sound = correction.grey.empty() || (correction.knot_mm > 0.0 && std::isfinite(correction.firstKnot_mm) &&
                                              std::isfinite(correction.knot_mm) && known(correction.beams));
     for (const double grey : correction.grey) sound = sound && std::isfinite(grey);
-    if (!sound) return about({ErrorCode::badField, "Its grey correction has a number that cannot be used.", {{"field", "correction"}}});
+    if (!sound)
+      return about({ErrorCode::badField, say<"Its grey correction has a number that cannot be used.">(), {{"field", "correction"}}});
     if (view.bend == nullptr || view.bend->displacement_mm.empty()) continue;
     if (auto good = checkGrid(view.bend->nodes); !good) return about(good.error());
     sound = view.bend->displacement_mm.size() == view.bend->nodes.voxelCount();
     for (const glm::vec3& u : view.bend->displacement_mm) sound = sound && finite(u);
     if (!sound)
-      return about({ErrorCode::badField, "Its bend has a displacement too many, too few or without a number.", {{"field", "bend"}}});
+      return about({ErrorCode::badField, say<"Its bend has a displacement too many, too few or without a number.">(), {{"field", "bend"}}});
   }
   return {};
 }
 
 Result<void> checkSeamOptions(const SeamOptions& options, std::size_t views) {
-  const auto refuse = [](const char* field, const char* sentence) { return failure(ErrorCode::badField, sentence, {{"field", field}}); };
-  if (!(options.cell_mm > 0.0 && options.cell_mm < 1e3)) return refuse("cell_mm", "The cells of the seam must be wider than 0 mm.");
+  const auto refuse = [](const char* field, Message sentence) {
+    return failure(ErrorCode::badField, std::move(sentence), {{"field", field}});
+  };
+  if (!(options.cell_mm > 0.0 && options.cell_mm < 1e3)) return refuse("cell_mm", say<"The cells of the seam must be wider than 0 mm.">());
   if (!(options.blend_mm >= 0.0 && options.blend_mm < 1e3))
-    return refuse("blend_mm", "The blend beside the seam must be 0 or a positive number of mm.");
+    return refuse("blend_mm", say<"The blend beside the seam must be 0 or a positive number of mm.">());
   if (!(options.levelBlend_mm >= 0.0 && options.levelBlend_mm < 1e3))
-    return refuse("level_blend_mm", "The blend of levels beside the seam must be 0 or a positive number of mm.");
+    return refuse("level_blend_mm", say<"The blend of levels beside the seam must be 0 or a positive number of mm.">());
   if (!(options.confidenceWeight >= 0.0 && options.confidenceWeight < 1e3 && options.distanceWeight >= 0.0 && options.distanceWeight < 1e3))
-    return refuse("confidence_weight", "The weights of a seam must be 0 or positive.");
+    return refuse("confidence_weight", say<"The weights of a seam must be 0 or positive.">());
   for (const SeamStroke& stroke : options.strokes)
     if (stroke.view >= views || !finite(stroke.at_mm) || !(stroke.radius_mm > 0.0) || !std::isfinite(stroke.radius_mm))
-      return refuse("strokes", "A stroke of the seam editor names a volume that is not there, or has no place or radius.");
+      return refuse("strokes", say<"A stroke of the seam editor names a volume that is not there, or has no place or radius.">());
   return {};
 }
 
@@ -240,8 +241,8 @@ Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const Joi
   }
   if (forecast->bytes > options.grid.maxBytes)
     return failure(ErrorCode::tooLarge,
-                   "Joining would need " + std::to_string(forecast->bytes >> 20) + " MiB, and the limit is " +
-                       std::to_string(options.grid.maxBytes >> 20) + " MiB; choose a coarser spacing or smaller blocks.",
+                   say<"Joining would need %1 MiB, and the limit is %2 MiB; choose a coarser spacing or smaller blocks.">(
+                       forecast->bytes >> 20, options.grid.maxBytes >> 20),
                    {{"bytes", std::to_string(forecast->bytes)}});
   return forecast;
 }
@@ -272,8 +273,8 @@ Result<JoinReport> joinBlocks(std::span<const View> views, const SeamMap& seams,
     const glm::ivec3 tiles = (size + kTile - 1) / kTile;
     std::vector<Tally> tallies(static_cast<std::size_t>(tiles.x * tiles.y * tiles.z));
     PartOfProgress part(progress, begun + (1.0 - begun) * b / count, begun + (1.0 - begun) * (b + 1) / count);
-    const bool whole =
-        forEachTask(static_cast<int>(tallies.size()), options.grid.threads, part, "Blending", [&](int task, int, const auto& stopped) {
+    const bool whole = forEachTask(
+        static_cast<int>(tallies.size()), options.grid.threads, part, say<"Blending">(), [&](int task, int, const auto& stopped) {
           const glm::ivec3 begin = corner + kTile * glm::ivec3(task % tiles.x, task / tiles.x % tiles.y, task / tiles.x / tiles.y);
           joiner.make(begin, glm::min(begin + kTile, corner + size), arrays, tallies[static_cast<std::size_t>(task)], stopped);
         });

@@ -8,7 +8,9 @@
 
 namespace ew::stitching {
 
-[[nodiscard]] inline tl::unexpected<Error> stitchingCancelled() { return failure(ErrorCode::cancelled, "The stitching was cancelled."); }
+[[nodiscard]] inline tl::unexpected<Error> stitchingCancelled() {
+  return failure(ErrorCode::cancelled, say<"The stitching was cancelled.">());
+}
 
 /// What every way to join asks of its views. @error emptyVolume, unsupported (too many), badField, notRigid, each naming the view
 [[nodiscard]] Result<void> checkViews(std::span<const View> views);

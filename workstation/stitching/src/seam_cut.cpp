@@ -196,7 +196,7 @@ Result<void> cutSeams(std::span<const ViewSurvey> surveys, std::span<const std::
   std::size_t idle = 0;
   const std::size_t turns = surveys.size() * kMostSweeps;
   for (std::size_t turn = 0; turn < turns && idle < surveys.size(); ++turn) {
-    progress.report("Cutting seams", 0.3 + 0.7 * static_cast<double>(turn) / static_cast<double>(turns));
+    progress.report(say<"Cutting seams">(), 0.3 + 0.7 * static_cast<double>(turn) / static_cast<double>(turns));
     const auto taken = expansion.expand(turn % surveys.size(), stopped);
     if (!taken) return stitchingCancelled();
     idle = *taken == 0 ? idle + 1 : 0;

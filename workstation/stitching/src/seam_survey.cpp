@@ -29,6 +29,7 @@ Result<std::vector<ViewSurvey>> surveyViews(std::span<const View> views, const G
                                             const SeamOptions& options, Progress& progress) {
   const glm::ivec3 dims = cellGrid(result, ratio).dims;
   std::vector<ViewSurvey> surveys;
+  const Message step = say<"Looking for seams">();
   for (const View& view : views) {
     const auto n = static_cast<double>(surveys.size());
     const auto all = static_cast<double>(views.size());
@@ -46,7 +47,7 @@ Result<std::vector<ViewSurvey>> surveyViews(std::span<const View> views, const G
     std::vector<float> sum(box.count());
     std::vector<float> weight(box.count());
     PartOfProgress part(progress, n / all, (n + 1.0) / all);
-    const bool whole = forEachTask(box.size().z, options.threads, part, "Looking for seams", [&](int slice, int, const auto& stopped) {
+    const bool whole = forEachTask(box.size().z, options.threads, part, step, [&](int slice, int, const auto& stopped) {
       std::vector<CellLook> looks(static_cast<std::size_t>(box.size().x));
       const int k = box.begin.z + slice;
       for (int j = box.begin.y; j < box.end.y && !stopped(); ++j) {

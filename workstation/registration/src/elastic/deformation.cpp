@@ -72,10 +72,6 @@ void forEachRow(const ControlGrid& control, const Grid& grid, int k, const Row& 
   }
 }
 
-std::string countOf(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace
 
 glm::dvec3 displacementAt(const ControlGrid& control, const glm::dvec3& p_mm) {
@@ -93,7 +89,7 @@ Result<DisplacementField> fieldOf(const Deformation& fixedToMoving, const Grid& 
   field.displacement_mm.resize(fixedGrid.voxelCount());
   const glm::dmat3 turn(fixedToMoving.rigid);
   const glm::dvec3 shift(fixedToMoving.rigid[3]);
-  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, "Writing out the displacements", [&](int k) {
+  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, say<"Writing out the displacements">(), [&](int k) {
     forEachRow(fixedToMoving.control, fixedGrid, k,
                [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
                  glm::vec3* out = field.displacement_mm.data() + fixedGrid.indexOf(0, j, k);
@@ -103,7 +99,7 @@ Result<DisplacementField> fieldOf(const Deformation& fixedToMoving, const Grid& 
                  }
                });
   });
-  if (!finished) return failure(ErrorCode::cancelled, "Writing out the displacements was cancelled.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Writing out the displacements was cancelled.">());
   return field;
 }
 
@@ -173,14 +169,17 @@ Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress) 
   if (control.displacement_mm.empty()) return result;
   if (auto usable = checkGrid(control.nodes); !usable) return passOn(usable.error());
   if (control.displacement_mm.size() != control.nodes.voxelCount())
-    return failure(ErrorCode::badField, "The control grid has " + std::to_string(control.displacement_mm.size()) + " displacements for " +
-                                            std::to_string(control.nodes.voxelCount()) + " nodes; write it anew.");
+    return failure(ErrorCode::badField, say<"The control grid has %1 displacements for %2 nodes; write it anew.">(
+                                            control.displacement_mm.size(), control.nodes.voxelCount()));
   const JacobianSummary jacobian = jacobianOf(control);
   if (!(jacobian.smallest > 0.0)) {
-    return failure(ErrorCode::badField,
-                   "The deformation folds in " + countOf(jacobian.folded, "cell", "cells") +
-                       " of its control grid and has no inverse; register again with a stiffer grid.",
-                   {{"smallest_jacobian", std::to_string(jacobian.smallest)}});
+    return failure(
+        ErrorCode::badField,
+        jacobian.folded == 1
+            ? say<"The deformation folds in 1 cell of its control grid and has no inverse; register again with a stiffer grid.">()
+            : say<"The deformation folds in %1 cells of its control grid and has no inverse; register again with a stiffer "
+                  "grid.">(jacobian.folded),
+        {{"smallest_jacobian", std::to_string(jacobian.smallest)}});
   }
   const Lattice lattice(control);
   const glm::ivec3 dims = control.nodes.dims;
@@ -188,7 +187,7 @@ Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress) 
   constexpr double kClose_mm = 1e-7;
   constexpr int kPlain = 12, kMost = 60;
   for (int k = 0; k < dims.z; ++k) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Inverting the deformation was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Inverting the deformation was cancelled.">());
     for (int j = 0; j < dims.y; ++j) {
       for (int i = 0; i < dims.x; ++i) {
         const glm::dvec3 q = lattice.pointOf(glm::dvec3(i, j, k));
@@ -228,7 +227,7 @@ Result<InverseResult> inverseOf(const ControlGrid& control, Progress& progress) 
         result.control.displacement_mm[control.nodes.indexOf(i, j, k)] = glm::vec3(p - q);
       }
     }
-    progress.report("Inverting the deformation", (k + 1.0) / dims.z);
+    progress.report(say<"Inverting the deformation">(), (k + 1.0) / dims.z);
   }
   const Lattice back(result.control);
   const glm::ivec3 cells = cellsOf(control.nodes);
@@ -252,13 +251,13 @@ Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, co
   if (auto usable = checkGrid(fixedGrid); !usable) return passOn(usable.error());
   if (auto usable = checkGrid(moving.grid); !usable) return passOn(usable.error());
   if (moving.echo.size() != moving.grid.voxelCount() || (!moving.coverage.empty() && moving.coverage.size() != moving.echo.size()))
-    return failure(ErrorCode::badField, "The moving volume holds another number of voxels than its grid says; write it anew.");
+    return failure(ErrorCode::badField, say<"The moving volume holds another number of voxels than its grid says; write it anew.">());
   Volume out{fixedGrid, {}, {}};
   out.echo.resize(fixedGrid.voxelCount());
   out.coverage.resize(fixedGrid.voxelCount());
   const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
   const glm::ivec3 dims = moving.grid.dims;
-  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, "Warping the moving volume", [&](int k) {
+  const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, say<"Warping the moving volume">(), [&](int k) {
     forEachRow(fixedToMoving.control, fixedGrid, k,
                [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
                  const std::size_t row = fixedGrid.indexOf(0, j, k);
@@ -302,7 +301,7 @@ Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, co
                  }
                });
   });
-  if (!finished) return failure(ErrorCode::cancelled, "Warping the moving volume was cancelled.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Warping the moving volume was cancelled.">());
   return out;
 }
 

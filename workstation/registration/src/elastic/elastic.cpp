@@ -33,18 +33,17 @@ constexpr double kStreakyMembrane = 5e-2;  // weight of slopes: what is left of 
 constexpr double kSearched = 3.0;          // measured on unrelated tissue, which reaches about 1.3 times the root of p / n
 
 /// Places in a level are 32-bit numbers.
-Result<void> checkSize(const Input& input, const char* side) {
+Result<void> checkSize(const Input& input, const Message& side) {
   if (auto usable = checkInput(input, side); !usable) return passOn(usable.error());
   if (input.volume->grid.voxelCount() > (std::size_t{1} << 30))
-    return failure(ErrorCode::tooLarge,
-                   std::string("The ") + side + " volume has more than 2^30 voxels; resample it to a coarser spacing first.");
+    return failure(ErrorCode::tooLarge, say<"The %1 volume has more than 2^30 voxels; resample it to a coarser spacing first.">(side));
   return {};
 }
 
 Result<void> checkOptions(const ElasticOptions& options) {
-  const auto refuse = [](const char* name, double value, const char* expected) {
+  const auto refuse = [](const char* name, double value, const Message& expected) {
     return failure(ErrorCode::badField,
-                   std::string("The option ") + name + " is " + std::to_string(value) + "; it must be " + expected + ".");
+                   say<"The option %1 is %2; it must be %3.">(verbatim(name), numeral(std::to_string(value)), expected));
   };
   const std::pair<const char*, double> nonNegative[] = {{"finestNode_mm", options.finestNode_mm},
                                                         {"finestVoxel_mm", options.finestVoxel_mm},
@@ -52,12 +51,14 @@ Result<void> checkOptions(const ElasticOptions& options) {
                                                         {"largestMotion_mm", options.largestMotion_mm},
                                                         {"maxTime_s", options.maxTime_s}};
   for (const auto& [name, value] : nonNegative) {
-    if (!(value >= 0.0) || !std::isfinite(value)) return refuse(name, value, "0 or more");
+    if (!(value >= 0.0) || !std::isfinite(value)) return refuse(name, value, say<"0 or more">());
   }
-  if (options.finestNode_mm > 0.0 && options.finestNode_mm < 1.0) return refuse("finestNode_mm", options.finestNode_mm, "0 or at least 1");
-  if (options.largestMotion_mm > 50.0) return refuse("largestMotion_mm", options.largestMotion_mm, "at most 50; place the volumes first");
+  if (options.finestNode_mm > 0.0 && options.finestNode_mm < 1.0)
+    return refuse("finestNode_mm", options.finestNode_mm, say<"0 or at least 1">());
+  if (options.largestMotion_mm > 50.0)
+    return refuse("largestMotion_mm", options.largestMotion_mm, say<"at most 50; place the volumes first">());
   if (!(options.leastJacobian > 0.0 && options.leastJacobian < 0.9))
-    return refuse("leastJacobian", options.leastJacobian, "above 0 and below 0.9");
+    return refuse("leastJacobian", options.leastJacobian, say<"above 0 and below 0.9">());
   return {};
 }
 
@@ -289,7 +290,7 @@ Result<ElasticResult> ElasticRun::run() {
 }
 
 bool ElasticRun::findBeliefs() {
-  return forEachTask(2, threads_, quiet_, "Preparing the images",
+  return forEachTask(2, threads_, quiet_, say<"Preparing the images">(),
                      [&](int side) { belief_[static_cast<std::size_t>(side)] = beliefOf(side == 0 ? fixed_ : moving_); });
 }
 
@@ -307,7 +308,7 @@ ElasticRun::End ElasticRun::doLevel(std::size_t s) {
   const double work = std::pow(step.voxel_mm, -2.0);
   PartOfProgress part(progress_, 0.95 * done_ / work_, 0.95 * (done_ + work) / work_);
   done_ += work;
-  part.report("Preparing the images", 0.0);
+  part.report(say<"Preparing the images">(), 0.0);
   LevelImages images;
   if (!makeLevels(step.voxel_mm, takenOut_ ? &*takenOut_ : nullptr, images.fixed, images.moving)) return cancelled();
   if (s == 0) {
@@ -340,7 +341,8 @@ bool ElasticRun::makeLevels(double voxel_mm, const BeamPair* along, LevelImage& 
   // Concurrently also what one image does on one thread: memory that is cleared, small images that are smoothed.
   std::array<std::uint8_t, 2> made{};
   const int each = (threads_ + 1) / 2;
-  return forEachTask(2, 2, quiet_, "Preparing the images", [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) &&
+  return forEachTask(2, 2, quiet_, say<"Preparing the images">(),
+                     [&](int side) { made[static_cast<std::size_t>(side)] = make(side, each); }) &&
          made[0] != 0 && made[1] != 0;
 }
 
@@ -480,7 +482,7 @@ bool ElasticRun::findLeftMotion(LeftMotion& left) {
 ElasticResult ElasticRun::finish(Verdict verdict, Remark remark, StopReason stop) {
   result_.verdict = verdict;
   result_.remarks = {std::move(remark)};
-  result_.reason = sentencesOf(result_.remarks);
+  result_.reason = messageOf(result_.remarks);
   result_.stop = stop;
   result_.fixedToMoving.control = controlOf(state_.nodes, state_.values, fixed_.volume->grid);
   result_.jacobian = jacobianOf(result_.fixedToMoving.control);
@@ -491,11 +493,11 @@ ElasticResult ElasticRun::finish(Verdict verdict, Remark remark, StopReason stop
   result_.before = before_.agreement;
   result_.after = after_.agreement;
   result_.seconds = secondsSince(begun_);
-  progress_.report("Registering", 1.0);
+  progress_.report(say<"Registering">(), 1.0);
   return std::move(result_);
 }
 
-tl::unexpected<Error> ElasticRun::cancelled() { return failure(ErrorCode::cancelled, "The elastic registration was cancelled."); }
+tl::unexpected<Error> ElasticRun::cancelled() { return failure(ErrorCode::cancelled, say<"The elastic registration was cancelled.">()); }
 
 }  // namespace
 
@@ -522,8 +524,8 @@ std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const
 
 Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options,
                                       Progress& progress, const OnLevel& onLevel) {
-  if (auto usable = checkSize(fixed, "fixed"); !usable) return passOn(usable.error());
-  if (auto usable = checkSize(moving, "moving"); !usable) return passOn(usable.error());
+  if (auto usable = checkSize(fixed, say<"fixed">()); !usable) return passOn(usable.error());
+  if (auto usable = checkSize(moving, say<"moving">()); !usable) return passOn(usable.error());
   if (auto usable = checkOptions(options); !usable) return passOn(usable.error());
   if (auto usable = checkRigid(start); !usable) return passOn(usable.error());
   return ElasticRun(fixed, moving, start, options, progress, onLevel).run();

@@ -36,30 +36,30 @@ PlanarLevel levelOf(double scale, double node_mm, double units, bool first) {
 
 Result<void> check(ImageView<const std::uint8_t> fixed, ImageView<const std::uint8_t> moving, glm::dvec2 pixel_mm,
                    const Elastic2dOptions& options) {
-  for (const auto& [image, name] : {std::pair{fixed, "fixed"}, std::pair{moving, "moving"}}) {
+  for (const auto& [image, name] : {std::pair{fixed, say<"fixed">()}, std::pair{moving, say<"moving">()}}) {
     if (image.data == nullptr || image.width < 1 || image.height < 1)
-      return failure(ErrorCode::emptyVolume, std::string("The ") + name + " image has no pixels.");
-    if (image.stride < image.width)
-      return failure(ErrorCode::badField, std::string("The ") + name + " image's rows overlap.", {{"field", "stride"}});
+      return failure(ErrorCode::emptyVolume, say<"The %1 image has no pixels.">(name));
+    if (image.stride < image.width) return failure(ErrorCode::badField, say<"The %1 image's rows overlap.">(name), {{"field", "stride"}});
   }
   if (!(pixel_mm.x > 0.0) || !(pixel_mm.y > 0.0) || !std::isfinite(pixel_mm.x) || !std::isfinite(pixel_mm.y))
-    return failure(ErrorCode::badField, "The distance of pixels must be above 0 mm in x and in y.", {{"field", "pixel_mm"}});
+    return failure(ErrorCode::badField, say<"The distance of pixels must be above 0 mm in x and in y.">(), {{"field", "pixel_mm"}});
   for (const double factor : options.factors) {
     if (!(factor >= 2.0) || !std::isfinite(factor))
-      return failure(ErrorCode::badField, "A factor is the distance of nodes in pixels and must be at least 2.", {{"field", "factors"}});
+      return failure(ErrorCode::badField, say<"A factor is the distance of nodes in pixels and must be at least 2.">(),
+                     {{"field", "factors"}});
   }
   if (!(options.stiffness >= 0.0) || !std::isfinite(options.stiffness))
-    return failure(ErrorCode::badField, "The stiffness must be 0 (automatic) or above.", {{"field", "stiffness"}});
+    return failure(ErrorCode::badField, say<"The stiffness must be 0 (automatic) or above.">(), {{"field", "stiffness"}});
   if (!(options.largestMotion_mm >= 0.0) || !std::isfinite(options.largestMotion_mm))
-    return failure(ErrorCode::badField, "The largest motion must be 0 mm (no search) or above.", {{"field", "largestMotion_mm"}});
-  if (options.iterations < 1) return failure(ErrorCode::badField, "At least one iteration is needed.", {{"field", "iterations"}});
+    return failure(ErrorCode::badField, say<"The largest motion must be 0 mm (no search) or above.">(), {{"field", "largestMotion_mm"}});
+  if (options.iterations < 1) return failure(ErrorCode::badField, say<"At least one iteration is needed.">(), {{"field", "iterations"}});
   return {};
 }
 
-std::string wholePercent(double value) {
+Message hundredths(double value) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
+  return numeral(text.data());
 }
 
 Agreement agreementOf(const PlanarAgreement& found, double coverable) {
@@ -206,7 +206,7 @@ double significanceOf(const PlanarPair& pair, const PlanarState& state) {
 
 // Of the speckle, above which the images share it: measured apart, 0.75 and above when it moves with the tissue, 0.4 and below when not.
 constexpr double kSharedSpeckle = 0.6;
-constexpr const char* kNothingCommon = "The two images show almost nothing in common places: check how they lie to each other.";
+Message nothingCommon() { return say<"The two images show almost nothing in common places: check how they lie to each other.">(); }
 
 /// One registration: what its steps share, and the result as it grows.
 class PlanarRun {
@@ -239,7 +239,7 @@ class PlanarRun {
   [[nodiscard]] bool agreesAtRest() const { return result_.before.correlation > result_.before.chance; }
 
   // How it ends.
-  [[nodiscard]] Elastic2dResult finish(Verdict verdict, StopReason stop, std::string reason);
+  [[nodiscard]] Elastic2dResult finish(Verdict verdict, StopReason stop, Message reason);
   void leaveAtZero();
   [[nodiscard]] Elastic2dResult finishSingular();
   [[nodiscard]] Elastic2dResult finishRefuted(const HeldOut& held);
@@ -312,12 +312,12 @@ PlanarRun::PlanarRun(ImageView<const std::uint8_t> fixed, ImageView<const std::u
 }
 
 Result<Elastic2dResult> PlanarRun::run() {
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The registration was cancelled."); };
-  if (!judgeBefore()) return finish(Verdict::cannotTell, StopReason::noOverlap, kNothingCommon);
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"The registration was cancelled.">()); };
+  if (!judgeBefore()) return finish(Verdict::cannotTell, StopReason::noOverlap, nothingCommon());
   for (std::size_t n = 0; n < levels_.size(); ++n) {
     if (!isLeftOut(n) && !refineLevel(n)) return cancelled();
   }
-  progress_.report("Registering", 0.8);
+  progress_.report(say<"Registering">(), 0.8);
   takeBackFolds();
   if (state_.stop == StopReason::singular || state_.stop == StopReason::noOverlap) return finishSingular();
   if (needsHeldOut()) {
@@ -345,7 +345,7 @@ bool PlanarRun::isLeftOut(std::size_t n) const { return choosesLevels() && n >= 
 
 bool PlanarRun::refineLevel(std::size_t n) {
   const auto began = std::chrono::steady_clock::now();
-  progress_.report("Registering",
+  progress_.report(say<"Registering">(),
                    0.8 * static_cast<double>(result_.levels.size()) / static_cast<double>(levels_.size()));  // the rest is the judgement
   if (progress_.cancelRequested()) return false;
   const PlanarLevel& level = levels_[n];
@@ -459,12 +459,12 @@ void PlanarRun::keepShareOf(const HeldOut& held) {
   result_.after = stated(planarAgreement(judged_, onJudged_.x, onJudged_.y));
 }
 
-Elastic2dResult PlanarRun::finish(Verdict verdict, StopReason stop, std::string reason) {
+Elastic2dResult PlanarRun::finish(Verdict verdict, StopReason stop, Message reason) {
   result_.verdict = verdict;
   result_.stop = stop;
   result_.reason = std::move(reason);
   result_.seconds = secondsFrom(started_);
-  progress_.report("Registering", 1.0);
+  progress_.report(say<"Registering">(), 1.0);
   return std::move(result_);
 }
 
@@ -480,37 +480,39 @@ Elastic2dResult PlanarRun::finishSingular() {
   leaveAtZero();
   return finish(Verdict::cannotTell, state_.stop,
                 state_.stop == StopReason::singular
-                    ? "An image is flat where the other one shows something: there is nothing to go by, and the "
-                      "displacement is left at zero."
-                    : kNothingCommon);
+                    ? say<"An image is flat where the other one shows something: there is nothing to go by, and the displacement is left "
+                          "at zero.">()
+                    : nothingCommon());
 }
 
 Elastic2dResult PlanarRun::finishRefuted(const HeldOut& held) {
   const bool common = agreesAtRest();
+  const Message gain = hundredths(held.gain), error = hundredths(held.error);
   leaveAtZero();
   return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
-                std::string(common ? "The images agree as they lie, and no warp" : "No warp") +
-                    " agrees better where it was not fitted: the displacement is left at zero (gain of correlation there " +
-                    wholePercent(held.gain) + ", its error " + wholePercent(held.error) + ").");
+                common ? say<"The images agree as they lie, and no warp agrees better where it was not fitted: the displacement is left at "
+                             "zero (gain of correlation there %1, its error %2).">(gain, error)
+                       : say<"No warp agrees better where it was not fitted: the displacement is left at zero (gain of correlation there "
+                             "%1, its error %2).">(gain, error));
 }
 
 Elastic2dResult PlanarRun::conclude() {
-  const std::string figures = "(correlation " + wholePercent(result_.before.correlation) + " before, " +
-                              wholePercent(result_.after.correlation) + " after, " + wholePercent(result_.after.chance) + " by chance)";
+  const Message figures = say<"(correlation %1 before, %2 after, %3 by chance)">(
+      hundredths(result_.before.correlation), hundredths(result_.after.correlation), hundredths(result_.after.chance));
   if (result_.after.correlation <= result_.before.correlation || result_.after.correlation <= result_.after.chance) {
     leaveAtZero();
     const bool common = agreesAtRest();
-    return finish(common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
-                  (common ? "No warp agrees better than the images as they lie, and they agree: the displacement is left at zero "
-                          : "No warp agrees better than chance does: the displacement is left at zero ") +
-                      figures + ".");
+    return finish(
+        common ? Verdict::aligned : Verdict::cannotTell, StopReason::noImprovement,
+        common ? say<"No warp agrees better than the images as they lie, and they agree: the displacement is left at zero %1.">(figures)
+               : say<"No warp agrees better than chance does: the displacement is left at zero %1.">(figures));
   }
   for (std::size_t n = 0; n < count_; ++n) {
     const glm::vec2 u(full_.x[n], full_.y[n]);
     result_.displacement_mm[n] = u;
     result_.largestMotion_mm = std::max(result_.largestMotion_mm, std::hypot(static_cast<double>(u.x), static_cast<double>(u.y)));
   }
-  return finish(Verdict::aligned, state_.stop, "The warped image agrees with the fixed one " + figures + ".");
+  return finish(Verdict::aligned, state_.stop, say<"The warped image agrees with the fixed one %1.">(figures));
 }
 
 void PlanarRun::show(const PlanarState& state, const PlanarImage& on, SampledField& field) const {

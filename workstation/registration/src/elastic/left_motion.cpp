@@ -152,7 +152,7 @@ bool lookForLeftMotion(const LevelPair& pair, const NodeGrid& nodes, int threads
   const int all = blocks.count.x * blocks.count.y * blocks.count.z, every = (all + kBlocks - 1) / kBlocks;
   std::vector<Told> told(static_cast<std::size_t>(all), Told::notAsked);
   std::vector<float> length_mm(told.size(), 0.0F);
-  if (!forEachTask(blocks.count.y * blocks.count.z, threads, progress, "Checking for residual motion", [&](int line) {
+  if (!forEachTask(blocks.count.y * blocks.count.z, threads, progress, say<"Checking for residual motion">(), [&](int line) {
         const int j = line % blocks.count.y, k = line / blocks.count.y;
         if ((j + k) % every != 0) return;
         const std::size_t at = blocks.indexOf(0, j, k);

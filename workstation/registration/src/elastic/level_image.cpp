@@ -73,7 +73,7 @@ std::array<Taps, 3> layOutLevel(const Grid& grid, double voxel_mm, LevelImage& l
 /// Voxels as they are: the level has the volume's own grid.
 bool copyVoxels(const Volume& volume, const std::vector<std::uint8_t>& belief, int threads, Progress& progress, LevelImage& level) {
   const auto width = static_cast<std::size_t>(level.dims.x);
-  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+  return forEachTask(level.dims.z, threads, progress, say<"Preparing the images">(), [&](int k) {
     for (int j = 0; j < level.dims.y; ++j) {
       const std::size_t in = volume.grid.indexOf(0, j, k), out = level.rowOf(j, k);
       for (std::size_t i = 0; i < width; ++i) level.values[out + i] = static_cast<float>(volume.echo[in + i]);
@@ -126,7 +126,7 @@ bool resampleInPlane(const Volume& volume, const std::vector<std::uint8_t>& beli
   const std::size_t perSlice = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
   slices.sum.resize(perSlice * static_cast<std::size_t>(grid.dims.z));
   if (!belief.empty()) slices.weight.resize(slices.sum.size());
-  return forEachTask(grid.dims.z, threads, progress, "Preparing the images", [&](int k) {
+  return forEachTask(grid.dims.z, threads, progress, say<"Preparing the images">(), [&](int k) {
     const std::size_t at = static_cast<std::size_t>(k) * perSlice;
     const auto believedEcho = [&](int j, std::vector<float>& into) {
       const std::size_t from = grid.indexOf(0, j, k);
@@ -148,7 +148,7 @@ bool resampleInPlane(const Volume& volume, const std::vector<std::uint8_t>& beli
 bool resampleAcross(const Slices& slices, const Taps& z, int threads, Progress& progress, LevelImage& level) {
   const auto width = static_cast<std::size_t>(level.dims.x), perSlice = width * static_cast<std::size_t>(level.dims.y);
   const bool weighted = !slices.weight.empty();
-  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+  return forEachTask(level.dims.z, threads, progress, say<"Preparing the images">(), [&](int k) {
     for (int j = 0; j < level.dims.y; ++j) {
       float* row = level.values.data() + level.rowOf(j, k);
       float* rowWeight = weighted ? level.weights.data() + level.rowOf(j, k) : nullptr;
@@ -204,7 +204,7 @@ using Moments = std::array<std::vector<double>, 3>;
 bool momentsOf(const LevelImage& level, const BlockMap& map, int threads, Progress& progress, Moments& moments) {
   const glm::ivec3 size = map.size, blocks = map.blocks;
   for (auto& moment : moments) moment.assign(map.count(), 0.0);
-  return forEachTask(blocks.z, threads, progress, "Preparing the images", [&](int slab) {
+  return forEachTask(blocks.z, threads, progress, say<"Preparing the images">(), [&](int slab) {
     const int last = std::min(level.dims.z, (slab + 1) * size.z);
     for (int k = slab * size.z; k < last; ++k) {
       for (int j = 0; j < level.dims.y; ++j) {
@@ -257,7 +257,7 @@ bool normalise(const Grid& volume, const Beams* along, double window_mm, int thr
   if (along != nullptr && (!takeOut(*along, volume, threads, progress, level) || !momentsOf(level, mean, threads, progress, moments)))
     return false;
   // One task per image to be smoothed: each is added up in one order.
-  if (!forEachTask(5, threads, progress, "Preparing the images", [&](int task) {
+  if (!forEachTask(5, threads, progress, say<"Preparing the images">(), [&](int task) {
         const auto n = static_cast<std::size_t>(task);
         blurBlocks(n < 3 ? moments[n] : near[n - 3], mean, level.spacing_mm, n < 3 ? window_mm : kBrightness_mm);
       }))
@@ -272,7 +272,7 @@ bool normalise(const Grid& volume, const Beams* along, double window_mm, int thr
     mean.values[n] = static_cast<float>(m);
     gain.values[n] = static_cast<float>(1.0 / (std::sqrt(std::max(0.0, moments[2][n] / weight - m * m)) + kGreyFloor));
   }
-  return forEachTask(level.dims.z, threads, progress, "Preparing the images", [&](int k) {
+  return forEachTask(level.dims.z, threads, progress, say<"Preparing the images">(), [&](int k) {
     std::vector<float> line, rowMean(static_cast<std::size_t>(level.dims.x)), rowGain(rowMean.size());
     for (int j = 0; j < level.dims.y; ++j) {
       mean.row(j, k, level.dims.x, line, rowMean.data());

@@ -82,7 +82,7 @@ LevelPair::LevelPair(const LevelImage& fixed, const LevelImage& moving, const Ax
 bool LevelPair::warp(const NodeValues& values, Progress& progress) {
   EW_EXPECTS(values.size() == 4 * nodes_.count());
   const glm::ivec3 dims = fixed_->dims;
-  return forEachTask(dims.z, threads_, progress, "Registering", [&](int k) {
+  return forEachTask(dims.z, threads_, progress, say<"Registering">(), [&](int k) {
     const auto lineFloats = static_cast<std::size_t>(nodes_.dims.x);
     std::vector<float> lines(8 * lineFloats);
     std::vector<float> row(static_cast<std::size_t>(fixed_->stride) + kOverrun), rowWeights(row.size()), rowTrust(row.size()), trustLine;
@@ -138,7 +138,7 @@ bool LevelPair::warp(const NodeValues& values, Progress& progress) {
 
 bool LevelPair::believe(BlockMap map, Progress& progress) {
   // What was warped last is worth as much as what will be.
-  if (!forEachTask(fixed_->dims.z, threads_, progress, "Registering", [&](int k) {
+  if (!forEachTask(fixed_->dims.z, threads_, progress, say<"Registering">(), [&](int k) {
         std::vector<float> line, row(static_cast<std::size_t>(fixed_->dims.x));
         for (int j = 0; j < fixed_->dims.y; ++j) {
           map.row(j, k, fixed_->dims.x, line, row.data());
@@ -151,7 +151,7 @@ bool LevelPair::believe(BlockMap map, Progress& progress) {
     trust_ = std::move(map);
     return true;
   }
-  return forEachTask(trust_.blocks.z, threads_, progress, "Registering", [&](int k) {
+  return forEachTask(trust_.blocks.z, threads_, progress, say<"Registering">(), [&](int k) {
     for (int j = 0; j < trust_.blocks.y; ++j) {
       for (int i = 0; i < trust_.blocks.x; ++i) trust_.values[trust_.indexOf(i, j, k)] *= map.at(trust_.centreOf(i, j, k));
     }
@@ -183,7 +183,7 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
   BlockMap map = fixed_->brightness;
   constexpr float kUnknown = 1e9F;
   std::vector<float> darker(map.count(), kUnknown);  // by how much the moving image is
-  if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int k) {
+  if (!forEachTask(map.blocks.z, threads_, progress, say<"Registering">(), [&](int k) {
         for (int j = 0; j < map.blocks.y; ++j) {
           for (int i = 0; i < map.blocks.x; ++i) {
             const std::size_t at = map.indexOf(i, j, k);
@@ -239,7 +239,7 @@ bool LevelPair::doubtShadows(const NodeValues& values, Progress& progress) {
     constexpr float kAbove = 1e4F;  // a block map takes negative values for unknown ones
     for (std::size_t n = 0; n < sum.size(); ++n)
       trend.values[n] = kAbove + (weight[n] > 1e-6 ? static_cast<float>(sum[n] / weight[n]) : 0.0F);
-    if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int k) {
+    if (!forEachTask(map.blocks.z, threads_, progress, say<"Registering">(), [&](int k) {
           for (int j = 0; j < map.blocks.y; ++j) {
             for (int i = 0; i < map.blocks.x; ++i) around[map.indexOf(i, j, k)] = usual + trend.at(map.centreOf(i, j, k)) - kAbove;
           }
@@ -258,7 +258,7 @@ bool LevelPair::trustAgreement(double window_mm, double least, double power, Pro
   BlockMap map(*fixed_, 0.5 * window_mm);
   std::array<std::vector<double>, 6> moments;  // weight, f, w, ff, ww, fw
   for (auto& moment : moments) moment.assign(map.count(), 0.0);
-  if (!forEachTask(map.blocks.z, threads_, progress, "Registering", [&](int slab) {
+  if (!forEachTask(map.blocks.z, threads_, progress, say<"Registering">(), [&](int slab) {
         const int last = std::min(fixed_->dims.z, (slab + 1) * map.size.z);
         for (int k = slab * map.size.z; k < last; ++k) {
           for (int j = 0; j < fixed_->dims.y; ++j) {
@@ -400,7 +400,7 @@ bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSum
   const auto cellsAlong = static_cast<std::size_t>(cells.x);
   std::vector<float> moments(system != nullptr ? kCellMoments * cellsAlong * static_cast<std::size_t>(tasks) : 0, 0.0F);
   std::vector<std::array<double, kSums>> parts(static_cast<std::size_t>(tasks));
-  if (!forEachTask(tasks, threads_, progress, "Registering", [&](int task) {
+  if (!forEachTask(tasks, threads_, progress, say<"Registering">(), [&](int task) {
         const auto line = static_cast<std::size_t>(task);
         sumLine(static_cast<std::size_t>(task % cells.y), static_cast<std::size_t>(task / cells.y), options,
                 system != nullptr ? moments.data() + kCellMoments * cellsAlong * line : nullptr, parts[line]);
@@ -415,7 +415,7 @@ bool LevelPair::assemble(const CostOptions& options, NodeSystem* system, PairSum
   const auto scale = static_cast<float>(std::clamp(sums.commonGradient(), options.leastCommon, 1.0));
   // Layers of cells two apart share no node: either round may run in any order.
   for (int round = 0; round < 2 && round < cells.z; ++round) {
-    if (!forEachTask((cells.z - round + 1) / 2, threads_, progress, "Registering", [&](int layer) {
+    if (!forEachTask((cells.z - round + 1) / 2, threads_, progress, say<"Registering">(), [&](int layer) {
           const int z = round + 2 * layer;
           for (int y = 0; y < cells.y; ++y) {
             for (int x = 0; x < cells.x; ++x) {

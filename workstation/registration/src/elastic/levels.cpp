@@ -286,7 +286,7 @@ LevelDescent::LevelDescent(const LevelImage& fixed, const LevelImage& moving, co
 
 LevelOutcome LevelDescent::run() {
   for (int iteration = 0; iteration <= iterations_; ++iteration) {
-    progress_.report("Registering", static_cast<double>(iteration) / (iterations_ + 1));
+    progress_.report(say<"Registering">(), static_cast<double>(iteration) / (iterations_ + 1));
     const Next next = iterate(iteration);
     if (next == Next::giveUp) return std::move(outcome_);
     if (next == Next::finish) break;

@@ -164,7 +164,7 @@ bool PlanarEquations::assemble(const Linearised& data, int threads, Progress& pr
   // rounds.
   for (int round = 0; round < 4 && round < y_.cells; ++round) {
     const int tasks = (y_.cells - round + 3) / 4;
-    if (!forEachTask(tasks, threads, progress, "Comparing", [&](int task) {
+    if (!forEachTask(tasks, threads, progress, say<"Comparing">(), [&](int task) {
           const int cellY = round + 4 * task;
           const std::vector<CellSums> cells = sumsOfCells(data, x_, y_, along, cellY, withBrightness_);
           for (int cellX = 0; cellX < x_.cells; ++cellX)

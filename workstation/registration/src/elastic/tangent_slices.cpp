@@ -13,15 +13,14 @@ constexpr int kLongest = 1024;      ///< pixels of a slice along an axis
 constexpr double kPerMotion = 2.5;  ///< fall-off over largest motion, at least: a shear of 2/5 on average
 constexpr int kLayers = 8;          ///< of nodes on each side of the plane
 
-Result<void> check(const Input& side, const char* name) {
+Result<void> check(const Input& side, const Message& name) {
   if (side.volume == nullptr || side.volume->echo.empty())
-    return failure(ErrorCode::emptyVolume, std::string("The ") + name + " volume has no voxels.");
+    return failure(ErrorCode::emptyVolume, say<"The %1 volume has no voxels.">(name));
   if (auto usable = checkGrid(side.volume->grid); !usable) return passOn(usable.error());
   if (side.volume->echo.size() != side.volume->grid.voxelCount())
-    return failure(ErrorCode::badField,
-                   std::string("The ") + name + " volume holds another number of voxels than its grid says; write it anew.");
+    return failure(ErrorCode::badField, say<"The %1 volume holds another number of voxels than its grid says; write it anew.">(name));
   if (!side.confidence.empty() && side.confidence.size() != side.volume->echo.size())
-    return failure(ErrorCode::badField, std::string("The ") + name + " volume's confidence has another size than the volume.",
+    return failure(ErrorCode::badField, say<"The %1 volume's confidence has another size than the volume.">(name),
                    {{"field", "confidence"}});
   return {};
 }
@@ -106,10 +105,10 @@ ControlGrid fading(const Elastic2dResult& slices, const Grid& plane, double fall
   return control;
 }
 
-std::string tenths(double value) {
+Message tenths(double value) {
   std::array<char, 24> text{};
   std::snprintf(text.data(), text.size(), "%.1f", value);
-  return text.data();
+  return numeral(text.data());
 }
 
 }  // namespace
@@ -117,18 +116,19 @@ std::string tenths(double value) {
 Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving, const glm::dmat4& start,
                                                 const glm::dvec3& plane_mm, const glm::dvec3& normal, const TangentWarpOptions& options,
                                                 Progress& progress) {
-  if (auto usable = check(fixed, "fixed"); !usable) return passOn(usable.error());
-  if (auto usable = check(moving, "moving"); !usable) return passOn(usable.error());
+  if (auto usable = check(fixed, say<"fixed">()); !usable) return passOn(usable.error());
+  if (auto usable = check(moving, say<"moving">()); !usable) return passOn(usable.error());
   if (auto rigid = checkRigid(start); !rigid) return passOn(rigid.error());
   const double length = glm::length(normal);
   if (!std::isfinite(length) || length < 1e-6)
-    return failure(ErrorCode::badField, "The tangent plane needs a normal with a direction; this one has none.", {{"field", "normal"}});
+    return failure(ErrorCode::badField, say<"The tangent plane needs a normal with a direction; this one has none.">(),
+                   {{"field", "normal"}});
   if (!std::isfinite(plane_mm.x) || !std::isfinite(plane_mm.y) || !std::isfinite(plane_mm.z))
-    return failure(ErrorCode::badField, "The tangent plane's point is not a number.", {{"field", "plane_mm"}});
+    return failure(ErrorCode::badField, say<"The tangent plane's point is not a number.">(), {{"field", "plane_mm"}});
   if (!(options.fallOff_mm > 0.0) || !std::isfinite(options.fallOff_mm))
-    return failure(ErrorCode::badField, "The warp must fall off over more than 0 mm.", {{"field", "fallOff_mm"}});
+    return failure(ErrorCode::badField, say<"The warp must fall off over more than 0 mm.">(), {{"field", "fallOff_mm"}});
   if (!(options.leastJacobian > 0.0) || !(options.leastJacobian < 1.0))
-    return failure(ErrorCode::badField, "The least Jacobian must lie between 0 and 1.", {{"field", "leastJacobian"}});
+    return failure(ErrorCode::badField, say<"The least Jacobian must lie between 0 and 1.">(), {{"field", "leastJacobian"}});
 
   TangentWarpResult result;
   result.slicePlane = planeGrid(fixed.volume->grid, plane_mm, normal / length);
@@ -140,7 +140,7 @@ Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input&
   std::size_t both = 0;
   for (std::size_t n = 0; n < fixedSlice->pixels.size(); ++n) both += fixedSlice->pixels[n] != 0 && movingSlice->pixels[n] != 0 ? 1 : 0;
   if (both < 64)
-    return failure(ErrorCode::badField, "The tangent plane cuts nothing that both volumes cover: move it into their overlap.",
+    return failure(ErrorCode::badField, say<"The tangent plane cuts nothing that both volumes cover: move it into their overlap.">(),
                    {{"field", "plane_mm"}});
   result.fixedSlice = std::move(*fixedSlice);
   result.movingSlice = std::move(*movingSlice);
@@ -155,21 +155,22 @@ Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input&
 
   if (result.fallOff_mm < kPerMotion * result.slices.largestMotion_mm) {
     result.fallOff_mm = kPerMotion * result.slices.largestMotion_mm;
-    result.reason += " The fall-off was lengthened from " + tenths(options.fallOff_mm) + " to " + tenths(result.fallOff_mm) +
-                     " mm, 2.5 times the largest motion.";
+    result.reason = joined({result.reason, say<"The fall-off was lengthened from %1 to %2 mm, 2.5 times the largest motion.">(
+                                               tenths(options.fallOff_mm), tenths(result.fallOff_mm))});
   }
   result.fixedToMoving.control = fading(result.slices, result.slicePlane, result.fallOff_mm, 1.0);
   result.jacobian = jacobianOf(result.fixedToMoving.control);
   while (result.jacobian.smallest < options.leastJacobian && result.share > 0.05) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The registration was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The registration was cancelled.">());
     result.share *= 0.9;
     result.fixedToMoving.control = fading(result.slices, result.slicePlane, result.fallOff_mm, result.share);
     result.jacobian = jacobianOf(result.fixedToMoving.control);
   }
   if (result.share < 1.0)
-    result.reason +=
-        " Only " + tenths(100.0 * result.share) + " % of the motion was kept: all of it would have squeezed the tissue too far.";
-  progress.report("Registering", 1.0);
+    result.reason =
+        joined({result.reason,
+                say<"Only %1 % of the motion was kept: all of it would have squeezed the tissue too far.">(tenths(100.0 * result.share))});
+  progress.report(say<"Registering">(), 1.0);
   return result;
 }
 

@@ -117,7 +117,7 @@ struct ShiftLikelihoods {
 
   /// @return false when cancelled
   bool measure(int threads, Progress& progress) {
-    return forEachTask(static_cast<int>(shifts.size()), threads, progress, "Searching for large motion",
+    return forEachTask(static_cast<int>(shifts.size()), threads, progress, say<"Searching for large motion">(),
                        [&](int task) { measure(static_cast<std::size_t>(task)); });
   }
   void measure(std::size_t s);

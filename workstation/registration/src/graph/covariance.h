@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
 #include "ew/core/result.h"
 #include "ew/registration/rigid.h"
@@ -26,6 +25,6 @@ inline constexpr double kNothingKnown_rad = 3.0;  ///< and a turn
 /// @param whose for the sentence, as in "the pair 'left' with 'right'"
 /// @error badField, when it is not symmetric, has an entry that is no number (infinite is allowed on the diagonal), a negative variance or
 /// correlations that cannot be together
-[[nodiscard]] Result<void> checkCovariance(const PoseCovariance& covariance, const std::string& whose);
+[[nodiscard]] Result<void> checkCovariance(const PoseCovariance& covariance, const Message& whose);
 
 }  // namespace ew::registration::graph

@@ -165,7 +165,7 @@ struct Search {
         least = cost;
         poses = std::move(tried);
       }
-      progress.report("Placing subvolumes", 0.8 * static_cast<double>(s + 1) / static_cast<double>(candidates.size()));
+      progress.report(say<"Placing subvolumes">(), 0.8 * static_cast<double>(s + 1) / static_cast<double>(candidates.size()));
     }
     return true;
   }
@@ -196,8 +196,8 @@ struct Search {
 
 Result<GraphResult> solve(const Joints& joints, Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "The poses were not solved, as asked."); };
-  progress.report("Placing subvolumes", 0.0);
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"The poses were not solved, as asked.">()); };
+  progress.report(say<"Placing subvolumes">(), 0.0);
   if (progress.cancelRequested()) return stopped();
   Search search{.joints = joints, .progress = progress};
   if (!search.run()) return stopped();
@@ -215,7 +215,7 @@ Result<GraphResult> solve(const Joints& joints, Progress& progress) {
   reportSuspects(joints, believed, bridge, result);
   reportParts(joints, believed, result);
   judge(joints.nodes, joints.edges, result);
-  progress.report("Placing subvolumes", 1.0);
+  progress.report(say<"Placing subvolumes">(), 1.0);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
@@ -228,7 +228,7 @@ Result<GraphResult> solveGraph(std::span<const GraphNode> nodes, std::span<const
   try {
     return solve(jointsOf(nodes, edges, options), progress);
   } catch (const std::exception& problem) {
-    return failure(ErrorCode::internal, std::string("The solver of poses failed (") + problem.what() + ").");
+    return failure(ErrorCode::internal, say<"The solver of poses failed (%1).">(verbatim(problem.what())));
   }
 }
 

@@ -65,7 +65,7 @@ Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& movi
   const glm::dmat4 toIndex = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
   const bool bends = !fixedToMoving.control.displacement_mm.empty();
   const Lattice lattice(fixedToMoving.control);
-  const bool finished = forEachTask(fixed.grid.dims.z, threads, progress, "Comparing", [&](int k) {
+  const bool finished = forEachTask(fixed.grid.dims.z, threads, progress, say<"Comparing">(), [&](int k) {
     for (int j = 0; j < fixed.grid.dims.y; ++j) {
       for (int i = 0; i < fixed.grid.dims.x; ++i) {
         const std::size_t n = fixed.grid.indexOf(i, j, k);
@@ -270,18 +270,18 @@ Result<void> checkDeformations(const glm::dmat4& before, const Deformation& fixe
 
 Result<void> checkQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
                           const Deformation* backward, const QualityOptions& options) {
-  if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, "A volume is missing: name two.");
-  if (auto usable = checkInput(fixed, "fixed"); !usable) return passOn(usable.error());
-  if (auto usable = checkInput(moving, "moving"); !usable) return passOn(usable.error());
+  if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, say<"A volume is missing: name two.">());
+  if (auto usable = checkInput(fixed, say<"fixed">()); !usable) return passOn(usable.error());
+  if (auto usable = checkInput(moving, say<"moving">()); !usable) return passOn(usable.error());
   if (auto rigid = checkDeformations(before, fixedToMoving, backward); !rigid) return passOn(rigid.error());
   for (const auto& [value, name] : {std::pair{options.region_mm, "region_mm"}, std::pair{options.window_mm, "window_mm"}}) {
     if (!(value > 0.0) || !std::isfinite(value))
-      return failure(ErrorCode::badField, "Regions and windows need a side above 0 mm.", {{"field", name}});
+      return failure(ErrorCode::badField, say<"Regions and windows need a side above 0 mm.">(), {{"field", name}});
   }
   for (const Deformation* each : {&fixedToMoving, backward}) {
     if (each != nullptr && !each->control.displacement_mm.empty() &&
         each->control.displacement_mm.size() != each->control.nodes.voxelCount())
-      return failure(ErrorCode::badField, "The deformation has another number of vectors than its lattice has nodes.",
+      return failure(ErrorCode::badField, say<"The deformation has another number of vectors than its lattice has nodes.">(),
                      {{"field", "control"}});
   }
   return {};
@@ -495,7 +495,7 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm
   if (auto done = assessment.lookAtRegions(); !done) return passOn(done.error());
   if (backward != nullptr)
     if (auto done = assessment.goThereAndBack(*backward); !done) return passOn(done.error());
-  progress.report("Comparing", 1.0);
+  progress.report(say<"Comparing">(), 1.0);
   return std::move(assessment.quality);
 }
 

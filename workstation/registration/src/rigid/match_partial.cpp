@@ -62,15 +62,18 @@ void keepDifferent(std::vector<Candidate>& pool, const glm::dvec3& at_mm, double
 }
 
 Result<void> checkOptions(const PartialOptions& options) {
-  const auto wrong = [](const char* field, double found, const char* expected) {
+  const auto wrong = [](const char* field, double found, const Message& expected) {
     return failure(ErrorCode::badField,
-                   std::string("The matching option ") + field + " is " + std::to_string(found) + "; it must be " + expected + ".");
+                   say<"The matching option %1 is %2; it must be %3.">(verbatim(field), numeral(std::to_string(found)), expected));
   };
-  if (!(options.maxTurn_deg >= 0.0 && options.maxTurn_deg <= 180.0)) return wrong("maxTurn_deg", options.maxTurn_deg, "from 0 to 180");
-  if (!(options.stepTurn_deg >= 2.0 && options.stepTurn_deg <= 90.0)) return wrong("stepTurn_deg", options.stepTurn_deg, "from 2 to 90");
-  if (!(options.cell_mm > 0.0 && options.cell_mm <= 100.0)) return wrong("cell_mm", options.cell_mm, "above 0 and at most 100");
-  if (!(options.leastOverlap > 0.0 && options.leastOverlap < 1.0)) return wrong("leastOverlap", options.leastOverlap, "between 0 and 1");
-  if (options.hypotheses < 1 || options.hypotheses > 1000) return wrong("hypotheses", options.hypotheses, "from 1 to 1000");
+  if (!(options.maxTurn_deg >= 0.0 && options.maxTurn_deg <= 180.0))
+    return wrong("maxTurn_deg", options.maxTurn_deg, say<"from 0 to 180">());
+  if (!(options.stepTurn_deg >= 2.0 && options.stepTurn_deg <= 90.0))
+    return wrong("stepTurn_deg", options.stepTurn_deg, say<"from 2 to 90">());
+  if (!(options.cell_mm > 0.0 && options.cell_mm <= 100.0)) return wrong("cell_mm", options.cell_mm, say<"above 0 and at most 100">());
+  if (!(options.leastOverlap > 0.0 && options.leastOverlap < 1.0))
+    return wrong("leastOverlap", options.leastOverlap, say<"between 0 and 1">());
+  if (options.hypotheses < 1 || options.hypotheses > 1000) return wrong("hypotheses", options.hypotheses, say<"from 1 to 1000">());
   return checkOptions(options.refine);
 }
 
@@ -114,7 +117,7 @@ class PairSearch {
 };
 
 Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optional<glm::dmat4>& beside, const OnLevel& onLevel) {
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   if (!findPeaks(base)) return cancelled();
   if (beside) pool_.push_back({*beside, *beside, *beside, {}});
   if (!descendFromAll()) return cancelled();
@@ -245,9 +248,9 @@ Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, cons
 Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const glm::dmat4& start, const PartialOptions& options,
                                  Progress& progress, const OnLevel& onLevel) {
   const auto begun = std::chrono::steady_clock::now();
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
-  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
-  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
+  if (auto checked = checkInput(fixed, say<"fixed">()); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, say<"moving">()); !checked) return passOn(checked.error());
   if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
   const int threads = threadCount(options.threads);
   std::size_t search = 0;
@@ -259,7 +262,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
   const auto finish = [&](Verdict verdict, std::vector<Remark> remarks) {
     result.best.verdict = verdict;
     result.best.remarks = std::move(remarks);
-    result.best.reason = sentencesOf(result.best.remarks);
+    result.best.reason = messageOf(result.best.remarks);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     result.best.seconds = result.seconds;
     return result;

@@ -245,7 +245,7 @@ bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const 
   const int planes = options.perBlock ? options.blockVoxels : kPlanesPerTask;
   const int tasks = (dims.z + planes - 1) / planes;
   std::vector<PoseSums> partial(tasks);
-  const bool done = forEachTask(tasks, threads, progress, "Comparing images", [&](int task) {
+  const bool done = forEachTask(tasks, threads, progress, say<"Comparing images">(), [&](int task) {
     for (int k = std::max(1, task * planes); k < std::min(dims.z - 1, (task + 1) * planes); ++k) pass.addPlane(k, partial[task]);
   });
   if (!done) return false;

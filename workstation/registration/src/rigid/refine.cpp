@@ -41,8 +41,8 @@ Result<PairLevels> preparePair(const Input& fixed, const Input& moving, const st
                                Progress& progress) {
   for (const Input* side : {&fixed, &moving}) {
     if (cellsAt(side->volume->grid, voxel_mm.back()) > kMostVoxels) {
-      return failure(ErrorCode::tooLarge, "The images at voxels of " + std::to_string(voxel_mm.back()) +
-                                              " mm are too large to register; ask for a coarser finest level.");
+      return failure(ErrorCode::tooLarge, say<"The images at voxels of %1 mm are too large to register; ask for a coarser finest level.">(
+                                              numeral(std::to_string(voxel_mm.back()))));
     }
   }
   PairLevels pair;
@@ -116,17 +116,18 @@ std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
 }
 
 Result<void> checkOptions(const RefineOptions& options) {
-  const auto wrong = [](const char* field, double found, const char* expected) {
+  const auto wrong = [](const char* field, double found, const Message& expected) {
     return failure(ErrorCode::badField,
-                   std::string("The registration option ") + field + " is " + std::to_string(found) + "; it must be " + expected + ".");
+                   say<"The registration option %1 is %2; it must be %3.">(verbatim(field), numeral(std::to_string(found)), expected));
   };
   if (!(options.coarsest_mm > 0.0 && options.coarsest_mm <= 100.0))
-    return wrong("coarsest_mm", options.coarsest_mm, "above 0 and at most 100");
-  if (!(options.finest_mm > 0.0 && options.finest_mm <= 100.0)) return wrong("finest_mm", options.finest_mm, "above 0 and at most 100");
+    return wrong("coarsest_mm", options.coarsest_mm, say<"above 0 and at most 100">());
+  if (!(options.finest_mm > 0.0 && options.finest_mm <= 100.0))
+    return wrong("finest_mm", options.finest_mm, say<"above 0 and at most 100">());
   if (!(options.searchTurn_deg >= 0.0 && options.searchTurn_deg <= 180.0))
-    return wrong("searchTurn_deg", options.searchTurn_deg, "from 0 to 180");
-  if (!(options.searchShift_mm > 0.0)) return wrong("searchShift_mm", options.searchShift_mm, "above 0");
-  if (options.iterations < 1) return wrong("iterations", options.iterations, "1 or more");
+    return wrong("searchTurn_deg", options.searchTurn_deg, say<"from 0 to 180">());
+  if (!(options.searchShift_mm > 0.0)) return wrong("searchShift_mm", options.searchShift_mm, say<"above 0">());
+  if (options.iterations < 1) return wrong("iterations", options.iterations, say<"1 or more">());
   return {};
 }
 
@@ -286,7 +287,7 @@ Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& movin
       options.stop_mm = 0.03 * voxel;
       options.limit_mm = 2.0 * voxel;
       const Descent descent = descend(pair.fixed[l], pair.packedMoving[l], fare.fixedToMoving, options, threads, progress);
-      if (descent.stop == StopReason::cancelled) return failure(ErrorCode::cancelled, "Registration was cancelled.");
+      if (descent.stop == StopReason::cancelled) return failure(ErrorCode::cancelled, say<"Registration was cancelled.">());
       lost = descent.stop == StopReason::noOverlap || descent.stop == StopReason::singular;
       if (lost) break;
       fare.fixedToMoving = descent.fixedToMoving;
@@ -295,7 +296,7 @@ Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& movin
     if (!lost) {
       fare.moved = differenceOf(pose, fare.fixedToMoving, middle);
       if (!evidenceAt(pair, pair.agreement, fare.fixedToMoving, pair.voxelsPerSample, threads, progress, fare.evidence))
-        return failure(ErrorCode::cancelled, "Registration was cancelled.");
+        return failure(ErrorCode::cancelled, say<"Registration was cancelled.">());
     }
     const bool moves = elsewhere(fare.moved);
     fare.rests = moves || fare.evidence.significance < sure;

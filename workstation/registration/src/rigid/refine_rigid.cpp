@@ -16,7 +16,7 @@ namespace {
 Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, const RefineOptions& options, int threads,
                                Progress& progress, const OnLevel& onLevel, std::optional<Remark>& doubt) {
   doubt.reset();
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Registration was cancelled."); };
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   RigidResult result;
   result.fixedToMoving = start;
   const auto finish = [&](Verdict verdict, Remark remark) {
@@ -78,7 +78,7 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
   const auto finish = [&](Verdict verdict, std::vector<Remark> remarks) {
     result.verdict = verdict;
     result.remarks = std::move(remarks);
-    result.reason = sentencesOf(result.remarks);
+    result.reason = messageOf(result.remarks);
     return result;
   };
   if (auto why = whyNothingCanBeSaid(*prepared)) {
@@ -95,7 +95,7 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
   // Would it be found without what runs along the beams?
   PartOfProgress checking(progress, 0.9, 1.0);
   const Streaks streaks = streaksOf(fixed, moving, *prepared, threads, checking);
-  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Registration was cancelled.");
+  if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Registration was cancelled.">());
   // Streaks are the better reason where both are one.
   const auto unlessInDoubt = [&] { return doubt ? finish(Verdict::cannotTell, {*doubt}) : finish(result.verdict, result.remarks); };
   if (!streaks.found) return unlessInDoubt();
@@ -122,8 +122,8 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
 Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
                                 Progress& progress, const OnLevel& onLevel) {
   const auto begun = std::chrono::steady_clock::now();
-  if (auto checked = checkInput(fixed, "fixed"); !checked) return passOn(checked.error());
-  if (auto checked = checkInput(moving, "moving"); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(fixed, say<"fixed">()); !checked) return passOn(checked.error());
+  if (auto checked = checkInput(moving, say<"moving">()); !checked) return passOn(checked.error());
   if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
   if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
   const int threads = threadCount(options.threads);
@@ -146,7 +146,7 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const g
       *result = std::move(found->best);
       result->before = before;
       result->remarks.insert(result->remarks.begin(), {Says::foundAboutTheStart, {moved.shift_mm, moved.turn_deg}});
-      result->reason = sentencesOf(result->remarks);
+      result->reason = messageOf(result->remarks);
     }
   }
   result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

@@ -365,7 +365,7 @@ std::vector<Coarse> correlateOverTranslations(const ComparableImage& fixed, cons
   if (!search.showsSomething()) return {};
   std::vector<std::unique_ptr<Workspace>> workspaces(threadCount(options.threads));
   std::vector<std::vector<Coarse>> found(turns.size());
-  const bool done = forEachTask(static_cast<int>(turns.size()), options.threads, progress, "Searching poses",
+  const bool done = forEachTask(static_cast<int>(turns.size()), options.threads, progress, say<"Searching poses">(),
                                 [&](int task, int worker, const auto& stopped) {
                                   auto& own = workspaces[worker];
                                   if (!own) own = search.workspace();

@@ -66,7 +66,7 @@ Result<void> besideEachOther(std::size_t pieces, int atOnce, Progress& progress,
   Together together(progress, pieces);
   Counting counting(together);
   std::vector<std::optional<Error>> failed(pieces);
-  const bool all = forEachTask(static_cast<int>(pieces), std::max(atOnce, 1), counting, "", [&](int task) {
+  const bool all = forEachTask(static_cast<int>(pieces), std::max(atOnce, 1), counting, Message(), [&](int task) {
     const auto n = static_cast<std::size_t>(task);
     OfPiece own(together, n);
     auto done = work(n, own);
@@ -82,7 +82,7 @@ Result<void> besideEachOther(std::size_t pieces, int atOnce, Progress& progress,
     if (problem && problem->code != ErrorCode::cancelled) return passOn(*problem);
   for (const auto& problem : failed)
     if (problem) return passOn(*problem);
-  if (!all) return failure(ErrorCode::cancelled, "The stitching was cancelled.");
+  if (!all) return failure(ErrorCode::cancelled, say<"The stitching was cancelled.">());
   return {};
 }
 

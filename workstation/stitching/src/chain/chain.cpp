@@ -88,7 +88,7 @@ Result<ChainForecast> forecastChain(const StitchProject& project, const fs::path
 }
 
 Result<ChainState> runChain(const StitchProject& project, const fs::path& folder, const ChainOptions& options, Progress& progress) {
-  if (project.volumes.empty()) return failure(ErrorCode::emptyVolume, "The stitch project has no volumes; add some.");
+  if (project.volumes.empty()) return failure(ErrorCode::emptyVolume, say<"The stitch project has no volumes; add some.">());
   std::optional<ResultFiles> resultFiles;
   if (options.until == Step::volume) {  // before anything is made, and before minutes of work
     auto seen = checkedResultFiles(project, folder, options, progress);

@@ -79,7 +79,7 @@ Result<void> ChainInputs::identify(Progress& progress, bool planSweeps) {
     const ProjectVolume& asked = project_.volumes[v];
     ChainInput& input = inputs_[v];
     if (progress.cancelRequested()) return cancelledChain();
-    progress.report("Inspecting " + asked.name, 0.0);
+    progress.report(say<"Inspecting %1">(asked.name), 0.0);
     auto header = readVolumeHeader(asked.file);
     if (!header) return passOn(header.error());
     input.header = std::move(*header);
@@ -134,10 +134,10 @@ Result<std::shared_ptr<LoadedView>> ChainInputs::readSweep(std::size_t v, Progre
   const std::string& key = inputs_[v].key;
   const auto about = readBack<std::pair<Grid, std::optional<Beams>>>(
       store_.find(kStep, key), [](const json& data) { return std::pair(gridFrom(data.at("grid")), beamsFrom(data.at("beams"))); });
-  if (!about) return failure(ErrorCode::notFound, "The reconstruction of '" + project_.volumes[v].name + "' is not there.");
+  if (!about) return failure(ErrorCode::notFound, say<"The reconstruction of '%1' is not there.">(project_.volumes[v].name));
   for (const char* name : kSweepFiles)
     if (!store_.isSound(kStep, key, name))
-      return failure(ErrorCode::badHeader, "The reconstruction of '" + project_.volumes[v].name + "' was damaged.");
+      return failure(ErrorCode::badHeader, say<"The reconstruction of '%1' was damaged.">(project_.volumes[v].name));
   auto loaded = readVolume(store_.fileOf(kStep, key, "volume.mha"), progress);
   if (!loaded) return passOn(loaded.error());
   Volume& volume = loaded->volume;
@@ -174,7 +174,7 @@ Result<std::shared_ptr<const LoadedView>> ChainInputs::load(std::size_t v, Progr
   ChainInput& input = inputs_[v];
   if (input.view) return input.view;
   if (progress.cancelRequested()) return cancelledChain();
-  progress.report("Reading " + project_.volumes[v].name, 0.0);
+  progress.report(say<"Reading %1">(project_.volumes[v].name), 0.0);
   Silent silent(progress);
   auto view = input.header.sequence ? readSweep(v, silent) : readView(v, silent);
   if (!view && input.header.sequence && view.error().code != ErrorCode::cancelled) {

@@ -12,7 +12,7 @@ namespace ew::stitching {
 // Part of a step's key: raise it when the step starts to give another result for the same inputs.
 inline constexpr int kInputFormat = 2;
 inline constexpr int kPairFormat = 3;
-inline constexpr int kGraphFormat = 1;
+inline constexpr int kGraphFormat = 2;
 inline constexpr int kEqualiseFormat = 2;
 inline constexpr int kBendFormat = 2;
 inline constexpr int kSeamFormat = 2;

@@ -124,9 +124,8 @@ Result<void> checkMemory(ChainRun& run, Step step) {
   outcome.forecast_bytes = peakOf(run, step);
   if (outcome.forecast_bytes <= run.options.maxBytes) return {};
   return failure(ErrorCode::tooLarge,
-                 "The step " + std::string(nameOf(step)) + " would need " + std::to_string(outcome.forecast_bytes >> 20) +
-                     " MiB of memory, more than the " + std::to_string(run.options.maxBytes >> 20) +
-                     " MiB allowed; use a coarser spacing_mm or fewer volumes at a time.",
+                 say<"The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at "
+                     "a time.">(verbatim(nameOf(step)), outcome.forecast_bytes >> 20, run.options.maxBytes >> 20),
                  {{"step", nameOf(step)}, {"forecast_bytes", std::to_string(outcome.forecast_bytes)}});
 }
 

@@ -78,6 +78,8 @@ registration::OnLevel ChainRun::levelsOf(std::size_t fixed, std::size_t moving) 
 
 int ChainRun::threadsOfEach(int atOnce) const { return std::max(1, threadCount(options.threads) / atOnce); }
 
-tl::unexpected<Error> cancelledChain() { return failure(ErrorCode::cancelled, "The stitching was cancelled; what was finished is kept."); }
+tl::unexpected<Error> cancelledChain() {
+  return failure(ErrorCode::cancelled, say<"The stitching was cancelled; what was finished is kept.">());
+}
 
 }  // namespace ew::stitching

@@ -206,7 +206,7 @@ Meeting BendingGroup::meetingOf(const PairBend& pair, const Progress& progress) 
 
 bool BendingGroup::lookAtOverlaps(Progress& progress) {
   meetings_.resize(pairs_.size());
-  const bool looked = forEachTask(static_cast<int>(pairs_.size()), options_.threads, progress, "Looking at overlaps", [&](int task) {
+  const bool looked = forEachTask(static_cast<int>(pairs_.size()), options_.threads, progress, say<"Looking at overlaps">(), [&](int task) {
     const auto n = static_cast<std::size_t>(task);
     meetings_[n] = meetingOf(pairs_[n], progress);
   });
@@ -277,7 +277,7 @@ void BendingGroup::shareSlice(int k, const Progress& progress, std::vector<doubl
 
 bool BendingGroup::shareBends(Progress& progress) {
   std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice_.dims.z));
-  const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, "Combining deformations",
+  const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, say<"Combining deformations">(),
                                   [&](int k) { shareSlice(k, progress, slices[static_cast<std::size_t>(k)]); });
   if (!shared || progress.cancelRequested()) return false;
   std::vector<double> disagreements;
@@ -289,7 +289,7 @@ bool BendingGroup::shareBends(Progress& progress) {
 
 bool BendingGroup::unfoldAll(Progress& progress) {
   std::vector<double> jacobians(views_.size(), 1.0);
-  const bool unfolded = forEachTask(static_cast<int>(views_.size()), options_.threads, progress, "Unfolding", [&](int task) {
+  const bool unfolded = forEachTask(static_cast<int>(views_.size()), options_.threads, progress, say<"Unfolding">(), [&](int task) {
     const auto v = static_cast<std::size_t>(task);
     registration::ControlGrid& bend = group.bends[v];
     for (const glm::vec3& each : bend.displacement_mm)
@@ -319,7 +319,7 @@ Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span
   PartOfProgress looking(progress, 0.0, 0.3), solving(progress, 0.3, 0.9), unfolding(progress, 0.9, 1.0);
   BendingGroup bending(views, toWorld, pairs, options);
   if (!bending.lookAtOverlaps(looking) || !bending.shareBends(solving) || !bending.unfoldAll(unfolding))
-    return failure(ErrorCode::cancelled, "The stitching was cancelled.");
+    return failure(ErrorCode::cancelled, say<"The stitching was cancelled.">());
   return std::move(bending.group);
 }
 

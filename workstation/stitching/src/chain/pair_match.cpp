@@ -135,7 +135,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
                               const registration::OnLevel& onLevel) {
   const auto named = [&](Error problem) {
     if (problem.code != ErrorCode::cancelled)
-      problem.message = "'" + fixed.name + "' and '" + moving.name + "' could not be registered. " + problem.sentence();
+      problem.message = say<"'%1' and '%2' could not be registered. %3">(fixed.name, moving.name, problem.message);
     return passOn(std::move(problem));
   };
   const std::vector<float> fixedConfidence = sharesOf(fixed.confidence);
@@ -157,7 +157,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
     case PairMethod::byHand:
       outcome.rigid.verdict = Verdict::aligned;
       outcome.rigid.remarks = {{registration::Says::placedByHand}};
-      outcome.rigid.reason = registration::sentencesOf(outcome.rigid.remarks);
+      outcome.rigid.reason = registration::messageOf(outcome.rigid.remarks);
       outcome.rigid.fixedToMoving = task.start;
       outcome.rigid.covariance = evenCovariance(kByHand_mm, kByHand_deg);
       outcome.rigid.centre_mm = meetingPoint(task.start);

@@ -189,15 +189,15 @@ Result<glm::dmat4> parseTransform(const std::string& text, const std::string& na
   const auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != 16)
     return failure(ErrorCode::badField,
-                   "'" + name + "' holds " + (numbers ? std::to_string(numbers->size()) + " numbers" : "something that is not a number") +
-                       "; a transform is 16 numbers, row by row.",
+                   numbers ? say<"'%1' holds %2 numbers; a transform is 16 numbers, row by row.">(name, numbers->size())
+                           : say<"'%1' holds something that is not a number; a transform is 16 numbers, row by row.">(name),
                    {{"file", name}});
   std::array<double, 16> rows{};
   std::copy(numbers->begin(), numbers->end(), rows.begin());
   const glm::dmat4 matrix = matrixFromRows(rows);
   if (auto rigid = checkRigid(matrix); !rigid) {
     Error problem = rigid.error();
-    problem.message = "The transform in '" + name + "' cannot be used. " + problem.sentence();
+    problem.message = say<"The transform in '%1' cannot be used. %2">(name, problem.message);
     problem.context.emplace_back("file", name);
     return passOn(std::move(problem));
   }
@@ -213,8 +213,8 @@ Result<StitchProject> parseProject(const std::string& textOfProject, const fs::p
   if (reading.problem()) return passOn(*reading.problem());
   if (format > kProjectFormat)
     return failure(ErrorCode::newerFormat,
-                   "The stitch project has format " + std::to_string(format) + ", and this program reads formats up to " +
-                       std::to_string(kProjectFormat) + "; open it with a newer EchoWeave.",
+                   say<"The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.">(
+                       format, kProjectFormat),
                    {{"found", std::to_string(format)}, {"expected", "at most " + std::to_string(kProjectFormat)}});
   if (format == 1) {
     document.only({"format", "volumes", "spacing_mm", "feather_mm", "interpolated_weight", "axes"});

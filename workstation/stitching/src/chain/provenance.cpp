@@ -32,7 +32,7 @@ ordered_json pairOf(const StitchProject& project, const PairOutcome& pair) {
           {"method", nameOf(pair.used)},
           {"decision", nameOf(entry == project.pairs.end() ? Decision::undecided : entry->decision)},
           {"verdict", registration::nameOf(pair.rigid.verdict)},
-          {"reason", pair.rigid.reason},
+          {"reason", pair.rigid.reason.english()},
           {"wrong", pair.wrong},
           {"before", jsonOf(pair.rigid.before)},
           {"after", jsonOf(pair.rigid.after)},
@@ -48,7 +48,7 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
   for (ResultFile& file : volumes) file.changed_ns = 0;
   document["files"] = jsonOf(volumes);
   document["verdict"] = registration::nameOf(state.verdict);
-  document["reason"] = state.reason;
+  document["reason"] = state.reason.english();
   document["inputs"] = ordered_json::array();
   std::size_t joined = 0;
   for (std::size_t v = 0; v < project.volumes.size(); ++v) {
@@ -74,7 +74,7 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
                                              {"moving", project.volumes[bent.moving].name},
                                              {"effort", nameOf(bent.effort)},
                                              {"verdict", registration::nameOf(bent.verdict)},
-                                             {"reason", bent.reason},
+                                             {"reason", bent.reason.english()},
                                              {"before", jsonOf(bent.before)},
                                              {"after", jsonOf(bent.after)},
                                              {"largest_motion_mm", bent.largestMotion_mm},

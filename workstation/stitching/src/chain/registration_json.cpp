@@ -1,5 +1,7 @@
 #include "chain/registration_json.h"
 
+#include "ew/core/message_json.h"
+
 namespace ew::stitching {
 
 using nlohmann::json;
@@ -63,7 +65,7 @@ std::vector<registration::Remark> remarksFrom(const json& list) {
   std::vector<registration::Remark> remarks;
   for (const auto& each : list) {
     const auto what = registration::saysFrom(each.at("says").get<std::string>());
-    if (!what) return {};
+    if (!what) throw json::other_error::create(501, "a remark that is not known", &each);
     remarks.push_back({*what, numbersFrom(each.at("figures")), each.at("names").get<std::vector<std::string>>()});
   }
   return remarks;
@@ -171,7 +173,7 @@ ordered_json jsonOf(const registration::GraphResult& graph) {
 registration::GraphResult graphFrom(const json& data) {
   registration::GraphResult graph;
   graph.verdict = verdictFrom(data.at("verdict"));
-  graph.reason = data.at("reason").get<std::string>();
+  graph.reason = data.at("reason").get<Message>();
   for (const auto& matrix : data.at("to_world")) graph.toWorld.push_back(matrixFrom(matrix));
   for (const auto& edge : data.at("edges")) {
     registration::GraphEdgeReport report;

@@ -13,7 +13,6 @@ namespace ew::stitching {
 [[nodiscard]] nlohmann::ordered_json jsonOf(const std::vector<registration::Level>& levels);
 [[nodiscard]] std::vector<registration::Level> levelsFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const std::vector<registration::Remark>& remarks);
-/// What another version of the program says in other words is left to its sentence.
 [[nodiscard]] std::vector<registration::Remark> remarksFrom(const nlohmann::json& json);
 [[nodiscard]] registration::Verdict verdictFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const registration::RigidResult& rigid);
@@ -23,18 +22,17 @@ namespace ew::stitching {
 [[nodiscard]] nlohmann::ordered_json jsonOf(const registration::GraphResult& graph);
 [[nodiscard]] registration::GraphResult graphFrom(const nlohmann::json& json);
 
-/// What every result says first: a verdict and why.
+/// What every result says first: a verdict and why. Its sentences are made of the remarks again.
 template <class Judged>
 void tellVerdict(nlohmann::ordered_json& made, const Judged& result) {
   made["verdict"] = nameOf(result.verdict);
-  made["reason"] = result.reason;
   made["remarks"] = jsonOf(result.remarks);
 }
 template <class Judged>
 void readVerdict(const nlohmann::json& data, Judged& result) {
   result.verdict = verdictFrom(data.at("verdict"));
-  result.reason = data.at("reason").get<std::string>();
   result.remarks = remarksFrom(data.at("remarks"));
+  result.reason = registration::messageOf(result.remarks);
 }
 
 }  // namespace ew::stitching

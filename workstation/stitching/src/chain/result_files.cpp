@@ -21,16 +21,15 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-tl::unexpected<Error> cannotWrite(const fs::path& file, const std::string& reason) {
-  return failure(ErrorCode::notWritable, "'" + file.string() + "' cannot be written (" + reason + "); choose another folder.",
+tl::unexpected<Error> cannotWrite(const fs::path& file, const Message& reason) {
+  return failure(ErrorCode::notWritable, say<"'%1' cannot be written (%2); choose another folder.">(file, reason),
                  {{"file", file.string()}});
 }
 
 tl::unexpected<Error> isForeign(const fs::path& file) {
-  return failure(
-      ErrorCode::notWritable,
-      "'" + file.string() + "' is not a result that was written here before, and would be lost; move it away or choose another folder.",
-      {{"file", file.string()}});
+  return failure(ErrorCode::notWritable,
+                 say<"'%1' is not a result that was written here before, and would be lost; move it away or choose another folder.">(file),
+                 {{"file", file.string()}});
 }
 
 /// Of a provenance: what it says was written beside it. Empty: it is none of this program.
@@ -133,7 +132,7 @@ Result<void> ResultFiles::publish(const Waiting& waiting, const Waiting& aside, 
     if (!fs::exists(fs::symlink_status(folder_ / *name, error))) continue;
     fs::rename(folder_ / *name, aside(*name), error);
     if (error) {
-      const std::string reason = error.message();
+      const Message reason = verbatim(error.message());
       takeBack();
       return cannotWrite(folder_ / *name, reason);
     }
@@ -142,7 +141,7 @@ Result<void> ResultFiles::publish(const Waiting& waiting, const Waiting& aside, 
   for (const char* name : names) {
     fs::rename(waiting(name), folder_ / name, error);
     if (error) {
-      const std::string reason = error.message();
+      const Message reason = verbatim(error.message());
       takeBack();
       return cannotWrite(folder_ / name, reason);
     }
@@ -174,13 +173,13 @@ Result<void> checkNoInputIsOutput(const StitchProject& project, const fs::path& 
       for (const char* name : ResultFiles::kNames)
         if (fs::equivalent(file, folder / name, ignored))
           return failure(ErrorCode::badUsage,
-                         "'" + file.string() + "' is read by this project and would be written over by its result; choose another folder.",
+                         say<"'%1' is read by this project and would be written over by its result; choose another folder.">(file),
                          {{"file", file.string()}});
       const fs::path relative = fs::weakly_canonical(file, ignored).lexically_relative(steps);
       if (!relative.empty() && *relative.begin() != "..")
         return failure(ErrorCode::badUsage,
-                       "'" + file.string() + "' lies among the intermediate results of '" + folder.string() +
-                           "', which come and go; copy it to a place of its own or choose another folder.",
+                       say<"'%1' lies among the intermediate results of '%2', which come and go; copy it to a place of its own or choose "
+                           "another folder.">(file, folder),
                        {{"file", file.string()}});
     }
   return {};
@@ -191,7 +190,7 @@ Result<std::vector<ResultFile>> resultFilesAt(const std::vector<const char*>& na
   for (const char* name : names) {
     struct stat status {};
     const fs::path file = at(name);
-    if (::stat(file.c_str(), &status) != 0) return cannotWrite(file, "what was just written is gone");
+    if (::stat(file.c_str(), &status) != 0) return cannotWrite(file, say<"what was just written is gone">());
     auto content = contentOf(file, noProgress());
     if (!content) return passOn(content.error());
     found.push_back({name, static_cast<std::uintmax_t>(status.st_size), content->value_or(std::string()),
@@ -236,7 +235,7 @@ Result<void> copyResult(const std::array<fs::path, 4>& result, const StitchProje
   if (auto free = checkNoInputIsOutput(project, folder); !free) return free;
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return cannotWrite(folder, error.message());
+  if (error) return cannotWrite(folder, verbatim(error.message()));
   const auto seen = ResultFiles::look(folder, {}, progress);
   if (!seen) return passOn(seen.error());
   if (!replaceForeign)
@@ -247,11 +246,11 @@ Result<void> copyResult(const std::array<fs::path, 4>& result, const StitchProje
       if (auto announced = outputs.announce(folder / ResultFiles::kNames[n]); !announced) return announced;
   for (std::size_t n = 0; n < result.size(); ++n) {
     if (result[n].empty()) continue;
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "Saving was cancelled.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Saving was cancelled.">());
     const fs::path target = folder / ResultFiles::kNames[n];
     fs::copy_file(result[n], outputs.staged(target), error);
-    if (error) return cannotWrite(target, error.message());
-    progress.report("Copying", static_cast<double>(n + 1) / static_cast<double>(result.size()));
+    if (error) return cannotWrite(target, verbatim(error.message()));
+    progress.report(say<"Copying">(), static_cast<double>(n + 1) / static_cast<double>(result.size()));
   }
   return outputs.commit();
 }

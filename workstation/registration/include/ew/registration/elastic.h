@@ -31,7 +31,7 @@ struct ElasticOptions {
 
 struct ElasticResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;  ///< the remarks in English
+  Message reason;  ///< messageOf(remarks)
   std::vector<Remark> remarks;
   Deformation fixedToMoving;
   /// One per control node, 0..1: share of the node's value that the regulariser made up (1: no evidence there: flat, saturated, shadowed,
@@ -74,7 +74,7 @@ struct Elastic2dOptions {
 
 struct Elastic2dResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;
+  Message reason;
   int columns = 0;  ///< of the field, one vector per fixed pixel
   int rows = 0;
   std::vector<glm::vec2> displacement_mm;  ///< x, y: fixed pixel centre + displacement = moving point
@@ -117,7 +117,7 @@ struct TangentWarpResult {
   JacobianSummary jacobian;
   double fallOff_mm = 0.0;  ///< that was used
   double share = 1.0;       ///< of the motion that was kept: below 1 where all of it would have squeezed a cell below leastJacobian
-  std::string reason;       ///< the slices' own, and what was lengthened or taken back
+  Message reason;           ///< the slices' own, and what was lengthened or taken back
   GreyImage fixedSlice;     ///< the two tangent slices as they were registered; 0 outside
   GreyImage movingSlice;
   Grid slicePlane;  ///< where the slices' pixels lie in the fixed volume's frame, one voxel thick

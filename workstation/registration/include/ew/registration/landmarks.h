@@ -26,7 +26,7 @@ struct LandmarkOptions {
 
 struct LandmarkResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;  ///< names collinear, coincident, too few or outlying pairs, by their names: the remarks in English
+  Message reason;  ///< names collinear, coincident, too few or outlying pairs, by their names: messageOf(remarks)
   std::vector<Remark> remarks;
   glm::dmat4 fixedToMoving{1.0};        ///< rigid, no mirror; meaningful unless the verdict is cannotTell
   std::vector<double> residual_mm;      ///< one per pair, at the transform

@@ -54,7 +54,7 @@ struct GraphEdgeReport {
 
 struct GraphResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;                  ///< names wrong pairs and disconnected parts by the nodes' names
+  Message reason;                      ///< names wrong pairs and disconnected parts by the nodes' names
   std::vector<glm::dmat4> toWorld;     ///< one per node
   std::vector<GraphEdgeReport> edges;  ///< one per edge
   std::vector<int> part;               ///< one per node: parts that no believed edge or prior joins have different numbers

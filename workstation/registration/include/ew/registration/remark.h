@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ew/core/message.h"
+
 namespace ew::registration {
 
 /// What can be said about a result. Behind each the figures of its remark, in order; "agreement" is three of them: correlation, share of
@@ -74,8 +76,12 @@ struct Remark {
   [[nodiscard]] double figure(std::size_t n) const { return n < figures.size() ? figures[n] : 0.0; }
 };
 
-/// In English, as commands and reports say it.
-[[nodiscard]] std::string sentenceOf(const Remark& remark);
-[[nodiscard]] std::string sentencesOf(const std::vector<Remark>& remarks);  ///< one after the other
+/// How much of a remark is said.
+enum class Wording {
+  full,  ///< with every figure and name, for commands and reports
+  brief  ///< for a window: figures of agreement stand beside it, and of more than eight names the rest is counted
+};
+[[nodiscard]] Message messageOf(const Remark& remark, Wording wording = Wording::full);
+[[nodiscard]] Message messageOf(const std::vector<Remark>& remarks, Wording wording = Wording::full);  ///< one after the other
 
 }  // namespace ew::registration

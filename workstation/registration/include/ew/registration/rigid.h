@@ -42,7 +42,7 @@ struct RefineOptions {
 
 struct RigidResult {
   Verdict verdict = Verdict::cannotTell;
-  std::string reason;  ///< sentences a user can act on: the remarks in English
+  Message reason;  ///< sentences a user can act on: messageOf(remarks)
   std::vector<Remark> remarks;
   glm::dmat4 fixedToMoving{1.0};  ///< rigid
   Agreement before;               ///< at the start

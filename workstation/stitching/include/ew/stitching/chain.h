@@ -42,7 +42,7 @@ struct BentPair {
   std::size_t moving = 0;
   registration::ElasticEffort effort = registration::ElasticEffort::balanced;
   registration::Verdict verdict = registration::Verdict::cannotTell;
-  std::string reason = {};
+  Message reason = {};
   std::vector<registration::Remark> remarks = {};
   registration::Agreement before = {};
   registration::Agreement after = {};
@@ -91,7 +91,7 @@ struct ChainState {
   std::function<Result<void>()> putInPlace;                           ///< with ChainOptions::putInPlaceLater: moves the result to these
   std::uint64_t pruned_bytes = 0;                                     ///< of results of earlier runs, taken away (ChainOptions::keepBytes)
   registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
-  std::string reason;
+  Message reason;
 };
 
 struct ChainOptions {

@@ -76,7 +76,7 @@ Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap
   if (!made) {
     Error problem = made.error();
     if (problem.code != ErrorCode::cancelled)
-      problem.message = "'" + fixedName + "' and '" + movingName + "' could not be bent together. " + problem.sentence();
+      problem.message = say<"'%1' and '%2' could not be bent together. %3">(fixedName, movingName, problem.message);
     return passOn(std::move(problem));
   }
   Bent bent;

@@ -57,7 +57,7 @@ Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<PairMeeting
   std::vector<Bent> bent(meetings.size());
   const auto done = besideEachOther(meetings.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
     const PairMeeting& each = meetings[order[n]];
-    part.report("Deforming " + run.project.volumes[each.fixed].name + " and " + run.project.volumes[each.moving].name, 0.0);
+    part.report(say<"Deforming %1 and %2">(run.project.volumes[each.fixed].name, run.project.volumes[each.moving].name), 0.0);
     auto made = bendPair(run, each.fixed, each.moving, each.overlap, run.threadsOfEach(atOnce), part);
     if (!made) return passOn(made.error());
     bent[order[n]] = std::move(*made);

@@ -72,7 +72,7 @@ GraphResult asPlaced(const StitchProject& project) {
   graph.part.assign(project.volumes.size(), 0);
   graph.parts = 1;
   graph.verdict = Verdict::aligned;
-  graph.reason = project.volumes.size() == 1 ? "There is one volume alone." : "The recorded places were taken as they are.";
+  graph.reason = project.volumes.size() == 1 ? say<"There is one volume alone.">() : say<"The recorded places were taken as they are.">();
   return graph;
 }
 

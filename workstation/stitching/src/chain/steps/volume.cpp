@@ -71,8 +71,8 @@ Result<JoinReport> makeResult(ChainRun& run, const std::string& key, Progress& p
   auto report = (inBlocks ? makeInBlocks : makeInMemory)(run, *views, *grid, key, progress);
   if (!report) return report;
   for (const std::size_t v : run.state.leftOut)
-    report->notes.push_back("Volume '" + run.project.volumes[v].name +
-                            "' is not in the result: no pair that can be believed holds it to the others.");
+    report->notes.push_back(
+        say<"Volume '%1' is not in the result: no pair that can be believed holds it to the others.">(run.project.volumes[v].name));
   return report;
 }
 
