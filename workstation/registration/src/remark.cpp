@@ -70,8 +70,10 @@ Message whole(double count) { return decimal(count, 0); }
 /// " (correlation 0.82 over 12 % overlap, 33.1 deviations above chance)", behind what it is said of; nothing when brief.
 Message agreementOf(const Remark& remark, std::size_t first, Wording wording) {
   if (wording == Wording::brief) return {};
-  return say<" (correlation %1 over %2 overlap, %3 deviations above chance)">(
-      decimal(remark.figure(first), 2), percent(remark.figure(first + 1)), decimal(remark.figure(first + 2), 1));
+  return joined(
+      {verbatim(" "), say<"(correlation %1 over %2 overlap, %3 deviations above chance)">(
+                          decimal(remark.figure(first), 2), percent(remark.figure(first + 1)), decimal(remark.figure(first + 2), 1))},
+      "");
 }
 
 /// Of names [from, to), whose numbers stand from figure `numbers` on.

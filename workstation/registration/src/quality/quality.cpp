@@ -20,7 +20,7 @@ constexpr double kVoxel_mm = 1.5;          ///< of the images made comparable, w
 constexpr std::size_t kLeastSamples = 27;  ///< of a window or block that says anything
 constexpr std::size_t kPointsThereAndBack = 20000;
 
-Error cancelledError() { return {ErrorCode::cancelled, "Assessing the registration was cancelled.", {}}; }
+Error cancelledError() { return {ErrorCode::cancelled, say<"Assessing the registration was cancelled.">(), {}}; }
 
 /// Fixed and moving at the places of the fixed side's comparable image.
 struct Side {
