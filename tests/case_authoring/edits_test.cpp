@@ -76,9 +76,9 @@ TEST(Edits, APlaceThatIsMissingIsTheIdentityAndABrokenOneIsAnError) {
 }
 
 TEST(Edits, TheFieldOfAProblemComesFromItsContext) {
-  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, "x", {{"found", "3"}, {"field", "patient.sex"}}}), "patient.sex");
-  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, "x", {{"field", "start_pose[3]"}}}), "start_pose");
-  EXPECT_EQ(fieldOf(Error{ErrorCode::notWritable, "x", {}}), "");
+  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, verbatim("x"), {{"found", "3"}, {"field", "patient.sex"}}}), "patient.sex");
+  EXPECT_EQ(fieldOf(Error{ErrorCode::badField, verbatim("x"), {{"field", "start_pose[3]"}}}), "start_pose");
+  EXPECT_EQ(fieldOf(Error{ErrorCode::notWritable, verbatim("x"), {}}), "");
 }
 
 RC_GTEST_PROP(Edits, APlaceSurvivesTheManifestAndItsText, ()) {

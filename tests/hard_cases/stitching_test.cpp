@@ -48,7 +48,7 @@ TEST(HardStitching, ViewsThatDoNotTouchAreBothKeptAndItIsSaid) {
     EXPECT_EQ(result->report.contributions[0].voxels, 8000u);
     EXPECT_EQ(result->report.contributions[1].voxels, 8000u);
     ASSERT_EQ(result->report.notes.size(), 1u);
-    EXPECT_NE(result->report.notes.front().find("do not overlap"), std::string::npos);
+    EXPECT_NE(result->report.notes.front().english().find("do not overlap"), std::string::npos);
     for (std::size_t v = 0; v < result->volume.echo.size(); ++v)
       ASSERT_EQ(result->volume.echo[v], result->source[v] == 0 ? 0 : result->source[v] == 1 ? 70 : 90);
   }

@@ -26,8 +26,8 @@ TEST(BesideEachOther, DoesEveryPieceOnceAndProgressNeverGoesBack) {
     Recorder progress;
     std::vector<std::atomic<int>> done(23);
     const auto all = besideEachOther(done.size(), atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
-      own.report("half", 0.5);
-      own.report("back", 0.2);
+      own.report(verbatim("half"), 0.5);
+      own.report(verbatim("back"), 0.2);
       ++done[n];
       return {};
     });
@@ -44,12 +44,12 @@ TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
     std::atomic<int> begun{0};
     const auto all = besideEachOther(200, atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
       ++begun;
-      if (n == 4) return failure(ErrorCode::badField, "the fourth");
-      if (own.cancelRequested()) return failure(ErrorCode::cancelled, "stopped");
+      if (n == 4) return failure(ErrorCode::badField, verbatim("the fourth"));
+      if (own.cancelRequested()) return failure(ErrorCode::cancelled, verbatim("stopped"));
       return {};
     });
     ASSERT_FALSE(all);
-    EXPECT_EQ(all.error().sentence(), "the fourth");
+    EXPECT_EQ(all.error().sentence(), verbatim("the fourth"));
     EXPECT_LT(begun, 200);
   }
 }
@@ -65,7 +65,8 @@ TEST(BesideEachOther, IsCancelledBetweenPieces) {
 }
 
 TEST(BesideEachOther, OfNothingIsDone) {
-  EXPECT_TRUE(besideEachOther(0, 4, noProgress(), [](std::size_t, Progress&) -> Result<void> { return failure(ErrorCode::badField, ""); }));
+  EXPECT_TRUE(
+      besideEachOther(0, 4, noProgress(), [](std::size_t, Progress&) -> Result<void> { return failure(ErrorCode::badField, Message()); }));
 }
 
 }  // namespace

@@ -533,7 +533,7 @@ TEST(Chain, LeavesOutWhatNothingHoldsToTheOthers) {
   ASSERT_TRUE(source);
   EXPECT_EQ(std::count(source->volume.echo.begin(), source->volume.echo.end(), 3), 0);
   ASSERT_TRUE(state->report);
-  EXPECT_NE(state->report->notes.back().find("c.mha"), std::string::npos);
+  EXPECT_NE(state->report->notes.back().english().find("c.mha"), std::string::npos);
 }
 
 }  // namespace

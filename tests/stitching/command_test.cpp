@@ -129,8 +129,8 @@ TEST_F(StitchCommand, TellsHowEachPairEndedAndWhatNothingChecks) {
   const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string()});
   ASSERT_TRUE(outcome) << outcome.error();
   ASSERT_GE(outcome->notes.size(), 2u);
-  EXPECT_EQ(outcome->notes[0], "'a.mha' with 'b.mha': by hand, not checked. Placed by hand.");
-  EXPECT_NE(outcome->notes[1].find("No loop checks"), std::string::npos) << outcome->notes[1];
+  EXPECT_EQ(outcome->notes[0].english(), "'a.mha' with 'b.mha': by hand, not checked. Placed by hand.");
+  EXPECT_NE(outcome->notes[1].english().find("No loop checks"), std::string::npos) << outcome->notes[1];
 }
 
 TEST_F(StitchCommand, SaysHowItIsUsed) {

@@ -11,7 +11,7 @@ namespace ew::test {
 
 Result<std::string> PlainFiles::readText(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in) return failure(ErrorCode::notFound, "There is no file '" + file.string() + "'.");
+  if (!in) return failure(ErrorCode::notFound, verbatim("There is no file '" + file.string() + "'."));
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -19,7 +19,7 @@ Result<std::string> PlainFiles::readText(const std::filesystem::path& file) {
 Result<void> PlainFiles::writeText(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file);
   out << text;
-  if (!out) return failure(ErrorCode::notWritable, "'" + file.string() + "' cannot be written.");
+  if (!out) return failure(ErrorCode::notWritable, verbatim("'" + file.string() + "' cannot be written."));
   return {};
 }
 

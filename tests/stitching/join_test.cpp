@@ -61,7 +61,7 @@ class FullSink final : public BlockSink {
  public:
   Result<void> put(const glm::ivec3&, const glm::ivec3&, std::span<const std::uint8_t>, std::span<const std::uint8_t>,
                    std::span<const std::uint8_t>) override {
-    return failure(ErrorCode::notWritable, "The disk is full.");
+    return failure(ErrorCode::notWritable, verbatim("The disk is full."));
   }
 };
 
@@ -222,7 +222,7 @@ TEST(Join, PassesOnWhatTheSinkSays) {
   FullSink sink;
   const auto result = join(views, *seams, grid, {}, sink, noProgress());
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().sentence(), "The disk is full.");
+  EXPECT_EQ(result.error().sentence(), verbatim("The disk is full."));
 }
 
 TEST(Join, RefusesSeamsThatBelongToAnotherGrid) {

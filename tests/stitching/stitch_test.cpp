@@ -189,7 +189,7 @@ TEST(Stitch, SaysWhenBlackVoxelsCountAsMeasuredForWantOfCoverage) {
   Volume dark = constant(gridOf({4, 4, 4}), 0);
   const auto warned = stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")});
   ASSERT_EQ(warned.notes.size(), 1u);
-  EXPECT_NE(warned.notes.front().find("'dark'"), std::string::npos);
+  EXPECT_NE(warned.notes.front().english().find("'dark'"), std::string::npos);
   dark.coverage.assign(dark.echo.size(), 2);
   EXPECT_TRUE(stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")}).notes.empty());
 }

@@ -66,7 +66,7 @@ enum class Says {
 [[nodiscard]] const char* nameOf(Says what);  ///< a word for files
 [[nodiscard]] std::optional<Says> saysFrom(std::string_view name);
 
-/// One thing that is said about a result, as a code with figures, so that a window can say it in its own language.
+/// One thing that is said about a result, as a code with figures; messageOf makes the sentence.
 struct Remark {
   Says what = Says::noEcho;
   std::vector<double> figures = {};
