@@ -24,9 +24,10 @@ constexpr std::array kSeamMethods = {SeamMethod::feather, SeamMethod::nearest, S
 constexpr std::array kAxes = {GridAxes::first, GridAxes::world};
 constexpr double kFar_mm = 1e6;
 constexpr std::size_t kMostLandmarks = 100000, kMostStrokes = 1000000;
-constexpr const char* kTurn = "a number from 0 to 180, in degrees";
 
 constexpr std::size_t kLongestPath = 4096;
+
+Message turn() { return say<"a number from 0 to 180, in degrees">(); }
 
 /// One of the words that nameOf gives for `known`.
 template <class Word, std::size_t n>
@@ -39,7 +40,8 @@ Word wordOf(const JsonFields& entry, const char* key, const std::array<Word, n>&
 /// A rigid matrix: 16 numbers, or a file of them.
 std::optional<glm::dmat4> poseOf(const JsonFields& entry, const char* key, const fs::path& folder) {
   const json* value = entry.find(key);
-  if (value == nullptr || !value->is_string()) return entry.rigid(key, "16 numbers, row by row, or the name of a file that holds them");
+  if (value == nullptr || !value->is_string())
+    return entry.rigid(key, say<"16 numbers, row by row, or the name of a file that holds them">());
   const fs::path file = folder / entry.text(key, {}, 1, kLongestPath);
   const auto text = readTextFile(file);
   if (!text) return entry.reading().refuse(text.error()), std::nullopt;
@@ -55,14 +57,14 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
     entry.only({"file", "coverage", "confidence", "calibration", "spacing_mm", "placement", "name", "to_world"});
   }
   ProjectVolume volume;
-  if (!entry.has("file")) entry.refuse("file", "the name of a volume or sweep file");
+  if (!entry.has("file")) entry.refuse("file", say<"the name of a volume or sweep file">());
   for (const auto& [key, into] : {std::pair{"file", &volume.file}, std::pair{"coverage", &volume.coverage},
                                   std::pair{"confidence", &volume.confidence}, std::pair{"calibration", &volume.calibration}}) {
-    if (entry.has(key)) *into = folder / entry.text(key, {}, 1, kLongestPath, "a file name");
+    if (entry.has(key)) *into = folder / entry.text(key, {}, 1, kLongestPath, say<"a file name">());
   }
-  volume.name = entry.text("name", "", 1, kLongestPath, "a name");
+  volume.name = entry.text("name", "", 1, kLongestPath, say<"a name">());
   volume.spacing_mm =
-      entry.number("spacing_mm", 0.0, 100.0, volume.spacing_mm, "a number up to 100, in mm, or 0 to choose it from the sweep");
+      entry.number("spacing_mm", 0.0, 100.0, volume.spacing_mm, say<"a number up to 100, in mm, or 0 to choose it from the sweep">());
   volume.placement = wordOf(entry, "placement", kPlacements, Placement::tracker);
   if (const auto pose = poseOf(entry, "to_world", folder)) volume.toWorld = *pose;
   return volume;
@@ -72,7 +74,8 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
 void nameVolumes(const std::vector<JsonFields>& entries, std::vector<ProjectVolume>& volumes) {
   std::set<std::string> taken;
   for (std::size_t n = 0; n < volumes.size(); ++n)
-    if (!volumes[n].name.empty() && !taken.insert(volumes[n].name).second) entries[n].refuse("name", "a name that no other volume has");
+    if (!volumes[n].name.empty() && !taken.insert(volumes[n].name).second)
+      entries[n].refuse("name", say<"a name that no other volume has">());
   for (auto& volume : volumes) {
     if (!volume.name.empty()) continue;
     const std::string file = volume.file.filename().string();
@@ -86,7 +89,7 @@ std::size_t indexOf(const JsonFields& entry, const char* key, const std::vector<
   if (value != nullptr && value->is_string())
     for (std::size_t n = 0; n < volumes.size(); ++n)
       if (volumes[n].name == value->get_ref<const std::string&>()) return n;
-  entry.refuse(key, "the name of one of the project's volumes");
+  entry.refuse(key, say<"the name of one of the project's volumes">());
   return 0;
 }
 
@@ -95,19 +98,19 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
   ProjectPair pair;
   pair.fixed = indexOf(entry, "fixed", volumes);
   pair.moving = indexOf(entry, "moving", volumes);
-  if (pair.fixed == pair.moving) entry.refuse("moving", "another volume than fixed");
+  if (pair.fixed == pair.moving) entry.refuse("moving", say<"another volume than fixed">());
   pair.method = wordOf(entry, "method", kMethods, pair.method);
   pair.decision = wordOf(entry, "decision", kDecisions, pair.decision);
   pair.start = poseOf(entry, "start", folder);
-  for (const JsonFields& each : entry.objects("landmarks", 0, kMostLandmarks, "a list of objects with fixed_mm and moving_mm")) {
+  for (const JsonFields& each : entry.objects("landmarks", 0, kMostLandmarks, say<"a list of objects with fixed_mm and moving_mm">())) {
     each.only({"name", "fixed_mm", "moving_mm"});
     registration::LandmarkPair landmark;
-    landmark.name = each.text("name", std::to_string(pair.landmarks.size() + 1), 1, kLongestPath, "a name");
-    landmark.fixed_mm = each.point("fixed_mm", kFar_mm, {}, "three numbers, in mm");
-    landmark.moving_mm = each.point("moving_mm", kFar_mm, {}, "three numbers, in mm");
+    landmark.name = each.text("name", std::to_string(pair.landmarks.size() + 1), 1, kLongestPath, say<"a name">());
+    landmark.fixed_mm = each.point("fixed_mm", kFar_mm, {}, say<"three numbers, in mm">());
+    landmark.moving_mm = each.point("moving_mm", kFar_mm, {}, say<"three numbers, in mm">());
     pair.landmarks.push_back(std::move(landmark));
   }
-  if (entry.has("max_turn_deg")) pair.maxTurn_deg = entry.number("max_turn_deg", 0.0, 180.0, {}, kTurn);
+  if (entry.has("max_turn_deg")) pair.maxTurn_deg = entry.number("max_turn_deg", 0.0, 180.0, {}, turn());
   if (entry.has("effort")) pair.effort = wordOf(entry, "effort", kEfforts, registration::ElasticEffort::balanced);
   if (pair.fixed > pair.moving) {
     std::swap(pair.fixed, pair.moving);
@@ -118,40 +121,42 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
 }
 
 void pairsOf(const JsonFields& document, const fs::path& folder, StitchProject& project) {
-  for (const JsonFields& entry : document.objects("pairs", 0, kMostVolumes * kMostVolumes, "a list of pairs")) {
+  for (const JsonFields& entry : document.objects("pairs", 0, kMostVolumes * kMostVolumes, say<"a list of pairs">())) {
     ProjectPair pair = pairOf(entry, project.volumes, folder);
     if (!entry.good()) return;
     if (std::any_of(project.pairs.begin(), project.pairs.end(),
                     [&](const ProjectPair& other) { return other.fixed == pair.fixed && other.moving == pair.moving; }))
       entry.refuse("fixed",
-                   "'" + project.volumes[pair.fixed].name + "' with '" + project.volumes[pair.moving].name + "', which was said already",
-                   "one entry for each pair of volumes");
-    if (pair.method == PairMethod::byHand && !pair.start) entry.refuse("start", "16 numbers, row by row, when the method is \"by hand\"");
+                   say<"'%1' with '%2', which was said already">(project.volumes[pair.fixed].name, project.volumes[pair.moving].name),
+                   say<"one entry for each pair of volumes">());
+    if (pair.method == PairMethod::byHand && !pair.start)
+      entry.refuse("start", say<"16 numbers, row by row, when the method is \"by hand\"">());
     if (pair.method == PairMethod::landmarks && pair.landmarks.size() < 3)
-      entry.refuse("landmarks", "a list of " + std::to_string(pair.landmarks.size()),
-                   "a list of at least three when the method is \"landmarks\"");
+      entry.refuse("landmarks", say<"a list of %1">(pair.landmarks.size()),
+                   say<"a list of at least three when the method is \"landmarks\"">());
     project.pairs.push_back(std::move(pair));
   }
 }
 
 void settingsOf(const JsonFields& f, ProjectSettings& settings) {
   f.only({"max_turn_deg", "tracker_error_mm", "tracker_error_deg", "equalise", "elastic", "effort", "fall_off_mm"});
-  settings.maxTurn_deg = f.number("max_turn_deg", 0.0, 180.0, settings.maxTurn_deg, kTurn);
-  settings.trackerError_mm = f.number("tracker_error_mm", 0.0, 1000.0, settings.trackerError_mm, "a number from 0 to 1000, in mm");
-  settings.trackerError_deg = f.number("tracker_error_deg", 0.0, 180.0, settings.trackerError_deg, kTurn);
+  settings.maxTurn_deg = f.number("max_turn_deg", 0.0, 180.0, settings.maxTurn_deg, turn());
+  settings.trackerError_mm = f.number("tracker_error_mm", 0.0, 1000.0, settings.trackerError_mm, say<"a number from 0 to 1000, in mm">());
+  settings.trackerError_deg = f.number("tracker_error_deg", 0.0, 180.0, settings.trackerError_deg, turn());
   if ((settings.trackerError_mm == 0.0) != (settings.trackerError_deg == 0.0))
-    f.refuse(settings.trackerError_mm == 0.0 ? "tracker_error_mm" : "tracker_error_deg", "0",
-             "above 0, or 0 together with the other one when recorded places are exact");
+    f.refuse(settings.trackerError_mm == 0.0 ? "tracker_error_mm" : "tracker_error_deg", verbatim("0"),
+             say<"above 0, or 0 together with the other one when recorded places are exact">());
   settings.equalise = f.flag("equalise", settings.equalise);
   settings.elastic = f.flag("elastic", settings.elastic);
   settings.effort = wordOf(f, "effort", kEfforts, settings.effort);
-  settings.fallOff_mm = f.number("fall_off_mm", 1.0, 1000.0, settings.fallOff_mm, "a number from 1 to 1000, in mm");
+  settings.fallOff_mm = f.number("fall_off_mm", 1.0, 1000.0, settings.fallOff_mm, say<"a number from 1 to 1000, in mm">());
 }
 
 void gridOf(const JsonFields& f, StitchOptions& grid) {
-  grid.spacing_mm = f.number("spacing_mm", 0.0, 100.0, grid.spacing_mm, "a number up to 100, in mm, or 0 for the finest of the volumes");
-  grid.featherWidth_mm = f.number("feather_mm", 0.0, 1000.0, grid.featherWidth_mm, "a number from 0 to 1000, in mm");
-  const char* share = "above 0 and at most 1";
+  grid.spacing_mm =
+      f.number("spacing_mm", 0.0, 100.0, grid.spacing_mm, say<"a number up to 100, in mm, or 0 for the finest of the volumes">());
+  grid.featherWidth_mm = f.number("feather_mm", 0.0, 1000.0, grid.featherWidth_mm, say<"a number from 0 to 1000, in mm">());
+  const Message share = say<"above 0 and at most 1">();
   grid.interpolatedWeight = f.number("interpolated_weight", 0.0, 1.0, grid.interpolatedWeight, share);
   if (grid.interpolatedWeight == 0.0) f.refuse("interpolated_weight", share);
   grid.axes = wordOf(f, "axes", kAxes, grid.axes);
@@ -160,16 +165,16 @@ void gridOf(const JsonFields& f, StitchOptions& grid) {
 void seamOf(const JsonFields& f, const std::vector<ProjectVolume>& volumes, SeamOptions& seam) {
   f.only({"method", "cell_mm", "blend_mm", "confidence_weight", "distance_weight", "strokes"});
   seam.method = wordOf(f, "method", kSeamMethods, seam.method);
-  seam.cell_mm = f.number("cell_mm", 0.1, 100.0, seam.cell_mm, "a number from 0.1 to 100, in mm");
-  seam.blend_mm = f.number("blend_mm", 0.0, 100.0, seam.blend_mm, "a number from 0 to 100, in mm");
+  seam.cell_mm = f.number("cell_mm", 0.1, 100.0, seam.cell_mm, say<"a number from 0.1 to 100, in mm">());
+  seam.blend_mm = f.number("blend_mm", 0.0, 100.0, seam.blend_mm, say<"a number from 0 to 100, in mm">());
   seam.confidenceWeight = f.number("confidence_weight", 0.0, 1000.0, seam.confidenceWeight);
   seam.distanceWeight = f.number("distance_weight", 0.0, 1000.0, seam.distanceWeight);
-  for (const JsonFields& entry : f.objects("strokes", 0, kMostStrokes, "a list of objects with view, at_mm and radius_mm")) {
+  for (const JsonFields& entry : f.objects("strokes", 0, kMostStrokes, say<"a list of objects with view, at_mm and radius_mm">())) {
     entry.only({"view", "at_mm", "radius_mm"});
     SeamStroke stroke;
     stroke.view = indexOf(entry, "view", volumes);
-    stroke.at_mm = entry.point("at_mm", kFar_mm, {}, "three numbers within 1000 m");
-    stroke.radius_mm = entry.number("radius_mm", 0.1, 1000.0, stroke.radius_mm, "a number from 0.1 to 1000, in mm");
+    stroke.at_mm = entry.point("at_mm", kFar_mm, {}, say<"three numbers within 1000 m">());
+    stroke.radius_mm = entry.number("radius_mm", 0.1, 1000.0, stroke.radius_mm, say<"a number from 0.1 to 1000, in mm">());
     seam.strokes.push_back(stroke);
   }
 }
@@ -205,11 +210,11 @@ Result<glm::dmat4> parseTransform(const std::string& text, const std::string& na
 }
 
 Result<StitchProject> parseProject(const std::string& textOfProject, const fs::path& folder) {
-  const auto parsed = parseJson(textOfProject, "The stitch project");
+  const auto parsed = parseJson(textOfProject, say<"The stitch project">());
   if (!parsed) return passOn(parsed.error());
-  JsonReading reading("the stitch project");
+  JsonReading reading(say<"the stitch project">());
   const JsonFields document(*parsed, reading);
-  const auto format = document.whole("format", 1, 1LL << 52, 1, "a whole number from 1");  // the first one could leave it out
+  const auto format = document.whole("format", 1, 1LL << 52, 1, say<"a whole number from 1">());  // the first one could leave it out
   if (reading.problem()) return passOn(*reading.problem());
   if (format > kProjectFormat)
     return failure(ErrorCode::newerFormat,
@@ -223,7 +228,7 @@ Result<StitchProject> parseProject(const std::string& textOfProject, const fs::p
   }
 
   StitchProject project;
-  const auto entries = document.objects("volumes", 1, kMostVolumes, "a list of 1 to " + std::to_string(kMostVolumes) + " volumes");
+  const auto entries = document.objects("volumes", 1, kMostVolumes, say<"a list of 1 to %1 volumes">(kMostVolumes));
   for (const JsonFields& entry : entries) project.volumes.push_back(volumeOf(entry, static_cast<int>(format), folder));
   if (reading.problem()) return passOn(*reading.problem());
   if (format == 1)
