@@ -197,7 +197,7 @@ void StitchSession::readVolumes() {
       tr("Reading %n volumes", nullptr, static_cast<int>(lines.size())).toStdString(),
       [read, lines, &volumes, folder = readingFolder(), turn = readingTurn_](Progress& progress) -> Result<void> {
         const auto mine = waitForTurn(*turn, progress);
-        if (!mine) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
+        if (!mine) return failure(ErrorCode::cancelled, ew::say<"Reading was cancelled.">());
         const double share = 1.0 / static_cast<double>(lines.size());
         for (std::size_t n = 0; n < lines.size(); ++n) {
           PartOfProgress part(progress, share * static_cast<double>(n), share * static_cast<double>(n + 1));
@@ -205,7 +205,7 @@ void StitchSession::readVolumes() {
           const bool isSweep = isSweepFile(lines[n].file, volumes);
           if (isSweep) read->sweeps.insert(lines[n].file);
           auto volume = readOne(lines[n], isSweep, folder, volumes, part);
-          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading was cancelled.">());
+          if (progress.cancelRequested()) return failure(ErrorCode::cancelled, ew::say<"Reading was cancelled.">());
           if (!volume && !read->first) read->first = volume.error();
           if (!volume) read->reasons[keyOf(lines[n])] = volume.error().message;
           read->volumes.emplace_back(keyOf(lines[n]), volume ? std::make_shared<const Volume>(std::move(*volume)) : nullptr);
