@@ -13,18 +13,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const auto document = nlohmann::json::parse(text, nullptr, false);
   if (document.is_discarded()) return 0;
   nlohmann::json unknown;
-  const auto knobs = knobsFromJson(document, "The settings", &unknown);
+  const auto knobs = knobsFromJson(document, verbatim("The settings"), &unknown);
   if (!knobs) {
     fuzz::checkSentence(knobs.error());
   } else {
-    const auto again = knobsFromJson(toJson(*knobs), "The settings");
+    const auto again = knobsFromJson(toJson(*knobs), verbatim("The settings"));
     fuzz::mustHold(again.has_value() && *again == *knobs);
   }
-  const auto scene = sceneFromJson(document, "The scene", &unknown);
+  const auto scene = sceneFromJson(document, verbatim("The scene"), &unknown);
   if (!scene) {
     fuzz::checkSentence(scene.error());
   } else {
-    const auto again = sceneFromJson(toJson(*scene), "The scene");
+    const auto again = sceneFromJson(toJson(*scene), verbatim("The scene"));
     fuzz::mustHold(again.has_value() && *again == *scene);
   }
   return 0;

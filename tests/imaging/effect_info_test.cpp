@@ -79,7 +79,7 @@ TEST(EffectInfo, SwitchesWhatTheKeyOfASceneFileSwitches) {
   for (const EffectInfo& effect : sceneEffects()) {
     json all = json::object();
     for (const std::string& key : keysOfEffects()) all[key] = key == effect.key;
-    const auto read = sceneFromJson(all, "scene");
+    const auto read = sceneFromJson(all, verbatim("scene"));
     ASSERT_TRUE(read) << read.error();
     Scene alone = bareScene();
     effect.switchTo(alone, true);

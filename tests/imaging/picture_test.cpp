@@ -43,7 +43,7 @@ TEST(ProbeJson, EveryShippedProbeComesBackAsItWasRead) {
   ASSERT_TRUE(probes) << probes.error();
   ASSERT_GE(probes->size(), 4U);
   for (const Probe& probe : *probes) {
-    const auto again = probeFromJson(nlohmann::json::parse(toJson(probe).dump()), probe.id, "a test");
+    const auto again = probeFromJson(nlohmann::json::parse(toJson(probe).dump()), probe.id, verbatim("a test"));
     ASSERT_TRUE(again) << again.error();
     EXPECT_EQ(*again, probe) << probe.id;
   }

@@ -60,7 +60,7 @@ Scene anyScene() {
 
 RC_GTEST_PROP(SettingsJson, KnobsComeBackAsTheyWere, ()) {
   const Knobs knobs = anyKnobs();
-  const auto read = knobsFromJson(json::parse(toJson(knobs).dump()), "knobs");
+  const auto read = knobsFromJson(json::parse(toJson(knobs).dump()), verbatim("knobs"));
   RC_ASSERT(read.has_value());
   RC_ASSERT(*read == knobs);
   RC_ASSERT(limited(knobs) == knobs);
@@ -68,7 +68,7 @@ RC_GTEST_PROP(SettingsJson, KnobsComeBackAsTheyWere, ()) {
 
 RC_GTEST_PROP(SettingsJson, ScenesComeBackAsTheyWere, ()) {
   const Scene scene = anyScene();
-  const auto read = sceneFromJson(json::parse(toJson(scene).dump()), "scene");
+  const auto read = sceneFromJson(json::parse(toJson(scene).dump()), verbatim("scene"));
   RC_ASSERT(read.has_value());
   RC_ASSERT(*read == scene);
   RC_ASSERT(limited(scene) == scene);
@@ -78,7 +78,7 @@ TEST(SettingsJson, EveryKeyOfTheManualIsWrittenAndRead) {
   const json knobs = toJson(Knobs{});
   for (const auto& [key, value] : knobs.items()) {
     EXPECT_NE(knobsManual().find("  " + key + ": "), std::string::npos) << key;
-    EXPECT_TRUE(knobsFromJson({{key, value}}, "knobs")) << key;
+    EXPECT_TRUE(knobsFromJson({{key, value}}, verbatim("knobs"))) << key;
   }
 }
 
@@ -89,7 +89,7 @@ TEST(SettingsJson, AnEffectIsTrueFalseOrItsParameters) {
                      {"attenuation", {{"expected_db_per_cm_mhz", 0.7}}},
                      {"tissues", {{{"label", 7}, {"name", "gall stone"}, {"attenuation_db_per_cm_mhz", 8}, {"reflection_db", 25}}}},
                      {"recorded_dynamic_range_db", 66}},
-                    "scene");
+                    verbatim("scene"));
   ASSERT_TRUE(scene) << scene.error();
   EXPECT_EQ(scene->focus, FocusEffect{});
   EXPECT_FALSE(scene->noise);
@@ -103,22 +103,22 @@ TEST(SettingsJson, AnEffectIsTrueFalseOrItsParameters) {
 }
 
 TEST(SettingsJson, OldFilesAreStillRead) {
-  const auto knobs = knobsFromJson({{"gain", 2}, {"focus_mm", 80}, {"quality", "weave"}}, "knobs");
+  const auto knobs = knobsFromJson({{"gain", 2}, {"focus_mm", 80}, {"quality", "weave"}}, verbatim("knobs"));
   ASSERT_TRUE(knobs);
   EXPECT_EQ(knobs->focus_mm, 80.0);
   EXPECT_EQ(knobs->moreFoci_mm, (Knobs{}).moreFoci_mm);
-  const auto scene = sceneFromJson({{"gain_and_dgc", false}}, "scene");
+  const auto scene = sceneFromJson({{"gain_and_dgc", false}}, verbatim("scene"));
   ASSERT_TRUE(scene);
   EXPECT_EQ(*scene, Scene{.gainAndDgc = false});
 }
 
 TEST(SettingsJson, SeveralFociAreAList) {
-  const auto knobs = knobsFromJson({{"focus_mm", {40, 80, 0, 120}}}, "knobs");
+  const auto knobs = knobsFromJson({{"focus_mm", {40, 80, 0, 120}}}, verbatim("knobs"));
   ASSERT_TRUE(knobs);
   EXPECT_EQ(knobs->focus_mm, 40.0);
   EXPECT_EQ(knobs->moreFoci_mm, (std::array<double, 3>{80, 0, 120}));
-  EXPECT_FALSE(knobsFromJson({{"focus_mm", json::array()}}, "knobs"));
-  EXPECT_FALSE(knobsFromJson({{"focus_mm", {1, 2, 3, 4, 5}}}, "knobs"));
+  EXPECT_FALSE(knobsFromJson({{"focus_mm", json::array()}}, verbatim("knobs")));
+  EXPECT_FALSE(knobsFromJson({{"focus_mm", {1, 2, 3, 4, 5}}}, verbatim("knobs")));
 }
 
 TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
@@ -140,7 +140,7 @@ TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
                              {R"({"persistence": 1})", "persistence", "1", "0.95"},
                              {R"({"trapezoid": 1})", "trapezoid", "1", "true or false"},
                              {R"({"gian": 2})", "gian", "", "gain"}}) {
-    const auto read = knobsFromJson(json::parse(wrong.text), "'knobs.json'");
+    const auto read = knobsFromJson(json::parse(wrong.text), verbatim("'knobs.json'"));
     ASSERT_FALSE(read) << wrong.text;
     EXPECT_EQ(read.error().code, ErrorCode::badField);
     EXPECT_EQ(read.error().context.front().second, wrong.field);
@@ -156,13 +156,13 @@ TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
                              {R"({"tissues": [{"name": "stone"}]})", "tissues[0]", "stone", "label"},
                              {R"({"tissues": [{"label": 7}, {"label": 7}]})", "tissues[1].label", "7", "no other tissue"},
                              {R"({"tissues": [{"label": 7}, {"label": 300}]})", "tissues[1].label", "300", "0 to 255"}}) {
-    const auto read = sceneFromJson(json::parse(wrong.text), "scene");
+    const auto read = sceneFromJson(json::parse(wrong.text), verbatim("scene"));
     ASSERT_FALSE(read) << wrong.text;
     EXPECT_EQ(read.error().context.front().second, wrong.field);
     for (const char* part : {wrong.field, wrong.found, wrong.expected})
       EXPECT_NE(read.error().sentence().find(part), std::string::npos) << read.error().sentence() << " without " << part;
   }
-  EXPECT_EQ(sceneFromJson(json::array(), "scene").error().code, ErrorCode::badHeader);
+  EXPECT_EQ(sceneFromJson(json::array(), verbatim("scene")).error().code, ErrorCode::badHeader);
 }
 
 TEST(SettingsJson, KeepsWhatIsNotKnownAtItsPlaceWhenAsked) {
@@ -173,7 +173,7 @@ TEST(SettingsJson, KeepsWhatIsNotKnownAtItsPlaceWhenAsked) {
       {"noise", {{"colour", "pink"}}},
       {"tissues", {{{"label", 3}, {"speed_m_per_s", 1580}}, {{"label", 7}, {"name", "stone"}, {"speed_m_per_s", 3000}}}}};
   json unknown;
-  auto scene = sceneFromJson(document, "scene", &unknown);
+  auto scene = sceneFromJson(document, verbatim("scene"), &unknown);
   ASSERT_TRUE(scene) << scene.error();
   EXPECT_EQ(toJson(*scene, &unknown), document);
   scene->noise.reset();

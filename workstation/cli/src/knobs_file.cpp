@@ -12,13 +12,13 @@ namespace {
 
 template <class T>
 Result<T> readSetting(const std::filesystem::path& file,
-                      Result<T> (*fromJson)(const nlohmann::json&, const std::string&, nlohmann::json*)) {
+                      Result<T> (*fromJson)(const nlohmann::json&, const Message&, nlohmann::json*)) {
   constexpr std::size_t kMaxBytes = 1u << 20;
   const auto text = readTextFile(file, kMaxBytes);
   if (!text) return passOn(text.error());
   const auto document = parseJson(*text, verbatim(file.filename().string()));
   if (!document) return passOn(document.error());
-  auto setting = fromJson(*document, "'" + file.string() + "'", nullptr);
+  auto setting = fromJson(*document, verbatim("'" + file.string() + "'"), nullptr);
   if (!setting) {
     Error problem = std::move(setting.error());
     problem.context.emplace_back("file", file.string());

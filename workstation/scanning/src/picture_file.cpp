@@ -23,9 +23,8 @@ GreyImage copyOf(ImageView<const std::uint8_t> view) {
 Result<void> checkRoomForWarning(int width_px, int height_px, const std::filesystem::path& file) {
   if (!carriesWords(file) || (width_px >= kCaptionMinWidth_px && height_px >= kCaptionMinHeight_px)) return {};
   return failure(ErrorCode::badField,
-                 "A picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
-                     " pixels is too small for the words it must carry; give at least " + std::to_string(kCaptionMinWidth_px) + "x" +
-                     std::to_string(kCaptionMinHeight_px) + ", or write .mha.",
+                 say<"A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4, or write .mha.">(
+                     width_px, height_px, kCaptionMinWidth_px, kCaptionMinHeight_px),
                  {{"file", file.string()}});
 }
 

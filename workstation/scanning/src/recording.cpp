@@ -83,13 +83,13 @@ json jsonOf(const ScanEvent& event) {
   return object;
 }
 
-tl::unexpected<Error> badEvent(const fs::path& file, const std::string& where, const std::string& expected) {
-  return failure(ErrorCode::badField, "The recording '" + file.string() + "' has something else in " + where + " than " + expected + ".",
-                 {{"file", file.string()}, {"field", where}, {"expected", expected}});
+tl::unexpected<Error> badEvent(const fs::path& file, const Message& where, const Message& expected) {
+  return failure(ErrorCode::badField, say<"The recording '%1' has something else in %2 than %3.">(file.string(), where, expected),
+                 {{"file", file.string()}, {"field", where.english()}, {"expected", expected.english()}});
 }
 
-/// @param where of the file, as sentences name it: "frame 3 of scan.mha"
-Result<ScanEvent> eventOf(const json& object, const std::string& where) {
+/// @param where of the file, as sentences name it: say<"frame %1 of %2">(3, "scan.mha")
+Result<ScanEvent> eventOf(const json& object, const Message& where) {
   constexpr double kLongest_s = 1e9, kFarthestPan_mm = 1e6;
   JsonReading reading(where);
   const JsonFields fields(object, reading);
@@ -113,43 +113,48 @@ Result<ScanEvent> eventOf(const json& object, const std::string& where) {
   } else if (fields.has("frozen")) {
     event.what = FreezeChanged{fields.flag("frozen")};
   } else {
-    if (!fields.has("note")) fields.refuseWhole(shown(object), "an event that this program knows");
+    if (!fields.has("note")) fields.refuseWhole(shown(object), say<"an event that this program knows">());
     event.what = Note{fields.text("note", "", 0), fields.has("what") ? *fields.find("what") : json()};
   }
   if (reading.problem()) return passOn(*reading.problem());
   return event;
 }
 
-Result<void> takeEvents(const SequenceFrame& frame, const fs::path& file, const std::string& where, ScanLog& log) {
+Result<void> takeEvents(const SequenceFrame& frame, std::size_t n, const fs::path& file, ScanLog& log) {
   const std::string text = joinedText(frame.otherFields, kEventsField);
   if (text.empty()) return {};
-  const auto events = parseJson(text, where + " of " + file.string());
+  const Message where = say<"frame %1 of %2">(n, file.string());
+  const auto events = parseJson(text, where);
   if (!events) return passOn(events.error());
-  if (!events->is_array()) return badEvent(file, where, "a list of events");
+  if (!events->is_array()) return badEvent(file, say<"frame %1">(n), say<"a list of events">());
   for (const json& object : *events) {
-    auto event = eventOf(object, where + " of " + file.string());
+    auto event = eventOf(object, where);
     if (!event) return passOn(event.error());
     log.add(std::move(*event));
   }
   return {};
 }
 
-Result<void> takeFrame(const SequenceFrame& frame, const fs::path& file, const std::string& where, ScanLog& log) {
-  if (auto taken = takeEvents(frame, file, where, log); !taken) return taken;
+Result<void> takeFrame(const SequenceFrame& frame, std::size_t n, const fs::path& file, ScanLog& log) {
+  if (auto taken = takeEvents(frame, n, file, log); !taken) return taken;
+  const auto bad = [&](const char* field, const Message& expected) {
+    return badEvent(file, joined({say<"frame %1">(n), verbatim(field)}, ", "), expected);
+  };
   const std::string number = valueOf(frame.otherFields, kNumberField);
   if (number.empty()) return {};  // holds the last events alone
   FrameMade made;
   const auto parsed = parseIntegers(number);
-  if (!parsed || parsed->size() != 1 || parsed->front() < 0) return badEvent(file, where + ", " + kNumberField, "a whole number");
+  if (!parsed || parsed->size() != 1 || parsed->front() < 0) return bad(kNumberField, say<"a whole number">());
   made.number = static_cast<std::uint64_t>(parsed->front());
   const auto pose = std::find_if(frame.transforms.begin(), frame.transforms.end(),
                                  [](const NamedTransform& t) { return t.from == "Probe" && t.to == "World"; });
-  if (pose == frame.transforms.end() || !frame.time_s) return badEvent(file, where, "a ProbeToWorldTransform and a Timestamp");
+  if (pose == frame.transforms.end() || !frame.time_s)
+    return badEvent(file, say<"frame %1">(n), say<"a ProbeToWorldTransform and a Timestamp">());
   made.pose.probeToWorld.matrix = pose->matrix;
   made.pose.status = pose->status;
   if (const std::string gaps = valueOf(frame.otherFields, kGapsField); !gaps.empty()) {
     const auto numbers = parseNumbers(gaps);
-    if (!numbers || numbers->size() > kMostGaps) return badEvent(file, where + ", " + kGapsField, "distances in mm");
+    if (!numbers || numbers->size() > kMostGaps) return bad(kGapsField, say<"distances in mm">());
     for (const double gap_mm : *numbers) made.gaps_mm.push_back(static_cast<float>(gap_mm));
   }
   log.add({*frame.time_s, std::move(made)});
@@ -176,7 +181,7 @@ SequenceFrame frameOf(const ScanEvent& event, const FrameMade& made, json& event
 
 Result<void> writeRecording(const ScanRecording& recording, const fs::path& file, Progress& progress) {
   if (recording.log.frameCount() == 0)
-    return failure(ErrorCode::badField, "The recording holds no image, so '" + file.string() + "' was not written; scan while it runs.",
+    return failure(ErrorCode::badField, say<"The recording holds no image, so '%1' was not written; scan while it runs.">(file.string()),
                    {{"file", file.string()}});
   Sequence sequence;
   sequence.otherFields = {{kFormatField, std::to_string(kRecordingFormat)}, {kProgramField, kVersion}};
@@ -207,33 +212,32 @@ Result<ScanRecording> readRecording(const fs::path& file, Progress& progress) {
   const auto format = parseIntegers(valueOf(sequence->otherFields, kFormatField));
   if (!format || format->size() != 1)
     return failure(ErrorCode::unsupported,
-                   "'" + file.string() + "' holds poses, but is no recording of a scan made here; open it as a sweep's tracking instead.",
+                   say<"'%1' holds poses, but is no recording of a scan made here; open it as a sweep's tracking instead.">(file.string()),
                    {{"file", file.string()}});
   if (format->front() > kRecordingFormat)
     return failure(ErrorCode::newerFormat,
-                   "The recording '" + file.string() + "' has format " + std::to_string(format->front()) + ", this program reads up to " +
-                       std::to_string(kRecordingFormat) + "; update EchoWeave.",
+                   say<"The recording '%1' has format %2, this program reads up to %3; update EchoWeave.">(file.string(), format->front(),
+                                                                                                           kRecordingFormat),
                    {{"file", file.string()}, {"found", std::to_string(format->front())}, {"known", std::to_string(kRecordingFormat)}});
   ScanRecording recording;
   recording.notes = std::move(sequence->notes);
-  std::erase_if(recording.notes, [](const std::string& note) { return note == "The recording has poses but no images."; });
-  if (const auto subject = parseJsonObject(joinedText(sequence->otherFields, kSubjectField), file.string())) {
-    JsonReading reading(file.string());
+  std::erase_if(recording.notes, [](const Message& note) { return note == say<"The recording has poses but no images.">(); });
+  if (const auto subject = parseJsonObject(joinedText(sequence->otherFields, kSubjectField), verbatim(file.string()))) {
+    JsonReading reading(verbatim(file.string()));
     const JsonFields fields(*subject, reading);
     recording.caseId = fields.text("case", "", 0);
     recording.title = fields.text("title", "", 0);
   }
   const auto size = parseIntegers(valueOf(sequence->otherFields, kSizeField));
   if (!size || size->size() != 2 || std::any_of(size->begin(), size->end(), [](long long n) { return n < 1 || n > 8192; }))
-    return badEvent(file, kSizeField, "two sizes from 1 to 8192");
+    return badEvent(file, verbatim(kSizeField), say<"two sizes from %1 to %2">(1, 8192));
   recording.size_px = {static_cast<int>(size->front()), static_cast<int>(size->back())};
   for (std::size_t n = 0; n < sequence->frames.size(); ++n) {
-    if (n % 256 == 0 && progress.cancelRequested()) return failure(ErrorCode::cancelled, "Stopped as asked; nothing was changed.");
-    if (auto taken = takeFrame(sequence->frames[n], file, "frame " + std::to_string(n), recording.log); !taken)
-      return passOn(taken.error());
+    if (n % 256 == 0 && progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was changed.">());
+    if (auto taken = takeFrame(sequence->frames[n], n, file, recording.log); !taken) return passOn(taken.error());
   }
   if (recording.log.frameCount() == 0)
-    return failure(ErrorCode::badField, "The recording '" + file.string() + "' holds no image; record the scan again.",
+    return failure(ErrorCode::badField, say<"The recording '%1' holds no image; record the scan again.">(file.string()),
                    {{"file", file.string()}});
   return recording;
 }

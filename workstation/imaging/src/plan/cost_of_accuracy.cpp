@@ -203,7 +203,7 @@ class CostMeasurement {
 
 /// On at most kMostPerPose points of each picture: a grid of them, so that all depths count alike.
 bool CostMeasurement::computeExact() {
-  progress_.report("Computing the exact slices", 0.0);
+  progress_.report(say<"Computing the exact slices">(), 0.0);
   const int every = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(bench_.width) * bench_.height / kMostPerPose))));
   for (const Pose& one : poses_) {
     auto& points = exact_.ofPose.emplace_back();
@@ -218,7 +218,8 @@ bool CostMeasurement::computeExact() {
       }
     }
     result.comparedPixels += points.size();
-    progress_.report("Computing the exact slices", 0.5 * static_cast<double>(exact_.ofPose.size()) / static_cast<double>(poses_.size()));
+    progress_.report(say<"Computing the exact slices">(),
+                     0.5 * static_cast<double>(exact_.ofPose.size()) / static_cast<double>(poses_.size()));
   }
   return true;
 }
@@ -230,7 +231,7 @@ bool CostMeasurement::timeQualities() {
     point.knobs.quality = quality;
     Knobs knobs = neutral_;
     knobs.quality = quality;
-    progress_.report("Timing the qualities", 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
+    progress_.report(say<"Timing the qualities">(), 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
     point.frame_ms = bench_.time_ms(knobs, progress_, [](const Pose&, const ImageView<const std::uint8_t>&, const FrameMaker&) {});
     if (point.frame_ms < 0.0) return false;
     Difference difference;
@@ -263,7 +264,7 @@ bool CostMeasurement::timePlanes() {
     point.knobs.elevationPlanes = planes;
     Knobs knobs = neutral_;
     knobs.elevationPlanes = planes;
-    progress_.report("Timing the slice thickness", 0.8 + 0.05 * static_cast<double>(result.planes.size()));
+    progress_.report(say<"Timing the slice thickness">(), 0.8 + 0.05 * static_cast<double>(result.planes.size()));
     Difference difference;
     std::size_t n = 0;
     point.frame_ms =
@@ -291,20 +292,21 @@ bool CostMeasurement::timePlanes() {
 Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& asked, const Scene& scene,
                                              const Pose& pose, int width, int height, const CostOptions& options, Progress& progress) {
   EW_EXPECTS(width >= 1 && height >= 1 && options.poses >= 1 && options.repeats >= 1);
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "The measurement was cancelled."); };
-  if (pose.status != PoseStatus::ok) return failure(ErrorCode::badField, "The probe has no place; hold it on the body and measure again.");
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"The measurement was cancelled.">()); };
+  if (pose.status != PoseStatus::ok)
+    return failure(ErrorCode::badField, say<"The probe has no place; hold it on the body and measure again.">());
   if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) return passOn(rigid.error());
-  if (echo.empty()) return failure(ErrorCode::emptyVolume, "There is no volume to measure with; open one first.");
+  if (echo.empty()) return failure(ErrorCode::emptyVolume, say<"There is no volume to measure with; open one first.">());
 
   CostMeasurement measurement(echo, probe, asked, scene, pose, width, height, options, progress);
   if (!measurement.computeExact()) return cancelled();
   if (measurement.result.comparedPixels < kFewest) {
     return failure(ErrorCode::emptyVolume,
-                   "The probe sees too little of the volume to compare; slide it over the volume and measure again.");
+                   say<"The probe sees too little of the volume to compare; slide it over the volume and measure again.">());
   }
   if (!measurement.timeQualities()) return cancelled();
   if (scene.sliceThickness && !measurement.timePlanes()) return cancelled();
-  progress.report(scene.sliceThickness ? "Timing the slice thickness" : "Timing the qualities", 1.0);
+  progress.report(scene.sliceThickness ? say<"Timing the slice thickness">() : say<"Timing the qualities">(), 1.0);
   return std::move(measurement.result);
 }
 

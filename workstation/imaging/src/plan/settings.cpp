@@ -16,10 +16,10 @@ class Limiter {
  public:
   explicit Limiter(T& setting) : setting_(setting) {}
 
-  void number(const char*, double T::*field, double lowest, double highest, const char*) {
+  void number(const char*, double T::*field, double lowest, double highest, detail::Meaning) {
     limit(setting_.*field, kDefault.*field, lowest, highest);
   }
-  void numberOrZero(const char*, double T::*field, double lowest, double highest, const char*) {
+  void numberOrZero(const char*, double T::*field, double lowest, double highest, detail::Meaning) {
     if (setting_.*field != 0.0) limit(setting_.*field, kDefault.*field, lowest, highest);
   }
   void angle(const char*, double T::*field, double lowest_deg, double highest_deg) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../effects/registry.h"
+#include "ew/core/message.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/scene.h"
 
@@ -23,80 +24,83 @@ inline constexpr Words<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"
 
 inline constexpr double kLargestSteering_deg = 60.0;  // probes allow less
 
+/// What a number of a setting is, in words that are only made for those who ask.
+using Meaning = Message (*)();
+
 // Every field of a setting once: its key in files, where it is kept, and what it may be. Reading, writing and limiting are visitors of
 // these lists, so that they cannot disagree.
 
 template <class Visitor>
 void visitFields(Visitor& field, const Knobs*) {
-  field.number("gain", &Knobs::gain, 0.0, 1e6, "a factor; 1 is neutral");
+  field.number("gain", &Knobs::gain, 0.0, 1e6, say<"a factor; 1 is neutral">);
   field.factors("dgc", &Knobs::dgc, 0.0, 1e6);
-  field.number("depth_mm", &Knobs::depth_mm, 0.0, 1000.0, "0 for the probe's own");
+  field.number("depth_mm", &Knobs::depth_mm, 0.0, 1000.0, say<"0 for the probe's own">);
   field.foci("focus_mm", &Knobs::focus_mm, &Knobs::moreFoci_mm, 0.0, 1000.0);
   field.choice("focus_method", &Knobs::focusMethod, kFocusMethodWords);
-  field.numberOrZero("carrier_hz", &Knobs::carrier_hz, 1e5, 1e8, "the probe's own");
-  field.numberOrZero("dynamic_range_db", &Knobs::dynamicRange_db, 20.0, 120.0, "the range the volume was recorded with");
+  field.numberOrZero("carrier_hz", &Knobs::carrier_hz, 1e5, 1e8, say<"the probe's own">);
+  field.numberOrZero("dynamic_range_db", &Knobs::dynamicRange_db, 20.0, 120.0, say<"the range the volume was recorded with">);
   field.choice("grey_map", &Knobs::greyMap, kGreyMapWords);
-  field.number("edge_enhancement", &Knobs::edgeEnhancement, 0.0, 1.0, "0 is neutral");
-  field.number("persistence", &Knobs::persistence, 0.0, 0.95, "0 is neutral");
+  field.number("edge_enhancement", &Knobs::edgeEnhancement, 0.0, 1.0, say<"0 is neutral">);
+  field.number("persistence", &Knobs::persistence, 0.0, 0.95, say<"0 is neutral">);
   field.oddCount("elevation_planes", &Knobs::elevationPlanes, 3, 9);
   field.angle("steering_deg", &Knobs::steering_rad, -kLargestSteering_deg, kLargestSteering_deg);
   field.flag("trapezoid", &Knobs::trapezoid);
-  field.number("zoom", &Knobs::zoom, 1.0, 8.0, "a magnification");
+  field.number("zoom", &Knobs::zoom, 1.0, 8.0, say<"a magnification">);
   field.choice("quality", &Knobs::quality, kQualityWords);
   field.choice("mode", &Knobs::mode, kModeWords);
-  field.number("m_line", &Knobs::mLine, -1.0, 1.0, "the face's -x end to its +x end");
-  field.number("m_sweep_s", &Knobs::mSweep_s, 1.0, 16.0, "seconds across the strip");
+  field.number("m_line", &Knobs::mLine, -1.0, 1.0, say<"the face's -x end to its +x end">);
+  field.number("m_sweep_s", &Knobs::mSweep_s, 1.0, 16.0, say<"seconds across the strip">);
   field.flag("marker_left", &Knobs::markerLeft);
   field.flag("upside_down", &Knobs::upsideDown);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const FocusEffect*) {
-  field.number("strength", &FocusEffect::strength, 0.0, 3.0, "1 as physics has it");
+  field.number("strength", &FocusEffect::strength, 0.0, 3.0, say<"1 as physics has it">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const SliceThicknessEffect*) {
-  field.number("scale", &SliceThicknessEffect::scale, 0.1, 4.0, "of the probe's own thickness");
+  field.number("scale", &SliceThicknessEffect::scale, 0.1, 4.0, say<"of the probe's own thickness">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const AttenuationEffect*) {
-  field.number("expected_db_per_cm_mhz", &AttenuationEffect::expected_dbPerCmMhz, 0.0, 3.0, "what the machine compensates");
-  field.number("interface_level", &AttenuationEffect::interfaceLevel, 1.0, 256.0, "grey levels from here on reflect");
-  field.number("interface_db_per_mm", &AttenuationEffect::interface_dbPerMm, 0.0, 60.0, "lost in them");
-  field.number("fluid_level", &AttenuationEffect::fluidLevel, 0.0, 255.0, "grey levels up to here take nothing");
-  field.number("largest_enhancement_db", &AttenuationEffect::largestEnhancement_db, 0.0, 60.0, "where the amplifier ends");
+  field.number("expected_db_per_cm_mhz", &AttenuationEffect::expected_dbPerCmMhz, 0.0, 3.0, say<"what the machine compensates">);
+  field.number("interface_level", &AttenuationEffect::interfaceLevel, 1.0, 256.0, say<"grey levels from here on reflect">);
+  field.number("interface_db_per_mm", &AttenuationEffect::interface_dbPerMm, 0.0, 60.0, say<"lost in them">);
+  field.number("fluid_level", &AttenuationEffect::fluidLevel, 0.0, 255.0, say<"grey levels up to here take nothing">);
+  field.number("largest_enhancement_db", &AttenuationEffect::largestEnhancement_db, 0.0, 60.0, say<"where the amplifier ends">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const ReverberationEffect*) {
-  field.number("interface_level", &ReverberationEffect::interfaceLevel, 1.0, 256.0, "grey levels from here on are strong interfaces");
-  field.number("loss_db_per_bounce", &ReverberationEffect::loss_dbPerBounce, 0.0, 60.0, "there and back");
+  field.number("interface_level", &ReverberationEffect::interfaceLevel, 1.0, 256.0, say<"grey levels from here on are strong interfaces">);
+  field.number("loss_db_per_bounce", &ReverberationEffect::loss_dbPerBounce, 0.0, 60.0, say<"there and back">);
   field.count("bounces", &ReverberationEffect::bounces, 1, 6);
   field.flag("mirror", &ReverberationEffect::mirror);
-  field.number("mirror_loss_db", &ReverberationEffect::mirrorLoss_db, 0.0, 60.0, "of mirror images");
+  field.number("mirror_loss_db", &ReverberationEffect::mirrorLoss_db, 0.0, 60.0, say<"of mirror images">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const NoiseEffect*) {
-  field.number("at_face_db", &NoiseEffect::atFace_db, -150.0, 0.0, "below full white");
-  field.number("growth_db_per_cm_mhz", &NoiseEffect::growth_dbPerCmMhz, 0.0, 3.0, "with depth");
-  field.number("largest_db", &NoiseEffect::largest_db, -150.0, 0.0, "where the compensation ends");
+  field.number("at_face_db", &NoiseEffect::atFace_db, -150.0, 0.0, say<"below full white">);
+  field.number("growth_db_per_cm_mhz", &NoiseEffect::growth_dbPerCmMhz, 0.0, 3.0, say<"with depth">);
+  field.number("largest_db", &NoiseEffect::largest_db, -150.0, 0.0, say<"where the compensation ends">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const ContactEffect*) {
-  field.number("gel_mm", &ContactEffect::gel_mm, 0.0, 50.0, "gaps that gel fills");
-  field.number("ring_down_mm", &ContactEffect::ringDown_mm, 0.5, 100.0, "length of the lines under air");
+  field.number("gel_mm", &ContactEffect::gel_mm, 0.0, 50.0, say<"gaps that gel fills">);
+  field.number("ring_down_mm", &ContactEffect::ringDown_mm, 0.5, 100.0, say<"length of the lines under air">);
 }
 
 template <class Visitor>
 void visitFields(Visitor& field, const TissueAcoustics*) {
   field.count("label", &TissueAcoustics::label, 0, 255);
   field.text("name", &TissueAcoustics::name, 200);
-  field.number("attenuation_db_per_cm_mhz", &TissueAcoustics::attenuation_dbPerCmMhz, 0.0, 100.0, "one way");
-  field.number("reflection_db", &TissueAcoustics::reflection_db, 0.0, 100.0, "lost on entering");
+  field.number("attenuation_db_per_cm_mhz", &TissueAcoustics::attenuation_dbPerCmMhz, 0.0, 100.0, say<"one way">);
+  field.number("reflection_db", &TissueAcoustics::reflection_db, 0.0, 100.0, say<"lost on entering">);
 }
 
 template <class Visitor>
@@ -112,7 +116,7 @@ void visitEffect(Visitor& field, const EffectOf<Effect>& effect) {
 template <class Visitor>
 void visitFields(Visitor& field, const Scene*) {
   std::apply([&](const auto&... effect) { (visitEffect(field, effect), ...); }, kSceneEffects);
-  field.number("recorded_dynamic_range_db", &Scene::recordedDynamicRange_db, 20.0, 120.0, "what grey 0 to 255 spans");
+  field.number("recorded_dynamic_range_db", &Scene::recordedDynamicRange_db, 20.0, 120.0, say<"what grey 0 to 255 spans">);
   field.list("tissues", &Scene::tissues);
 }
 

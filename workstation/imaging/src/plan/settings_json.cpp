@@ -21,35 +21,29 @@ constexpr std::size_t kLongestList = 256;
 
 double degreesGiving(double angle_rad) { return factorGiving(angle_rad, kRadPerDegree); }
 
-std::string withMeaning(std::string range, const char* meaning) { return range + " (" + meaning + ")"; }
-
 /// What each kind of field may be, in words; the same in error sentences and in the manual.
 struct Wording {
-  static std::string number(double lowest, double highest, const char* meaning) { return withMeaning(rangeText(lowest, highest).english(), meaning); }
-  static std::string numberOrZero(double lowest, double highest, const char* meaning) {
-    return rangeText(lowest, highest).english() + ", or 0 for " + meaning;
+  static Message number(double lowest, double highest, detail::Meaning meaning) {
+    return say<"%1 (%2)">(rangeText(lowest, highest), meaning());
   }
-  static std::string angle(double lowest_deg, double highest_deg) { return rangeText(lowest_deg, highest_deg).english(); }
-  static std::string count(int lowest, int highest) { return wholeRangeText(lowest, highest).english(); }
-  static std::string oddCount(int lowest, int highest) {
-    return "an odd number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+  static Message numberOrZero(double lowest, double highest, detail::Meaning meaning) {
+    return say<"%1, or 0 for %2">(rangeText(lowest, highest), meaning());
   }
-  static std::string factors(std::size_t count) {
-    return "a list of " + std::to_string(count) + " factors of at least 0, near to far (1 is neutral)";
-  }
-  static std::string foci(std::size_t most) {
-    return "a depth in mm, 0 for half of the depth, or a list of up to " + std::to_string(most) + " depths";
-  }
+  static Message angle(double lowest_deg, double highest_deg) { return rangeText(lowest_deg, highest_deg); }
+  static Message count(int lowest, int highest) { return wholeRangeText(lowest, highest); }
+  static Message oddCount(int lowest, int highest) { return say<"an odd number from %1 to %2">(lowest, highest); }
+  static Message factors(std::size_t count) { return say<"a list of %1 factors of at least 0, near to far (1 is neutral)">(count); }
+  static Message foci(std::size_t most) { return say<"a depth in mm, 0 for half of the depth, or a list of up to %1 depths">(most); }
   template <class E, std::size_t N>
-  static std::string choice(const detail::Words<E, N>& words) {
+  static Message choice(const detail::Words<E, N>& words) {
     std::array<std::string_view, N> all;
     for (std::size_t n = 0; n < N; ++n) all[n] = words[n].first;
-    return wordsText(all).english();
+    return wordsText(all);
   }
-  static std::string flag() { return "true or false"; }
-  static std::string text(std::size_t longest) { return "a text of at most " + std::to_string(longest) + " bytes"; }
-  static std::string effect() { return "true, false or an object of its parameters"; }
-  static std::string list() { return "a list of objects, each with its own label"; }
+  static Message flag() { return say<"true or false">(); }
+  static Message text(std::size_t longest) { return say<"a text of at most %1 bytes">(longest); }
+  static Message effect() { return say<"true, false or an object of its parameters">(); }
+  static Message list() { return say<"a list of objects, each with its own label">(); }
 };
 
 /// Takes the fields of `setting` from a JSON object.
@@ -58,10 +52,10 @@ class Reader {
  public:
   Reader(T& setting, const JsonFields& fields, bool keepsUnknown) : setting_(setting), fields_(fields), keepsUnknown_(keepsUnknown) {}
 
-  void number(const char* key, double T::*field, double lowest, double highest, const char* meaning) {
+  void number(const char* key, double T::*field, double lowest, double highest, detail::Meaning meaning) {
     setting_.*field = fields_.number(known(key), lowest, highest, setting_.*field, Wording::number(lowest, highest, meaning));
   }
-  void numberOrZero(const char* key, double T::*field, double lowest, double highest, const char* meaning) {
+  void numberOrZero(const char* key, double T::*field, double lowest, double highest, detail::Meaning meaning) {
     const json* value = fields_.find(known(key));
     if (value != nullptr && numberWithin(*value, 0.0, 0.0))
       setting_.*field = 0.0;
@@ -121,13 +115,14 @@ class Reader {
     const json& items = fields_.list(known(key), 0, kLongestList, Wording::list());
     for (std::size_t n = 0; n < items.size(); ++n) {
       const std::string place = key + ("[" + std::to_string(n) + "]");
-      if (!items[n].is_object() || !items[n].contains("label")) return fields_.refuse(place, shown(items[n]), "an object with a label");
+      if (!items[n].is_object() || !items[n].contains("label"))
+        return fields_.refuse(place, shown(items[n]), say<"an object with a label">());
       TissueAcoustics item;
       const JsonFields object(items[n], fields_.reading(), fields_.placeOf(place));
       json unknown = readObject(item, object, keepsUnknown_);
       const auto sameLabel = [&](const TissueAcoustics& other) { return other.label == item.label; };
       if (std::any_of((setting_.*field).begin(), (setting_.*field).end(), sameLabel))
-        object.refuse("label", "a label that no other tissue of the list has");
+        object.refuse("label", say<"a label that no other tissue of the list has">());
       if (!unknown.empty()) {
         unknown["label"] = item.label;
         unknown_[key].push_back(std::move(unknown));
@@ -171,8 +166,8 @@ class Writer {
   explicit Writer(const T& setting, const json* unknown = nullptr) : setting_(setting), unknown_(unknown) {}
   json object = json::object();
 
-  void number(const char* key, double T::*field, double, double, const char*) { object[key] = setting_.*field; }
-  void numberOrZero(const char* key, double T::*field, double, double, const char*) { object[key] = setting_.*field; }
+  void number(const char* key, double T::*field, double, double, detail::Meaning) { object[key] = setting_.*field; }
+  void numberOrZero(const char* key, double T::*field, double, double, detail::Meaning) { object[key] = setting_.*field; }
   void angle(const char* key, double T::*field, double, double) { object[key] = degreesGiving(setting_.*field); }
   void count(const char* key, int T::*field, int, int) { object[key] = setting_.*field; }
   void oddCount(const char* key, int T::*field, int, int) { object[key] = setting_.*field; }
@@ -258,10 +253,10 @@ class Manual {
   explicit Manual(std::string indent) : indent_(std::move(indent)) {}
   std::string text_;
 
-  void number(const char* key, double T::*, double lowest, double highest, const char* meaning) {
+  void number(const char* key, double T::*, double lowest, double highest, detail::Meaning meaning) {
     add(key, Wording::number(lowest, highest, meaning));
   }
-  void numberOrZero(const char* key, double T::*, double lowest, double highest, const char* meaning) {
+  void numberOrZero(const char* key, double T::*, double lowest, double highest, detail::Meaning meaning) {
     add(key, Wording::numberOrZero(lowest, highest, meaning));
   }
   void angle(const char* key, double T::*, double lowest_deg, double highest_deg) { add(key, Wording::angle(lowest_deg, highest_deg)); }
@@ -288,9 +283,9 @@ class Manual {
   void list(const char* key, std::vector<TissueAcoustics> T::*) { addNested<TissueAcoustics>(key, Wording::list()); }
 
  private:
-  void add(const std::string& key, const std::string& words) { text_ += indent_ + key + ": " + words + "\n"; }
+  void add(const std::string& key, const Message& words) { text_ += indent_ + key + ": " + words.english() + "\n"; }
   template <class Inner>
-  void addNested(const char* key, const std::string& words) {
+  void addNested(const char* key, const Message& words) {
     add(key, words);
     Manual<Inner> inner(indent_ + "  ");
     detail::visitFields(inner, static_cast<const Inner*>(nullptr));
@@ -301,9 +296,10 @@ class Manual {
 };
 
 template <class T>
-Result<T> settingFrom(const json& document, const std::string& where, json* unknown) {
+Result<T> settingFrom(const json& document, const Message& where, json* unknown) {
   if (!document.is_object())
-    return failure(ErrorCode::badHeader, where + " is not a JSON object; write it as { \"name\": value, ... }.", {{"document", where}});
+    return failure(ErrorCode::badHeader, say<"%1 is not a JSON object; write it as { \"name\": value, ... }.">(where),
+                   {{"document", where.english()}});
   JsonReading reading(where);
   T setting;
   json rest = Reader<T>::readObject(setting, JsonFields(document, reading), unknown != nullptr);
@@ -321,11 +317,11 @@ std::string manualOf() {
 
 }  // namespace
 
-Result<Knobs> knobsFromJson(const json& document, const std::string& where, json* unknown) {
+Result<Knobs> knobsFromJson(const json& document, const Message& where, json* unknown) {
   return settingFrom<Knobs>(document, where, unknown);
 }
 
-Result<Scene> sceneFromJson(const json& document, const std::string& where, json* unknown) {
+Result<Scene> sceneFromJson(const json& document, const Message& where, json* unknown) {
   return settingFrom<Scene>(document, where, unknown);
 }
 

@@ -81,8 +81,8 @@ double usualElevationalAperture_mm(const Probe& probe) {
 /// Several frequencies, each larger than the one before, the usual one among them; none when the field is absent.
 std::vector<double> risingCarriers(const JsonFields& fields, double usual_hz) {
   constexpr double kLowest_hz = 1e5, kHighest_hz = 1e8;
-  const std::string expected = "a list of 1 to " + std::to_string(kMostCarriers) + " rising numbers from " + textOf(kLowest_hz) + " to " +
-                               textOf(kHighest_hz) + ", " + textOf(usual_hz) + " among them";
+  const Message expected = say<"a list of 1 to %1 rising numbers from %2 to %3, %4 among them">(kMostCarriers, textOf(kLowest_hz),
+                                                                                                textOf(kHighest_hz), textOf(usual_hz));
   auto values = fields.numbers("carriers_hz", 1, kMostCarriers, kLowest_hz, kHighest_hz, false, expected);
   const bool rising = std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
   if (!values.empty() && (!rising || std::find(values.begin(), values.end(), usual_hz) == values.end()))
@@ -94,35 +94,34 @@ Result<json> readObject(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code problem;
   if (!std::filesystem::exists(file, problem))
-    return failure(ErrorCode::notFound, "There is no probe file " + name + "; check the name.", {{"file", name}});
+    return failure(ErrorCode::notFound, say<"There is no probe file %1; check the name.">(name), {{"file", name}});
   const std::uintmax_t size = std::filesystem::file_size(file, problem);
   if (problem)
-    return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read: " + problem.message() + ".", {{"file", name}});
+    return failure(ErrorCode::notReadable, say<"The probe file %1 cannot be read: %2.">(name, problem.message()), {{"file", name}});
   if (size > kLargestFile_bytes)
-    return failure(ErrorCode::badHeader, "The file " + name + " is too large to be a probe; a probe is a small JSON text.",
+    return failure(ErrorCode::badHeader, say<"The file %1 is too large to be a probe; a probe is a small JSON text.">(name),
                    {{"file", name}});
   std::ifstream stream(file, std::ios::binary);
   std::string text(static_cast<std::size_t>(size), '\0');
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-    return failure(ErrorCode::notReadable, "The probe file " + name + " cannot be read; check its permissions.", {{"file", name}});
-  return parseJsonObject(text, "the probe file " + name);
+    return failure(ErrorCode::notReadable, say<"The probe file %1 cannot be read; check its permissions.">(name), {{"file", name}});
+  return parseJsonObject(text, say<"the probe file %1">(name));
 }
 
 }  // namespace
 
-Result<Probe> probeFromJson(const json& object, const std::string& id, const std::string& where) {
+Result<Probe> probeFromJson(const json& object, const std::string& id, const Message& where) {
   if (!object.is_object())
-    return failure(ErrorCode::badHeader, "The probe file " + where + " is not a JSON object; compare it with a shipped probe.",
-                   {{"file", where}});
-  JsonReading reading("the probe file " + where);
+    return failure(ErrorCode::badHeader, say<"The probe file %1 is not a JSON object; compare it with a shipped probe.">(where),
+                   {{"file", where.english()}});
+  JsonReading reading(say<"the probe file %1">(where));
   const JsonFields fields(object, reading);
 
   const auto version = fields.whole("format", 1, 1000000);
   if (fields.good() && version > kFormatVersion)
     return failure(ErrorCode::newerFormat,
-                   "The probe file " + where + " has format " + std::to_string(version) + ", this program reads up to " +
-                       std::to_string(kFormatVersion) + "; update EchoWeave.",
-                   {{"file", where}, {"found", std::to_string(version)}, {"known", std::to_string(kFormatVersion)}});
+                   say<"The probe file %1 has format %2, this program reads up to %3; update EchoWeave.">(where, version, kFormatVersion),
+                   {{"file", where.english()}, {"found", std::to_string(version)}, {"known", std::to_string(kFormatVersion)}});
 
   Probe probe;
   probe.id = id;
@@ -148,7 +147,8 @@ Result<Probe> probeFromJson(const json& object, const std::string& id, const std
   probe.nearField_mm = fields.number("near_field_mm", 0.0, 20.0, probe.nearField_mm);
   for (const auto& item : object.items())
     if (!hasField(probe.kind, item.key()))
-      fields.refuse(item.key(), "given", "left out, because a probe of the kind " + fields.find("kind")->dump() + " has no such field");
+      fields.refuse(item.key(), say<"given">(),
+                    say<"left out, because a probe of the kind %1 has no such field">(fields.find("kind")->dump()));
   if (reading.problem()) return passOn(*reading.problem());
   return probe;
 }
@@ -156,7 +156,7 @@ Result<Probe> probeFromJson(const json& object, const std::string& id, const std
 Result<Probe> readProbe(const std::filesystem::path& file) {
   const auto object = readObject(file);
   if (!object) return passOn(object.error());
-  return probeFromJson(*object, file.stem().string(), file.string());
+  return probeFromJson(*object, file.stem().string(), verbatim(file.string()));
 }
 
 json toJson(const Probe& probe) {
@@ -216,12 +216,12 @@ Result<std::vector<Probe>> readProbes(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::directory_iterator entries(folder, problem);
   if (problem)
-    return failure(ErrorCode::notFound, "The folder of probes " + folder.string() + " cannot be opened: " + problem.message() + ".",
+    return failure(ErrorCode::notFound, say<"The folder of probes %1 cannot be opened: %2.">(folder.string(), problem.message()),
                    {{"folder", folder.string()}});
   std::vector<Probe> probes;
   for (; entries != std::filesystem::directory_iterator(); entries.increment(problem)) {
     if (problem)
-      return failure(ErrorCode::notReadable, "The folder of probes " + folder.string() + " cannot be read: " + problem.message() + ".",
+      return failure(ErrorCode::notReadable, say<"The folder of probes %1 cannot be read: %2.">(folder.string(), problem.message()),
                      {{"folder", folder.string()}});
     if (entries->path().extension() != ".json") continue;
     auto probe = readProbe(entries->path());

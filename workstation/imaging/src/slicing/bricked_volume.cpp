@@ -21,13 +21,12 @@ constexpr std::uint64_t kLargestSlice_bytes = std::uint64_t{1} << 30;
 glm::ivec3 halved(const glm::ivec3& dims) { return (dims + 1) / 2; }
 
 Error tooLarge(const glm::ivec3& dims) {
-  return {
-      ErrorCode::tooLarge,
-      "The volume cannot be kept in bricks: " + std::to_string(bricksForecast_bytes(dims, 1) >> 20) + " MiB of memory are not to be had.",
-      {}};
+  return {ErrorCode::tooLarge,
+          say<"The volume cannot be kept in bricks: %1 MiB of memory are not to be had.">(bricksForecast_bytes(dims, 1) >> 20),
+          {}};
 }
 
-tl::unexpected<Error> cancelled() { return failure(ErrorCode::cancelled, "Stopped as asked."); }
+tl::unexpected<Error> cancelled() { return failure(ErrorCode::cancelled, say<"Stopped as asked.">()); }
 
 /// Copies one slice of bricks.
 void fillSlice(const VolumeView<const std::uint8_t>& volume, const Bricks& bricks, std::uint64_t brickK, std::uint8_t* out) {
@@ -127,14 +126,14 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
     };
     // Coarser levels take an eighth of each other's time, and there is nothing to see after the first.
     PartOfProgress part(progress, 0.0, levels > 1 ? 0.9 : 1.0);
-    if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, "Arranging voxels in bricks", fill)) return cancelled();
+    if (!forEachTask(static_cast<int>(bricks.count[2]), threads, part, say<"Arranging voxels in bricks">(), fill)) return cancelled();
     VolumeView<const std::uint8_t> finer = volume;
     for (int level = 1; level < levels; ++level) {
       const Grid grid = gridOfLevel(finer.grid, 1);
       std::vector<std::uint8_t> coarser = zerosInLargePages(grid.voxelCount());
       const auto halve = [&](int k) { halveSlice(finer, grid.dims, k, coarser.data() + grid.indexOf(0, 0, k)); };
       QuietProgress quiet(progress);
-      if (!forEachTask(grid.dims.z, threads, quiet, "", halve)) return cancelled();
+      if (!forEachTask(grid.dims.z, threads, quiet, Message(), halve)) return cancelled();
       made.coarser_.push_back(std::move(coarser));
       finer = {made.coarser_.back().data(), grid};
     }

@@ -13,13 +13,13 @@ namespace ew {
 /// Knobs and scenes as JSON: one form for knob files, scene files, cases and recordings. Keys are snake_case with their unit, angles in
 /// degrees (`steering_deg`), `focus_mm` a number or a list of up to four, an effect `true`, `false` or an object of its parameters, a
 /// tissue an object with its `label`. A missing key keeps the default.
-/// @param where how error sentences call the document ("knobs.json", "the scene of case.json")
+/// @param where how error sentences call the document: verbatim("knobs.json"), say<"the scene of case.json">()
 /// @param unknown when given, keys that are not known are put there, in objects as they were found in (a tissue's with its label), and
 ///                are no errors
 /// @error badField (key, value found, value expected; also unknown keys, with those that are known, and a label named twice), badHeader
 ///        (not an object)
-[[nodiscard]] Result<Knobs> knobsFromJson(const nlohmann::json& document, const std::string& where, nlohmann::json* unknown = nullptr);
-[[nodiscard]] Result<Scene> sceneFromJson(const nlohmann::json& document, const std::string& where, nlohmann::json* unknown = nullptr);
+[[nodiscard]] Result<Knobs> knobsFromJson(const nlohmann::json& document, const Message& where, nlohmann::json* unknown = nullptr);
+[[nodiscard]] Result<Scene> sceneFromJson(const nlohmann::json& document, const Message& where, nlohmann::json* unknown = nullptr);
 
 /// The whole setting: knobsFromJson(toJson(k)) == k for knobs within their limits; an angle that no number of degrees gives comes back
 /// within one rounding.
@@ -30,7 +30,7 @@ namespace ew {
 
 /// A probe as its file has it. @param id of the probe: a file's is its name without ending @param where how sentences call the file
 /// @error badHeader (not an object), badField (name, value found, value expected), newerFormat
-[[nodiscard]] Result<Probe> probeFromJson(const nlohmann::json& object, const std::string& id, const std::string& where);
+[[nodiscard]] Result<Probe> probeFromJson(const nlohmann::json& object, const std::string& id, const Message& where);
 /// Without the id: probeFromJson(toJson(p), p.id, where) == p for a probe that was read from a file.
 [[nodiscard]] nlohmann::json toJson(const Probe& probe);
 
