@@ -29,13 +29,13 @@ constexpr double kBodyReserve = 1.5;
 BodyShape::~BodyShape() = default;
 
 Result<std::unique_ptr<BodyShape>> readBodyShape(const std::filesystem::path& recipe) {
-  const auto json = phantom::readRecipe(recipe, "mannequin recipe");
+  const auto json = phantom::readRecipe(recipe, say<"mannequin recipe">());
   if (!json) return passOn(json.error());
   JsonReading reading = phantom::readingOf(recipe);
   const JsonFields fields(*json, reading);
   fields.only({"format", "height_mm", "body"});
   fields.text("name");
-  if (!fields.has("body")) fields.refuse("body", "a shape");
+  if (!fields.has("body")) fields.refuse("body", say<"a shape">());
   phantom::ShapePtr shape;
   if (reading.good()) shape = phantom::readShape(fields.object("body"), {});
   if (reading.problem()) return passOn(*reading.problem());
@@ -59,15 +59,15 @@ Result<void> sampleDistance(const BodyShape& body, const Grid& grid, std::vector
   try {
     distances_mm.resize(grid.voxelCount());
   } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory to sample the body at this spacing; use a coarser one.");
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory to sample the body at this spacing; use a coarser one.">());
   } catch (const std::length_error&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory to sample the body at this spacing; use a coarser one.");
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory to sample the body at this spacing; use a coarser one.">());
   }
   const auto voxelToWorld = grid.voxelToWorld();
   const auto worldOf = [&](const glm::dvec3& ijk) { return (voxelToWorld * Point<frame::Voxel>{ijk}).at; };
   const glm::ivec3 blocks = (grid.dims + glm::ivec3(kBodyBlock - 1)) / kBodyBlock;
   const bool finished =
-      forEachTask(blocks.y * blocks.z, threads, progress, "Shaping the body", [&](int row, int /*worker*/, const auto& stopped) {
+      forEachTask(blocks.y * blocks.z, threads, progress, say<"Shaping the body">(), [&](int row, int /*worker*/, const auto& stopped) {
         for (int bi = 0; bi < blocks.x && !stopped(); ++bi) {
           const glm::ivec3 first(bi * kBodyBlock, (row % blocks.y) * kBodyBlock, (row / blocks.y) * kBodyBlock);
           const glm::ivec3 last = glm::min(first + kBodyBlock, grid.dims) - 1;
@@ -87,7 +87,7 @@ Result<void> sampleDistance(const BodyShape& body, const Grid& grid, std::vector
           }
         }
       });
-  if (!finished) return failure(ErrorCode::cancelled, "Shaping the body was stopped.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Shaping the body was stopped.">());
   return {};
 }
 

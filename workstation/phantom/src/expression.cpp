@@ -20,15 +20,15 @@ class Parser {
 
   OrExpected<double> whole() {
     const double value = sum(0);
-    if (!problem_ && peek() != '\0') refuse("an operator in place of \"" + std::string(1, peek()) + '"');
-    if (!problem_ && !std::isfinite(value)) refuse("a result that is finite");
+    if (!problem_ && peek() != '\0') refuse(say<"an operator in place of \"%1\"">(std::string(1, peek())));
+    if (!problem_ && !std::isfinite(value)) refuse(say<"a result that is finite">());
     if (problem_) return tl::unexpected(*problem_);
     return value;
   }
 
  private:
-  void refuse(const std::string& expected) {
-    if (!problem_) problem_ = expected + " at character " + std::to_string(at_ + 1) + " of the expression";
+  void refuse(const Message& expected) {
+    if (!problem_) problem_ = say<"%1 at character %2 of the expression">(expected, at_ + 1);
   }
   char peek() {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
@@ -41,7 +41,7 @@ class Parser {
   }
 
   double sum(int depth) {
-    if (depth > kDeepest) refuse("at most " + std::to_string(kDeepest) + " nested parentheses");
+    if (depth > kDeepest) refuse(say<"at most %1 nested parentheses">(kDeepest));
     double value = product(depth);
     while (!problem_) {
       if (take('+'))
@@ -60,7 +60,7 @@ class Parser {
         value *= signedAtom(depth);
       } else if (take('/')) {
         const double divisor = signedAtom(depth);
-        if (divisor == 0.0) refuse("a divisor that is not 0");
+        if (divisor == 0.0) refuse(say<"a divisor that is not 0">());
         value = problem_ ? 0.0 : value / divisor;
       } else {
         break;
@@ -77,19 +77,19 @@ class Parser {
   double atom(int depth) {
     if (take('(')) {
       const double value = sum(depth + 1);
-      if (!take(')')) refuse("a closing parenthesis");
+      if (!take(')')) refuse(say<"a closing parenthesis">());
       return value;
     }
     const char first = peek();
     if (isDigit(first) || first == '.') return number();
     if (isLetter(first)) return nameOrCall(depth);
-    refuse("a number, a name or an opening parenthesis");
+    refuse(say<"a number, a name or an opening parenthesis">());
     return 0.0;
   }
   double number() {
     double value = 0.0;
     const auto [end, failed] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-    if (failed != std::errc()) refuse("a number");
+    if (failed != std::errc()) refuse(say<"a number">());
     at_ = static_cast<std::size_t>(end - text_.data());
     return problem_ ? 0.0 : value;
   }
@@ -105,7 +105,7 @@ class Parser {
     }
     if (!*found) {
       at_ = begin;
-      refuse("the name of a parameter in place of \"" + name + '"');
+      refuse(say<"the name of a parameter in place of \"%1\"">(name));
       return 0.0;
     }
     return **found;
@@ -117,20 +117,20 @@ class Parser {
       const double next = sum(depth + 1);
       value = smallest ? std::min(value, next) : std::max(value, next);
     }
-    if (!take(')')) refuse("a comma or a closing parenthesis");
+    if (!take(')')) refuse(say<"a comma or a closing parenthesis">());
     return value;
   }
 
   std::string_view text_;
   const NamedValue& named_;
   std::size_t at_ = 0;
-  std::optional<std::string> problem_;
+  std::optional<Message> problem_;
 };
 
 }  // namespace
 
 OrExpected<double> valueOf(std::string_view text, const NamedValue& named) {
-  if (text.size() > kLongest) return tl::unexpected("an expression of at most " + std::to_string(kLongest) + " characters");
+  if (text.size() > kLongest) return tl::unexpected(say<"an expression of at most %1 characters">(kLongest));
   return Parser(text, named).whole();
 }
 

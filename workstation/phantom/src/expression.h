@@ -6,11 +6,13 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "ew/core/message.h"
+
 namespace ew::phantom {
 
 /// A value, or what was expected instead ("a divisor that is not 0 at character 7").
 template <class T>
-using OrExpected = tl::expected<T, std::string>;
+using OrExpected = tl::expected<T, Message>;
 
 /// The value of a name, or nothing when there is no such name. It may fail for reasons of its own.
 using NamedValue = std::function<OrExpected<std::optional<double>>(const std::string& name)>;

@@ -23,7 +23,7 @@ class KeptDistance final : public Shape {
   /// @return false when cancelled
   [[nodiscard]] bool sample(Progress& progress) {
     const glm::ivec3 nodes = cells_ + 1;
-    return forEachTask(nodes.z, 0, progress, "Reading the patient", [&](int k, int /*worker*/, const auto& stopped) {
+    return forEachTask(nodes.z, 0, progress, say<"Reading the patient">(), [&](int k, int /*worker*/, const auto& stopped) {
       auto out = static_cast<std::size_t>(k) * slice_;
       for (int j = 0; j < nodes.y && !stopped(); ++j)
         for (int i = 0; i < nodes.x; ++i) values_[out++] = body_->signedDistance_mm(origin_ + spacing_ * glm::dvec3(i, j, k));

@@ -39,8 +39,8 @@ Result<std::vector<std::uint8_t>> labelsOn(const Patient& patient, const Grid& g
                                            std::uint64_t maxBytes) {
   if (const auto usable = checkGrid(grid); !usable) return passOn(usable.error());
   const auto tooLarge = [&] {
-    return failure(ErrorCode::tooLarge, "The labels of " + textOf(static_cast<double>(grid.voxelCount())) +
-                                            " voxels need more memory than is allowed; choose a coarser spacing.");
+    return failure(ErrorCode::tooLarge, say<"The labels of %1 voxels need more memory than is allowed; choose a coarser spacing.">(
+                                            textOf(static_cast<double>(grid.voxelCount()))));
   };
   if (grid.voxelCount() > maxBytes) return tooLarge();
   std::vector<std::uint8_t> labels;
@@ -75,8 +75,8 @@ Result<std::vector<std::uint8_t>> labelsOn(const Patient& patient, const Grid& g
           }
     }
   };
-  const bool finished = forEachTask(blocks.y * blocks.z, threads, progress, "Labelling the tissues", labelRow);
-  if (!finished) return failure(ErrorCode::cancelled, "Labelling the tissues was stopped.");
+  const bool finished = forEachTask(blocks.y * blocks.z, threads, progress, say<"Labelling the tissues">(), labelRow);
+  if (!finished) return failure(ErrorCode::cancelled, say<"Labelling the tissues was stopped.">());
   return labels;
 }
 

@@ -33,16 +33,16 @@ Breathing readBreathing(const JsonFields& object, const Bounds& box, const Shape
   breathing.rhythm = readRhythm(object, object.number("period_s", 1.0, 30.0, 4.0));
   breathing.pause = object.number("pause", 0.0, 0.9, 0.3);
   breathing.displacement_mm = object.point("displacement_mm", kFarthest_mm);
-  if (!(glm::length(breathing.displacement_mm) <= 60.0)) object.refuse("displacement_mm", "too long", "at most 60 mm");
+  if (!(glm::length(breathing.displacement_mm) <= 60.0)) object.refuse("displacement_mm", say<"too long">(), say<"at most 60 mm">());
   const double held = object.number("held_depth_mm", 0.0, 500.0, 20.0);
   const double free = object.number("free_depth_mm", 0.0, 500.0, 40.0);
-  if (!(free > held)) object.refuse("free_depth_mm", textOf(free), "a depth below held_depth_mm");
+  if (!(free > held)) object.refuse("free_depth_mm", verbatim(textOf(free)), say<"a depth below held_depth_mm">());
   const double freeDistance = object.number("free_distance_mm", 1.0, 500.0, 25.0);
   std::vector<ShapePtr> holders;
   for (const std::string& name : object.texts("held_by", 0, 50)) {
     const auto found = shapes.find(name);
     if (found == shapes.end())
-      object.refuse("held_by[" + std::to_string(holders.size()) + "]", '"' + name + '"', "the name of a shape or organ");
+      object.refuse("held_by[" + std::to_string(holders.size()) + "]", verbatim('"' + name + '"'), say<"the name of a shape or organ">());
     else
       holders.push_back(found->second);
   }
@@ -50,13 +50,13 @@ Breathing readBreathing(const JsonFields& object, const Bounds& box, const Shape
   if (const auto range = object.numbers("grows_along_z_mm", 2, 2, -1e4, 1e4, false); !range.empty()) {
     still_z = range[0];
     full_z = range[1];
-    if (!(std::abs(full_z - still_z) >= 1.0)) object.refuse("grows_along_z_mm", "two heights at least 1 mm apart");
+    if (!(std::abs(full_z - still_z) >= 1.0)) object.refuse("grows_along_z_mm", say<"two heights at least 1 mm apart">());
   }
   if (!object.good()) return breathing;
 
   auto share = std::make_shared<ShareField>(Bounds{box.lowest_mm - kShareMargin_mm, box.highest_mm + kShareMargin_mm}, kShareSpacing_mm);
   const glm::ivec3 nodes = share->nodes();
-  const bool finished = forEachTask(nodes.z, 0, progress, "Reading the patient", [&](int k, int /*worker*/, const auto& stopped) {
+  const bool finished = forEachTask(nodes.z, 0, progress, say<"Reading the patient">(), [&](int k, int /*worker*/, const auto& stopped) {
     for (int j = 0; j < nodes.y && !stopped(); ++j)
       for (int i = 0; i < nodes.x; ++i) {
         const glm::dvec3 p = share->placeOf({i, j, k});
@@ -71,8 +71,8 @@ Breathing readBreathing(const JsonFields& object, const Bounds& box, const Shape
   // Along the displacement d the tissue stretches by 1 + d . grad share; where that reaches 0 two places would meet.
   const double stretch = 1.0 + share->steepestFall(breathing.displacement_mm);
   if (!(stretch >= kLeastStretch))
-    object.refuse("displacement_mm", "so long that it would fold the tissue where it fades",
-                  "a shorter one, or a wider way from held to free");
+    object.refuse("displacement_mm", say<"so long that it would fold the tissue where it fades">(),
+                  say<"a shorter one, or a wider way from held to free">());
   breathing.share = std::move(share);
   return breathing;
 }
@@ -89,7 +89,7 @@ PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   const CentreLine* line = found == shapes.end() ? nullptr : found->second->centreLine();
   if (line) vessel.line_mm = line->points_mm;
   if (vessel.line_mm.size() < 2) {
-    object.refuse("of", '"' + name + '"', "the name of a shape or organ that is a tube");
+    object.refuse("of", verbatim('"' + name + '"'), say<"the name of a shape or organ that is a tube">());
     return vessel;
   }
   if (vessel.line_mm.front().z > vessel.line_mm.back().z) std::reverse(vessel.line_mm.begin(), vessel.line_mm.end());
@@ -97,13 +97,14 @@ PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   for (std::size_t n = 1; n < vessel.line_mm.size(); ++n) {
     thinnest = std::min(thinnest, vessel.line_mm[n].w);
     if (!(vessel.line_mm[n].z - vessel.line_mm[n - 1].z > 1e-6)) {
-      object.refuse("of", '"' + name + '"', "a tube that runs up or down all along, never turning back or running level");
+      object.refuse("of", verbatim('"' + name + '"'), say<"a tube that runs up or down all along, never turning back or running level">());
       return vessel;
     }
   }
   // The wall's push falls off by 1 / radius from the ring it widens and by at most 1.6 / reach from its fading.
   if (!(0.5 * vessel.growth_mm * (1.0 / thinnest + 1.6 / vessel.reach_mm) <= 1.0 - kLeastStretch))
-    object.refuse("diameter_growth_mm", textOf(vessel.growth_mm), "less growth, or a longer reach, so that no tissue is folded");
+    object.refuse("diameter_growth_mm", verbatim(textOf(vessel.growth_mm)),
+                  say<"less growth, or a longer reach, so that no tissue is folded">());
   return vessel;
 }
 

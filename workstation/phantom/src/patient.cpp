@@ -26,28 +26,29 @@ Result<std::filesystem::path> findMannequin(const JsonFields& recipe, const std:
                                             const std::filesystem::path& mannequins) {
   const std::string name = recipe.text("mannequin");
   if (recipe.good() && std::filesystem::path(name).has_parent_path())
-    recipe.refuse("mannequin", "the name of a file in resources/mannequin, without a folder");
+    recipe.refuse("mannequin", say<"the name of a file in resources/mannequin, without a folder">());
   if (!recipe.good()) return passOn(*recipe.reading().problem());
   const auto found = phantom::findNamed(name, "mannequin", file, mannequins);
   if (!found.empty()) return found;
-  return failure(ErrorCode::notFound,
-                 file.string() + " needs the mannequin " + name + ", which is neither beside it nor in resources/mannequin; put it there.",
-                 {{"file", file.string()}, {"mannequin", name}});
+  return failure(
+      ErrorCode::notFound,
+      say<"%1 needs the mannequin %2, which is neither beside it nor in resources/mannequin; put it there.">(file.string(), name),
+      {{"file", file.string()}, {"mannequin", name}});
 }
 
 Bounds readBox(const JsonFields& recipe) {
   Bounds read;
-  if (!recipe.has("box")) recipe.refuse("box", "an object with lowest_mm and highest_mm");
+  if (!recipe.has("box")) recipe.refuse("box", say<"an object with lowest_mm and highest_mm">());
   const JsonFields box = recipe.object("box");
   box.only({"lowest_mm", "highest_mm"});
   read = {box.point("lowest_mm", phantom::kFarthest_mm), box.point("highest_mm", phantom::kFarthest_mm)};
   const glm::dvec3 size = read.highest_mm - read.lowest_mm;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(size[axis] >= 1.0 && size[axis] <= 3000.0))
-      box.refuse("highest_mm", "not 1 to 3000 mm above lowest_mm", "the upper corner of the box");
+      box.refuse("highest_mm", say<"not 1 to 3000 mm above lowest_mm">(), say<"the upper corner of the box">());
   }
   if (!(size.x * size.y * size.z <= kLargestBox_mm3))
-    recipe.refuse("box", "larger than a cubic metre", "the part of the body that is drawn");
+    recipe.refuse("box", say<"larger than a cubic metre">(), say<"the part of the body that is drawn">());
   return read;
 }
 
@@ -70,7 +71,7 @@ Tissue readTissue(const JsonFields& object) {
     tissue.texture.level = texture.number("level", 0.0, 255.0);
     tissue.texture.scale_mm = texture.point("scale_mm", phantom::kFarthest_mm);
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(tissue.texture.scale_mm[axis] >= 0.1)) texture.refuse("scale_mm", "three sizes of at least 0.1 mm");
+      if (!(tissue.texture.scale_mm[axis] >= 0.1)) texture.refuse("scale_mm", say<"three sizes of at least 0.1 mm">());
     }
     tissue.texture.followsTheSkin = texture.flag("follows_the_skin", false);
   }
@@ -82,7 +83,7 @@ std::vector<Tissue> readTissues(const JsonFields& recipe) {
   std::set<std::string> names;
   for (const JsonFields& each : recipe.objects("tissues", 1, 254)) {
     read.push_back(readTissue(each));
-    if (each.good() && !names.insert(read.back().name).second) each.refuse("name", "a name that is not taken yet");
+    if (each.good() && !names.insert(read.back().name).second) each.refuse("name", say<"a name that is not taken yet">());
   }
   return read;
 }
@@ -92,7 +93,7 @@ std::size_t tissueNamed(const JsonFields& object, const std::string& field, cons
   for (std::size_t n = 0; n < tissues.size(); ++n) {
     if (tissues[n].name == name) return n;
   }
-  object.refuse(field, "one of the tissues (" + phantom::listed(tissues, [](const Tissue& tissue) { return tissue.name; }) + ")");
+  object.refuse(field, say<"one of the tissues (%1)">(phantom::listed(tissues, [](const Tissue& tissue) { return tissue.name; })));
   return 0;
 }
 
@@ -114,7 +115,7 @@ void readOrgans(const JsonFields& recipe, phantom::NamedShapes known, Patient& p
   const phantom::NamedFrames frames = phantom::readFrames(recipe);
   const auto newName = [&known](const JsonFields& entry) {
     std::string name = entry.text("name");
-    if (known.count(name) > 0) entry.refuse("name", "a name that is not taken yet");
+    if (known.count(name) > 0) entry.refuse("name", say<"a name that is not taken yet">());
     return name;
   };
   for (const JsonFields& entry : recipe.objects("shapes", 0, 200)) {
@@ -131,15 +132,15 @@ void readOrgans(const JsonFields& recipe, phantom::NamedShapes known, Patient& p
     const JsonFields each = entry.called(entry.place() + " (" + organ.name + ")");
     newName(each);
     organ.tissue = tissueNamed(each, "tissue", patient.tissues);
-    if (!each.has("shape")) each.refuse("shape", "a shape");
+    if (!each.has("shape")) each.refuse("shape", say<"a shape">());
     if (!recipe.good()) return;
     organ.shape = phantom::readShape(each.object("shape"), known, frames);
     organ.border = readBorder(each);
     if (!recipe.good()) return;
     solids += organ.shape->solids();
     if (solids > kMostSolidsOfOrgans)
-      return each.refuse("shape", "one solid too many with those of the organs before it",
-                         "at most " + textOf(kMostSolidsOfOrgans) + " in all organs, a shared one counted at every use");
+      return each.refuse("shape", say<"one solid too many with those of the organs before it">(),
+                         say<"at most %1 in all organs, a shared one counted at every use">(textOf(kMostSolidsOfOrgans)));
     known.emplace(organ.name, organ.shape);
     patient.organs.push_back(std::move(organ));
   }
@@ -154,7 +155,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (!whole) return passOn(whole.error());
   JsonReading reading = phantom::readingOf(file);
   const JsonFields recipe(whole->json, reading);
-  const auto stopped = [] { return failure(ErrorCode::cancelled, "Reading the patient was stopped."); };
+  const auto stopped = [] { return failure(ErrorCode::cancelled, say<"Reading the patient was stopped.">()); };
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
   recipe.only({"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion",
@@ -203,7 +204,7 @@ Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, co
   JsonReading reading = phantom::readingOf(file);
   const auto bodyFile = findMannequin(JsonFields(whole->json, reading), file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
-  const auto body = phantom::readRecipe(*bodyFile, "mannequin recipe");
+  const auto body = phantom::readRecipe(*bodyFile, say<"mannequin recipe">());
   if (!body) return passOn(body.error());
   return fnv1a(body->dump(), fnv1a(whole->json.dump(), 14695981039346656037ull ^ kVoxelVersion));
 }
@@ -243,7 +244,7 @@ Result<double> signedDistance_mm(const Patient& patient, const std::string& orga
   }
   if (organ == "skin surface") return patient.skin->distance_mm(p_world_mm);
   const std::string names = phantom::listed(patient.organs, [](const phantom::Organ& each) { return each.name; });
-  return failure(ErrorCode::badField, "The patient has no organ " + organ + "; its organs are " + names + ".", {{"organ", organ}});
+  return failure(ErrorCode::badField, say<"The patient has no organ %1; its organs are %2.">(organ, names), {{"organ", organ}});
 }
 
 int labelAt(const Patient& patient, const glm::dvec3& p_world_mm) {

@@ -14,12 +14,11 @@ constexpr std::size_t kLongestText = 10000;
 void refuseLongTexts(JsonReading& reading, const nlohmann::json& value, const std::string& field) {
   if (!reading.good()) return;
   if (value.is_string() && value.get_ref<const std::string&>().size() > kLongestText)
-    return reading.refuse(field, shown(value), "a text of at most " + std::to_string(kLongestText) + " bytes");
+    return reading.refuse(field, shown(value), say<"a text of at most %1 bytes">(kLongestText));
   if (value.is_object()) {
     for (const auto& [name, inner] : value.items()) {
       if (name.size() > kLongestName)
-        return reading.refuse(name.substr(0, 57) + "...", "a name of " + std::to_string(name.size()) + " bytes",
-                              "one of at most " + std::to_string(kLongestName));
+        return reading.refuse(name.substr(0, 57) + "...", say<"a name of %1 bytes">(name.size()), say<"one of at most %1">(kLongestName));
       refuseLongTexts(reading, inner, name);
     }
   } else if (value.is_array()) {
@@ -29,23 +28,23 @@ void refuseLongTexts(JsonReading& reading, const nlohmann::json& value, const st
 
 }  // namespace
 
-JsonReading readingOf(const std::filesystem::path& file) { return JsonReading(file.string(), {"name", "note", "source"}); }
+JsonReading readingOf(const std::filesystem::path& file) { return JsonReading(verbatim(file.string()), {"name", "note", "source"}); }
 
-Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const std::string& kind) {
+Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const Message& kind) {
   const std::string name = file.string();
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed))
-    return failure(ErrorCode::notFound, "There is no " + kind + " at " + name + "; check the path.", {{"file", name}});
+    return failure(ErrorCode::notFound, say<"There is no %1 at %2; check the path.">(kind, name), {{"file", name}});
   const auto size = std::filesystem::file_size(file, failed);
   if (failed || size > kLargestRecipe_bytes)
-    return failure(ErrorCode::tooLarge, name + " is larger than a " + kind + " can be (8 MiB); check that it is the right file.",
+    return failure(ErrorCode::tooLarge, say<"%1 is larger than a %2 can be (8 MiB); check that it is the right file.">(name, kind),
                    {{"file", name}});
   std::ifstream in(file, std::ios::binary);
-  if (!in) return failure(ErrorCode::notReadable, name + " cannot be opened; check its permissions.", {{"file", name}});
+  if (!in) return failure(ErrorCode::notReadable, say<"%1 cannot be opened; check its permissions.">(name), {{"file", name}});
   std::string text(static_cast<std::size_t>(size), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  auto recipe = parseJsonObject(text, "The " + kind + " " + name);
+  auto recipe = parseJsonObject(text, say<"The %1 %2">(kind, name));
   if (!recipe) return passOn(recipe.error());
   JsonReading reading = readingOf(file);
   refuseLongTexts(reading, *recipe, "");
@@ -53,7 +52,7 @@ Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const std::
   if (reading.problem()) return passOn(*reading.problem());
   if (format > 1)
     return failure(ErrorCode::newerFormat,
-                   name + " has format " + std::to_string(format) + ", this program reads up to format 1; open it with a newer EchoWeave.",
+                   say<"%1 has format %2, this program reads up to format 1; open it with a newer EchoWeave.">(name, format),
                    {{"file", name}, {"format", std::to_string(format)}, {"supported", "1"}});
   return recipe;
 }

@@ -33,9 +33,10 @@ template <class Range, class NameOf>
 [[nodiscard]] JsonReading readingOf(const std::filesystem::path& file);
 
 /// The JSON object in a file that says "format": 1.
+/// @param kind what sentences call it: say<"sweep file">()
 /// @error notFound, tooLarge (above 8 MiB), badHeader (not JSON, or not an object), newerFormat,
 ///        badField (format; names of fields above 200 characters, texts above 10000)
-[[nodiscard]] Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const std::string& kind);
+[[nodiscard]] Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const Message& kind);
 
 /// Shapes that a recipe can refer to by name.
 using NamedShapes = std::map<std::string, ShapePtr>;

@@ -53,16 +53,16 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
   const double depth_mm = depthOf(probe, recipe);
   if (!(depth_mm >= probe.minDepth_mm && depth_mm <= probe.maxDepth_mm))
     return failure(ErrorCode::badField,
-                   "The sweep asks for a depth of " + textOf(depth_mm) + " mm, but " + probe.id + " sees from " +
-                       textOf(probe.minDepth_mm) + " to " + textOf(probe.maxDepth_mm) + " mm; change machine.depth_mm or the probe.",
+                   say<"The sweep asks for a depth of %1 mm, but %2 sees from %3 to %4 mm; change machine.depth_mm or the probe.">(
+                       textOf(depth_mm), probe.id, textOf(probe.minDepth_mm), textOf(probe.maxDepth_mm)),
                    {{"field", "machine.depth_mm"}, {"found", textOf(depth_mm)}});
   if (recipe.frames < 1 || !(recipe.framesPerSecond > 0.0))
-    return failure(ErrorCode::badField, "The sweep has no frames or no frame rate; give at least one frame and a rate above 0.",
+    return failure(ErrorCode::badField, say<"The sweep has no frames or no frame rate; give at least one frame and a rate above 0.">(),
                    {{"field", "frames"}});
   if ((recipe.breathing || recipe.pulsating || recipe.ecg || recipe.respiration) && !moves(patient))
     return failure(ErrorCode::badField,
-                   "The sweep asks for breath, pulse or their signals, but this patient's recipe describes no motion; switch breathing, "
-                   "pulsating, ecg and respiration off or describe the motion.",
+                   say<"The sweep asks for breath, pulse or their signals, but this patient's recipe describes no motion; switch "
+                       "breathing, pulsating, ecg and respiration off or describe the motion.">(),
                    {{"field", "breathing"}});
   SweepForecast result{.frames = recipe.frames};
   const DisplayGeometry picture = pictureOf(probe, depth_mm, picturePixelOf(probe, recipe));
@@ -70,8 +70,8 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
   result.height_px = recipe.scanLines ? probe.lines : picture.height;
   if (result.width_px > kLargestSide_px || result.height_px > kLargestSide_px)
     return failure(ErrorCode::tooLarge,
-                   "Frames of this sweep would be " + std::to_string(result.width_px) + " x " + std::to_string(result.height_px) +
-                       " pixels, but a side may have " + std::to_string(kLargestSide_px) + " at most; use a larger pixel_mm.",
+                   say<"Frames of this sweep would be %1 x %2 pixels, but a side may have %3 at most; use a larger pixel_mm.">(
+                       result.width_px, result.height_px, kLargestSide_px),
                    {{"field", "pixel_mm"}});
   // Beside the frames: the table of the conversion, and some beams per processor at about eight samples a wavelength.
   const double carrier_hz = recipe.formation.carrier_hz > 0.0 ? recipe.formation.carrier_hz : probe.carrier_hz;
@@ -214,7 +214,7 @@ void writeLines(const BeamImage& levels, int samples, std::uint8_t* out) {
   }
 }
 
-tl::unexpected<Error> recordingStopped() { return failure(ErrorCode::cancelled, "Recording the sweep was stopped."); }
+tl::unexpected<Error> recordingStopped() { return failure(ErrorCode::cancelled, say<"Recording the sweep was stopped.">()); }
 
 /// Fresh memory is slow to touch: bit by bit, so that the wish to cancel is heard.
 Result<void> makeRoom(std::size_t frames, const Progress& progress, Sequence& sequence) {
@@ -226,7 +226,7 @@ Result<void> makeRoom(std::size_t frames, const Progress& progress, Sequence& se
       sequence.pixels.resize((n + 1) * framePixels);
     }
   } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.");
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.">());
   }
   sequence.frames.resize(frames);
   return {};
@@ -262,8 +262,8 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   if (!expected) return passOn(expected.error());
   if (expected->bytes > maxBytes)
     return failure(ErrorCode::tooLarge,
-                   "Recording this sweep takes " + std::to_string(expected->bytes >> 20) + " MiB, but only " +
-                       std::to_string(maxBytes >> 20) + " MiB may be used; use fewer frames or a larger pixel_mm.",
+                   say<"Recording this sweep takes %1 MiB, but only %2 MiB may be used; use fewer frames or a larger pixel_mm.">(
+                       expected->bytes >> 20, maxBytes >> 20),
                    {{"bytes", std::to_string(expected->bytes)}, {"limit", std::to_string(maxBytes)}});
   auto trajectory = Trajectory::along(patient, probe, recipe);
   if (!trajectory) return passOn(trajectory.error());
@@ -297,7 +297,7 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
   std::vector<Bench> benches(static_cast<std::size_t>(threadCount(threads)));
   const bool finished =
-      forEachTask(recipe.frames, threads, recording, "Recording the sweep", [&](int task, int worker, const auto& isStopped) {
+      forEachTask(recipe.frames, threads, recording, say<"Recording the sweep">(), [&](int task, int worker, const auto& isStopped) {
         const auto n = static_cast<std::size_t>(task);
         Bench& bench = benches[static_cast<std::size_t>(worker)];
         if (!bench.scratch) bench.scratch = scanner.makeScratch();

@@ -35,7 +35,8 @@ ShapePtr readEllipsoid(const JsonFields& object) {
   Ellipsoid ellipsoid{object.point("centre_mm", kFarthest_mm), object.point("radii_mm", kFarthest_mm),
                       turned(object.point("turned_deg", kFarthest_mm, glm::dvec3(0.0)))};
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(ellipsoid.radii_mm[axis] >= kSmallest_mm)) object.refuse("radii_mm", "not positive", "three radii of at least 0.01 mm");
+    if (!(ellipsoid.radii_mm[axis] >= kSmallest_mm))
+      object.refuse("radii_mm", say<"not positive">(), say<"three radii of at least 0.01 mm">());
   }
   return !object.good() ? nullptr : makeEllipsoid(ellipsoid);
 }
@@ -64,7 +65,7 @@ ShapePtr readTube(const JsonFields& object) {
     }
     if (!fits) {
       object.refuse("points[" + std::to_string(n) + "]", shown(list[n]),
-                    "four numbers, [x, y, z, radius] in mm, with a radius from " + textOf(kSmallest_mm) + " to " + textOf(kLargest_mm));
+                    say<"four numbers, [x, y, z, radius] in mm, with a radius from %1 to %2">(textOf(kSmallest_mm), textOf(kLargest_mm)));
       break;
     }
     points.emplace_back(row[0], row[1], row[2]);
@@ -88,7 +89,7 @@ ShapePtr readLoft(const JsonFields& object) {
     section.back_mm = each.number("back_mm", kSmallest_mm, kLargest_mm);
     section.squareness = each.number("squareness", 0.0, 1.0, 0.0);
     if (!sections.empty() && !(section.z_mm - sections.back().z_mm >= kSmallest_mm))
-      each.refuse("z_mm", "not above the section before it", "sections by rising z_mm");
+      each.refuse("z_mm", say<"not above the section before it">(), say<"sections by rising z_mm">());
     sections.push_back(section);
   }
   const double rounding = object.number("cap_rounding_mm", 0.0, kLargest_mm, 0.0);
@@ -99,25 +100,24 @@ ShapePtr readHalfSpace(const JsonFields& object) {
   object.only({"point_mm", "outward"});
   const glm::dvec3 point = object.point("point_mm", kFarthest_mm);
   const glm::dvec3 outward = object.point("outward", kFarthest_mm);
-  if (object.good() && !(glm::length(outward) > 1e-6)) object.refuse("outward", "zero", "a direction");
+  if (object.good() && !(glm::length(outward) > 1e-6)) object.refuse("outward", say<"zero">(), say<"a direction">());
   return !object.good() ? nullptr : makeHalfSpace(point, outward);
 }
 
 /// The entry of a table that a field names; null after a problem.
 template <class Table>
-const typename Table::mapped_type* entryNamed(const JsonFields& object, const std::string& field, const Table& known,
-                                              const std::string& what) {
+const typename Table::mapped_type* entryNamed(const JsonFields& object, const std::string& field, const Table& known, const Message& what) {
   const std::string name = object.text(field);
   if (!object.good()) return nullptr;
   const auto found = known.find(name);
   if (found != known.end()) return &found->second;
   const std::string names = listed(known, [](const auto& each) { return each.first; });
-  object.refuse(field, '"' + name + '"', what + " described before this one" + (names.empty() ? "" : " (" + names + ")"));
+  object.refuse(field, verbatim('"' + name + '"'), names.empty() ? what : say<"%1 (%2)">(what, names));
   return nullptr;
 }
 
 ShapePtr named(const JsonFields& object, const std::string& field, const NamedShapes& known) {
-  const ShapePtr* found = entryNamed(object, field, known, "a shape");
+  const ShapePtr* found = entryNamed(object, field, known, say<"a shape described before this one">());
   return found ? *found : nullptr;
 }
 
@@ -126,7 +126,8 @@ ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
   ShapePtr of = named(object, "of", known);
   const double from = object.number("from_depth_mm", -kLargest_mm, kLargest_mm);
   const double to = object.number("to_depth_mm", -kLargest_mm, kLargest_mm);
-  if (object.good() && !(from < to)) object.refuse("to_depth_mm", "not below from_depth_mm", "a larger depth than from_depth_mm");
+  if (object.good() && !(from < to))
+    object.refuse("to_depth_mm", say<"not below from_depth_mm">(), say<"a larger depth than from_depth_mm">());
   return !object.good() ? nullptr : makeShell(std::move(of), from, to);
 }
 
@@ -171,8 +172,8 @@ ShapePtr mirroredIn(ShapePtr shape, double smoothing_mm, const DrawingFrame* fra
 
 /// Shapes are shared, so a few lines can describe one that no machine could evaluate: 36 unions of the one before with itself are 2^36.
 void refuseCostly(const JsonFields& object) {
-  object.refuseWhole("made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply",
-                     "at most " + textOf(kMostSolids) + " solids and " + std::to_string(kDeepestUse) + " shapes inside one another");
+  object.refuseWhole(say<"made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply">(),
+                     say<"at most %1 solids and %2 shapes inside one another">(textOf(kMostSolids), kDeepestUse));
 }
 
 ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
@@ -182,21 +183,21 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
                "mirror_smoothing_mm", "of", "shell", "tube", "union"});
   if (!object.good()) return nullptr;
   if (around.depth > kDeepestShape) {
-    object.refuseWhole("nested too deeply", "at most " + std::to_string(kDeepestShape) + " shapes inside one another");
+    object.refuseWhole(say<"nested too deeply">(), say<"at most %1 shapes inside one another">(kDeepestShape));
     return nullptr;
   }
   std::string kind;
   for (const std::string& each : kKinds) {
     if (!object.has(each)) continue;
-    if (!kind.empty()) object.refuseWhole("both " + kind + " and " + each, "one shape");
+    if (!kind.empty()) object.refuseWhole(say<"both %1 and %2">(kind, each), say<"one shape">());
     kind = each;
   }
   if (kind.empty())
-    object.refuseWhole("without a shape",
-                       "one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union");
+    object.refuseWhole(say<"without a shape">(),
+                       say<"one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union">());
   if (!object.good()) return nullptr;
 
-  if (object.has("frame")) around.frame = entryNamed(object, "frame", around.frames, "a frame");
+  if (object.has("frame")) around.frame = entryNamed(object, "frame", around.frames, say<"a frame described before this one">());
   if (!object.good()) return nullptr;
 
   // A kind that is drawn has an object of its own; the others name a shape or list some.
@@ -239,10 +240,10 @@ NamedFrames readFrames(const JsonFields& recipe) {
     entry.only({"origin_mm", "turned_deg", "within"});
     const std::string name = entry.text("name");
     const JsonFields each = entry.called(entry.place() + " (" + name + ")");
-    if (frames.count(name) > 0) each.refuse("name", "a name that is not taken yet");
+    if (frames.count(name) > 0) each.refuse("name", say<"a name that is not taken yet">());
     DrawingFrame frame{each.point("origin_mm", kFarthest_mm), turned(each.point("turned_deg", kFarthest_mm, glm::dvec3(0.0)))};
     if (each.has("within")) {
-      if (const DrawingFrame* outer = entryNamed(each, "within", frames, "a frame"))
+      if (const DrawingFrame* outer = entryNamed(each, "within", frames, say<"a frame described before this one">()))
         frame = {outer->toWorld(frame.origin_mm), outer->axes * frame.axes};
     }
     if (!each.good()) return frames;

@@ -91,7 +91,7 @@ Result<Volume> imageOf(const SpeckledTissue& tissue, const TissueView& view, int
   const double own = std::sqrt(1.0 - view.shared * view.shared);
   const double perDb = 255.0 / view.dynamicRange_db;
   const glm::ivec3 dims = view.grid.dims;
-  const bool finished = forEachTask(dims.z, threads, progress, "Imaging tissue", [&](int k) {
+  const bool finished = forEachTask(dims.z, threads, progress, say<"Imaging tissue">(), [&](int k) {
     for (int j = 0; j < dims.y; ++j)
       for (int i = 0; i < dims.x; ++i) {
         const glm::dvec3 here = (voxelToWorld * Point<frame::Voxel>{{i, j, k}}).at;
@@ -107,7 +107,7 @@ Result<Volume> imageOf(const SpeckledTissue& tissue, const TissueView& view, int
         made.echo[made.grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(std::clamp(kMiddle_grey + perDb * db, 0.0, 255.0) + 0.5);
       }
   });
-  if (!finished) return failure(ErrorCode::cancelled, "Imaging the tissue was stopped.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Imaging the tissue was stopped.">());
   return made;
 }
 

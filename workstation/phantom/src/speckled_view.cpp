@@ -46,7 +46,7 @@ SpeckledView speckledView(const SpeckledViewRecipe& recipe, int threads) {
   const glm::ivec3 lattice(glm::round(recipe.origin_mm / recipe.spacing_mm));  // where this box lies in the speckle of its frame
   const Decibel decibel;
   const int slabs = (grid.dims.z + kSlices - 1) / kSlices;
-  forEachTask(slabs, threads, noProgress(), "Drawing views", [&](int slab) {
+  forEachTask(slabs, threads, noProgress(), say<"Drawing views">(), [&](int slab) {
     const int from = slab * kSlices;
     const int slices = std::min(kSlices, grid.dims.z - from);
     SpeckleScratch scratch;

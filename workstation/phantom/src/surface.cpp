@@ -42,7 +42,7 @@ class Tetrahedra {
   [[nodiscard]] bool sampleLayer(int k, Progress& progress) {
     QuietProgress silent(progress);
     auto& layer = inside_[static_cast<std::size_t>(k & 1)];
-    return forEachTask(cubes_.y + 1, 0, silent, "", [&](int j, int /*worker*/, const auto& stopped) {
+    return forEachTask(cubes_.y + 1, 0, silent, Message(), [&](int j, int /*worker*/, const auto& stopped) {
       for (int i = 0; i <= cubes_.x && !(i % kNodesPerQuestion == 0 && stopped()); ++i)
         layer[inLayer(i, j)] = holds(nodeAt({i, j, k})) ? 1 : 0;
     });
@@ -196,7 +196,7 @@ void writeStl(const SurfaceMesh& mesh, std::ostream& out) {
 
 Result<SurfaceMesh> surfaceOf(const Patient& patient, const std::string& organ, double edge_mm, Progress& progress) {
   if (!(edge_mm >= 0.01 && edge_mm <= 100.0))
-    return failure(ErrorCode::badField, "The edge of the surface's cells is " + textOf(edge_mm) + " mm; choose one from 0.01 to 100 mm.",
+    return failure(ErrorCode::badField, say<"The edge of the surface's cells is %1 mm; choose one from 0.01 to 100 mm.">(textOf(edge_mm)),
                    {{"field", "edge_mm"}});
   const auto found = patient.shapes.find(organ);
   if (found == patient.shapes.end()) return passOn(signedDistance_mm(patient, organ, glm::dvec3(0.0)).error());
@@ -209,7 +209,7 @@ Result<SurfaceMesh> surfaceOf(const Patient& patient, const std::string& organ, 
   const glm::dvec3 nodes = glm::ceil((box.highest_mm - box.lowest_mm) / edge_mm) + 2.0;
   const auto tooLarge = [&] {
     return failure(ErrorCode::tooLarge,
-                   "The surface of " + organ + " has too many parts with edges of " + textOf(edge_mm) + " mm; choose longer ones.",
+                   say<"The surface of %1 has too many parts with edges of %2 mm; choose longer ones.">(organ, textOf(edge_mm)),
                    {{"organ", organ}});
   };
   if (nodes.x * nodes.y * nodes.z > kMostNodes) return tooLarge();
@@ -217,11 +217,11 @@ Result<SurfaceMesh> surfaceOf(const Patient& patient, const std::string& organ, 
     Tetrahedra tetrahedra(shape, box, edge_mm);
     bool finished = tetrahedra.sampleLayer(0, progress);
     for (int k = 0; k + 1 < tetrahedra.layers() && finished; ++k) {
-      progress.report("Making the surface", static_cast<double>(k) / tetrahedra.layers());
+      progress.report(say<"Making the surface">(), static_cast<double>(k) / tetrahedra.layers());
       finished = tetrahedra.sampleLayer(k + 1, progress) && tetrahedra.addCubes(k, mesh, progress);
       if (mesh.triangles.size() > kMostTriangles) return tooLarge();
     }
-    if (!finished) return failure(ErrorCode::cancelled, "Making the surface was stopped.");
+    if (!finished) return failure(ErrorCode::cancelled, say<"Making the surface was stopped.">());
   } catch (const std::bad_alloc&) {
     return tooLarge();
   }
@@ -232,7 +232,7 @@ Result<void> writeSurface(const SurfaceMesh& mesh, const std::filesystem::path& 
   const std::string ending = file.extension().string();
   if (ending != ".stl" && ending != ".ply")
     return failure(ErrorCode::unsupported,
-                   "Surfaces are written as .stl or .ply, not as " + file.filename().string() + "; change its ending.",
+                   say<"Surfaces are written as .stl or .ply, not as %1; change its ending.">(file.filename().string()),
                    {{"file", file.string()}});
   return writeFileSafely(file, [&](std::ostream& out) -> Result<void> {
     if (ending == ".stl")

@@ -47,7 +47,7 @@ void readMachine(const JsonFields& machine, FormationOptions& options) {
   for (const JsonFields& each : machine.objects("tgc", 1, kMostGains)) {
     each.only({"depth_mm", "gain_db"});
     const DepthGain gain{each.number("depth_mm", 0.0, 1000.0), each.number("gain_db", -100.0, 150.0)};
-    if (!options.tgc.empty() && gain.depth_mm <= options.tgc.back().depth_mm) each.refuse("depth_mm", "more than the depth before");
+    if (!options.tgc.empty() && gain.depth_mm <= options.tgc.back().depth_mm) each.refuse("depth_mm", say<"more than the depth before">());
     options.tgc.push_back(gain);
   }
 }
@@ -58,27 +58,27 @@ void readStations(const JsonFields& sweep, SweepRecipe& recipe) {
     SweepRecipe::Station station;
     station.near_mm = each.point("near_mm", phantom::kFarthest_mm);
     station.lateral = each.point("lateral", phantom::kFarthest_mm, station.lateral);
-    if (!(glm::length(station.lateral) > 1e-6)) each.refuse("lateral", "a direction");
+    if (!(glm::length(station.lateral) > 1e-6)) each.refuse("lateral", say<"a direction">());
     if (each.has("towards_mm")) station.towards_mm = each.point("towards_mm", phantom::kFarthest_mm);
-    if (!recipe.onSkin && !station.towards_mm) each.refuse("towards_mm", "a point to look at, as the probe is not on the skin");
+    if (!recipe.onSkin && !station.towards_mm) each.refuse("towards_mm", say<"a point to look at, as the probe is not on the skin">());
     recipe.stations.push_back(station);
   }
   if (recipe.kind != SweepKind::freehand && recipe.stations.size() > 1)
-    sweep.refuse("stations", "a list of " + std::to_string(recipe.stations.size()), "one station, from which the motor starts");
+    sweep.refuse("stations", say<"a list of %1">(recipe.stations.size()), say<"one station, from which the motor starts">());
 }
 
 void readPath(const JsonFields& sweep, SweepRecipe& recipe) {
   recipe.onSkin = sweep.flag("on_skin", true);
   readStations(sweep, recipe);
-  const auto onlyFor = [&](const char* field, bool fits, const char* kinds) {
-    if (!fits && sweep.has(field)) sweep.refuse(field, "given", std::string("left out: only ") + kinds + " has it");
+  const auto onlyFor = [&](const char* field, bool fits, const Message& expected) {
+    if (!fits && sweep.has(field)) sweep.refuse(field, say<"given">(), expected);
   };
   const bool hand = recipe.kind == SweepKind::freehand, parallel = recipe.kind == SweepKind::parallel, fan = recipe.kind == SweepKind::fan;
-  onlyFor("extent_mm", parallel, "a parallel motor");
-  onlyFor("extent_deg", fan || recipe.kind == SweepKind::rotational, "a fan or a rotational motor");
-  onlyFor("axis_behind_face_mm", fan, "a fan motor");
-  onlyFor("unevenness", hand, "a hand");
-  onlyFor("hand_seed", hand, "a hand");
+  onlyFor("extent_mm", parallel, say<"left out: only a parallel motor has it">());
+  onlyFor("extent_deg", fan || recipe.kind == SweepKind::rotational, say<"left out: only a fan or a rotational motor has it">());
+  onlyFor("axis_behind_face_mm", fan, say<"left out: only a fan motor has it">());
+  onlyFor("unevenness", hand, say<"left out: only a hand has it">());
+  onlyFor("hand_seed", hand, say<"left out: only a hand has it">());
   if (parallel) recipe.extent_mm = sweep.number("extent_mm", 0.1, 1000.0);
   if (fan) recipe.extent_deg = sweep.number("extent_deg", 0.1, 170.0);
   if (recipe.kind == SweepKind::rotational) recipe.extent_deg = sweep.number("extent_deg", 0.1, 360.0);
@@ -108,7 +108,7 @@ void readTracker(const JsonFields& part, SweepRecipe::Tracker& tracker) {
 }  // namespace
 
 Result<SweepRecipe> readSweepRecipe(const std::filesystem::path& file) {
-  const auto json = phantom::readRecipe(file, "sweep file");
+  const auto json = phantom::readRecipe(file, say<"sweep file">());
   if (!json) return passOn(json.error());
   JsonReading reading = phantom::readingOf(file);
   const JsonFields sweep(*json, reading);
@@ -138,7 +138,7 @@ Result<SweepRecipe> readSweepRecipe(const std::filesystem::path& file) {
   recipe.name = sweep.text("name");
   recipe.probe = sweep.text("probe");
   if (recipe.probe.find_first_of("/\\") != std::string::npos)
-    sweep.refuse("probe", "the name of a shipped probe, such as convex-3.5, without folder and ending");
+    sweep.refuse("probe", say<"the name of a shipped probe, such as convex-3.5, without folder and ending">());
   recipe.kind = sweep.word("kind", kKinds);
   recipe.frames = static_cast<int>(sweep.whole("frames", 1, kMostFrames, recipe.frames));
   recipe.framesPerSecond = sweep.number("frames_per_second", 0.1, 1000.0, recipe.framesPerSecond);

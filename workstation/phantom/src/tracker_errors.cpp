@@ -48,7 +48,7 @@ std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecip
   TrackedPoses tracked;
   tracked.poses.resize(static_cast<std::size_t>(recipe.frames));
   tracked.unfilteredTime_s.resize(static_cast<std::size_t>(recipe.frames));
-  const bool finished = forEachTask(recipe.frames, threads, progress, "Moving the probe", [&](int n) {
+  const bool finished = forEachTask(recipe.frames, threads, progress, say<"Moving the probe">(), [&](int n) {
     const double time_s = n / recipe.framesPerSecond;
     Pose& pose = tracked.poses[static_cast<std::size_t>(n)];
     pose.time_s = time_s;

@@ -28,9 +28,9 @@ std::string placeText(const glm::dvec3& p_mm) {
   return "(" + tenth(p_mm.x) + ", " + tenth(p_mm.y) + ", " + tenth(p_mm.z) + ") mm";
 }
 
-tl::unexpected<Error> refused(std::size_t station, const std::string& what, const std::string& advice) {
+tl::unexpected<Error> refused(std::size_t station, const Message& what, const Message& advice) {
   const std::string place = "stations[" + std::to_string(station) + "]";
-  return failure(ErrorCode::badField, "The sweep's " + place + " " + what + "; " + advice + ".", {{"field", place}, {"found", what}});
+  return failure(ErrorCode::badField, say<"The sweep's %1 %2; %3.">(place, what, advice), {{"field", place}, {"found", what.english()}});
 }
 
 /// `along` made square to `to`, of unit length; empty when it points along `to`.
@@ -90,35 +90,38 @@ Result<void> Trajectory::placeStations() {
     if (recipe_.onSkin) {
       const auto skin = skinPointNear(*patient_->skin, station.near_mm);
       if (!skin)
-        return refused(n, "at " + placeText(station.near_mm) + " has no skin within " + textOf(kFarthestFromSkin_mm) + " mm",
-                       "give a point near the skin, or say \"on_skin\": false to place the probe freely");
+        return refused(n, say<"at %1 has no skin within %2 mm">(placeText(station.near_mm), textOf(kFarthestFromSkin_mm)),
+                       say<"give a point near the skin, or say \"on_skin\": false to place the probe freely">());
       contact_mm = *skin;
     }
     if (glm::any(glm::lessThan(contact_mm, box.lowest_mm - kOutsideBox_mm)) ||
         glm::any(glm::greaterThan(contact_mm, box.highest_mm + kOutsideBox_mm)))
       return refused(n,
-                     "puts the probe at " + placeText(contact_mm) + ", outside the patient's box from " + placeText(box.lowest_mm) +
-                         " to " + placeText(box.highest_mm),
-                     "move it to where there is anatomy");
+                     say<"puts the probe at %1, outside the patient's box from %2 to %3">(placeText(contact_mm), placeText(box.lowest_mm),
+                                                                                          placeText(box.highest_mm)),
+                     say<"move it to where there is anatomy">());
     glm::dmat3 axes = skinFrame(contact_mm, station.lateral);
     const glm::dmat3 straight = axes;
     if (station.towards_mm) {
       const glm::dvec3 look = *station.towards_mm - contact_mm;
-      if (glm::length(look) < 1.0) return refused(n, "looks towards the very point where it stands", "look at a point inside the body");
+      if (glm::length(look) < 1.0)
+        return refused(n, say<"looks towards the very point where it stands">(), say<"look at a point inside the body">());
       axes[1] = glm::normalize(look);
       if (recipe_.onSkin && glm::dot(axes[1], straight[1]) < kFlattestLook)
-        return refused(n, "looks along the skin or out of the body",
-                       "look at a point inside the body, less than 80 degrees from straight in");
+        return refused(n, say<"looks along the skin or out of the body">(),
+                       say<"look at a point inside the body, less than 80 degrees from straight in">());
     } else if (!recipe_.onSkin) {
-      return refused(n, "does not say where it looks (towards_mm)", "a probe that is not on the skin needs it");
+      return refused(n, say<"does not say where it looks (towards_mm)">(), say<"a probe that is not on the skin needs it">());
     }
     const auto x = squareTo(axes[1], station.lateral);
-    if (!x) return refused(n, "has a lateral direction along its beam", "give the direction of the image's x axis, square to the beam");
+    if (!x)
+      return refused(n, say<"has a lateral direction along its beam">(),
+                     say<"give the direction of the image's x axis, square to the beam">());
     axes[0] = *x;
     axes[2] = glm::cross(axes[0], axes[1]);
     if (recipe_.onSkin && !drawnBack_mm(*patient_->skin, probe_, poseOf(axes, contact_mm), kDeepestFold_mm))
-      return refused(n, "is in a fold of the skin that the probe " + probe_.id + " does not fit into",
-                     "choose a smaller probe or another place");
+      return refused(n, say<"is in a fold of the skin that the probe %1 does not fit into">(probe_.id),
+                     say<"choose a smaller probe or another place">());
     if (n == 0) start_ = recipe_.onSkin ? pressed(axes, contact_mm) : poseOf(axes, contact_mm);
 
     // Off the skin there is nothing to lean against but the first station.
@@ -134,8 +137,8 @@ Result<void> Trajectory::placeStations() {
       if (glm::dot(lean, leanBefore) < 0.0) lean = -lean;
       const glm::dvec3 lateralBefore(before[3], before[4], before[5]);
       if (glm::dot(lateral, lateralBefore) < -0.7 || glm::dot(lean, leanBefore) < 0.5)
-        return refused(n, "turns the image by more than a hand can on the way from the station before",
-                       "put a station between the two, or swap the sign of lateral");
+        return refused(n, say<"turns the image by more than a hand can on the way from the station before">(),
+                       say<"put a station between the two, or swap the sign of lateral">());
       turn_rad = std::acos(std::clamp(glm::dot(lateral, lateralBefore), -1.0, 1.0)) +
                  2.0 * std::acos(std::clamp(glm::dot(lean, leanBefore), -1.0, 1.0));
       const double way_mm = glm::distance(contact_mm, glm::dvec3(before[0], before[1], before[2])) + kTurnArm_mm * turn_rad;
@@ -287,17 +290,17 @@ Transform<frame::World, frame::Probe> Trajectory::poseAt(double time_s) const {
 
 Result<Trajectory> Trajectory::along(const Patient& patient, const Probe& probe, const SweepRecipe& recipe) {
   if (recipe.stations.empty())
-    return failure(ErrorCode::badField, "The sweep has no station; say at least one point near the skin where the probe is put.",
+    return failure(ErrorCode::badField, say<"The sweep has no station; say at least one point near the skin where the probe is put.">(),
                    {{"field", "stations"}});
   if (recipe.kind != SweepKind::freehand && recipe.stations.size() != 1)
     return failure(ErrorCode::badField,
-                   "The sweep has " + std::to_string(recipe.stations.size()) +
-                       " stations, but a motor starts from one; give one station, or make the sweep freehand.",
+                   say<"The sweep has %1 stations, but a motor starts from one; give one station, or make the sweep freehand.">(
+                       recipe.stations.size()),
                    {{"field", "stations"}, {"found", std::to_string(recipe.stations.size())}, {"expected", "1"}});
   if (const double deepest_mm = deepestIndentation_mm(probe); recipe.indentation_mm > deepest_mm)
     return failure(ErrorCode::badField,
-                   "The sweep presses the probe " + textOf(recipe.indentation_mm) + " mm into the skin, but " + probe.id + " can press " +
-                       textOf(std::floor(deepest_mm * 10.0) / 10.0) + " mm at most; use a smaller indentation_mm.",
+                   say<"The sweep presses the probe %1 mm into the skin, but %2 can press %3 mm at most; use a smaller indentation_mm.">(
+                       textOf(recipe.indentation_mm), probe.id, textOf(std::floor(deepest_mm * 10.0) / 10.0)),
                    {{"field", "indentation_mm"}, {"found", textOf(recipe.indentation_mm)}, {"expected", textOf(deepest_mm)}});
   Trajectory trajectory(patient, probe, recipe);
   if (auto placed = trajectory.placeStations(); !placed) return passOn(placed.error());

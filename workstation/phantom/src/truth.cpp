@@ -111,9 +111,9 @@ std::optional<glm::dvec3> borderFrom(const Solid& solid, const glm::dvec3& middl
   return std::nullopt;
 }
 
-tl::unexpected<Error> notMeasurable(const MeasurementRequest& request, const std::string& why) {
+tl::unexpected<Error> notMeasurable(const MeasurementRequest& request, const Message& why) {
   return failure(ErrorCode::badField,
-                 "The measurement \"" + request.name + "\" cannot be taken: " + why + "; move its places or change the anatomy.",
+                 say<"The measurement \"%1\" cannot be taken: %2; move its places or change the anatomy.">(request.name, why),
                  {{"measurement", request.name}});
 }
 
@@ -136,10 +136,10 @@ Taken distanceOf(const Patient& patient, const MeasurementRequest& request, cons
     const Solid left(patient, {request.gap[0]}, moment), entered(patient, {request.gap[1]}, moment);
     const auto first = crossingsOf(left, from, to), second = crossingsOf(entered, from, to);
     const auto entry = std::find_if(second.begin(), second.end(), [](const Crossing& each) { return each.entering; });
-    if (entry == second.end()) return notMeasurable(request, "its line does not enter " + request.gap[1]);
+    if (entry == second.end()) return notMeasurable(request, say<"its line does not enter %1">(request.gap[1]));
     const auto exit = std::find_if(first.rbegin(), first.rend(),
                                    [&](const Crossing& each) { return !each.entering && each.along_mm <= entry->along_mm + 1e-6; });
-    if (exit == first.rend()) return notMeasurable(request, "its line does not leave " + request.gap[0] + " before it enters the other");
+    if (exit == first.rend()) return notMeasurable(request, say<"its line does not leave %1 before it enters the other">(request.gap[0]));
     return lengthBetween(placeAt(*exit), placeAt(*entry));
   }
   if (request.of.empty() && request.fromSurface.empty()) return lengthBetween(from, to);
@@ -148,7 +148,7 @@ Taken distanceOf(const Patient& patient, const MeasurementRequest& request, cons
   const Solid ends(patient, same ? request.of : std::vector{request.toSurface}, moment);
   const auto first = crossingsOf(begins, from, to), last = crossingsOf(ends, from, to);
   if (first.empty() || last.empty() || !(last.back().along_mm > first.front().along_mm))
-    return notMeasurable(request, "its line does not cross the two surfaces one after the other");
+    return notMeasurable(request, say<"its line does not cross the two surfaces one after the other">());
   return lengthBetween(placeAt(first.front()), placeAt(last.back()));
 }
 
@@ -217,7 +217,7 @@ Taken diameterOf(const Patient& patient, const MeasurementRequest& request, cons
   const CentreLine* line = patient.shapes.at(request.of.front())->centreLine();
   if (!line) {
     auto width = widthAcross(solid, motion.moved(*request.at_mm), request.direction);
-    if (!width) return notMeasurable(request, "its place does not lie inside " + request.of.front());
+    if (!width) return notMeasurable(request, say<"its place does not lie inside %1">(request.of.front()));
     return *width;
   }
   const Track track(*line, motion);
@@ -229,7 +229,7 @@ Taken diameterOf(const Patient& patient, const MeasurementRequest& request, cons
   };
   if (request.place == TubePlace::given) {
     auto width = widthAt(track.nearest_mm(*request.at_mm));
-    if (!width) return notMeasurable(request, "the centre line is not inside there, or runs along the direction");
+    if (!width) return notMeasurable(request, say<"the centre line is not inside there, or runs along the direction">());
     return *width;
   }
   double from = 0.0, to = track.length_mm();
@@ -254,7 +254,7 @@ Taken diameterOf(const Patient& patient, const MeasurementRequest& request, cons
     for (const double side : {-1.0, 1.0})
       if (middle + side * step >= from && middle + side * step <= to) consider(middle + side * step);
   }
-  if (!best) return notMeasurable(request, "no part of the centre line lies inside");
+  if (!best) return notMeasurable(request, say<"no part of the centre line lies inside">());
   return *best;
 }
 
@@ -314,7 +314,7 @@ std::optional<glm::dvec3> furthest(const Solid& solid, const glm::dvec3& directi
 Taken extentOf(const Patient& patient, const MeasurementRequest& request, const Moment& moment) {
   const Solid solid(patient, request.of, moment);
   const auto low = furthest(solid, -request.direction), high = furthest(solid, request.direction);
-  if (!low || !high) return notMeasurable(request, "nothing of " + request.of.front() + " is found");
+  if (!low || !high) return notMeasurable(request, say<"nothing of %1 is found">(request.of.front()));
   TrueMeasurement taken = lengthBetween(*low, *high);
   taken.value = glm::dot(*high - *low, request.direction);
   return taken;
@@ -330,7 +330,7 @@ Taken circumferenceOf(const Patient& patient, const MeasurementRequest& request,
   for (int n = 0; n < kRays; ++n) {
     const double angle = 2.0 * 3.14159265358979323846 * n / kRays;
     const auto border = borderFrom(solid, middle, std::cos(angle) * u + std::sin(angle) * v);
-    if (!border) return notMeasurable(request, "its place does not lie inside " + request.of.front());
+    if (!border) return notMeasurable(request, say<"its place does not lie inside %1">(request.of.front()));
     outline.push_back(*border);
   }
   TrueMeasurement taken;
@@ -460,7 +460,7 @@ Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, cons
   }
   return all;
 } catch (const Stopped&) {
-  return failure(ErrorCode::cancelled, "Measuring the patient was stopped.");
+  return failure(ErrorCode::cancelled, say<"Measuring the patient was stopped.">());
 }
 
 std::vector<StandardPlane> planesOf(const Patient& patient) { return patient.planes; }

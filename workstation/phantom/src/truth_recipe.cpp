@@ -15,7 +15,7 @@ constexpr double kFarthestSkin_mm = 1000.0;
 constexpr double kLongestLine_mm = 5000.0;  // it is walked in small steps
 
 void refuseUnlessKnown(const JsonFields& object, const std::string& key, const std::string& name, const NamedShapes& shapes) {
-  if (shapes.count(name) == 0) object.refuse(key, shown(name), "the name of a shape or organ");
+  if (shapes.count(name) == 0) object.refuse(key, shown(name), say<"the name of a shape or organ">());
 }
 
 /// One name or a list of them.
@@ -39,7 +39,7 @@ constexpr std::array<std::pair<std::string_view, TubePlace>, 3> kTubePlaces{
 glm::dvec3 readDirection(const JsonFields& object, const std::string& field, const glm::dvec3& fallback) {
   const glm::dvec3 read = object.point(field, kFarthest_mm, fallback);
   const double length = glm::length(read);
-  if (!(length > 1e-6)) object.refuse(field, "a direction");
+  if (!(length > 1e-6)) object.refuse(field, say<"a direction">());
   return length > 1e-6 ? read / length : fallback;
 }
 
@@ -70,22 +70,22 @@ MeasurementRequest readMeasurement(const JsonFields& object, const NamedShapes& 
   const bool line = read.from_mm && read.to_mm;
   if (read.kind == MeasurementKind::distance) {
     if (!line || glm::distance(*read.from_mm, *read.to_mm) < 0.01)
-      object.refuseWhole("a distance without a line", "from_mm and to_mm, two places");
+      object.refuseWhole(say<"a distance without a line">(), say<"from_mm and to_mm, two places">());
     if (line && !(glm::distance(*read.from_mm, *read.to_mm) <= kLongestLine_mm))
-      object.refuseWhole("a distance along a line of " + textOf(glm::distance(*read.from_mm, *read.to_mm)) + " mm",
-                         "two places at most " + textOf(kLongestLine_mm) + " mm apart");
+      object.refuseWhole(say<"a distance along a line of %1 mm">(textOf(glm::distance(*read.from_mm, *read.to_mm))),
+                         say<"two places at most %1 mm apart">(textOf(kLongestLine_mm)));
     if ((!read.gap.empty() && read.gap.size() != 2) || read.fromSurface.empty() != read.toSurface.empty())
-      object.refuseWhole("one surface without the other", "two surfaces");
+      object.refuseWhole(say<"one surface without the other">(), say<"two surfaces">());
     return read;
   }
-  if (read.of.empty()) object.refuse("of", "missing", "the name of a shape or organ");
+  if (read.of.empty()) object.refuse("of", say<"missing">(), say<"the name of a shape or organ">());
   if (!object.good()) return read;
   const bool tube = shapes.at(read.of.front())->centreLine() != nullptr;
   if (read.kind == MeasurementKind::diameter && read.place == TubePlace::given && !read.at_mm)
-    object.refuse("at_mm", "missing", "a place, or \"place\": \"largest\" or \"smallest\" of a tube");
+    object.refuse("at_mm", say<"missing">(), say<"a place, or \"place\": \"largest\" or \"smallest\" of a tube">());
   if (read.kind == MeasurementKind::diameter && read.place != TubePlace::given && !tube)
-    object.refuse("of", '"' + read.of.front() + '"', "a tube, or at_mm in place of " + object.text("place"));
-  if (section && !read.at_mm) object.refuse("at_mm", "missing", "a place inside the section");
+    object.refuse("of", verbatim('"' + read.of.front() + '"'), say<"a tube, or at_mm in place of %1">(object.text("place")));
+  if (section && !read.at_mm) object.refuse("at_mm", say<"missing">(), say<"a place inside the section">());
   return read;
 }
 
@@ -128,10 +128,10 @@ std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const
   for (const JsonFields& each : recipe.objects("measurements", 0, kMostTruthEntries)) {
     read.push_back(readMeasurement(each, shapes));
     const MeasurementRequest& last = read.back();
-    if (each.good() && !names.insert(last.name).second) each.refuse("name", "a name that is not taken yet");
+    if (each.good() && !names.insert(last.name).second) each.refuse("name", say<"a name that is not taken yet">());
     if (each.good() && !last.plane.empty() &&
         std::none_of(planes.begin(), planes.end(), [&](const StandardPlane& plane) { return plane.name == last.plane; }))
-      each.refuse("plane", "the name of one of the planes");
+      each.refuse("plane", say<"the name of one of the planes">());
   }
   return read;
 }
@@ -150,18 +150,18 @@ std::vector<StandardPlane> readPlanes(const JsonFields& recipe, const ShapePtr& 
     plane.positionTolerance_mm = object.number("position_tolerance_mm", 0.0, 1000.0, plane.positionTolerance_mm);
     plane.angleTolerance_deg = object.number("angle_tolerance_deg", 0.0, 180.0, plane.angleTolerance_deg);
     plane.shows = readNames(object, "shows", shapes);
-    if (object.good() && !names.insert(plane.name).second) object.refuse("name", "a name that is not taken yet");
+    if (object.good() && !names.insert(plane.name).second) object.refuse("name", say<"a name that is not taken yet">());
     glm::dvec3 into = inwards(skin, near);
     if (object.has("towards_mm")) {
       const glm::dvec3 way = object.point("towards_mm", kFarthest_mm) - near;
-      if (!(glm::length(way) > 1.0)) object.refuse("towards_mm", "at near_mm", "a place at least 1 mm away from it");
+      if (!(glm::length(way) > 1.0)) object.refuse("towards_mm", say<"at near_mm">(), say<"a place at least 1 mm away from it">());
       into = glm::normalize(way);
     }
     if (!object.good()) break;
     const auto face = skinBehind(skin, near, into);
-    if (!face) object.refuse("near_mm", "away from the body", "a place near the skin");
+    if (!face) object.refuse("near_mm", say<"away from the body">(), say<"a place near the skin">());
     const glm::dvec3 across = lateral - into * glm::dot(lateral, into);
-    if (!(glm::length(across) > 1e-3)) object.refuse("lateral", "along the beam", "a direction across the beam");
+    if (!(glm::length(across) > 1e-3)) object.refuse("lateral", say<"along the beam">(), say<"a direction across the beam">());
     if (!object.good()) break;
     const glm::dvec3 x = glm::normalize(across);
     plane.probeToWorld.matrix =

@@ -72,8 +72,8 @@ Result<std::unique_ptr<VirtualScanner>> makeVirtualScanner(std::shared_ptr<const
   const auto check = [&](const char* field, double value, double lowest, double highest) {
     if (problem || (value >= lowest && value <= highest)) return;
     problem = Error{ErrorCode::badField,
-                    std::string("The virtual scanner's ") + field + " is " + textOf(value) + "; choose one from " + textOf(lowest) +
-                        " to " + textOf(highest) + ".",
+                    say<"The virtual scanner's %1 is %2; choose one from %3 to %4.">(std::string(field), textOf(value), textOf(lowest),
+                                                                                     textOf(highest)),
                     {{"field", field}}};
   };
   FormationOptions resolved = options;

@@ -119,7 +119,7 @@ class Painter {
   const VoxeliseOptions& options_;
 };
 
-tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, "Building the virtual patient was stopped."); }
+tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
 
 /// Takes memory piece by piece, because a page is only found when it is first touched: a gigabyte takes longer than a user waits.
 bool zeros(std::vector<std::uint8_t>& values, std::size_t count, const Progress& progress) {
@@ -146,8 +146,8 @@ Grid gridOf(const Patient& patient, double spacing_mm) {
 tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast_bytes) {
   const auto mebibytes = [](double bytes) { return textOf(std::ceil(bytes / 1048576.0)) + " MiB"; };
   return failure(ErrorCode::tooLarge,
-                 "This patient at " + textOf(options.spacing_mm) + " mm needs " + mebibytes(forecast_bytes) + " of memory, " +
-                     mebibytes(static_cast<double>(options.maxBytes)) + " are allowed; choose a coarser spacing.",
+                 say<"This patient at %1 mm needs %2 of memory, %3 are allowed; choose a coarser spacing.">(
+                     textOf(options.spacing_mm), mebibytes(forecast_bytes), mebibytes(static_cast<double>(options.maxBytes))),
                  {{"forecast_bytes", textOf(forecast_bytes)}});
 }
 
@@ -255,7 +255,7 @@ double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
 
 Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
   if (!(options.spacing_mm >= 0.01 && options.spacing_mm <= 1000.0))
-    return failure(ErrorCode::badField, "The voxel spacing is " + textOf(options.spacing_mm) + " mm; choose one from 0.01 to 1000 mm.",
+    return failure(ErrorCode::badField, say<"The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.">(textOf(options.spacing_mm)),
                    {{"field", "spacing_mm"}});
   const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm);
   if (forecast > static_cast<double>(options.maxBytes)) return tooLargeAt(options, forecast);
@@ -275,7 +275,7 @@ Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions&
   }
 
   VolumePainter painter(patient, options, progress, made);
-  const bool finished = forEachTask(painter.pieces(), options.threads, progress, "Building the virtual patient",
+  const bool finished = forEachTask(painter.pieces(), options.threads, progress, say<"Building the virtual patient">(),
                                     [&](int piece) { painter.paintPiece(piece); });
   if (painter.outOfMemory()) return tooLargeAt(options, forecast);
   if (!finished || painter.stopped()) return stoppedByUser();

@@ -34,16 +34,16 @@ std::size_t placeOf(const json& list, const std::string& name) {
 
 /// Refuses lists and parameters that a recipe's child could not be merged into.
 void checkMergeable(const JsonFields& recipe) {
-  const std::string most = " of at most " + std::to_string(kMostEntries) + " entries";
   for (const std::string& list : kNamedLists) {
-    if (recipe.has(list)) static_cast<void>(recipe.objects(list, 0, kMostEntries, "a list" + most));
+    if (recipe.has(list)) static_cast<void>(recipe.objects(list, 0, kMostEntries, say<"a list of at most %1 entries">(kMostEntries)));
   }
   const JsonFields parameters = recipe.object("parameters");
   if (parameters.value().size() > kMostEntries)
-    recipe.refuse("parameters", std::to_string(parameters.value().size()) + " entries", "an object with one entry for each name," + most);
+    recipe.refuse("parameters", say<"%1 entries">(parameters.value().size()),
+                  say<"an object with one entry for each name, of at most %1 entries">(kMostEntries));
   if (recipe.has("extends")) return;  // there a plain number is the default of a parameter described further up
   for (const auto& [name, description] : parameters.value().items()) {
-    if (!description.is_object()) parameters.refuse(name, "an object with default, lowest, highest and unit");
+    if (!description.is_object()) parameters.refuse(name, say<"an object with default, lowest, highest and unit">());
   }
 }
 
@@ -53,7 +53,7 @@ void removeNamed(const JsonFields& remove, json& into) {
     for (const std::string& name : remove.texts(list, 0, 2 * kMostEntries)) {
       const std::size_t at = into.contains(list) ? placeOf(into[list], name) : 0;
       if (!into.contains(list) || at == into[list].size())
-        return remove.refuse(list, shown(name), "names from the " + list + " of the recipe that this one extends");
+        return remove.refuse(list, shown(name), say<"names from the %1 of the recipe that this one extends">(list));
       into[list].erase(at);
     }
   }
@@ -63,12 +63,11 @@ void mergeList(const JsonFields& recipe, const std::string& field, json& into) {
   const std::vector<JsonFields> entries = recipe.objects(field, 0, kMostEntries);
   if (into.is_null()) into = json::array();
   if (into.size() + entries.size() > 2 * kMostEntries)
-    return recipe.refuse(field, "with all it extends a list of more than " + std::to_string(2 * kMostEntries) + " entries",
-                         "a shorter one");
+    return recipe.refuse(field, say<"with all it extends a list of more than %1 entries">(2 * kMostEntries), say<"a shorter one">());
   for (const JsonFields& given : entries) {
     const std::string name = given.text("name");
     const std::string before = given.text("before", ""), after = given.text("after", "");
-    if (!before.empty() && !after.empty()) given.refuseWhole("both before and after another", "one of them");
+    if (!before.empty() && !after.empty()) given.refuseWhole(say<"both before and after another">(), say<"one of them">());
     if (!given.good()) return;
     json entry = given.value();
     entry.erase("before");
@@ -94,7 +93,7 @@ void mergeList(const JsonFields& recipe, const std::string& field, json& into) {
     at = into.size();
     if (!anchor.empty()) {
       at = placeOf(into, anchor);
-      if (at == into.size()) return given.refuse(before.empty() ? "after" : "before", "the name of another of the " + field);
+      if (at == into.size()) return given.refuse(before.empty() ? "after" : "before", say<"the name of another of the %1">(field));
       if (before.empty()) ++at;
     }
     into.insert(into.begin() + static_cast<json::difference_type>(at), std::move(entry));
@@ -110,7 +109,7 @@ void mergeParameters(const JsonFields& given, json& into) {
     } else if (into.contains(name)) {
       into[name]["default"] = value;
     } else {
-      return given.refuse(name, "an object with default, lowest, highest and unit");
+      return given.refuse(name, say<"an object with default, lowest, highest and unit">());
     }
   }
 }
@@ -139,7 +138,7 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
   std::vector<json> recipes;
   std::error_code ignored;
   while (true) {
-    auto recipe = readRecipe(files.back(), "virtual patient");
+    auto recipe = readRecipe(files.back(), say<"virtual patient">());
     if (!recipe) return passOn(recipe.error());
     recipes.push_back(std::move(*recipe));
     JsonReading reading = readingOf(files.back());
@@ -149,18 +148,17 @@ Result<json> readFamily(const std::filesystem::path& file, const std::filesystem
     if (!fields.has("extends")) break;
     const std::string name = fields.text("extends");
     if (std::filesystem::path(name).has_parent_path())
-      fields.refuse("extends", "the name of a file beside this one or in resources/anatomy, without a folder");
-    if (files.size() == kLongestFamily)
-      fields.refuse("extends", "left out, as at most " + std::to_string(kLongestFamily) + " recipes extend one another");
+      fields.refuse("extends", say<"the name of a file beside this one or in resources/anatomy, without a folder">());
+    if (files.size() == kLongestFamily) fields.refuse("extends", say<"left out, as at most %1 recipes extend one another">(kLongestFamily));
     if (reading.problem()) return passOn(*reading.problem());
     const auto next = findNamed(name, "anatomy", files.back(), anatomies);
     if (next.empty())
       return failure(ErrorCode::notFound,
-                     files.back().string() + " extends " + name + ", which is neither beside it nor in resources/anatomy; put it there.",
+                     say<"%1 extends %2, which is neither beside it nor in resources/anatomy; put it there.">(files.back().string(), name),
                      {{"file", files.back().string()}, {"extends", name}});
     for (const auto& earlier : files) {
       if (std::filesystem::equivalent(earlier, next, ignored)) {
-        fields.refuse("extends", "a recipe that does not extend this one in turn");
+        fields.refuse("extends", say<"a recipe that does not extend this one in turn">());
         return passOn(*reading.problem());
       }
     }
@@ -186,8 +184,8 @@ class Parameters {
           !name.empty() &&
           std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }) &&
           !(name[0] >= '0' && name[0] <= '9') && name != "min" && name != "max";
-      if (!usable) described_.refuse(name, "not a usable name", "small letters, digits and _, and neither min nor max");
-      if (!description.has("default")) description.refuse("default", "a number or an expression");
+      if (!usable) described_.refuse(name, say<"not a usable name">(), say<"small letters, digits and _, and neither min nor max">());
+      if (!description.has("default")) description.refuse("default", say<"a number or an expression">());
     }
   }
 
@@ -198,11 +196,9 @@ class Parameters {
     }
     if (!described_.has(name)) return std::optional<double>();
     const JsonFields description = described_.object(name);
-    const auto tooLong = [] {
-      return tl::unexpected("parameters of which at most " + std::to_string(kLongestChain) + " rest on one another in a row");
-    };
+    const auto tooLong = [] { return tl::unexpected(say<"parameters of which at most %1 rest on one another in a row">(kLongestChain)); };
     if (beingWorkedOut_.count(name) > 0)
-      return tl::unexpected("parameters that do not depend on one another in a circle, as " + name + " does");
+      return tl::unexpected(say<"parameters that do not depend on one another in a circle, as %1 does">(name));
     if (beingWorkedOut_.size() == kLongestChain) return tooLong();
     beingWorkedOut_.insert(name);
     const int beside = std::exchange(restsOn_, 0);
@@ -230,7 +226,7 @@ class Parameters {
 
   /// The value of a text that begins with "=".
   OrExpected<double> ofText(const std::string& text) {
-    if (text.empty() || text[0] != '=') return tl::unexpected(std::string("a number or an expression that begins with ="));
+    if (text.empty() || text[0] != '=') return tl::unexpected(say<"a number or an expression that begins with =">());
     return phantom::valueOf(std::string_view(text).substr(1), [this](const std::string& name) { return valueOf(name); });
   }
 
@@ -247,7 +243,8 @@ class Parameters {
     for (const auto& [name, value] : given_) {
       if (described_.has(name)) continue;
       const std::string names = listed(list, [](const PatientParameter& each) { return each.name; });
-      described_.refuse(name, "set but not there", names.empty() ? "no parameter at all: this recipe has none" : "one of " + names);
+      described_.refuse(name, say<"set but not there">(),
+                        names.empty() ? say<"no parameter at all: this recipe has none">() : say<"one of %1">(names));
     }
     return list;
   }
@@ -321,7 +318,7 @@ Result<WholeRecipe> readWholeRecipe(const std::filesystem::path& file, const std
   if (!recipe) return passOn(recipe.error());
   JsonReading reading = readingOf(file);
   const JsonFields fields(*recipe, reading);
-  if (fields.has("remove")) fields.refuse("remove", "here", "only in a recipe that extends another");
+  if (fields.has("remove")) fields.refuse("remove", say<"here">(), say<"only in a recipe that extends another">());
   Parameters parameters(fields, values);
   WholeRecipe whole;
   whole.parameters = parameters.all();
