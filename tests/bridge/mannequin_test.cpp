@@ -66,7 +66,7 @@ TEST_P(EveryMeshFormat, InMetresIsScaledAndANoteSaysSo) {
   const auto loaded = loadMannequin(written(sphereMesh(0.875, 32)));
   expectSphere(loaded, 875.0);
   ASSERT_EQ(loaded->notes.size(), 1U);
-  EXPECT_NE(loaded->notes[0].find("metres"), std::string::npos) << loaded->notes[0];
+  EXPECT_NE(loaded->notes[0].english().find("metres"), std::string::npos) << loaded->notes[0];
 }
 
 TEST_P(EveryMeshFormat, CutShortAnywhereIsAnErrorOrASmallerMeshButNeverACrash) {
@@ -93,7 +93,7 @@ TEST(Mannequin, TrianglesThatFaceInwardsAreTurned) {
   const auto below = loaded->skin->nearest({200.0, 200.0, -50.0});
   EXPECT_LT(below.outward.z, -0.9);
   ASSERT_EQ(loaded->notes.size(), 1U);
-  EXPECT_NE(loaded->notes[0].find("inwards"), std::string::npos);
+  EXPECT_NE(loaded->notes[0].english().find("inwards"), std::string::npos);
 }
 
 TEST(Mannequin, EachKindOfBadFileIsNamed) {

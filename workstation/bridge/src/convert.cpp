@@ -66,10 +66,11 @@ vtkSmartPointer<vtkImageData> toVtk(std::shared_ptr<const Volume> volume) {
 }
 
 Result<Volume> toVolume(vtkImageData& image) {
-  if (image.GetNumberOfPoints() <= 0) return failure(ErrorCode::emptyVolume, "The image has no voxels; give one that has.");
+  if (image.GetNumberOfPoints() <= 0) return failure(ErrorCode::emptyVolume, say<"The image has no voxels; give one that has.">());
   auto* scalars = vtkUnsignedCharArray::SafeDownCast(image.GetPointData()->GetScalars());
   if (scalars == nullptr || scalars->GetNumberOfComponents() != 1)
-    return failure(ErrorCode::unsupported, "The image does not hold one 8-bit grey value per voxel; convert it to unsigned char first.");
+    return failure(ErrorCode::unsupported,
+                   say<"The image does not hold one 8-bit grey value per voxel; convert it to unsigned char first.">());
   Volume volume;
   int extent[6];
   image.GetExtent(extent);
@@ -84,7 +85,7 @@ Result<Volume> toVolume(vtkImageData& image) {
       glm::dvec3(origin[0], origin[1], origin[2]) + directions * (volume.grid.spacing_mm * glm::dvec3(extent[0], extent[2], extent[4]));
   if (const auto checked = checkGrid(volume.grid); !checked) return passOn(checked.error());
   if (static_cast<std::size_t>(scalars->GetNumberOfValues()) != volume.grid.voxelCount())
-    return failure(ErrorCode::badHeader, "The image holds another number of voxels than its dimensions say; make it again.");
+    return failure(ErrorCode::badHeader, say<"The image holds another number of voxels than its dimensions say; make it again.">());
   const unsigned char* first = scalars->GetPointer(0);
   volume.echo.assign(first, first + volume.grid.voxelCount());
   return volume;

@@ -55,15 +55,16 @@ Result<void> scaleToMm(vtkPolyData& mesh, const std::string& file, std::vector<M
   double factor = 1.0;
   if (largest >= 0.5 && largest <= 2.5) {
     factor = 1000.0;
-    notes.push_back("The mesh measures " + textOf(std::round(largest * 1000.0) / 1000.0) +
-                    " units, so it was taken to be in metres and scaled to millimetres.");
+    notes.push_back(say<"The mesh measures %1 units, so it was taken to be in metres and scaled to millimetres.">(
+        textOf(std::round(largest * 1000.0) / 1000.0)));
   }
   const double largest_mm = largest * factor;
   if (!(largest_mm >= 100.0 && largest_mm <= 5000.0))
-    return failure(ErrorCode::badField,
-                   "The mesh measures " + textOf(largest) +
-                       " units, which is no body in millimetres or metres; scale it so that its height in millimetres is right.",
-                   {{"file", file}});
+    return failure(
+        ErrorCode::badField,
+        say<"The mesh measures %1 units, which is no body in millimetres or metres; scale it so that its height in millimetres is right.">(
+            textOf(largest)),
+        {{"file", file}});
   if (factor != 1.0) {
     vtkPoints& points = *mesh.GetPoints();
     for (vtkIdType id = 0; id < points.GetNumberOfPoints(); ++id) {
@@ -78,10 +79,10 @@ Result<void> scaleToMm(vtkPolyData& mesh, const std::string& file, std::vector<M
 }
 
 Result<Mannequin> fromMesh(const std::filesystem::path& file, const std::string& ending, Progress& progress) {
-  progress.report("Reading the mesh", 0.0);
+  progress.report(say<"Reading the mesh">(), 0.0);
   auto read = readMeshFile(file, ending);
   if (!read) return passOn(read.error());
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Reading the mesh was cancelled."); };
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Reading the mesh was cancelled.">()); };
   if (progress.cancelRequested()) return cancelled();
   Mannequin result;
   vtkNew<vtkTriangleFilter> triangles;
@@ -97,10 +98,10 @@ Result<Mannequin> fromMesh(const std::filesystem::path& file, const std::string&
   bare->SetPoints(merged->GetOutput()->GetPoints());
   bare->SetPolys(merged->GetOutput()->GetPolys());
   if (bare->GetNumberOfPolys() == 0)
-    return failure(ErrorCode::emptyVolume, file.filename().string() + " has no triangles; export the body as a surface mesh.",
+    return failure(ErrorCode::emptyVolume, say<"%1 has no triangles; export the body as a surface mesh.">(file.filename().string()),
                    {{"file", file.string()}});
   if (const auto scaled = scaleToMm(*bare, file.string(), result.notes); !scaled) return passOn(scaled.error());
-  progress.report("Reading the mesh", 0.5);
+  progress.report(say<"Reading the mesh">(), 0.5);
   if (progress.cancelRequested()) return cancelled();
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(bare);
@@ -129,16 +130,16 @@ Result<Mannequin> fromMesh(const std::filesystem::path& file, const std::string&
       }
       surface->SetPolys(reversed);
     }
-    result.notes.emplace_back("The triangles faced inwards and were turned.");
+    result.notes.emplace_back(say<"The triangles faced inwards and were turned.">());
   }
   result.surface = surface;
-  progress.report("Making the skin", 0.8);
+  progress.report(say<"Making the skin">(), 0.8);
   if (progress.cancelRequested()) return cancelled();
   double box[6];
   surface->GetBounds(box);
   result.bounds = {{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
   result.skin = makeMeshSkin(result.surface);
-  progress.report("Making the skin", 1.0);
+  progress.report(say<"Making the skin">(), 1.0);
   return result;
 }
 
@@ -147,7 +148,7 @@ Result<Mannequin> fromMesh(const std::filesystem::path& file, const std::string&
 Result<Mannequin> loadMannequin(const std::filesystem::path& file, const MannequinOptions& options, Progress& progress) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(file, problem))
-    return failure(ErrorCode::notFound, "There is no file " + file.string() + "; choose a mannequin recipe or a mesh.",
+    return failure(ErrorCode::notFound, say<"There is no file %1; choose a mannequin recipe or a mesh.">(file.string()),
                    {{"file", file.string()}});
   const std::string ending = lowerEnding(file);
   try {
@@ -158,11 +159,12 @@ Result<Mannequin> loadMannequin(const std::filesystem::path& file, const Mannequ
     }
     if (ending == ".stl" || ending == ".ply" || ending == ".obj") return fromMesh(file, ending, progress);
   } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for " + file.filename().string() + "; use a mesh with fewer triangles.",
+    return failure(ErrorCode::tooLarge,
+                   say<"There is not enough memory for %1; use a mesh with fewer triangles.">(file.filename().string()),
                    {{"file", file.string()}});
   }
   return failure(ErrorCode::unsupported,
-                 "A mannequin is a recipe (.json) or a mesh (.stl, .ply, .obj), and " + file.filename().string() + " is neither.",
+                 say<"A mannequin is a recipe (.json) or a mesh (.stl, .ply, .obj), and %1 is neither.">(file.filename().string()),
                  {{"file", file.string()}});
 }
 

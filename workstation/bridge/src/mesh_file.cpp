@@ -31,11 +31,12 @@ struct MeshFile {
   std::filesystem::path path;
   std::uint64_t bytes = 0;
 
-  [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const std::string& what) const {
-    return failure(code, path.filename().string() + " " + what, {{"file", path.string()}});
+  [[nodiscard]] std::string name() const { return path.filename().string(); }
+  [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const Message& sentence) const {
+    return failure(code, sentence, {{"file", path.string()}});
   }
   [[nodiscard]] tl::unexpected<Error> tooManyTriangles(std::uint64_t count) const {
-    return refuse(ErrorCode::tooLarge, "promises " + std::to_string(count) + " triangles; use a mesh with at most 20 million.");
+    return refuse(ErrorCode::tooLarge, say<"%1 promises %2 triangles; use a mesh with at most 20 million.">(name(), count));
   }
 };
 
@@ -47,7 +48,7 @@ Result<void> checkStl(const MeshFile& file) {
   const bool startsAsText = std::strncmp(head.data(), "solid", 5) == 0;
   if (in.gcount() < 84) {
     if (startsAsText) return {};
-    return file.refuse(ErrorCode::truncated, "ends inside the header of a binary STL file; export the mesh again.");
+    return file.refuse(ErrorCode::truncated, say<"%1 ends inside the header of a binary STL file; export the mesh again.">(file.name()));
   }
   std::uint32_t count = 0;
   std::memcpy(&count, head.data() + 80, 4);
@@ -56,8 +57,8 @@ Result<void> checkStl(const MeshFile& file) {
   if (startsAsText && promised != file.bytes) return {};
   if (count > kMostTriangles && promised <= file.bytes) return file.tooManyTriangles(count);
   if (promised > file.bytes)
-    return file.refuse(ErrorCode::truncated, "promises " + std::to_string(count) + " triangles but ends after " +
-                                                 std::to_string((file.bytes - 84) / 50) + "; export the mesh again.");
+    return file.refuse(ErrorCode::truncated, say<"%1 promises %2 triangles but ends after %3; export the mesh again.">(
+                                                 file.name(), count, (file.bytes - 84) / 50));
   return {};
 }
 
@@ -73,13 +74,14 @@ Result<void> checkObj(const MeshFile& file) {
   };
   std::array<Highest, 3> highest;  // named by a face; points may come after the faces that use them
   std::uint64_t faces = 0;
-  const auto where = [](std::uint64_t number) { return " (line " + std::to_string(number) + "); export the mesh again."; };
   const auto noSuchCorner = [&](const std::string& corner, std::uint64_t number) {
-    return file.refuse(ErrorCode::badField, "has a face with the corner \"" + corner + "\", which does not exist" + where(number));
+    return file.refuse(
+        ErrorCode::badField,
+        say<"%1 has a face with the corner \"%2\", which does not exist (line %3); export the mesh again.">(file.name(), corner, number));
   };
   for (std::uint64_t number = 1; std::getline(in, line); ++number) {
     if (line.find('\0') != std::string::npos)
-      return file.refuse(ErrorCode::badHeader, "is not text, which an OBJ file is; export the mesh again.");
+      return file.refuse(ErrorCode::badHeader, say<"%1 is not text, which an OBJ file is; export the mesh again.">(file.name()));
     std::istringstream words(line);
     std::string word;
     words >> word;
@@ -89,8 +91,11 @@ Result<void> checkObj(const MeshFile& file) {
       int found = 0;
       for (std::string value; words >> value; ++found)
         if (const auto parsed = parseNumber(value); !parsed || !std::isfinite(*parsed))
-          return file.refuse(ErrorCode::badField, "has \"" + value + "\" for a coordinate" + where(number));
-      if (found < least) return file.refuse(ErrorCode::badField, "has a point with fewer than three coordinates" + where(number));
+          return file.refuse(ErrorCode::badField,
+                             say<"%1 has \"%2\" for a coordinate (line %3); export the mesh again.">(file.name(), value, number));
+      if (found < least)
+        return file.refuse(ErrorCode::badField,
+                           say<"%1 has a point with fewer than three coordinates (line %2); export the mesh again.">(file.name(), number));
     } else if (word == "f") {
       ++faces;
       if (faces > kMostTriangles) return file.tooManyTriangles(faces);
@@ -106,12 +111,14 @@ Result<void> checkObj(const MeshFile& file) {
           if (index > highest[kind].index) highest[kind] = {index, corner, number};
         }
       }
-      if (corners < 3) return file.refuse(ErrorCode::badField, "has a face with fewer than three corners" + where(number));
+      if (corners < 3)
+        return file.refuse(ErrorCode::badField,
+                           say<"%1 has a face with fewer than three corners (line %2); export the mesh again.">(file.name(), number));
     }
   }
   for (std::size_t kind = 0; kind < 3; ++kind)
     if (highest[kind].index > counts[kind]) return noSuchCorner(highest[kind].corner, highest[kind].line);
-  if (faces == 0) return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+  if (faces == 0) return file.refuse(ErrorCode::emptyVolume, say<"%1 has no triangles; export the body as a surface mesh.">(file.name()));
   return {};
 }
 
@@ -136,7 +143,7 @@ Result<vtkSmartPointer<vtkPolyData>> readWith(const MeshFile& file) {
     problem = thrown.what();
   }
   if (!problem.empty() || reader->GetErrorCode() != 0) {
-    auto refused = file.refuse(ErrorCode::badHeader, "cannot be read as a mesh; export it again as STL, PLY or OBJ.");
+    auto refused = file.refuse(ErrorCode::badHeader, say<"%1 cannot be read as a mesh; export it again as STL, PLY or OBJ.">(file.name()));
     refused.value().context.emplace_back("reader", problem);
     return refused;
   }
@@ -146,7 +153,7 @@ Result<vtkSmartPointer<vtkPolyData>> readWith(const MeshFile& file) {
 Result<void> checkMesh(const MeshFile& file, vtkPolyData& mesh) {
   const vtkIdType points = mesh.GetNumberOfPoints();
   if (points == 0 || mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0)
-    return file.refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+    return file.refuse(ErrorCode::emptyVolume, say<"%1 has no triangles; export the body as a surface mesh.">(file.name()));
   if (static_cast<std::uint64_t>(mesh.GetNumberOfPolys()) > kMostTriangles)
     return file.tooManyTriangles(static_cast<std::uint64_t>(mesh.GetNumberOfPolys()));
   for (vtkIdType id = 0; id < points; ++id) {
@@ -154,7 +161,8 @@ Result<void> checkMesh(const MeshFile& file, vtkPolyData& mesh) {
     mesh.GetPoint(id, &p.x);
     for (int axis = 0; axis < 3; ++axis)
       if (!std::isfinite(p[axis]))
-        return file.refuse(ErrorCode::badField, "has a point whose coordinates are not finite; export the mesh again.");
+        return file.refuse(ErrorCode::badField,
+                           say<"%1 has a point whose coordinates are not finite; export the mesh again.">(file.name()));
   }
   for (vtkCellArray* cells : {mesh.GetPolys(), mesh.GetStrips()})
     for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
@@ -164,7 +172,7 @@ Result<void> checkMesh(const MeshFile& file, vtkPolyData& mesh) {
       for (vtkIdType corner = 0; corner < count; ++corner)
         if (ids[corner] < 0 || ids[corner] >= points)
           return file.refuse(ErrorCode::badField,
-                             "has a face with corner " + std::to_string(ids[corner]) + ", which does not exist; export the mesh again.");
+                             say<"%1 has a face with corner %2, which does not exist; export the mesh again.">(file.name(), ids[corner]));
     }
   return {};
 }
@@ -175,8 +183,8 @@ Result<vtkSmartPointer<vtkPolyData>> readMeshFile(const std::filesystem::path& f
   std::error_code problem;
   const MeshFile mesh{file, std::filesystem::file_size(file, problem)};
   if (problem || !std::ifstream(file, std::ios::binary))
-    return mesh.refuse(ErrorCode::notReadable, "cannot be read; check that you may open it.");
-  if (mesh.bytes == 0) return mesh.refuse(ErrorCode::emptyVolume, "is an empty file; export the mesh again.");
+    return mesh.refuse(ErrorCode::notReadable, say<"%1 cannot be read; check that you may open it.">(mesh.name()));
+  if (mesh.bytes == 0) return mesh.refuse(ErrorCode::emptyVolume, say<"%1 is an empty file; export the mesh again.">(mesh.name()));
   if (ending != ".ply") {
     const auto checked = ending == ".stl" ? checkStl(mesh) : checkObj(mesh);
     if (!checked) return passOn(checked.error());

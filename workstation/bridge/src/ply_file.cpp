@@ -155,12 +155,13 @@ class PlyReader {
   }
 
  private:
-  [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const std::string& what) const {
-    return failure(code, file_.filename().string() + " " + what, {{"file", file_.string()}});
+  [[nodiscard]] std::string name() const { return file_.filename().string(); }
+  [[nodiscard]] tl::unexpected<Error> refuse(ErrorCode code, const Message& sentence) const {
+    return failure(code, sentence, {{"file", file_.string()}});
   }
   [[nodiscard]] tl::unexpected<Error> endedEarly(const Element& element, std::uint64_t index) const {
-    return refuse(ErrorCode::truncated, "ends, or holds something other than a number, in " + element.name + " " + std::to_string(index) +
-                                            " of " + std::to_string(element.count) + "; export the mesh again.");
+    return refuse(ErrorCode::truncated, say<"%1 ends, or holds something other than a number, in %2 %3 of %4; export the mesh again.">(
+                                            name(), element.name, index, element.count));
   }
 
   bool nextLine(std::string& line) {
@@ -173,7 +174,8 @@ class PlyReader {
 
   Result<Header> readHeader() {
     std::string line;
-    if (!nextLine(line) || line != "ply") return refuse(ErrorCode::badHeader, "does not begin with \"ply\"; it is not a PLY file.");
+    if (!nextLine(line) || line != "ply")
+      return refuse(ErrorCode::badHeader, say<"%1 does not begin with \"ply\"; it is not a PLY file.">(name()));
     Header header;
     for (int lines = 0; lines < 1000; ++lines) {
       if (!nextLine(line)) break;
@@ -181,7 +183,8 @@ class PlyReader {
       std::string word;
       words >> word;
       const auto unclear = [&] {
-        return refuse(ErrorCode::badHeader, "says \"" + line + "\" in its header, which cannot be read; export the mesh again.");
+        return refuse(ErrorCode::badHeader,
+                      say<"%1 says \"%2\" in its header, which cannot be read; export the mesh again.">(name(), line));
       };
       if (word == "end_header") return checked(std::move(header));
       if (word == "format") {
@@ -218,7 +221,7 @@ class PlyReader {
         header.elements.back().properties.push_back(property);
       }
     }
-    return refuse(ErrorCode::badHeader, "has no end of its PLY header; export the mesh again.");
+    return refuse(ErrorCode::badHeader, say<"%1 has no end of its PLY header; export the mesh again.">(name()));
   }
 
   /// Holds the promised counts against the file's size: a value takes its bytes, in text a digit and a space.
@@ -230,15 +233,16 @@ class PlyReader {
       hasPoints = hasPoints || (element.name == "vertex" && element.count > 0);
       hasFaces = hasFaces || (element.name == "face" && element.count > 0);
       if (element.count > mostFaces_)
-        return refuse(ErrorCode::tooLarge, "promises " + std::to_string(element.count) + " of \"" + element.name +
-                                               "\"; use a mesh with at most " + std::to_string(mostFaces_) + ".");
+        return refuse(ErrorCode::tooLarge,
+                      say<"%1 promises %2 of \"%3\"; use a mesh with at most %4.">(name(), element.count, element.name, mostFaces_));
       for (const Property& property : element.properties)
         promised += static_cast<double>(element.count) *
                     (header.format == Format::ascii ? 2.0 : static_cast<double>(sizeOf(property.countType.value_or(property.type))));
     }
-    if (!hasPoints || !hasFaces) return refuse(ErrorCode::emptyVolume, "has no triangles; export the body as a surface mesh.");
+    if (!hasPoints || !hasFaces)
+      return refuse(ErrorCode::emptyVolume, say<"%1 has no triangles; export the body as a surface mesh.">(name()));
     if (promised > static_cast<double>(bytes_) + 1.0)
-      return refuse(ErrorCode::truncated, "is shorter than its header promises; export the mesh again.");
+      return refuse(ErrorCode::truncated, say<"%1 is shorter than its header promises; export the mesh again.">(name()));
     return header;
   }
 
@@ -269,7 +273,7 @@ class PlyReader {
   Result<void> readVertices(const Element& element, Values& values) {
     const std::array<int, 3> axes{element.indexOf("x"), element.indexOf("y"), element.indexOf("z")};
     if (*std::min_element(axes.begin(), axes.end()) < 0)
-      return refuse(ErrorCode::badField, "has points without x, y and z; export the mesh again.");
+      return refuse(ErrorCode::badField, say<"%1 has points without x, y and z; export the mesh again.">(name()));
     points_->SetNumberOfPoints(static_cast<vtkIdType>(element.count));
     for (std::uint64_t i = 0; i < element.count; ++i) {
       glm::dvec3 p(0.0);
@@ -286,7 +290,7 @@ class PlyReader {
 
   Result<void> readFaces(const Element& element, Values& values) {
     const int listAt = std::max(element.indexOf("vertex_indices"), element.indexOf("vertex_index"));
-    if (listAt < 0) return refuse(ErrorCode::badField, "has faces without vertex_indices; export the mesh again.");
+    if (listAt < 0) return refuse(ErrorCode::badField, say<"%1 has faces without vertex_indices; export the mesh again.">(name()));
     std::vector<vtkIdType> corners;
     for (std::uint64_t i = 0; i < element.count; ++i)
       for (std::size_t k = 0; k < element.properties.size(); ++k) {

@@ -51,15 +51,15 @@ Result<Mannequin> polygonise(const BodyShape& body, const MannequinOptions& opti
   const Bounds bounds = body.bounds();
   const glm::dvec3 extent_mm = bounds.highest_mm - bounds.lowest_mm;
   if (!(extent_mm.x > 0.0 && extent_mm.y > 0.0 && extent_mm.z > 0.0) || glm::any(glm::greaterThan(extent_mm, glm::dvec3(5000.0))))
-    return failure(ErrorCode::badField, "The body's bounds are empty or larger than 5 m; give the recipe parts in millimetres.");
+    return failure(ErrorCode::badField, say<"The body's bounds are empty or larger than 5 m; give the recipe parts in millimetres.">());
   Grid grid;
   grid.spacing_mm = glm::dvec3(options.cell_mm);
   grid.origin_mm = bounds.lowest_mm - 2.0 * options.cell_mm;
   const glm::dvec3 cells = glm::ceil(extent_mm / options.cell_mm) + 5.0;
   if (cells.x * cells.y * cells.z > 500e6)
-    return failure(ErrorCode::tooLarge, "The body would be sampled at more than 500 million places; choose a larger cell size.");
+    return failure(ErrorCode::tooLarge, say<"The body would be sampled at more than 500 million places; choose a larger cell size.">());
   grid.dims = glm::ivec3(cells);
-  const auto cancelled = [] { return failure(ErrorCode::cancelled, "Making the body was cancelled."); };
+  const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Making the body was cancelled.">()); };
   std::vector<float> inside_mm;
   PartOfProgress sampling(progress, 0.0, 0.6);
   if (auto sampled = sampleDistance(body, grid, inside_mm, 0, sampling); !sampled) return passOn(sampled.error());
@@ -68,7 +68,7 @@ Result<Mannequin> polygonise(const BodyShape& body, const MannequinOptions& opti
   result.surface = contour(grid, inside_mm);
   vtkPolyData& surface = *result.surface;
   if (surface.GetNumberOfPolys() == 0)
-    return failure(ErrorCode::emptyVolume, "The body has no surface inside its bounds; check the parts of its recipe.");
+    return failure(ErrorCode::emptyVolume, say<"The body has no surface inside its bounds; check the parts of its recipe.">());
   if (progress.cancelRequested()) return cancelled();
   const vtkIdType count = surface.GetNumberOfPoints();
   vtkNew<vtkFloatArray> normals;
@@ -79,21 +79,22 @@ Result<Mannequin> polygonise(const BodyShape& body, const MannequinOptions& opti
   vtkPoints& points = *surface.GetPoints();
   constexpr vtkIdType kPiece = 1024;
   PartOfProgress smoothing(progress, 0.6, 0.85);
-  const bool finished = forEachTask(static_cast<int>((count + kPiece - 1) / kPiece), 0, smoothing, "Making the skin", [&](int piece) {
-    for (vtkIdType id = piece * kPiece; id < std::min(count, (piece + 1) * kPiece); ++id) {
-      glm::dvec3 p;
-      points.GetPoint(id, &p.x);
-      const glm::dvec3 outward = outwardNormal(body, p);
-      for (int axis = 0; axis < 3; ++axis) out[3 * id + axis] = static_cast<float>(outward[axis]);
-    }
-  });
+  const bool finished =
+      forEachTask(static_cast<int>((count + kPiece - 1) / kPiece), 0, smoothing, say<"Making the skin">(), [&](int piece) {
+        for (vtkIdType id = piece * kPiece; id < std::min(count, (piece + 1) * kPiece); ++id) {
+          glm::dvec3 p;
+          points.GetPoint(id, &p.x);
+          const glm::dvec3 outward = outwardNormal(body, p);
+          for (int axis = 0; axis < 3; ++axis) out[3 * id + axis] = static_cast<float>(outward[axis]);
+        }
+      });
   if (!finished) return cancelled();
   surface.GetPointData()->SetNormals(normals);
   double box[6];
   surface.GetBounds(box);
   result.bounds = {{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
   result.skin = makeMeshSkin(result.surface);
-  progress.report("Making the skin", 1.0);
+  progress.report(say<"Making the skin">(), 1.0);
   return result;
 }
 
