@@ -116,7 +116,7 @@ TEST(Equalise, SweepsThatDoNotOverlapAreNamedAndLeftAsTheyAre) {
   EXPECT_NE(found->sweeps[0].group, found->sweeps[1].group);
   for (const double grey : found->sweeps[1].grey) EXPECT_NEAR(grey, 0.0, 1e-6);
   ASSERT_EQ(found->notes.size(), 2u);
-  EXPECT_NE(found->notes[1].find("far away"), std::string::npos) << found->notes[1];
+  EXPECT_NE(found->notes[1].english().find("far away"), std::string::npos) << found->notes[1];
 }
 
 TEST(Equalise, DoesNotDependOnTheNumberOfThreads) {

@@ -61,7 +61,7 @@ TEST(PoseDelay, IsFoundToAFractionOfAFrameFromMovementInAnyDirection) {
       ASSERT_EQ(delay->verdict, DelayVerdict::found) << name << ": " << delay->why;
       EXPECT_NEAR(delay->delay_s, latency_s, 0.0125) << name << ", a quarter of a frame";
       EXPECT_LT(std::abs(delay->delay_s - latency_s), 4.0 * delay->uncertainty_s + 0.002) << name;
-      EXPECT_NE(delay->seenBy.find(name), std::string::npos) << delay->seenBy;
+      EXPECT_NE(delay->seenBy.english().find(name), std::string::npos) << delay->seenBy;
       EXPECT_GT(delay->correlation, 0.7) << name;
     }
 }

@@ -68,8 +68,8 @@ TEST(HardGating, ASaturatedEcgGatesAndSaysSo) {
   ASSERT_TRUE(found.has_value()) << found.error();
   ASSERT_EQ(found->starts_s.size(), truth_s.size());
   for (std::size_t n = 0; n < truth_s.size(); ++n) EXPECT_NEAR(found->starts_s[n], truth_s[n], 0.015);
-  EXPECT_TRUE(
-      std::any_of(found->notes.begin(), found->notes.end(), [](const auto& note) { return note.find("saturated") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(found->notes.begin(), found->notes.end(),
+                          [](const auto& note) { return note.english().find("saturated") != std::string::npos; }));
 }
 
 TEST(HardGating, TimeThatRunsBackwardsIsRefusedAndEqualTimesCountOnce) {
@@ -166,7 +166,7 @@ TEST(HardGating, IsCancelledAndWhatKeepsAVolumeMayStopTheRest) {
       sweep.frames, lists, {.spacing_mm = 2.0},
       [&](std::size_t, ReconstructResult) -> Result<void> {
         ++kept;
-        return failure(ErrorCode::notWritable, "The disk is full.");
+        return failure(ErrorCode::notWritable, verbatim("The disk is full."));
       },
       noProgress());
   expectRefused(made, ErrorCode::notWritable, "disk is full");

@@ -59,19 +59,17 @@ std::vector<double> lengthsOf(std::span<const double> starts_s) {
 
 }  // namespace
 
-Result<BodySignal> usable(const BodySignal& signal, const std::string& name) {
+Result<BodySignal> usable(const BodySignal& signal, const Message& name) {
   if (signal.time_s.size() != signal.value.size())
     return failure(ErrorCode::badField,
-                   "The " + name + " has " + std::to_string(signal.time_s.size()) + " times and " + std::to_string(signal.value.size()) +
-                       " values; give one value for each time.",
-                   {{"field", name}});
+                   say<"The %1 has %2 times and %3 values; give one value for each time.">(name, signal.time_s.size(), signal.value.size()),
+                   {{"field", name.english()}});
   BodySignal kept;
   for (std::size_t n = 0; n < signal.time_s.size(); ++n) {
     if (!std::isfinite(signal.time_s[n]) || !std::isfinite(signal.value[n])) continue;
     if (!kept.time_s.empty() && signal.time_s[n] < kept.time_s.back())
-      return failure(ErrorCode::badField,
-                     "Time runs backwards in the " + name + " at sample " + std::to_string(n) + "; put the recording in order of time.",
-                     {{"field", name}, {"sample", std::to_string(n)}});
+      return failure(ErrorCode::badField, say<"Time runs backwards in the %1 at sample %2; put the recording in order of time.">(name, n),
+                     {{"field", name.english()}, {"sample", std::to_string(n)}});
     if (!kept.time_s.empty() && signal.time_s[n] == kept.time_s.back()) continue;
     kept.time_s.push_back(signal.time_s[n]);
     kept.value.push_back(signal.value[n]);
@@ -80,20 +78,20 @@ Result<BodySignal> usable(const BodySignal& signal, const std::string& name) {
   constexpr double kLongest_s = 24.0 * 3600.0;
   if (kept.time_s.size() > 1 && !(kept.time_s.back() - kept.time_s.front() <= kLongest_s))
     return failure(ErrorCode::badField,
-                   "The times of the " + name + " go from " + textOf(kept.time_s.front()) + " s to " + textOf(kept.time_s.back()) +
-                       " s, which is longer than a day; correct the recording's times.",
-                   {{"field", name}, {"found", textOf(kept.time_s.back() - kept.time_s.front())}});
+                   say<"The times of the %1 go from %2 s to %3 s, which is longer than a day; correct the recording's times.">(
+                       name, textOf(kept.time_s.front()), textOf(kept.time_s.back())),
+                   {{"field", name.english()}, {"found", textOf(kept.time_s.back() - kept.time_s.front())}});
   if (kept.time_s.size() < 4)
     return failure(ErrorCode::unsupported,
-                   "The " + name + " has fewer than four samples at different times; gate by another signal or by the images.",
-                   {{"field", name}});
+                   say<"The %1 has fewer than four samples at different times; gate by another signal or by the images.">(name),
+                   {{"field", name.english()}});
   const auto [lowest, highest] = std::minmax_element(kept.value.begin(), kept.value.end());
   if (*lowest == *highest)
-    return failure(ErrorCode::unsupported,
-                   "The " + name +
-                       " is the same throughout, as of an electrode or a belt that is not connected; gate by another signal or "
-                       "by the images.",
-                   {{"field", name}});
+    return failure(
+        ErrorCode::unsupported,
+        say<"The %1 is the same throughout, as of an electrode or a belt that is not connected; gate by another signal or by the images.">(
+            name),
+        {{"field", name.english()}});
   return kept;
 }
 
@@ -223,11 +221,10 @@ Cycles cyclesFrom(std::vector<double> starts_s, double irregularShare, bool brid
   const double median_s = medianValue(regular_s.empty() ? lengths : regular_s);
   cycles.rate_perMin = median_s > 0.0 ? 60.0 / median_s : 0.0;
   if (cycles.bridged > 0)
-    cycles.notes.push_back(std::to_string(cycles.bridged) + " missed " + (cycles.bridged == 1 ? "beat was" : "beats were") +
-                           " put in evenly between those around.");
+    cycles.notes.push_back(cycles.bridged == 1 ? say<"1 missed beat was put in evenly between those around.">()
+                                               : say<"%1 missed beats were put in evenly between those around.">(cycles.bridged));
   if (cycles.irregular > 0)
-    cycles.notes.push_back(std::to_string(cycles.irregular) + " of " + std::to_string(lengths.size()) +
-                           " cycles are irregular; their frames are not used.");
+    cycles.notes.push_back(say<"%1 of %2 cycles are irregular; their frames are not used.">(cycles.irregular, lengths.size()));
   return cycles;
 }
 

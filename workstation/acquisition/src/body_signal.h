@@ -16,9 +16,9 @@ struct EvenSignal {
 };
 
 /// The signal without values that are no numbers and without repeated times.
-/// @param name in messages: "ECG"
+/// @param name in sentences: say<"ECG">()
 /// @error badField (sizes that differ, time backwards), unsupported (fewer than four samples, constant)
-[[nodiscard]] Result<BodySignal> usable(const BodySignal& signal, const std::string& name);
+[[nodiscard]] Result<BodySignal> usable(const BodySignal& signal, const Message& name);
 
 /// Median time between samples.
 [[nodiscard]] double medianStep_s(std::span<const double> time_s);

@@ -14,12 +14,12 @@ bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.
 Result<void> checkFan(const ClipFan& fan) {
   if (!finite(fan.origin_px) || !std::isfinite(fan.leftAngle_rad) || !std::isfinite(fan.rightAngle_rad) ||
       !std::isfinite(fan.startRadius_px) || !std::isfinite(fan.stopRadius_px))
-    return failure(ErrorCode::badField, "The clip fan contains a value that is not a number; give origin, angles and radii in full.",
+    return failure(ErrorCode::badField, say<"The clip fan contains a value that is not a number; give origin, angles and radii in full.">(),
                    {{"field", "clip fan"}});
   if (!(fan.stopRadius_px > fan.startRadius_px))
     return failure(ErrorCode::badField,
-                   "The clip fan ends at radius " + textOf(fan.stopRadius_px) + " px before it begins at " + textOf(fan.startRadius_px) +
-                       " px; give a stop radius larger than the start radius.",
+                   say<"The clip fan ends at radius %1 px before it begins at %2 px; give a stop radius larger than the start radius.">(
+                       textOf(fan.stopRadius_px), textOf(fan.startRadius_px)),
                    {{"field", "clip fan radius"}});
   return {};
 }
@@ -50,20 +50,19 @@ class InsideFan {
 
 Result<ClipRectangle> clipRectangle(const Clip& clip, int width, int height) {
   EW_EXPECTS(width > 0 && height > 0);
-  const std::string frame = std::to_string(width) + " x " + std::to_string(height) + " px frame";
   const glm::dvec2 size_px = clip.size_px.value_or(glm::dvec2(width, height));
   if (!finite(clip.origin_px) || !finite(size_px))
-    return failure(ErrorCode::badField, "The clip rectangle contains a value that is not a number; give origin and size in pixels.",
+    return failure(ErrorCode::badField, say<"The clip rectangle contains a value that is not a number; give origin and size in pixels.">(),
                    {{"field", "clip rectangle"}});
   const ClipRectangle rectangle{clip.origin_px.x, std::min(clip.origin_px.x + size_px.x, width - 1.0), clip.origin_px.y,
                                 std::min(clip.origin_px.y + size_px.y, height - 1.0)};
   if (rectangle.left < 0.0 || rectangle.top < 0.0 || rectangle.left > width - 1.0 || rectangle.top > height - 1.0)
     return failure(ErrorCode::badField,
-                   "The clip rectangle begins at (" + textOf(rectangle.left) + ", " + textOf(rectangle.top) + ") px, outside the " + frame +
-                       "; give an origin inside the frame.",
+                   say<"The clip rectangle begins at (%1, %2) px, outside the %3 x %4 px frame; give an origin inside the frame.">(
+                       textOf(rectangle.left), textOf(rectangle.top), width, height),
                    {{"field", "clip rectangle origin"}});
   if (rectangle.right < rectangle.left || rectangle.bottom < rectangle.top)
-    return failure(ErrorCode::badField, "The clip rectangle has a negative size; give its width and height in pixels.",
+    return failure(ErrorCode::badField, say<"The clip rectangle has a negative size; give its width and height in pixels.">(),
                    {{"field", "clip rectangle size"}});
   return rectangle;
 }
@@ -99,7 +98,8 @@ Result<ClipSpans> ClipSpans::of(const Clip& clip, int width, int height) {
   spans.firstOfRow_.push_back(spans.spans_.size());
   for (const Span& span : spans.spans_) spans.pixelCount_ += static_cast<std::size_t>(span.end - span.begin);
   if (spans.pixelCount_ == 0)
-    return failure(ErrorCode::badField, "The clip leaves no pixel of the frame; check the rectangle and the fan against the frame's size.",
+    return failure(ErrorCode::badField,
+                   say<"The clip leaves no pixel of the frame; check the rectangle and the fan against the frame's size.">(),
                    {{"field", "clip"}});
   return spans;
 }

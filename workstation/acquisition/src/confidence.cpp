@@ -35,19 +35,21 @@ void resize(Image<float>& image, int width, int height) {
 }
 
 Result<void> checkOptions(const ConfidenceOptions& options) {
-  const auto refuse = [](const char* field, double found, const char* expected) {
-    return failure(ErrorCode::badField,
-                   "The confidence option " + std::string(field) + " is " + textOf(found) + "; choose " + expected + ".",
-                   {{"field", field}});
+  struct Range {
+    const char* option;
+    double found, lowest, highest;
+    const char* unit = "";
   };
-  const auto within = [](double value, double lowest, double highest) { return value >= lowest && value <= highest; };
-  if (!within(options.dynamicRange_db, 10.0, 200.0)) return refuse("dynamicRange_db", options.dynamicRange_db, "10 to 200 dB");
-  if (!within(options.shadow_db, 0.1, 100.0)) return refuse("shadow_db", options.shadow_db, "0.1 to 100 dB");
-  if (!within(options.lines, 8, 1024)) return refuse("lines", options.lines, "8 to 1024");
-  if (!within(options.samples, 8, 4096)) return refuse("samples", options.samples, "8 to 4096");
-  if (!within(options.alpha, 0.0, 20.0)) return refuse("alpha", options.alpha, "0 to 20");
-  if (!within(options.beta, 1.0, 1000.0)) return refuse("beta", options.beta, "1 to 1000");
-  if (!within(options.gamma, 0.0, 1.0)) return refuse("gamma", options.gamma, "0 to 1");
+  for (const Range& range :
+       {Range{"dynamicRange_db", options.dynamicRange_db, 10.0, 200.0, " dB"}, Range{"shadow_db", options.shadow_db, 0.1, 100.0, " dB"},
+        Range{"lines", static_cast<double>(options.lines), 8.0, 1024.0},
+        Range{"samples", static_cast<double>(options.samples), 8.0, 4096.0}, Range{"alpha", options.alpha, 0.0, 20.0},
+        Range{"beta", options.beta, 1.0, 1000.0}, Range{"gamma", options.gamma, 0.0, 1.0}})
+    if (!(range.found >= range.lowest && range.found <= range.highest))
+      return failure(ErrorCode::badField,
+                     say<"The confidence option %1 is %2; choose %3 to %4.">(std::string(range.option), textOf(range.found),
+                                                                             textOf(range.lowest), textOf(range.highest) + range.unit),
+                     {{"field", range.option}});
   return {};
 }
 
@@ -156,7 +158,7 @@ Result<void> randomWalk(ImageView<const std::uint8_t> lines, const ConfidenceOpt
   }
   shrink(lines, width, height, memory.levels);
   if (!memory.walk.solve(memory.levels, {options.alpha, options.beta, options.gamma}, memory.probability))
-    return failure(ErrorCode::internal, "The confidence of a frame could not be computed; use the beam-wise estimate.");
+    return failure(ErrorCode::internal, say<"The confidence of a frame could not be computed; use the beam-wise estimate.">());
   memory.references.resize(static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y)
     memory.references[static_cast<std::size_t>(y)] = quantileOfRow(memory.probability, y, kWalkReferenceShare, memory.sorted);
@@ -233,8 +235,7 @@ Result<void> confidenceOfLines(ImageView<const std::uint8_t> lines, const Confid
   if (auto checked = checkOptions(options); !checked) return checked;
   if (lines.width < 2 || lines.height < 2)
     return failure(ErrorCode::badField,
-                   "A confidence map needs at least 2 scan lines of 2 samples; this frame has " + std::to_string(lines.width) + " x " +
-                       std::to_string(lines.height) + ".",
+                   say<"A confidence map needs at least 2 scan lines of 2 samples; this frame has %1 x %2.">(lines.width, lines.height),
                    {{"field", "size"}});
   resize(confidence, lines.width, lines.height);
   if (isDark(lines)) {
@@ -291,14 +292,14 @@ Result<std::vector<Image<std::uint8_t>>> confidenceOfFrames(std::span<const Pose
   std::vector<ConfidenceScratch> scratch(static_cast<std::size_t>(threadCount(threads)));
   std::vector<std::optional<Error>> problems(frames.size());
   const bool finished =
-      forEachTask(static_cast<int>(frames.size()), threads, progress, "Estimating confidence", [&](int n, int worker, const auto&) {
+      forEachTask(static_cast<int>(frames.size()), threads, progress, say<"Estimating confidence">(), [&](int n, int worker, const auto&) {
         const auto at = static_cast<std::size_t>(n);
         if (auto done = confidenceOfFrame(frames[at].pixels, clip, options, scratch[static_cast<std::size_t>(worker)], maps[at]); !done)
           problems[at] = done.error();
       });
   for (auto& problem : problems)
     if (problem) return passOn(std::move(*problem));
-  if (!finished) return failure(ErrorCode::cancelled, "Estimating the confidence was stopped.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Estimating the confidence was stopped.">());
   return maps;
 }
 

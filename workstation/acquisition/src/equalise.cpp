@@ -81,12 +81,12 @@ bool look(const SweepToEqualise& sweep, const ClipSpans& clip, const EqualiseOpt
 }
 
 Result<void> check(std::span<const SweepToEqualise> sweeps, const EqualiseOptions& options) {
-  const auto refuse = [](std::string sentence) { return failure(ErrorCode::badField, std::move(sentence), {{"field", "equalise"}}); };
-  if (sweeps.size() < 2) return refuse("There are fewer than two sweeps to compare; give all sweeps that are to be stitched.");
+  const auto refuse = [](const Message& sentence) { return failure(ErrorCode::badField, sentence, {{"field", "equalise"}}); };
+  if (sweeps.size() < 2) return refuse(say<"There are fewer than two sweeps to compare; give all sweeps that are to be stitched.">());
   const bool sound = options.cell_mm > 0.0 && options.cell_mm < 1e3 && options.knot_mm > 0.5 && options.knot_mm < 1e3 &&
                      options.smoothness >= 0.0 && options.smoothness < 1e3 && options.pixelStep >= 1 && options.fewestCells >= 1 &&
                      options.dynamicRange_db > 0.0;
-  if (!sound) return refuse("The options of the equalisation are out of range; use cells, knots and steps above 0.");
+  if (!sound) return refuse(say<"The options of the equalisation are out of range; use cells, knots and steps above 0.">());
   for (const auto& sweep : sweeps) {
     // gridFor checks frames, matrices and clip; its spacing only has to be so wide that no volume is too large.
     ReconstructOptions checking;
@@ -120,12 +120,12 @@ Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweep
   for (const auto& sweep : sweeps)
     clips.push_back(*ClipSpans::of(sweep.clip, sweep.frames.front().pixels.width, sweep.frames.front().pixels.height));
   std::atomic<bool> cut{false};
-  const bool done = forEachTask(static_cast<int>(sweeps.size()), options.threads, progress, "Comparing sweeps",
+  const bool done = forEachTask(static_cast<int>(sweeps.size()), options.threads, progress, say<"Comparing sweeps">(),
                                 [&](int task, int /*worker*/, const auto& stopped) {
                                   const auto s = static_cast<std::size_t>(task);
                                   if (!look(sweeps[s], clips[s], options, stopped, seen[s])) cut = true;
                                 });
-  if (!done || cut) return failure(ErrorCode::cancelled, "The equalisation was stopped before it was complete.");
+  if (!done || cut) return failure(ErrorCode::cancelled, say<"The equalisation was stopped before it was complete.">());
 
   std::vector<DepthDifference> pairs;
   std::vector<std::vector<std::size_t>> shared(sweeps.size(), std::vector<std::size_t>(sweeps.size(), 0));
@@ -149,7 +149,7 @@ Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweep
   const double dbPerGrey = options.dynamicRange_db / 255.0;
   DepthCurves curves;
   if (!fitDepthCurves(pairs, sweeps.size(), {options.knot_mm, options.smoothness}, progress, curves))
-    return failure(ErrorCode::cancelled, "The equalisation was stopped before it was complete.");
+    return failure(ErrorCode::cancelled, say<"The equalisation was stopped before it was complete.">());
   result.disagreementBefore_db = curves.medianBefore * dbPerGrey;
   result.disagreementAfter_db = curves.medianAfter * dbPerGrey;
   for (std::size_t s = 0; s < sweeps.size(); ++s) {
@@ -172,8 +172,7 @@ Result<Equalisation> estimateEqualisation(std::span<const SweepToEqualise> sweep
       std::string names;
       for (std::size_t s = 0; s < sweeps.size(); ++s)
         if (result.sweeps[s].group == group) names += (names.empty() ? "" : ", ") + sweeps[s].name;
-      result.notes.push_back("Part " + std::to_string(group + 1) + " of " + std::to_string(result.groups) +
-                             ", which overlaps no other: " + names + ".");
+      result.notes.push_back(say<"Part %1 of %2, which overlaps no other: %3.">(group + 1, result.groups, names));
     }
   return result;
 }

@@ -173,15 +173,15 @@ class Filler {
   }
 
   Result<std::size_t> run(Progress& progress) {
-    const auto stop = [] { return failure(ErrorCode::cancelled, "The filling of holes was stopped before it was complete."); };
+    const auto stop = [] { return failure(ErrorCode::cancelled, say<"The filling of holes was stopped before it was complete.">()); };
     PartOfProgress marking(progress, 0.0, 0.1), filling(progress, 0.1, 1.0);
-    const bool marked = forEachTask(volume_.grid.dims.z, workers_, marking, "Filling holes", [this](int k) {
+    const bool marked = forEachTask(volume_.grid.dims.z, workers_, marking, say<"Filling holes">(), [this](int k) {
       measured_.markLayer(volume_, k, Coverage::measured);
       absent_.markLayer(volume_, k, Coverage::absent);
     });
     if (!marked) return stop();
     if (!forEachTask(
-            tiles_.tilesY * tiles_.tilesZ, static_cast<int>(scratch_.size()), filling, "Filling holes",
+            tiles_.tilesY * tiles_.tilesZ, static_cast<int>(scratch_.size()), filling, say<"Filling holes">(),
             [this](int task, int worker, const auto& stopped) {
               const int y = task % tiles_.tilesY * tiles_.rows, z = task / tiles_.tilesY * tiles_.layers;
               const Tile tile{y, std::min(y + tiles_.rows, volume_.grid.dims.y), z, std::min(z + tiles_.layers, volume_.grid.dims.z)};
@@ -327,28 +327,28 @@ class Filler {
 
 Result<void> checkFillReach(const Grid& grid, double reach_mm) {
   if (!(reach_mm >= 0.0) || !std::isfinite(reach_mm))
-    return failure(ErrorCode::badField, "A hole filling reach of " + textOf(reach_mm) + " mm cannot be used; give 0 mm or more.",
+    return failure(ErrorCode::badField, say<"A hole filling reach of %1 mm cannot be used; give 0 mm or more.">(textOf(reach_mm)),
                    {{"field", "fill reach"}});
   if (const double farthest = farthest_voxels(grid, reach_mm); farthest > kMaxFillReach_voxels + 1e-6)
     return failure(ErrorCode::badField,
-                   "A hole filling reach of " + textOf(reach_mm) + " mm is " + textOf(std::ceil(farthest)) +
-                       " voxels here, more than the " + std::to_string(kMaxFillReach_voxels) +
-                       " that can be bridged; give a shorter reach or a coarser spacing.",
+                   say<"A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; give a shorter reach or a "
+                       "coarser spacing.">(textOf(reach_mm), textOf(std::ceil(farthest)), kMaxFillReach_voxels),
                    {{"field", "fill reach"}});
   return {};
 }
 
 Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
   if (options.threads < 0)
-    return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
+    return failure(ErrorCode::badField, say<"The number of threads is negative; give 0 for all cores or a positive number.">(),
                    {{"field", "threads"}});
   if (const auto checked = checkGrid(volume.grid); !checked) return passOn(checked.error());
   if (const auto checked = checkFillReach(volume.grid, options.reach_mm); !checked) return passOn(checked.error());
   const std::size_t voxels = volume.grid.voxelCount();
   if (volume.echo.size() != voxels || (!volume.coverage.empty() && volume.coverage.size() != voxels))
-    return failure(ErrorCode::badField, "The volume's voxels do not fit its grid; read it again.", {{"field", "voxels"}});
+    return failure(ErrorCode::badField, say<"The volume's voxels do not fit its grid; read it again.">(), {{"field", "voxels"}});
   if (!options.source.empty() && options.source.size() != voxels)
-    return failure(ErrorCode::badField, "The sources of the voxels do not fit the grid; give one for each voxel.", {{"field", "source"}});
+    return failure(ErrorCode::badField, say<"The sources of the voxels do not fit the grid; give one for each voxel.">(),
+                   {{"field", "source"}});
   if (volume.coverage.empty() || farthestSteps(volume.grid, options.reach_mm) < 2) return FilledVolume{std::move(volume), 0};
   try {
     Filler filler(volume, options);
@@ -356,7 +356,7 @@ Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progre
     if (!filled) return passOn(filled.error());
     return FilledVolume{std::move(volume), *filled};
   } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory to fill holes; use fewer threads or a coarser spacing.");
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory to fill holes; use fewer threads or a coarser spacing.">());
   }
 }
 

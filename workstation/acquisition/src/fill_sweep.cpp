@@ -221,8 +221,8 @@ class SweepWalker {
     }
   }
 
-  Result<std::size_t> fill(Progress& progress) { return run(progress, "Filling holes along the sweep", &SweepWalker::fillBrick); }
-  Result<std::size_t> centre(Progress& progress) { return run(progress, "Reading frames at the voxels", &SweepWalker::centreBrick); }
+  Result<std::size_t> fill(Progress& progress) { return run(progress, say<"Filling holes along the sweep">(), &SweepWalker::fillBrick); }
+  Result<std::size_t> centre(Progress& progress) { return run(progress, say<"Reading frames at the voxels">(), &SweepWalker::centreBrick); }
 
  private:
   struct Scratch {
@@ -240,7 +240,7 @@ class SweepWalker {
       Scratch& scratch = scratch_[static_cast<std::size_t>(worker)];
       if ((this->*work)(brick, scratch)) changed += finish(brick, scratch);
     });
-    if (!done) return failure(ErrorCode::cancelled, "The reconstruction was stopped before it was complete.");
+    if (!done) return failure(ErrorCode::cancelled, say<"The reconstruction was stopped before it was complete.">());
     return changed.load();
   }
 
@@ -412,7 +412,8 @@ class SweepWalker {
 };
 
 tl::unexpected<Error> noMemory() {
-  return failure(ErrorCode::tooLarge, "There is not enough memory to read frames at the voxels; use fewer threads or a coarser spacing.");
+  return failure(ErrorCode::tooLarge,
+                 say<"There is not enough memory to read frames at the voxels; use fewer threads or a coarser spacing.">());
 }
 
 }  // namespace

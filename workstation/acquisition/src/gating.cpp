@@ -18,10 +18,11 @@ Result<BodySignal> recordedSignal(const Sequence& sequence, std::string_view fie
     if (found != frame.otherFields.end()) {
       const auto values = parseNumbers(found->second);
       if (!values || !frame.time_s)
-        return failure(ErrorCode::badField,
-                       "Frame " + std::to_string(n) + (values ? " has no time" : " has \"" + found->second + "\"") + " for its field " +
-                           name + "; gating needs numbers and the frames' times.",
-                       {{"field", name}, {"frame", std::to_string(n)}});
+        return failure(
+            ErrorCode::badField,
+            values ? say<"Frame %1 has no time for its field %2; gating needs numbers and the frames' times.">(n, name)
+                   : say<"Frame %1 has \"%2\" for its field %3; gating needs numbers and the frames' times.">(n, found->second, name),
+            {{"field", name}, {"frame", std::to_string(n)}});
       const auto count = static_cast<double>(values->size());
       for (std::size_t v = 0; v < values->size(); ++v) {
         if (values->size() > 1 && !before_s) continue;
@@ -33,7 +34,7 @@ Result<BodySignal> recordedSignal(const Sequence& sequence, std::string_view fie
     if (frame.time_s) before_s = frame.time_s;
   }
   if (signal.time_s.empty())
-    return failure(ErrorCode::badField, "The recording carries no field " + name + "; gate by another signal or by the images.",
+    return failure(ErrorCode::badField, say<"The recording carries no field %1; gate by another signal or by the images.">(name),
                    {{"field", name}});
   return signal;
 }
@@ -61,10 +62,10 @@ std::vector<FramePhase> phasesOf(const Cycles& cycles, std::span<const double> t
 Result<std::vector<std::vector<std::size_t>>> framesOfPhase(std::span<const FramePhase> frames, int phases) {
   const auto accepted = std::count_if(frames.begin(), frames.end(), [](const auto& f) { return f.verdict == FrameVerdict::accepted; });
   if (phases < 1 || phases > accepted)
-    return failure(ErrorCode::badField,
-                   std::to_string(phases) + " phases cannot be made of " + std::to_string(accepted) +
-                       " gated frames; ask for at least 1 and at most as many as there are frames.",
-                   {{"field", "phases"}, {"found", std::to_string(phases)}, {"frames", std::to_string(accepted)}});
+    return failure(
+        ErrorCode::badField,
+        say<"%1 phases cannot be made of %2 gated frames; ask for at least 1 and at most as many as there are frames.">(phases, accepted),
+        {{"field", "phases"}, {"found", std::to_string(phases)}, {"frames", std::to_string(accepted)}});
   std::vector<std::vector<std::size_t>> lists(static_cast<std::size_t>(phases));
   for (std::size_t n = 0; n < frames.size(); ++n) {
     if (frames[n].verdict != FrameVerdict::accepted) continue;
@@ -73,8 +74,7 @@ Result<std::vector<std::vector<std::size_t>>> framesOfPhase(std::span<const Fram
   }
   for (std::size_t k = 0; k < lists.size(); ++k)
     if (lists[k].empty())
-      return failure(ErrorCode::badField,
-                     "Phase " + std::to_string(k + 1) + " of " + std::to_string(phases) + " has no frame; ask for fewer phases.",
+      return failure(ErrorCode::badField, say<"Phase %1 of %2 has no frame; ask for fewer phases.">(k + 1, phases),
                      {{"field", "phases"}, {"found", std::to_string(phases)}});
   return lists;
 }
@@ -88,8 +88,7 @@ Result<Grid> reconstructPhases(std::span<const PosedFrame> frames, std::span<con
     part.clear();
     for (const std::size_t n : framesOfPhases[k]) {
       if (n >= frames.size())
-        return failure(ErrorCode::badField,
-                       "Phase " + std::to_string(k + 1) + " names frame " + std::to_string(n) + ", which the sweep does not have.",
+        return failure(ErrorCode::badField, say<"Phase %1 names frame %2, which the sweep does not have.">(k + 1, n),
                        {{"field", "frames"}});
       part.push_back(frames[n]);
     }

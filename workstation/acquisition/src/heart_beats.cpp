@@ -139,20 +139,21 @@ double shareAtTheRails(const std::vector<double>& values) {
 }  // namespace
 
 Result<Cycles> findHeartBeats(const BodySignal& ecg, const EcgOptions& options) {
-  const auto signal = usable(ecg, "ECG");
+  const auto signal = usable(ecg, say<"ECG">());
   if (!signal) return passOn(signal.error());
-  const auto refuse = [](const std::string& why) {
-    return failure(ErrorCode::unsupported, "The ECG cannot gate: " + why + "; gate by the images.", {{"field", "ECG"}});
+  const auto refuse = [](const Message& why) {
+    return failure(ErrorCode::unsupported, say<"The ECG cannot gate: %1; gate by the images.">(why), {{"field", "ECG"}});
   };
   const double samplesPerSecond = 1.0 / medianStep_s(signal->time_s);
   if (samplesPerSecond < options.leastSamplesPerSecond)
-    return refuse("with " + textOf(std::round(10.0 * samplesPerSecond) / 10.0) + " samples a second R peaks fall between them");
-  if (signal->time_s.back() - signal->time_s.front() < 60.0 / options.highest_perMin) return refuse("it is shorter than one heart beat");
+    return refuse(say<"with %1 samples a second R peaks fall between them">(textOf(std::round(10.0 * samplesPerSecond) / 10.0)));
+  if (signal->time_s.back() - signal->time_s.front() < 60.0 / options.highest_perMin)
+    return refuse(say<"it is shorter than one heart beat">());
   const EvenSignal even = evenly(*signal, 1.0 / kRate_hz);
   const auto band = filteredBothWays(filteredBothWays(even.value, FilterKind::highPass, kBand_hz[0], kRate_hz), FilterKind::lowPass,
                                      kBand_hz[1], kRate_hz);
   auto beats = beatsOf(energyOf(band));
-  if (beats.empty()) return refuse("it has no R peak");
+  if (beats.empty()) return refuse(say<"it has no R peak">());
   const double sign = polarityOf(band, beats);
   std::vector<double> starts_s, heights;
   for (std::size_t& beat : beats) {
@@ -167,40 +168,41 @@ Result<Cycles> findHeartBeats(const BodySignal& ecg, const EcgOptions& options) 
     starts_s.push_back(even.start_s + (static_cast<double>(beat) + shift) / kRate_hz);
     heights.push_back(sign * band[beat]);
   }
-  if (starts_s.size() < 2) return refuse("it has a single R peak, which does not say how long a beat lasts");
+  if (starts_s.size() < 2) return refuse(say<"it has a single R peak, which does not say how long a beat lasts">());
   const double spread = spreadBetween(band, beats);
   const double signalToNoise = spread > 0.0 ? medianValue(heights) / spread : 1e6;
   if (signalToNoise < options.leastSignalToNoise)
-    return refuse("no R peaks stand out of the noise (" + textOf(std::round(10.0 * signalToNoise) / 10.0) + " times its spread, " +
-                  textOf(options.leastSignalToNoise) + " are needed)");
+    return refuse(say<"no R peaks stand out of the noise (%1 times its spread, %2 are needed)">(
+        textOf(std::round(10.0 * signalToNoise) / 10.0), textOf(options.leastSignalToNoise)));
 
   Cycles cycles = cyclesFrom(std::move(starts_s), options.irregularShare, options.bridgeMissedBeats);
   cycles.inverted = sign < 0.0;
   const double regularShare = 1.0 - static_cast<double>(cycles.irregular) / static_cast<double>(cycles.regular.size());
   cycles.confidence = std::clamp((signalToNoise - 3.0) / 6.0, 0.0, 1.0) * (0.5 + 0.5 * regularShare);
   if (cycles.rate_perMin < options.lowest_perMin)
-    return refuse("its beats are " + textOf(std::round(600.0 / cycles.rate_perMin) / 10.0) + " s apart, too far for a heart");
-  if (cycles.inverted) cycles.notes.push_back("The ECG is inverted: its R peaks point downwards.");
+    return refuse(say<"its beats are %1 s apart, too far for a heart">(textOf(std::round(600.0 / cycles.rate_perMin) / 10.0)));
+  if (cycles.inverted) cycles.notes.push_back(say<"The ECG is inverted: its R peaks point downwards.">());
   if (const double share = shareAtTheRails(signal->value); share > 0.02)
-    cycles.notes.push_back("The ECG is saturated: " + textOf(std::round(share * 100.0)) +
-                           " % of it lie at its highest or lowest value; R peaks are timed by the middle of their tops.");
+    cycles.notes.push_back(
+        say<"The ECG is saturated: %1 % of it lie at its highest or lowest value; R peaks are timed by the middle of their tops.">(
+            textOf(std::round(share * 100.0))));
   if (samplesPerSecond < 60.0)
-    cycles.notes.push_back("With " + textOf(std::round(samplesPerSecond)) + " samples a second R peaks are timed to about " +
-                           textOf(std::round(500.0 / samplesPerSecond)) + " ms.");
+    cycles.notes.push_back(say<"With %1 samples a second R peaks are timed to about %2 ms.">(textOf(std::round(samplesPerSecond)),
+                                                                                             textOf(std::round(500.0 / samplesPerSecond))));
   return cycles;
 }
 
 Result<Cycles> findBreaths(const BodySignal& respiration, const BreathOptions& options) {
-  const auto signal = usable(respiration, "respiration signal");
+  const auto signal = usable(respiration, say<"respiration signal">());
   if (!signal) return passOn(signal.error());
-  const auto refuse = [](const std::string& why) {
-    return failure(ErrorCode::unsupported, "The respiration signal cannot gate: " + why + "; gate by the images.",
+  const auto refuse = [](const Message& why) {
+    return failure(ErrorCode::unsupported, say<"The respiration signal cannot gate: %1; gate by the images.">(why),
                    {{"field", "respiration"}});
   };
   constexpr double kStep_s = 0.05;
   const double shortest_s = 60.0 / options.highest_perMin, duration_s = signal->time_s.back() - signal->time_s.front();
-  if (1.0 / medianStep_s(signal->time_s) < 3.0 / shortest_s) return refuse("it has too few samples a second");
-  if (duration_s < 2.0 * shortest_s) return refuse("it is shorter than two breaths");
+  if (1.0 / medianStep_s(signal->time_s) < 3.0 / shortest_s) return refuse(say<"it has too few samples a second">());
+  if (duration_s < 2.0 * shortest_s) return refuse(say<"it is shorter than two breaths">());
   EvenSignal even = evenly(*signal, kStep_s);
   even.value = filteredBothWays(even.value, FilterKind::lowPass, 1.5 / shortest_s, 1.0 / kStep_s);
   if (options.fallsWithInspiration)
@@ -223,13 +225,13 @@ Result<Cycles> findBreaths(const BodySignal& respiration, const BreathOptions& o
   for (std::size_t lag = lowest; lag <= highest; ++lag) heights.push_back(autocorrelation(level, lag));
   const Repeat repeat = firstRepeat(heights, lowest);
   if (repeat.height < options.leastConfidence)
-    return refuse("nothing in it repeats (correlation " + textOf(std::round(100.0 * repeat.height) / 100.0) + " after one period, " +
-                  textOf(options.leastConfidence) + " is needed)");
+    return refuse(say<"nothing in it repeats (correlation %1 after one period, %2 is needed)">(
+        textOf(std::round(100.0 * repeat.height) / 100.0), textOf(options.leastConfidence)));
   const double period_s = repeat.lag * kStep_s;
   const auto drift = movingMean(even.value, static_cast<std::size_t>(std::lround(repeat.lag)));
   for (std::size_t n = 0; n < drift.size(); ++n) even.value[n] -= drift[n];
   Cycles cycles = cyclesFrom(maximaOf(even, period_s), options.irregularShare, false);
-  if (cycles.starts_s.size() < 2) return refuse("it holds fewer than two full inspirations");
+  if (cycles.starts_s.size() < 2) return refuse(say<"it holds fewer than two full inspirations">());
   cycles.confidence = std::min(1.0, repeat.height);
   return cycles;
 }

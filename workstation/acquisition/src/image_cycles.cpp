@@ -125,7 +125,7 @@ Spectrum spectrumOf(const CycleCells& even, double step_s, double piece_s, doubl
       }
     }
   };
-  if (!forEachTask(static_cast<int>(even.cells), threads, progress, "Looking for a rhythm in the images", measure)) return {};
+  if (!forEachTask(static_cast<int>(even.cells), threads, progress, say<"Looking for a rhythm in the images">(), measure)) return {};
   spectrum.power.assign(tones, 0.0);
   for (const auto& power : ofCell)
     for (std::size_t tone = 0; tone < tones; ++tone) spectrum.power[tone] += power[tone];
@@ -253,12 +253,10 @@ double riseAgainstFall(std::span<const double> values) {
   return sum;
 }
 
-tl::unexpected<Error> refuse(const std::string& why) {
-  return failure(ErrorCode::unsupported, "The images cannot gate: " + why + "; use a recorded signal or do without gating.",
+tl::unexpected<Error> refuse(const Message& why) {
+  return failure(ErrorCode::unsupported, say<"The images cannot gate: %1; use a recorded signal or do without gating.">(why),
                  {{"field", "images"}});
 }
-
-constexpr const char* kLooking = "Looking for a rhythm in the images";
 
 /// Times a minute.
 struct RhythmRange {
@@ -285,26 +283,24 @@ struct TimedFrames {
 Result<TimedFrames> timedFrames(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s) {
   if (frames.size() != time_s.size())
     return failure(ErrorCode::badField,
-                   "There are " + std::to_string(frames.size()) + " frames and " + std::to_string(time_s.size()) +
-                       " times; give one time for each frame.",
+                   say<"There are %1 frames and %2 times; give one time for each frame.">(frames.size(), time_s.size()),
                    {{"field", "time"}});
   TimedFrames timed;
   auto& [times_s, kept] = timed;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     if (frames[n].width != frames[0].width || frames[n].height != frames[0].height || frames[n].width < 1 || frames[n].height < 1)
-      return failure(ErrorCode::badField, "Frame " + std::to_string(n) + " has another size than frame 0; gate frames of one size.",
+      return failure(ErrorCode::badField, say<"Frame %1 has another size than frame 0; gate frames of one size.">(n),
                      {{"field", "pixels"}});
     if (!std::isfinite(time_s[n]))
-      return failure(ErrorCode::badField, "Frame " + std::to_string(n) + " has no time; gate a recording whose frames all have one.",
-                     {{"field", "time"}});
+      return failure(ErrorCode::badField, say<"Frame %1 has no time; gate a recording whose frames all have one.">(n), {{"field", "time"}});
     if (!times_s.empty() && time_s[n] < times_s.back())
-      return failure(ErrorCode::badField, "Time runs backwards at frame " + std::to_string(n) + "; put the recording in order of time.",
+      return failure(ErrorCode::badField, say<"Time runs backwards at frame %1; put the recording in order of time.">(n),
                      {{"field", "time"}});
     if (!times_s.empty() && time_s[n] == times_s.back()) continue;
     times_s.push_back(time_s[n]);
     kept.push_back(n);
   }
-  if (times_s.size() < 8) return refuse("there are fewer than eight frames at different times");
+  if (times_s.size() < 8) return refuse(say<"there are fewer than eight frames at different times">());
   return timed;
 }
 
@@ -313,34 +309,34 @@ Result<void> fitRange(const std::vector<double>& times_s, double step_s, RhythmR
   const double duration_s = times_s.back() - times_s.front();
   range.highest_perMin = std::min(range.highest_perMin, 60.0 / (3.0 * step_s));
   if (range.highest_perMin <= 1.2 * range.lowest_perMin)
-    return refuse("with " + textOf(std::round(10.0 / step_s) / 10.0) + " frames a second the rhythm falls between them");
+    return refuse(say<"with %1 frames a second the rhythm falls between them">(textOf(std::round(10.0 / step_s) / 10.0)));
   if (duration_s < 3.0 * 60.0 / range.highest_perMin || duration_s / step_s > 1e6)
-    return refuse("the recording is shorter than three cycles or has gaps of many times its length");
+    return refuse(say<"the recording is shorter than three cycles or has gaps of many times its length">());
   return {};
 }
 
-tl::unexpected<Error> gatingStopped() { return failure(ErrorCode::cancelled, "The gating was stopped before it was complete."); }
+tl::unexpected<Error> gatingStopped() { return failure(ErrorCode::cancelled, say<"The gating was stopped before it was complete.">()); }
 
 Result<CycleCells> reducedFrames(std::span<const ImageView<const std::uint8_t>> frames, const std::vector<std::size_t>& kept, int threads,
                                  Progress& progress) {
   const int across = std::min(kCycleCells, frames[0].width), down = std::min(kCycleCells, frames[0].height);
   CycleCells raw{kept.size(), static_cast<std::size_t>(across * down), {}};
   raw.value.resize(raw.moments * raw.cells);
-  if (!forEachTask(static_cast<int>(kept.size()), threads, progress, kLooking, [&](int task) {
+  if (!forEachTask(static_cast<int>(kept.size()), threads, progress, say<"Looking for a rhythm in the images">(), [&](int task) {
         const auto n = static_cast<std::size_t>(task);
         reduce(frames[kept[n]], across, down, raw.row(n));
       }))
     return gatingStopped();
   bool changes = false;
   for (std::size_t n = 1; n < raw.moments && !changes; ++n) changes = !std::equal(raw.row(n), raw.row(n) + raw.cells, raw.row(0));
-  if (!changes) return refuse("they do not change");
+  if (!changes) return refuse(say<"they do not change">());
   return raw;
 }
 
 tl::unexpected<Error> tooWeak(double confidence, const RhythmRange& range, const ImageGateOptions& options) {
-  return refuse("nothing in them repeats at " + textOf(range.lowest_perMin) + " to " + textOf(std::round(range.highest_perMin)) +
-                " times a minute (confidence " + textOf(std::round(100.0 * confidence) / 100.0) + ", " + textOf(options.leastConfidence) +
-                " is needed)");
+  return refuse(say<"nothing in them repeats at %1 to %2 times a minute (confidence %3, %4 is needed)">(
+      textOf(range.lowest_perMin), textOf(std::round(range.highest_perMin)), textOf(std::round(100.0 * confidence) / 100.0),
+      textOf(options.leastConfidence)));
 }
 
 /// One value a moment that rises and falls with the cycle.
@@ -392,7 +388,7 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
 
   const CycleCells band = bandOf(std::move(even), step_s, period_s);
   auto windows = windowsOf(band.moments, static_cast<std::size_t>(kWindow_periods * period_s / step_s));
-  if (!forEachTask(static_cast<int>(windows.size()), options.threads, finding, kLooking,
+  if (!forEachTask(static_cast<int>(windows.size()), options.threads, finding, say<"Looking for a rhythm in the images">(),
                    [&](int task) { findComponents(band, windows[static_cast<std::size_t>(task)]); }))
     return gatingStopped();
   const auto lag = static_cast<std::size_t>(std::lround(period_s / step_s));
@@ -400,11 +396,12 @@ Result<Cycles> findCyclesInImages(std::span<const ImageView<const std::uint8_t>>
   const double confidence = std::min({standsOut, signal.meanRepeat, autocorrelation(signal.values, lag)});
   if (confidence < options.leastConfidence) return tooWeak(confidence, range, options);
   Cycles cycles = cyclesFrom(maximaOf({timed->times_s.front(), step_s, std::move(signal.values)}, period_s), options.irregularShare, false);
-  if (cycles.starts_s.size() < 2) return refuse("fewer than two cycles can be seen");
+  if (cycles.starts_s.size() < 2) return refuse(say<"fewer than two cycles can be seen">());
   cycles.confidence = confidence;
-  cycles.notes.emplace_back("Phases were taken from the images: which moment phase 0 is, they do not say.");
+  cycles.notes.emplace_back(say<"Phases were taken from the images: which moment phase 0 is, they do not say.">());
   if (signal.weakestJoint < 0.3)
-    cycles.notes.emplace_back("What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.");
+    cycles.notes.emplace_back(
+        say<"What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.">());
   return cycles;
 }
 

@@ -26,14 +26,15 @@ std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u 
 
 Result<void> checkImages(const Sequence& sequence) {
   if (sequence.width < 1 || sequence.height < 1)
-    return failure(ErrorCode::unsupported,
-                   "The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.");
+    return failure(
+        ErrorCode::unsupported,
+        say<"The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.">());
   if (sequence.imageType.starts_with("RF"))
-    return failure(ErrorCode::unsupported,
-                   "The recording holds " + sequence.imageType +
-                       " data, no brightness. EchoWeave does not read radio frequency lines: record again with B-mode images, or have the "
-                       "program that recorded it make them (in PLUS the RfProcessing of the device set).",
-                   {{"orientation", sequence.orientation}, {"imageType", sequence.imageType}});
+    return failure(
+        ErrorCode::unsupported,
+        say<"The recording holds %1 data, no brightness. EchoWeave does not read radio frequency lines: record again with B-mode images, "
+            "or have the program that recorded it make them (in PLUS the RfProcessing of the device set).">(sequence.imageType),
+        {{"orientation", sequence.orientation}, {"imageType", sequence.imageType}});
   return {};
 }
 
@@ -41,30 +42,40 @@ Result<void> checkImages(const Sequence& sequence) {
 Result<void> turnToMarkerFar(Sequence& sequence, std::vector<Message>& notes, Progress& progress) {
   const std::string& orientation = sequence.orientation;
   if (orientation.size() < 2) {
-    notes.push_back("The recording does not name its image orientation; MF (marker side first, far side last) was assumed.");
+    notes.push_back(say<"The recording does not name its image orientation; MF (marker side first, far side last) was assumed.">());
     return {};
   }
   const bool mirrored = orientation[0] == 'U', upsideDown = orientation[1] == 'N';
   if ((orientation[0] != 'M' && !mirrored) || (orientation[1] != 'F' && !upsideDown))
     return failure(ErrorCode::badField,
-                   "The image orientation " + orientation + " is not known; expected two of the letters M or U and F or N, as in MF.",
+                   say<"The image orientation %1 is not known; expected two of the letters M or U and F or N, as in MF.">(orientation),
                    {{"field", "UltrasoundImageOrientation"}, {"found", orientation}});
   if (!mirrored && !upsideDown) return {};
   const auto width = static_cast<std::ptrdiff_t>(sequence.width), height = static_cast<std::ptrdiff_t>(sequence.height);
   for (auto frame = sequence.pixels.begin(); frame != sequence.pixels.end(); frame += width * height) {
-    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, "The import was stopped before it was complete.");
+    if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The import was stopped before it was complete.">());
     if (upsideDown)
       for (std::ptrdiff_t y = 0; y < height / 2; ++y)
         std::swap_ranges(frame + y * width, frame + (y + 1) * width, frame + (height - 1 - y) * width);
     if (mirrored)
       for (std::ptrdiff_t y = 0; y < height; ++y) std::reverse(frame + y * width, frame + (y + 1) * width);
   }
-  notes.push_back("The images are stored in orientation " + orientation + " and were turned to MF.");
+  notes.push_back(say<"The images are stored in orientation %1 and were turned to MF.">(orientation));
   sequence.orientation = "MF";
   return {};
 }
 
-std::optional<Clip> clipOf(const DeviceSet& device, const std::string& whose, std::vector<Message>& notes) {
+enum class ClipSaidBy { deviceSet, recording };
+
+Message clippedTo(bool fan, ClipSaidBy who) {
+  if (who == ClipSaidBy::recording)
+    return fan ? say<"The images were clipped to the fan of the recording.">()
+               : say<"The images were clipped to the rectangle of the recording.">();
+  return fan ? say<"The images were clipped to the fan of the device set.">()
+             : say<"The images were clipped to the rectangle of the device set.">();
+}
+
+std::optional<Clip> clipOf(const DeviceSet& device, ClipSaidBy who, std::vector<Message>& notes) {
   const bool fan = device.fanAngles_deg && device.fanAngles_deg->x != device.fanAngles_deg->y;
   if (!device.clipOrigin_px && !device.clipSize_px && !fan) return std::nullopt;
   Clip clip;
@@ -75,7 +86,7 @@ std::optional<Clip> clipOf(const DeviceSet& device, const std::string& whose, st
     clip.fan = ClipFan{device.fanOrigin_px.value_or(glm::dvec2(0.0)), angles_rad.x, angles_rad.y, device.fanRadiusStart_px.value_or(0.0),
                        device.fanRadiusStop_px.value_or(1e9)};
   }
-  notes.push_back(std::string("The images were clipped to the ") + (fan ? "fan" : "rectangle") + " of the " + whose + ".");
+  notes.push_back(clippedTo(fan, who));
   return clip;
 }
 
@@ -88,10 +99,10 @@ Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
       auto found = parseNumbers(value);
       if (found && found->size() == count && std::all_of(found->begin(), found->end(), [](double each) { return std::isfinite(each); }))
         return *std::move(found);
-      return failure(
-          ErrorCode::badField,
-          "The recording's " + field + " is \"" + value + "\"; expected " + std::to_string(count) + (count == 1 ? " number." : " numbers."),
-          {{"field", field}, {"found", value}});
+      return failure(ErrorCode::badField,
+                     count == 1 ? say<"The recording's %1 is \"%2\"; expected 1 number.">(field, value)
+                                : say<"The recording's %1 is \"%2\"; expected %3 numbers.">(field, value, count),
+                     {{"field", field}, {"found", value}});
     }
     return std::vector<double>();
   };
@@ -117,8 +128,8 @@ Result<void> takeSpacing(const DeviceSet& device, ReconstructOptions& options) {
   const glm::dvec3 spacing_mm = *device.outputSpacing_mm;
   if (spacing_mm.x != spacing_mm.y || spacing_mm.x != spacing_mm.z)
     return failure(ErrorCode::badField,
-                   "The OutputSpacing of the device set differs between axes (" + textOf(spacing_mm.x) + ", " + textOf(spacing_mm.y) +
-                       ", " + textOf(spacing_mm.z) + " mm), but voxels are cubes; choose their size yourself (--spacing).",
+                   say<"The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size "
+                       "yourself (--spacing).">(textOf(spacing_mm.x), textOf(spacing_mm.y), textOf(spacing_mm.z)),
                    {{"field", "OutputSpacing"}});
   options.spacing_mm = spacing_mm.x;
   return {};
@@ -132,7 +143,7 @@ Result<void> takeInterpolation(const DeviceSet& device, ReconstructOptions& opti
     options.interpolation = Interpolation::linear;
   } else if (!interpolation.empty()) {
     return failure(ErrorCode::badField,
-                   "The device set asks for the interpolation " + interpolation + "; expected NEAREST_NEIGHBOR or LINEAR.",
+                   say<"The device set asks for the interpolation %1; expected NEAREST_NEIGHBOR or LINEAR.">(interpolation),
                    {{"field", "Interpolation"}, {"found", interpolation}});
   }
   return {};
@@ -152,13 +163,14 @@ Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& option
     options.compounding = Compounding::latest;
   } else if (!compounding.empty()) {
     return failure(ErrorCode::badField,
-                   "The device set asks for the compounding " + written +
-                       "; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself (--compounding).",
+                   say<"The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the "
+                       "compounding yourself (--compounding).">(written),
                    {{"field", "CompoundingMode"}, {"found", written}});
   }
   if (isSwitch)
-    notes.push_back("The device set says Compounding \"" + written + "\", as old ones do; that was taken as the " +
-                    (compounding == "ON" ? "mean of all views." : "latest view."));
+    notes.push_back(compounding == "ON"
+                        ? say<"The device set says Compounding \"%1\", as old ones do; that was taken as the mean of all views.">(written)
+                        : say<"The device set says Compounding \"%1\", as old ones do; that was taken as the latest view.">(written));
   return {};
 }
 
@@ -186,11 +198,25 @@ Result<SweepPoses> acquiredPoses(const Sequence& sequence, const DeviceSet* cali
   if (!motor->imageToProbe) return poses;
   auto assumed = motorPoses(sequence, *motor, calibration);
   if (assumed)
-    assumed->notes.push_back("Nobody says where pixels lie before the probe; its face was taken to be at the middle of their upper edge.");
+    assumed->notes.push_back(
+        say<"Nobody says where pixels lie before the probe; its face was taken to be at the middle of their upper edge.">());
   return assumed;
 }
 
 std::string milliseconds(double time_s) { return textOf(std::round(time_s * 1e4) / 10.0) + " ms"; }
+
+/// @param lost frames that have no pose any more
+Message delayTakenAway(const PoseDelay& delay, bool estimated, std::size_t lost) {
+  const std::string lag = milliseconds(delay.delay_s), spread = milliseconds(delay.uncertainty_s);
+  if (estimated && lost > 0)
+    return say<
+        "Poses lag %1 behind the images (+- %2, from the %3); they were moved in time, and %4 frames beside gaps and ends have none left.">(
+        lag, spread, delay.seenBy, lost);
+  if (estimated) return say<"Poses lag %1 behind the images (+- %2, from the %3); they were moved in time.">(lag, spread, delay.seenBy);
+  if (lost > 0)
+    return say<"Poses lag %1 behind the images; they were moved in time, and %2 frames beside gaps and ends have none left.">(lag, lost);
+  return say<"Poses lag %1 behind the images; they were moved in time.">(lag);
+}
 
 /// Estimates by how much poses lag, when asked, and moves them.
 Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
@@ -211,7 +237,7 @@ Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& option
   }
   opened.plan.poseDelay = delay;
   if (delay.verdict == DelayVerdict::cannotTell) {
-    opened.plan.notes.push_back("By how much the poses lag behind the images cannot be told. " + delay.why);
+    opened.plan.notes.push_back(say<"By how much the poses lag behind the images cannot be told. %1">(delay.why));
     return {};
   }
   const glm::dvec2 centre_px(0.5 * (sequence.width - 1), 0.5 * (sequence.height - 1));
@@ -220,17 +246,13 @@ Result<void> takeDelayAway(OpenedSweep& opened, const SweepImportOptions& option
   opened.poses.imageToWorld = *std::move(moved);
   const auto usable = static_cast<std::size_t>(
       std::count_if(opened.poses.imageToWorld.begin(), opened.poses.imageToWorld.end(), [](const auto& pose) { return pose.has_value(); }));
-  std::string note = "Poses lag " + milliseconds(delay.delay_s) + " behind the images";
-  if (!options.poseDelay_s) note += " (+- " + milliseconds(delay.uncertainty_s) + ", from the " + delay.seenBy + ")";
-  note += "; they were moved in time";
-  if (usable < opened.poses.usable) {
-    note += ", and " + std::to_string(opened.poses.usable - usable) + " frames beside gaps and ends have none left";
-    opened.poses.missing += opened.poses.usable - usable;
-  }
+  const std::size_t lost = opened.poses.usable - std::min(usable, opened.poses.usable);
+  opened.poses.missing += lost;
   opened.poses.usable = usable;
-  opened.plan.notes.push_back(note + ".");
+  opened.plan.notes.push_back(delayTakenAway(delay, !options.poseDelay_s, lost));
   if (usable == 0)
-    return failure(ErrorCode::noValidPose, "With this delay no frame has a pose; check the delay, it is in seconds.", {{"field", "delay"}});
+    return failure(ErrorCode::noValidPose, say<"With this delay no frame has a pose; check the delay, it is in seconds.">(),
+                   {{"field", "delay"}});
   return {};
 }
 
@@ -303,7 +325,7 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   if (!sector && options.clipFromCalibration) {
     const auto stated = clipStatedIn(opened.sequence);
     if (!stated) return passOn(stated.error());
-    sector = clipOf(*stated, "recording", sectorNotes);
+    sector = clipOf(*stated, ClipSaidBy::recording, sectorNotes);
   }
   auto poses = acquiredPoses(opened.sequence, calibration, options);
   if (!poses) return passOn(poses.error());
@@ -315,7 +337,7 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   const auto frames = posedFrames(opened);
   ReconstructOptions said = options.reconstruct;
   if (options.clipFromCalibration && calibration != nullptr)
-    if (auto clip = clipOf(*calibration, "device set", plan.notes)) said.clip = *clip;
+    if (auto clip = clipOf(*calibration, ClipSaidBy::deviceSet, plan.notes)) said.clip = *clip;
   auto made = defaultsFor(frames, calibration, options.usual, said, plan.notes);
   if (!made) return passOn(made.error());
   plan.reconstruct = *made;
@@ -333,8 +355,8 @@ Result<void> arrange(OpenedSweep& opened, const DeviceSet* calibration, const Sw
   if (!grid) return passOn(grid.error());
   if (grid->voxelCount() == 1)
     return failure(ErrorCode::badField,
-                   "With voxels of " + textOf(plan.reconstruct.spacing_mm) +
-                       " mm the whole recording would be one voxel; use a finer spacing, or check the calibration for a wrong scale.",
+                   say<"With voxels of %1 mm the whole recording would be one voxel; use a finer spacing, or check the calibration for a "
+                       "wrong scale.">(textOf(plan.reconstruct.spacing_mm)),
                    {{"field", "spacing"}});
   plan.grid = *grid;
   plan.frameBytes = opened.sequence.pixels.size();
@@ -368,8 +390,8 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
     if (!converted) return passOn(converted.error());
     sequence = std::move(converted);
     opened.sectorOfScanLines = clipOf(*geometry);
-    opened.readNotes.push_back("The recording holds scan lines; they were converted to images of " + std::to_string(sequence->width) +
-                               " x " + std::to_string(sequence->height) + " pixels of " + textOf(geometry->pixel_mm) + " mm.");
+    opened.readNotes.push_back(say<"The recording holds scan lines; they were converted to images of %1 x %2 pixels of %3 mm.">(
+        sequence->width, sequence->height, textOf(geometry->pixel_mm)));
   }
   opened.readNotes.insert(opened.readNotes.begin(), sequence->notes.begin(), sequence->notes.end());
   opened.sequence = std::move(*sequence);
@@ -396,11 +418,11 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
   const auto started = Clock::now();
   const glm::ivec3 dims = opened.plan.grid.dims;
   if (!opened.plan.fits)
-    return failure(ErrorCode::tooLarge,
-                   "The volume would have " + std::to_string(dims.x) + " x " + std::to_string(dims.y) + " x " + std::to_string(dims.z) +
-                       " voxels and need " + mebibytes(opened.plan.bytes) + " of memory with the frames, more than the " +
-                       mebibytes(opened.plan.reconstruct.maxBytes) + " that a volume may take; use a coarser spacing.",
-                   {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
+    return failure(
+        ErrorCode::tooLarge,
+        say<"The volume would have %1 x %2 x %3 voxels and need %4 of memory with the frames, more than the %5 that a volume may take; use "
+            "a coarser spacing.">(dims.x, dims.y, dims.z, mebibytes(opened.plan.bytes), mebibytes(opened.plan.reconstruct.maxBytes)),
+        {{"bytes", std::to_string(opened.plan.bytes)}, {"maxBytes", std::to_string(opened.plan.reconstruct.maxBytes)}});
   const bool weighing = opened.plan.reconstruct.compounding == Compounding::weighted;
   PartOfProgress before(progress, 0.0, weighing ? 0.4 : 0.0), making(progress, weighing ? 0.4 : 0.0, 1.0);
   const auto weighed = weighedFrames(opened, before);

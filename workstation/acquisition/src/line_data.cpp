@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/imaging/scan_conversion.h"
@@ -45,13 +46,14 @@ class Stated {
     if (usable) return read;
     if (!problem_) {
       const std::string field(name);
-      problem_ = Error{ErrorCode::badField,
-                       (found ? "The scan lines' " + field + " is \"" + *found + "\""
-                              : "The recording holds scan lines and does not say their " + field) +
-                           "; give a device set whose ScanConversion says it with " +
-                           (count == 1 ? "a number" : std::to_string(count) + " numbers") + " from " + textOf(lowest) + " to " +
-                           textOf(highest) + ".",
-                       {{"field", field}, {"found", found.value_or("")}}};
+      const Message needed =
+          count == 1 ? rangeText(lowest, highest) : say<"%1 numbers from %2 to %3">(count, textOf(lowest), textOf(highest));
+      problem_ = Error{
+          ErrorCode::badField,
+          found ? say<"The scan lines' %1 is \"%2\"; give a device set whose ScanConversion says it with %3.">(field, *found, needed)
+                : say<"The recording holds scan lines and does not say their %1; give a device set whose ScanConversion says it with %2.">(
+                      field, needed),
+          {{"field", field}, {"found", found.value_or("")}}};
     }
     return std::vector<double>(count, lowest);
   }
@@ -96,9 +98,10 @@ Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* d
   const std::string kind = stated.text(fields::kTransducerGeometry).value_or("");
   if (kind != "CURVILINEAR" && kind != "LINEAR")
     return failure(ErrorCode::badField,
-                   (kind.empty() ? "The recording holds scan lines and does not say where they lie"
-                                 : "The scan lines' TransducerGeometry is \"" + kind + "\"") +
-                       "; give a device set whose ScanConversion has TransducerGeometry=\"CURVILINEAR\" or \"LINEAR\".",
+                   kind.empty() ? say<"The recording holds scan lines and does not say where they lie; give a device set whose "
+                                      "ScanConversion has TransducerGeometry=\"CURVILINEAR\" or \"LINEAR\".">()
+                                : say<"The scan lines' TransducerGeometry is \"%1\"; give a device set whose ScanConversion has "
+                                      "TransducerGeometry=\"CURVILINEAR\" or \"LINEAR\".">(kind),
                    {{"field", std::string(fields::kTransducerGeometry)}, {"found", kind}});
   geometry.curvilinear = kind == "CURVILINEAR";
   constexpr double kLargest_mm = 1000.0;
@@ -108,8 +111,8 @@ Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* d
     const double start_deg = stated.number(fields::kThetaStart, -90.0, 90.0), stop_deg = stated.number(fields::kThetaStop, -90.0, 90.0);
     if (!stated.problem() && !(stop_deg > 0.0 && std::abs(start_deg + stop_deg) < 1e-3))
       return failure(ErrorCode::unsupported,
-                     "The scan lines run from " + textOf(start_deg) + " to " + textOf(stop_deg) +
-                         " degrees; only sectors as wide to the left as to the right, from minus to plus, are converted.",
+                     say<"The scan lines run from %1 to %2 degrees; only sectors as wide to the left as to the right, from minus to plus, "
+                         "are converted.">(textOf(start_deg), textOf(stop_deg)),
                      {{"field", std::string(fields::kThetaStart)}});
     geometry.theta_rad = stop_deg * std::numbers::pi / 180.0;
   } else {
@@ -122,8 +125,8 @@ Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* d
   if (stated.problem()) return passOn(*stated.problem());
   if (std::abs(spacing_mm[0] - spacing_mm[1]) > 1e-6 * spacing_mm[0])
     return failure(ErrorCode::unsupported,
-                   "The converted picture shall have pixels of " + textOf(spacing_mm[0]) + " x " + textOf(spacing_mm[1]) +
-                       " mm; give a ScanConversion with square pixels.",
+                   say<"The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.">(
+                       textOf(spacing_mm[0]), textOf(spacing_mm[1])),
                    {{"field", std::string(fields::kOutputSpacing)}});
   geometry.size_px = {static_cast<int>(size[0]), static_cast<int>(size[1])};
   geometry.pixel_mm = spacing_mm[0];
@@ -154,22 +157,20 @@ Clip clipOf(const LineGeometry& geometry) {
 
 Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int threads, Progress& progress, std::uint64_t maxBytes) {
   if (!holdsScanLines(lines))
-    return failure(ErrorCode::unsupported, "The recording holds images of orientation \"" + lines.orientation + "\", no scan lines.");
+    return failure(ErrorCode::unsupported, say<"The recording holds images of orientation \"%1\", no scan lines.">(lines.orientation));
   if (lines.imageType.starts_with("RF"))
     return failure(ErrorCode::unsupported,
-                   "The scan lines are " + lines.imageType + ", no brightness; convert them to B-mode brightness first.",
+                   say<"The scan lines are %1, no brightness; convert them to B-mode brightness first.">(lines.imageType),
                    {{"imageType", lines.imageType}});
   const int samples = lines.width, count = lines.height;
   if (samples < 2 || count < 2)
     return failure(ErrorCode::badField,
-                   "The recording has " + std::to_string(count) + " scan lines of " + std::to_string(samples) +
-                       " samples; a picture needs at least 2 of each.",
+                   say<"The recording has %1 scan lines of %2 samples; a picture needs at least 2 of each.">(count, samples),
                    {{"field", "DimSize"}});
   const auto framePixels = static_cast<std::size_t>(geometry.size_px.x) * static_cast<std::size_t>(geometry.size_px.y);
   const std::size_t bytes = framePixels * lines.frames.size();
   const auto tooLarge = [&] {
-    return failure(ErrorCode::tooLarge,
-                   "The converted pictures need " + std::to_string(bytes >> 20) + " MiB of memory; convert them to fewer pixels.",
+    return failure(ErrorCode::tooLarge, say<"The converted pictures need %1 MiB of memory; convert them to fewer pixels.">(bytes >> 20),
                    {{"bytes", std::to_string(bytes)}});
   };
   if (bytes > maxBytes) return tooLarge();
@@ -198,7 +199,7 @@ Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int 
   pictures.width = display.width;
   pictures.height = display.height;
   pictures.orientation = "MF";
-  const bool finished = forEachTask(static_cast<int>(lines.frames.size()), threads, progress, "Converting scan lines", [&](int n) {
+  const bool finished = forEachTask(static_cast<int>(lines.frames.size()), threads, progress, say<"Converting scan lines">(), [&](int n) {
     const auto recorded = lines.framePixels(static_cast<std::size_t>(n));
     BeamImage beams(count, samples);
     for (int line = 0; line < count; ++line) {
@@ -209,7 +210,7 @@ Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int 
     scanConvert(table, viewOf(std::as_const(beams)), 0, display.height,
                 {pictures.pixels.data() + static_cast<std::size_t>(n) * framePixels, display.width, display.height, display.width});
   });
-  if (!finished) return failure(ErrorCode::cancelled, "Converting the scan lines was stopped.");
+  if (!finished) return failure(ErrorCode::cancelled, say<"Converting the scan lines was stopped.">());
   return pictures;
 }
 

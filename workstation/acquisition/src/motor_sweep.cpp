@@ -32,7 +32,7 @@ constexpr std::array<std::pair<std::string_view, MotorKind>, 3> kMotorKinds{
 Result<json> readObject(const std::filesystem::path& file) {
   const auto text = readTextFile(file, kLargestFile_bytes);
   if (!text) return passOn(text.error());
-  return parseJsonObject(*text, "the motor file " + file.string());
+  return parseJsonObject(*text, say<"the motor file %1">(file.string()));
 }
 
 Transform<frame::Probe, frame::Image> imageToProbeOf(const glm::dvec2& pixel_mm, const glm::dvec2& face_px) {
@@ -50,11 +50,14 @@ std::optional<std::string> fieldOf(const std::vector<std::pair<std::string, std:
   return found->second;
 }
 
-tl::unexpected<Error> badRecordedField(std::string_view name, const std::string& found, const std::string& expected) {
-  return failure(ErrorCode::badField,
-                 "The recording has " + (found.empty() ? std::string("nothing") : "\"" + found + "\"") + " for its field " +
-                     std::string(name) + "; expected " + expected + ", or describe the motor in a file.",
-                 {{"field", std::string(name)}, {"found", found}, {"expected", expected}});
+tl::unexpected<Error> badRecordedField(std::string_view name, const std::string& found, const Message& expected) {
+  const std::string field(name);
+  return failure(
+      ErrorCode::badField,
+      found.empty()
+          ? say<"The recording has nothing for its field %1; expected %2, or describe the motor in a file.">(field, expected)
+          : say<"The recording has \"%1\" for its field %2; expected %3, or describe the motor in a file.">(found, field, expected),
+      {{"field", field}, {"found", found}, {"expected", expected.english()}});
 }
 
 }  // namespace
@@ -81,13 +84,13 @@ Transform<frame::World, frame::Probe> probeToWorldAt(const MotorSweep& motor, do
 Result<MotorSweep> readMotorSweep(const std::filesystem::path& path) {
   const auto object = readObject(path);
   if (!object) return passOn(object.error());
-  JsonReading reading("the motor file " + path.string(), {"name", "note", "source"});
+  JsonReading reading(say<"the motor file %1">(path.string()), {"name", "note", "source"});
   const JsonFields file(*object, reading);
   const auto format = file.whole("format", 1, 1000000);
   if (file.good() && format > kFormatVersion)
     return failure(ErrorCode::newerFormat,
-                   "The motor file " + path.string() + " has format " + std::to_string(format) + " and this program reads up to " +
-                       std::to_string(kFormatVersion) + "; use a newer version of the program.",
+                   say<"The motor file %1 has format %2 and this program reads up to %3; use a newer version of the program.">(
+                       path.string(), format, kFormatVersion),
                    {{"file", path.string()}});
 
   MotorSweep motor;
@@ -105,8 +108,8 @@ Result<MotorSweep> readMotorSweep(const std::filesystem::path& path) {
   motor.step = file.number(step, -limit, limit, 0.0);
   motor.first = file.number(first, -limit, limit, 0.0);
   if (file.has(list) == file.has(step))
-    file.refuse(step, "there unless \"" + list + "\" is, and not beside it: one of the two says where the frames lie");
-  if (!file.has(list) && motor.step == 0.0) file.refuse(step, "a number other than 0");
+    file.refuse(step, say<"there unless \"%1\" is, and not beside it: one of the two says where the frames lie">(list));
+  if (!file.has(list) && motor.step == 0.0) file.refuse(step, say<"a number other than 0">());
   motor.axisBehindFace_mm = file.number("axis_behind_face_mm", -1000.0, 1000.0, 0.0);
   if (const auto offset = file.numbers("axis_offset_mm", 2, 2, -1000.0, 1000.0, false); !offset.empty())
     motor.axisOffset_mm = {offset[0], offset[1]};
@@ -115,9 +118,9 @@ Result<MotorSweep> readMotorSweep(const std::filesystem::path& path) {
     const JsonFields image = file.object("image");
     image.only({"pixel_mm", "face_px"});
     const auto pixel_mm =
-        image.numbers("pixel_mm", 2, 2, 1e-4, 100.0, true, "two numbers from 0.0001 to 100, a pixel's width and height in mm");
+        image.numbers("pixel_mm", 2, 2, 1e-4, 100.0, true, say<"two numbers from 0.0001 to 100, a pixel's width and height in mm">());
     const auto face_px =
-        image.numbers("face_px", 2, 2, -1e6, 1e6, true, "two numbers within a million, the pixel at the middle of the face");
+        image.numbers("face_px", 2, 2, -1e6, 1e6, true, say<"two numbers within a million, the pixel at the middle of the face">());
     if (image.good()) motor.imageToProbe = imageToProbeOf({pixel_mm[0], pixel_mm[1]}, {face_px[0], face_px[1]});
   }
   if (reading.problem()) return passOn(*reading.problem());
@@ -134,16 +137,17 @@ Result<MotorSweep> recordedMotor(const Sequence& sequence) {
   } else if (kind == "ROTATIONAL") {
     motor.kind = MotorKind::rotational;
   } else {
-    return badRecordedField(fields::kMotorKind, kind, "PARALLEL, FAN or ROTATIONAL");
+    return badRecordedField(fields::kMotorKind, kind, say<"PARALLEL, FAN or ROTATIONAL">());
   }
   if (const auto axis = fieldOf(sequence.otherFields, fields::kMotorAxisBehindFace)) {
     const auto value = parseNumber(*axis);
-    if (!value || !(std::abs(*value) <= 1000.0)) return badRecordedField(fields::kMotorAxisBehindFace, *axis, "a number of millimetres");
+    if (!value || !(std::abs(*value) <= 1000.0))
+      return badRecordedField(fields::kMotorAxisBehindFace, *axis, say<"a number of millimetres">());
     motor.axisBehindFace_mm = *value;
   }
   if (const auto start = fieldOf(sequence.otherFields, fields::kMotorStart)) {
     const auto rows = parseNumbers(*start);
-    if (!rows || rows->size() != 16) return badRecordedField(fields::kMotorStart, *start, "16 numbers");
+    if (!rows || rows->size() != 16) return badRecordedField(fields::kMotorStart, *start, say<"%1 numbers">(16));
     std::array<double, 16> rowMajor{};
     std::copy(rows->begin(), rows->end(), rowMajor.begin());
     motor.startProbeToWorld.matrix = matrixFromRows(rowMajor);
@@ -154,7 +158,7 @@ Result<MotorSweep> recordedMotor(const Sequence& sequence) {
   for (const SequenceFrame& frame : sequence.frames) {
     const auto text = fieldOf(frame.otherFields, name);
     const auto value = text ? parseNumber(*text) : std::nullopt;
-    if (text && (!value || !(std::abs(*value) <= limit))) return badRecordedField(name, *text, rangeText(-limit, limit).english());
+    if (text && (!value || !(std::abs(*value) <= limit))) return badRecordedField(name, *text, rangeText(-limit, limit));
     motor.values.push_back(value.value_or(kNone));
   }
   return motor;
@@ -163,8 +167,8 @@ Result<MotorSweep> recordedMotor(const Sequence& sequence) {
 Result<SweepPoses> motorPoses(const Sequence& sequence, const MotorSweep& motor, const DeviceSet* calibration) {
   if (!motor.values.empty() && motor.values.size() != sequence.frames.size())
     return failure(ErrorCode::badField,
-                   "The motor has " + std::to_string(motor.values.size()) + " values and the recording " +
-                       std::to_string(sequence.frames.size()) + " frames; give one value for each frame, or a step.",
+                   say<"The motor has %1 values and the recording %2 frames; give one value for each frame, or a step.">(
+                       motor.values.size(), sequence.frames.size()),
                    {{"field", "values"}});
   SweepPoses poses;
   poses.toFrame = "Reference";
@@ -190,17 +194,17 @@ Result<SweepPoses> motorPoses(const Sequence& sequence, const MotorSweep& motor,
     }
   }
   if (!calibrated)
-    return failure(
-        ErrorCode::missingCalibration,
-        "Nobody says where pixels lie before the probe; give \"image\" with pixel_mm and face_px in the motor file, or the device "
-        "set (.xml) with the calibration from Image to Probe.",
-        {{"from", "Image"}, {"to", "Probe"}});
+    return failure(ErrorCode::missingCalibration,
+                   say<"Nobody says where pixels lie before the probe; give \"image\" with pixel_mm and face_px in the motor file, or the "
+                       "device set (.xml) with the calibration from Image to Probe.">(),
+                   {{"from", "Image"}, {"to", "Probe"}});
   if (poses.usable == 0)
-    return failure(ErrorCode::noValidPose, "No frame of the motorised sweep can be used: each is marked invalid or has no motor value.");
+    return failure(ErrorCode::noValidPose,
+                   say<"No frame of the motorised sweep can be used: each is marked invalid or has no motor value.">());
   if (differing.size() == 1 && poses.usable > 1)
-    return failure(ErrorCode::badField, "The motor does not move from frame to frame; check its step or its recorded values.",
+    return failure(ErrorCode::badField, say<"The motor does not move from frame to frame; check its step or its recorded values.">(),
                    {{"field", "step"}});
-  poses.notes.push_back("The poses were worked out from the motor's values, not from a tracker.");
+  poses.notes.push_back(say<"The poses were worked out from the motor's values, not from a tracker.">());
   return poses;
 }
 

@@ -176,13 +176,13 @@ class Paster {
   }
 
   Result<std::size_t> run(Progress& progress) {
-    const bool finished = forEachTask(static_cast<int>(plan_.bricks()), workers_, progress, "Pasting frames",
+    const bool finished = forEachTask(static_cast<int>(plan_.bricks()), workers_, progress, say<"Pasting frames">(),
                                       [this](int task, int worker, const auto& stopped) {
                                         pasteBrick(plan_.at(task), scratch_[static_cast<std::size_t>(worker)], stopped);
                                       });
-    if (!finished) return failure(ErrorCode::cancelled, "The reconstruction was stopped before it was complete.");
+    if (!finished) return failure(ErrorCode::cancelled, say<"The reconstruction was stopped before it was complete.">());
     if (overflow_)
-      return failure(ErrorCode::tooLarge, "More than 268 million pixels fall into one voxel; reconstruct with a finer spacing.");
+      return failure(ErrorCode::tooLarge, say<"More than 268 million pixels fall into one voxel; reconstruct with a finer spacing.">());
     return measured_.load();
   }
 
@@ -379,7 +379,7 @@ Result<std::size_t> pasteFrames(std::span<const PosedFrame> frames, const ClipSp
       return passOn(traced.error());
     return measured;
   } catch (const std::bad_alloc&) {
-    return failure(ErrorCode::tooLarge, "There is not enough memory for the sums of the reconstruction; use fewer threads.");
+    return failure(ErrorCode::tooLarge, say<"There is not enough memory for the sums of the reconstruction; use fewer threads.">());
   }
 }
 

@@ -32,48 +32,48 @@ std::string sizeOf(const Extent& extent) {
 }
 
 Result<void> checkMatrix(const glm::dmat4& m, std::size_t frame) {
-  const auto refuse = [&](const char* why) {
-    return failure(ErrorCode::badField,
-                   "The matrix of frame " + std::to_string(frame) + " from image to world " + why +
-                       "; check the calibration and the pose of this frame.",
-                   {{"field", "imageToWorld"}, {"frame", std::to_string(frame)}});
+  const auto refuse = [&](const Message& sentence) {
+    return failure(ErrorCode::badField, sentence, {{"field", "imageToWorld"}, {"frame", std::to_string(frame)}});
   };
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(m[column][row])) return refuse("contains a value that is not a finite number");
+      if (!std::isfinite(m[column][row]))
+        return refuse(say<"The matrix of frame %1 from image to world contains a value that is not a finite number; check the calibration "
+                          "and the pose of this frame.">(frame));
   // Chains of inverted matrices leave traces of rounding here.
   constexpr double kTolerance = 1e-9;
   for (int column = 0; column < 4; ++column)
-    if (std::abs(m[column][3] - (column == 3 ? 1.0 : 0.0)) > kTolerance) return refuse("does not end with the row 0 0 0 1");
+    if (std::abs(m[column][3] - (column == 3 ? 1.0 : 0.0)) > kTolerance)
+      return refuse(say<"The matrix of frame %1 from image to world does not end with the row 0 0 0 1; check the calibration and the pose "
+                        "of this frame.">(frame));
   const glm::dvec3 x = glm::dvec3(m[0]), y = glm::dvec3(m[1]);
   const double lengths = glm::length(x) * glm::length(y);
   // Also false when the lengths overflow or vanish.
   if (!(lengths > 0.0 && std::isfinite(lengths) && glm::length(glm::cross(x, y)) > 1e-9 * lengths))
-    return refuse("maps the image onto a line or a point");
+    return refuse(say<"The matrix of frame %1 from image to world maps the image onto a line or a point; check the calibration and the "
+                      "pose of this frame.">(frame));
   return {};
 }
 
 Result<void> checkFrames(std::span<const PosedFrame> frames) {
   if (frames.empty())
-    return failure(ErrorCode::noValidPose, "The sweep has no frame with a usable pose; check the tracking of the recording.");
+    return failure(ErrorCode::noValidPose, say<"The sweep has no frame with a usable pose; check the tracking of the recording.">());
   const auto& first = frames.front().pixels;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const auto& pixels = frames[n].pixels;
     if (pixels.width < 1 || pixels.height < 1 || pixels.data == nullptr)
-      return failure(ErrorCode::badField, "Frame " + std::to_string(n) + " has no pixels; reconstruct a sweep with images.",
+      return failure(ErrorCode::badField, say<"Frame %1 has no pixels; reconstruct a sweep with images.">(n),
                      {{"field", "pixels"}, {"frame", std::to_string(n)}});
     if (pixels.width != first.width || pixels.height != first.height)
       return failure(ErrorCode::badField,
-                     "Frame " + std::to_string(n) + " has " + std::to_string(pixels.width) + " x " + std::to_string(pixels.height) +
-                         " pixels and frame 0 has " + std::to_string(first.width) + " x " + std::to_string(first.height) +
-                         "; reconstruct frames of one size at a time.",
+                     say<"Frame %1 has %2 x %3 pixels and frame 0 has %4 x %5; reconstruct frames of one size at a time.">(
+                         n, pixels.width, pixels.height, first.width, first.height),
                      {{"field", "pixels"}, {"frame", std::to_string(n)}});
     const auto& weights = frames[n].weights;
     if (weights.data != nullptr && (weights.width != first.width || weights.height != first.height))
       return failure(ErrorCode::badField,
-                     "The weights of frame " + std::to_string(n) + " have " + std::to_string(weights.width) + " x " +
-                         std::to_string(weights.height) + " values for " + std::to_string(first.width) + " x " +
-                         std::to_string(first.height) + " pixels; give one weight for each pixel.",
+                     say<"The weights of frame %1 have %2 x %3 values for %4 x %5 pixels; give one weight for each pixel.">(
+                         n, weights.width, weights.height, first.width, first.height),
                      {{"field", "weights"}, {"frame", std::to_string(n)}});
     if (const auto checked = checkMatrix(frames[n].imageToWorld.matrix, n); !checked) return passOn(checked.error());
   }
@@ -83,17 +83,18 @@ Result<void> checkFrames(std::span<const PosedFrame> frames) {
 Result<void> checkOptions(const ReconstructOptions& options) {
   if (!(options.spacing_mm > 0.0) || !std::isfinite(options.spacing_mm))
     return failure(ErrorCode::badField,
-                   "A voxel spacing of " + textOf(options.spacing_mm) + " mm cannot be used; give a positive number of millimetres.",
+                   say<"A voxel spacing of %1 mm cannot be used; give a positive number of millimetres.">(textOf(options.spacing_mm)),
                    {{"field", "spacing"}});
   if (options.threads < 0)
-    return failure(ErrorCode::badField, "The number of threads is negative; give 0 for all cores or a positive number.",
+    return failure(ErrorCode::badField, say<"The number of threads is negative; give 0 for all cores or a positive number.">(),
                    {{"field", "threads"}});
   if (!(options.fillReach_mm >= 0.0) || !std::isfinite(options.fillReach_mm))
     return failure(ErrorCode::badField,
-                   "A hole filling reach of " + textOf(options.fillReach_mm) + " mm cannot be used; give 0 mm or more.",
+                   say<"A hole filling reach of %1 mm cannot be used; give 0 mm or more.">(textOf(options.fillReach_mm)),
                    {{"field", "fill reach"}});
   if (options.keepWeights && options.compounding != Compounding::mean && options.compounding != Compounding::weighted)
-    return failure(ErrorCode::badField, "Only the mean has weights; ask for the mean or do not ask for weights.", {{"field", "weights"}});
+    return failure(ErrorCode::badField, say<"Only the mean has weights; ask for the mean or do not ask for weights.">(),
+                   {{"field", "weights"}});
   return {};
 }
 
@@ -120,8 +121,8 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(extent.origin_mm[axis]) || !(extent.samples[axis] <= kMaxPasteDim))
       return failure(ErrorCode::tooLarge,
-                     "The volume would have " + sizeOf(extent) + " voxels, more than " + std::to_string(kMaxPasteDim) +
-                         " along one axis; use a coarser spacing, or check the calibration and poses for a wrong scale.",
+                     say<"The volume would have %1 voxels, more than %2 along one axis; use a coarser spacing, or check the calibration "
+                         "and poses for a wrong scale.">(sizeOf(extent), kMaxPasteDim),
                      {{"dims", sizeOf(extent)}});
   Grid grid;
   grid.dims = glm::ivec3(extent.samples);
@@ -131,14 +132,15 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
   const double voxels = extent.samples.x * extent.samples.y * extent.samples.z;
   if (voxels > std::ldexp(1.0, 40))
     return failure(ErrorCode::tooLarge,
-                   "The volume would have " + sizeOf(extent) + " voxels and need more than 2048 GiB of memory; use a coarser spacing.",
+                   say<"The volume would have %1 voxels and need more than 2048 GiB of memory; use a coarser spacing.">(sizeOf(extent)),
                    {{"dims", sizeOf(extent)}});
   const std::uint64_t bytes = forecastBytes(grid, options);
   if (bytes > options.maxBytes)
-    return failure(ErrorCode::tooLarge,
-                   "The volume would have " + sizeOf(extent) + " voxels and need " + gibibytes(bytes) + " of memory, more than the " +
-                       gibibytes(options.maxBytes) + " that a volume may take; use a coarser spacing.",
-                   {{"dims", sizeOf(extent)}, {"bytes", std::to_string(bytes)}, {"maxBytes", std::to_string(options.maxBytes)}});
+    return failure(
+        ErrorCode::tooLarge,
+        say<"The volume would have %1 voxels and need %2 of memory, more than the %3 that a volume may take; use a coarser spacing.">(
+            sizeOf(extent), gibibytes(bytes), gibibytes(options.maxBytes)),
+        {{"dims", sizeOf(extent)}, {"bytes", std::to_string(bytes)}, {"maxBytes", std::to_string(options.maxBytes)}});
   return grid;
 }
 
@@ -156,8 +158,8 @@ Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, c
                      glm::all(glm::lessThan(highest_voxel, glm::dvec3(grid.dims) - 0.5 + kRounding_voxel));
   if (grid.spacing_mm != glm::dvec3(options.spacing_mm) || grid.directions != glm::dmat3(1.0) || !holds)
     return failure(ErrorCode::badField,
-                   "The grid asked for does not hold every frame at a spacing of " + textOf(options.spacing_mm) +
-                       " mm; use the grid of all frames together.",
+                   say<"The grid asked for does not hold every frame at a spacing of %1 mm; use the grid of all frames together.">(
+                       textOf(options.spacing_mm)),
                    {{"field", "grid"}});
   return checkedGrid({grid.origin_mm, glm::dvec3(grid.dims)}, options);
 }
@@ -196,8 +198,8 @@ Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOption
   if (const auto checked = checkOptions(options); !checked) return passOn(checked.error());
   if (options.keepSource && frames.size() > kMostSources)
     return failure(ErrorCode::badField,
-                   "Sources can be kept for at most " + std::to_string(kMostSources) + " frames, the sweep has " +
-                       std::to_string(frames.size()) + "; reconstruct it in parts or without sources.",
+                   say<"Sources can be kept for at most %1 frames, the sweep has %2; reconstruct it in parts or without sources.">(
+                       kMostSources, frames.size()),
                    {{"field", "source"}});
   const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!rectangle) return passOn(rectangle.error());
@@ -228,10 +230,10 @@ Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const Pos
     const std::size_t voxels = grid->voxelCount();
     if (!grow(result.volume.echo, voxels, progress) || !grow(result.volume.coverage, voxels, progress) ||
         (options.keepWeights && !grow(result.weights, voxels, progress)) || (options.keepSource && !grow(result.source, voxels, progress)))
-      return failure(ErrorCode::cancelled, "The reconstruction was stopped before it was complete.");
+      return failure(ErrorCode::cancelled, say<"The reconstruction was stopped before it was complete.">());
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge,
-                   "There is not enough memory for a volume of " + gibibytes(forecastBytes(*grid, options)) + "; use a coarser spacing.");
+                   say<"There is not enough memory for a volume of %1; use a coarser spacing.">(gibibytes(forecastBytes(*grid, options))));
   }
   PartOfProgress pasting(progress, 0.0, filledFrom);
   const PasteTarget pasted{*grid, result.volume.echo.data(), result.volume.coverage.data(),

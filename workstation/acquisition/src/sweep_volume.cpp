@@ -10,11 +10,11 @@ namespace {
 Result<void> checkFits(const ImportPlan& plan) {
   const std::uint64_t bytes = sweepVolumeBytes(plan);
   if (bytes <= plan.reconstruct.maxBytes) return {};
-  return failure(ErrorCode::tooLarge,
-                 "The sweep would become " + std::to_string(plan.grid.dims.x) + " x " + std::to_string(plan.grid.dims.y) + " x " +
-                     std::to_string(plan.grid.dims.z) + " voxels and need " + std::to_string(bytes >> 20) + " MiB, more than the " +
-                     std::to_string(plan.reconstruct.maxBytes >> 20) + " MiB allowed; give a coarser spacing_mm.",
-                 {{"forecast_bytes", std::to_string(bytes)}});
+  return failure(
+      ErrorCode::tooLarge,
+      say<"The sweep would become %1 x %2 x %3 voxels and need %4 MiB, more than the %5 MiB allowed; give a coarser spacing_mm.">(
+          plan.grid.dims.x, plan.grid.dims.y, plan.grid.dims.z, bytes >> 20, plan.reconstruct.maxBytes >> 20),
+      {{"forecast_bytes", std::to_string(bytes)}});
 }
 
 }  // namespace

@@ -62,19 +62,15 @@ class PoseTrack {
 
 Result<void> checkTimes(std::span<const double> time_s, std::size_t poses) {
   if (time_s.size() != poses)
-    return failure(
-        ErrorCode::badField,
-        "There are " + std::to_string(time_s.size()) + " times and " + std::to_string(poses) + " poses; give one time for each frame.",
-        {{"field", "time"}});
+    return failure(ErrorCode::badField, say<"There are %1 times and %2 poses; give one time for each frame.">(time_s.size(), poses),
+                   {{"field", "time"}});
   for (std::size_t n = 0; n < time_s.size(); ++n) {
     if (!std::isfinite(time_s[n]))
       return failure(ErrorCode::badField,
-                     "Frame " + std::to_string(n) +
-                         " has no time, so poses cannot be shifted in time; choose a "
-                         "recording whose frames all have one.",
+                     say<"Frame %1 has no time, so poses cannot be shifted in time; choose a recording whose frames all have one.">(n),
                      {{"field", "time"}});
     if (n > 0 && time_s[n] < time_s[n - 1])
-      return failure(ErrorCode::badField, "Time runs backwards at frame " + std::to_string(n) + "; put the recording in order of time.",
+      return failure(ErrorCode::badField, say<"Time runs backwards at frame %1; put the recording in order of time.">(n),
                      {{"field", "time"}});
   }
   return {};
@@ -166,18 +162,23 @@ double shiftOf(const std::vector<double>& earlier, const std::vector<double>& la
 }
 
 enum Signal { kAlong, kAcross, kChange, kSignals };
-constexpr std::array<const char*, kSignals> kNames = {"shift along the beam", "shift across the beam", "change"};
+
+Message nameOf(std::size_t signal) {
+  if (signal == kAlong) return say<"shift along the beam">();
+  if (signal == kAcross) return say<"shift across the beam">();
+  return say<"change">();
+}
 
 /// One value per pair of successive frames and signal.
 using Steps = std::array<std::vector<double>, kSignals>;
 
 Result<Steps> stepsSeen(std::span<const ImageView<const std::uint8_t>> frames, int threads, Progress& progress) {
   std::vector<Look> looks(frames.size());
-  if (!forEachTask(static_cast<int>(frames.size()), threads, progress, "Watching the images move", [&](int task) {
+  if (!forEachTask(static_cast<int>(frames.size()), threads, progress, say<"Watching the images move">(), [&](int task) {
         const auto n = static_cast<std::size_t>(task);
         looks[n] = lookAt(frames[n]);
       }))
-    return failure(ErrorCode::cancelled, "The estimate was stopped before it was complete.");
+    return failure(ErrorCode::cancelled, say<"The estimate was stopped before it was complete.">());
   Steps seen;
   for (std::size_t n = 0; n + 1 < looks.size(); ++n) {
     seen[kAlong].push_back(shiftOf(looks[n].along, looks[n + 1].along) * frames[n].height / static_cast<double>(looks[n].along.size()));
@@ -287,7 +288,7 @@ std::optional<Comparisons> compareSteps(const Steps& seen, std::span<const doubl
   const std::size_t pairs = time_s.size() - 1;
   Comparisons sums;
   for (auto& ofDelays : sums) ofDelays.resize(delays.count());
-  if (!forEachTask(static_cast<int>(delays.count()), threads, progress, "Comparing movements", [&](int task) {
+  if (!forEachTask(static_cast<int>(delays.count()), threads, progress, say<"Comparing movements">(), [&](int task) {
         const auto d = static_cast<std::size_t>(task);
         const double delay_s = delays.at_s(task);
         for (std::size_t n = 0; n < pairs; ++n) {
@@ -327,7 +328,7 @@ struct DelayJudgement {
   const PoseDelayOptions& options;
   const Delays& delays;
   PoseDelay result;
-  std::string why = "The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.";
+  Message why = say<"The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.">();
   double closest = 0.0;
 
   void take(std::size_t signal, const std::vector<OfBlocks>& ofDelays) {
@@ -346,7 +347,7 @@ struct DelayJudgement {
     result.delay_s = delays.at_s(best.step);
     result.uncertainty_s = uncertainty_s;
     result.correlation = best.height;
-    result.seenBy = kNames[signal];
+    result.seenBy = nameOf(signal);
   }
 
  private:
@@ -363,17 +364,17 @@ struct DelayJudgement {
     }
     if (best.height < options.leastCorrelation) {
       if (result.verdict == DelayVerdict::cannotTell)
-        why = "Movement in the images and in the poses do not agree at any delay (correlation " +
-              textOf(std::round(100.0 * closest) / 100.0) + ", " + textOf(options.leastCorrelation) + " is needed).";
+        why = say<"Movement in the images and in the poses do not agree at any delay (correlation %1, %2 is needed).">(
+            textOf(std::round(100.0 * closest) / 100.0), textOf(options.leastCorrelation));
       return false;
     }
     const auto last = static_cast<double>(delays.count() - 1);
     if (best.step < 1.0 || best.step > last - 1.0) {
-      why = "The best delay lies at the end of the range; try a larger one.";
+      why = say<"The best delay lies at the end of the range; try a larger one.">();
       return false;
     }
     if (ambiguous(heights, best)) {
-      why = "The probe moves to and fro so regularly that several delays fit; use a sweep with uneven movement.";
+      why = say<"The probe moves to and fro so regularly that several delays fit; use a sweep with uneven movement.">();
       return false;
     }
     return true;
@@ -384,13 +385,12 @@ Result<void> checkFramesAndPoses(std::span<const ImageView<const std::uint8_t>> 
                                  const FramePoses& poses) {
   if (const auto checked = checkTimes(time_s, poses.size()); !checked) return passOn(checked.error());
   if (frames.size() != poses.size())
-    return failure(ErrorCode::badField,
-                   "There are " + std::to_string(frames.size()) + " frames and " + std::to_string(poses.size()) +
-                       " poses; give one pose for each frame.",
+    return failure(ErrorCode::badField, say<"There are %1 frames and %2 poses; give one pose for each frame.">(frames.size(), poses.size()),
                    {{"field", "frames"}});
   for (const auto& frame : frames)
     if (frame.width != frames.front().width || frame.height != frames.front().height || frame.width < 1 || frame.height < 1)
-      return failure(ErrorCode::badField, "The frames differ in size; estimate the delay of frames of one size.", {{"field", "pixels"}});
+      return failure(ErrorCode::badField, say<"The frames differ in size; estimate the delay of frames of one size.">(),
+                     {{"field", "pixels"}});
   return {};
 }
 
@@ -400,7 +400,7 @@ Result<FramePoses> posesDelayedBy(double delay_s, std::span<const double> time_s
                                   double longestGap_s) {
   if (const auto checked = checkTimes(time_s, poses.size()); !checked) return passOn(checked.error());
   if (!std::isfinite(delay_s))
-    return failure(ErrorCode::badField, "A delay that is not a finite number cannot be used; give seconds.", {{"field", "delay"}});
+    return failure(ErrorCode::badField, say<"A delay that is not a finite number cannot be used; give seconds.">(), {{"field", "delay"}});
   if (delay_s == 0.0) return poses;
   const PoseTrack track(time_s, poses, centre_px, gapOf(longestGap_s, time_s));
   FramePoses delayed;
@@ -415,7 +415,7 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
   const double gap_s = gapOf(options.longestGap_s, time_s);
   if (frames.size() < kFewestFrames || gap_s <= 0.0) {
     PoseDelay result;
-    result.why = "The sweep has too few frames at different times to compare movements.";
+    result.why = say<"The sweep has too few frames at different times to compare movements.">();
     return result;
   }
   PartOfProgress watching(progress, 0.0, 0.6), comparing(progress, 0.6, 1.0);
@@ -428,7 +428,7 @@ Result<PoseDelay> estimatePoseDelay(std::span<const ImageView<const std::uint8_t
   delays.step_s = gap_s / (options.longestGap_s > 0.0 ? 1.0 : 3.0) / kStepsPerFrame;
   delays.reach = std::clamp(static_cast<int>(std::ceil(options.largest_s / delays.step_s)), 2, 20000);
   const auto sums = compareSteps(*seen, time_s, track, centre_px, delays, gap_s, options.threads, comparing);
-  if (!sums) return failure(ErrorCode::cancelled, "The estimate was stopped before it was complete.");
+  if (!sums) return failure(ErrorCode::cancelled, say<"The estimate was stopped before it was complete.">());
 
   DelayJudgement judgement{options, delays, {}};
   for (std::size_t s = 0; s < kSignals; ++s) judgement.take(s, (*sums)[s]);

@@ -76,7 +76,7 @@ bool delayUntold(const ImportPlan& plan, Run& run) {
   run.report.details["pose_delay"] = {{"delay_s", plan.poseDelay->delay_s},
                                       {"uncertainty_s", plan.poseDelay->uncertainty_s},
                                       {"correlation", plan.poseDelay->correlation},
-                                      {"seen_by", plan.poseDelay->seenBy}};
+                                      {"seen_by", plan.poseDelay->seenBy.english()}};
   if (plan.poseDelay->verdict == DelayVerdict::found) return false;
   run.report.verdict = "cannot tell";
   run.say("Nothing was written. Give the offset in seconds, or 0, to go on without.");

@@ -41,8 +41,8 @@ struct PoseDelay {
   double delay_s = 0.0;        ///< give it to posesDelayedBy
   double uncertainty_s = 0.0;  ///< standard deviation, from leaving out each eighth of the sweep in turn
   double correlation = 0.0;    ///< of movement seen and movement tracked at this delay
-  std::string seenBy = {};     ///< what the images were watched for: "shift along the beam", "shift across the beam", "change"
-  std::string why = {};        ///< cannotTell: a sentence
+  Message seenBy = {};         ///< what the images were watched for: "shift along the beam", "shift across the beam", "change"
+  Message why = {};            ///< cannotTell: a sentence
 };
 
 /// Compares how images move and change from frame to frame with how the poses say they should, at every delay.
