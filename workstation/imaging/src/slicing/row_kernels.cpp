@@ -157,16 +157,46 @@ HWY_INLINE Fractions fractionsFrom(const Piece& piece, int begin) {
   return {piece.fraction[0].data() + begin, piece.fraction[1].data() + begin, piece.fraction[2].data() + begin};
 }
 
+/// Between the eight neighbours of samples n and following; `pairOf` gives the two of a row, the first in the low byte.
+template <class PairOf>
+HWY_INLINE VecF trilinear(const Fractions& fraction, int n, const PairOf& pairOf) {
+  const VecF weightI = weightAt(fraction, 0, n), weightJ = weightAt(fraction, 1, n), weightK = weightAt(fraction, 2, n);
+  const auto alongI = [&](std::size_t row) {
+    const VecU pair = pairOf(row);
+    return blend(byteOf<0>(pair), toFloat(hn::ShiftRight<8>(pair)), weightI);
+  };
+  const VecF near = blend(alongI(0), alongI(1), weightJ), far = blend(alongI(2), alongI(3), weightJ);
+  return blend(near, far, weightK);
+}
+
 void blendPairs(const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
   const U32 d;
   for (int n = 0; n < count; n += static_cast<int>(hn::Lanes(d))) {
-    const VecF weightI = weightAt(fraction, 0, n), weightJ = weightAt(fraction, 1, n), weightK = weightAt(fraction, 2, n);
-    const auto alongI = [&](std::size_t row) {
-      const VecU pair = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, U32>(), loaded.pairs[row] + n));
-      return blend(byteOf<0>(pair), toFloat(hn::ShiftRight<8>(pair)), weightI);
+    const auto pairOf = [&](std::size_t row) {
+      return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, U32>(), loaded.pairs[row] + n));
     };
-    const VecF near = blend(alongI(0), alongI(1), weightJ), far = blend(alongI(2), alongI(3), weightJ);
-    storeGreys(rounded(blend(near, far, weightK)), count - n, out + n);
+    storeGreys(rounded(trilinear(fraction, n, pairOf)), count - n, out + n);
+  }
+}
+
+void blendLevels(const Loaded& echo, const Loaded* coverage, const Fractions& fraction, int count, float* out) {
+  const U32 d;
+  const hn::Rebind<std::uint16_t, U32> pairs;
+  for (int n = 0; n < count; n += static_cast<int>(hn::Lanes(d))) {
+    const auto echoOf = [&](std::size_t row) { return hn::PromoteTo(d, hn::LoadU(pairs, echo.pairs[row] + n)); };
+    if (coverage == nullptr) {
+      hn::StoreU(trilinear(fraction, n, echoOf), F32(), out + n);
+      continue;
+    }
+    const auto presentOf = [&](std::size_t row) {  // 0 or 1 in each of the two bytes; Coverage goes up to 2
+      const VecU covered = hn::PromoteTo(d, hn::LoadU(pairs, coverage->pairs[row] + n));
+      return hn::And(hn::Or(covered, hn::ShiftRight<1>(covered)), set(0x0101U));
+    };
+    const auto presentEchoOf = [&](std::size_t row) {
+      const VecU present = presentOf(row);
+      return hn::And(echoOf(row), hn::Sub(hn::ShiftLeft<8>(present), present));
+    };
+    hn::StoreU(hn::Div(trilinear(fraction, n, presentEchoOf), trilinear(fraction, n, presentOf)), F32(), out + n);
   }
 }
 
@@ -358,6 +388,7 @@ HWY_EXPORT(layAny);
 HWY_EXPORT(announceAny);
 HWY_EXPORT(sampleAny);
 HWY_EXPORT(blendAny);
+HWY_EXPORT(blendLevels);
 HWY_EXPORT(fillAny);
 HWY_EXPORT(offsetsAny);
 
@@ -366,6 +397,10 @@ void announcePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(an
 void samplePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(sampleAny)(kind, piece); }
 void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out) {
   HWY_DYNAMIC_DISPATCH(blendAny)(quality, loaded, fraction, count, out);
+}
+void blendLoadedLevels(const Loaded& echo, const Loaded* coverage, const std::array<const std::uint32_t*, 3>& fraction, int count,
+                       float* out) {
+  HWY_DYNAMIC_DISPATCH(blendLevels)(echo, coverage, fraction, count, out);
 }
 void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction) {
   HWY_DYNAMIC_DISPATCH(fillAny)(high, low, count, whole, fraction);

@@ -65,6 +65,12 @@ void samplePiece(PieceKind kind, const Piece& piece);
 /// The blending of samplePiece alone: `count` <= Loaded::kMost samples, their fractions (31 bits) along i, j, k.
 void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out);
 
+/// Levels between `count` <= Loaded::kMost times eight neighbours, not rounded, of those alone that are covered: at least one of each eight
+/// that weighs anything. Reads and writes up to kLanesAtMost beyond the last.
+/// @param coverage values of Coverage, loaded like the echoes; null: all covered
+void blendLoadedLevels(const Loaded& echo, const Loaded* coverage, const std::array<const std::uint32_t*, 3>& fraction, int count,
+                       float* out);
+
 /// T_n = round(n * step) for n = 0 .. count - 1, step = (high * 2^16 + low) / 2^47 voxels.
 void fillTemplate(std::int64_t high, std::int32_t low, int count, std::uint32_t* whole, std::uint32_t* fraction);
 
