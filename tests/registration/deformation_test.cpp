@@ -57,6 +57,18 @@ TEST(DisplacementAt, IsNothingWithoutNodesAndConstantAlongAnAxisWithOneNode) {
   EXPECT_EQ(displacementAt(flat, {11.0, 12.0, -8.0}), displacementAt(flat, {11.0, 12.0, 500.0}));
 }
 
+TEST(Displace, MovesEachPointByItsDisplacement) {
+  const ControlGrid control = wavyField(uprightGrid({4, 4, 4}, 10.0), 3.0, 35.0);
+  std::vector<glm::dvec3> points;
+  for (int n = 0; n < 50; ++n) points.emplace_back(n, 40.0 - n, 0.5 * n);
+  std::vector<glm::dvec3> moved = points;
+  displace(control, moved);
+  for (std::size_t n = 0; n < points.size(); ++n) EXPECT_EQ(moved[n], points[n] + displacementAt(control, points[n]));
+  moved = points;
+  displace(ControlGrid{}, moved);
+  EXPECT_EQ(moved, points);
+}
+
 TEST(MovingPoint, BendsFirstAndTurnsThen) {
   const Deformation deformation{turned(0.5, {10.0, 0.0, -4.0}),
                                 affineField(uprightGrid({3, 3, 3}, 20.0), glm::dmat3(0.0), {1.0, 2.0, 3.0})};

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <optional>
+#include <random>
+
+#include "ew/stitching/places.h"
 
 namespace ew::stitching::slices_test {
 namespace {
@@ -20,6 +24,55 @@ Volume ramp() {
 
 GreyPicture two(std::uint8_t a, std::uint8_t b, bool aSeen = true, bool bSeen = true) {
   return {{2, 1}, {a, b}, {static_cast<std::uint8_t>(aSeen), static_cast<std::uint8_t>(bSeen)}};
+}
+
+/// Speckle with gaps, as a fan leaves them, and oblique.
+Volume speckledFan(unsigned seed) {
+  Volume volume;
+  volume.grid.dims = {40, 35, 30};
+  volume.grid.spacing_mm = {0.8, 1.0, 1.3};
+  volume.grid.origin_mm = {-16.0, -17.0, -19.0};
+  const Plane axes = turned(planeOf(Cut::axial, {}, 1.0), {}, {10, -20, 30});
+  volume.grid.directions = glm::dmat3(axes.right, axes.down, axes.normal());
+  std::mt19937 random(seed);
+  for (int k = 0; k < 30; ++k)
+    for (int j = 0; j < 35; ++j)
+      for (int i = 0; i < 40; ++i) {
+        volume.coverage.push_back(std::abs(i - 20) > 8 + j / 2 || random() % 40 == 0 ? 0 : 1 + random() % 2);
+        volume.echo.push_back(volume.coverage.back() == 0 ? 0 : static_cast<std::uint8_t>(random()));
+      }
+  return volume;
+}
+
+registration::ControlGrid wave() {
+  registration::ControlGrid bend;
+  bend.nodes.dims = {6, 5, 7};
+  bend.nodes.spacing_mm = glm::dvec3(9.0);
+  bend.nodes.origin_mm = {-20.0, -15.0, -30.0};
+  for (std::size_t n = 0; n < bend.nodes.voxelCount(); ++n) {
+    const auto at = static_cast<float>(n);
+    bend.displacement_mm.emplace_back(3.0F * std::sin(at), 2.0F * std::cos(2.0F * at), 2.5F * std::sin(3.0F * at));
+  }
+  return bend;
+}
+
+/// What the plane shows by the definition, point by point in double precision; none where nothing is seen.
+std::optional<double> levelBehind(const Volume& volume, const glm::dvec3& p_mm) {
+  const glm::dvec3 voxel = carried(volume.grid.worldToVoxel().matrix, p_mm);
+  const glm::dvec3 last(volume.grid.dims - 1);
+  if (glm::any(glm::lessThan(voxel, glm::dvec3(0.0))) || glm::any(glm::greaterThan(voxel, last))) return {};
+  const auto indexOf = [&](const glm::ivec3& ijk) { return volume.grid.indexOf(ijk.x, ijk.y, ijk.z); };
+  if (volume.coverageAt(indexOf(glm::ivec3(glm::floor(voxel + 0.5)))) == Coverage::absent) return {};
+  double sum = 0.0, present = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 at = glm::ivec3(glm::floor(voxel)) + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    const glm::dvec3 near = 1.0 - glm::abs(voxel - glm::dvec3(at));
+    const double share = near.x * near.y * near.z;
+    if (share == 0.0 || volume.coverageAt(indexOf(at)) == Coverage::absent) continue;
+    sum += share * volume.echo[indexOf(at)];
+    present += share;
+  }
+  return sum / present;
 }
 
 TEST(Slices, PixelsAndPointsAreEachOthersInverse) {
@@ -117,6 +170,30 @@ TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
   EXPECT_NEAR(p.z, -1.0, 1e-6);
 }
 
+TEST(Slices, EveryPixelIsThatOfTheDefinitionRigidAndDeformed) {
+  const Volume volume = speckledFan(3);
+  const registration::ControlGrid bend = wave();
+  const glm::ivec2 size{73, 61};
+  for (const bool deformed : {false, true}) {
+    const Mapping mapping{motionOf({2, -1, 3}, {5, 10, -8}, {}), deformed ? &bend : nullptr, motionOf({-3, 1, 0}, {0, -12, 4}, {})};
+    for (int trial = 0; trial < 6; ++trial) {
+      const Plane plane = turned(planeOf(Cut::coronal, {1.0 * trial, -2.0, 1.0}, 0.55), {}, {13.0 * trial, 29.0 * trial, 7.0});
+      const GreyPicture picture = sliced(volume, plane, size, mapping);
+      int seen = 0;
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const auto expected = levelBehind(volume, mapping(pointAt(plane, size, {x, y})));
+          const std::size_t at = static_cast<std::size_t>(y * size.x + x);
+          ASSERT_EQ(picture.seen[at] != 0, expected.has_value()) << x << ", " << y;
+          if (!expected) continue;
+          ++seen;
+          ASSERT_NEAR(picture.grey[at], *expected, 0.5 + 2e-3) << x << ", " << y;
+        }
+      EXPECT_GT(seen, 500);
+    }
+  }
+}
+
 TEST(Slices, OverlaysOfOnePixelEachAreExact) {
   const GreyPicture a = two(40, 200);
   const GreyPicture b = two(60, 100);
@@ -211,6 +288,45 @@ TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
   const auto picture = seamPicture(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, glm::dmat4(1.0));
   EXPECT_LT(picture.rgb[0][1], 60);
   EXPECT_GT(picture.rgb[8][1], 140);
+}
+
+TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
+  const Volume one = speckledFan(5);
+  const Volume other = speckledFan(6);
+  const registration::ControlGrid bend = wave();
+  SeamMap seams;
+  seams.cells.dims = {8, 8, 8};
+  seams.cells.spacing_mm = glm::dvec3(5.0);
+  seams.cells.origin_mm = glm::dvec3(-17.0);
+  for (int n = 0; n < 512; ++n) seams.view.push_back(static_cast<std::uint8_t>(n / 3 % 5));  // 4: a view that is not there
+  const glm::dmat4 toWorld = motionOf({1, 2, 3}, {3, -4, 5}, {});
+  const std::vector<SeenView> views = {{&one, {toWorld, &bend, motionOf({-1, 0, 0}, {}, {})}}, {&other, {toWorld, nullptr, glm::dmat4(1.0)}}, {}};
+  const Plane plane = turned(planeOf(Cut::axial, {0, 0, 1}, 0.6), {}, {20, 15, -10});
+  const glm::ivec2 size{64, 57};
+  const auto picture = seamPicture(seams, views, plane, size, toWorld);
+  const auto ownerAt = [&](int x, int y) {
+    const int view = viewAt(seams, carried(toWorld, pointAt(plane, size, {x, y})));
+    return view < 3 ? view : -1;
+  };
+  int compared = 0;
+  for (int y = 0; y + 1 < size.y; ++y)
+    for (int x = 0; x + 1 < size.x; ++x) {
+      const int view = ownerAt(x, y), right = ownerAt(x + 1, y), below = ownerAt(x, y + 1);
+      const auto& colour = picture.rgb[static_cast<std::size_t>(y * size.x + x)];
+      std::array<double, 3> expected{0.0, 0.0, 0.0};
+      if (view >= 0 && ((right >= 0 && right != view) || (below >= 0 && below != view))) {
+        expected = {235.0, 240.0, 242.0};
+      } else if (view >= 0) {
+        const SeenView& shown = views[static_cast<std::size_t>(view)];
+        const glm::dvec3 p = pointAt(plane, size, {x, y});
+        const double grey = shown.volume != nullptr ? levelBehind(*shown.volume, shown.fromPlane(p)).value_or(0.0) : 0.0;
+        const auto tint = colourOfView(static_cast<std::size_t>(view));
+        for (std::size_t c = 0; c < 3; ++c) expected[c] = 0.62 * grey + 0.22 * tint[c] * (0.35 + 0.65 * grey / 255.0);
+        compared += grey > 0.0 ? 1 : 0;
+      }
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(colour[c], expected[c], 0.5 + 2e-3) << x << ", " << y;
+    }
+  EXPECT_GT(compared, 250);
 }
 
 }  // namespace

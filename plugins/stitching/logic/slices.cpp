@@ -4,7 +4,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <span>
 
+#include "ew/imaging/point_levels.h"
 #include "ew/stitching/places.h"
 
 namespace ew::stitching {
@@ -17,50 +19,42 @@ glm::dmat4 turnAbout(const glm::dvec3& turn_deg, const glm::dvec3& pivot) {
   return glm::translate(glm::dmat4(1.0), pivot) * turn * glm::translate(glm::dmat4(1.0), -pivot);
 }
 
-/// Voxels of one volume, ready to be read between their centres.
-class Reader {
- public:
-  explicit Reader(const Volume& volume) : volume_(volume), toVoxel_(volume.grid.worldToVoxel().matrix) {}
-  [[nodiscard]] const glm::dmat4& toVoxel() const { return toVoxel_; }
+std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0l, 255l)); }
 
-  /// -1 where nothing is known.
-  [[nodiscard]] double at(const glm::dvec3& voxel) const {
-    // A rounding error at a face must not lose the outermost layer of centres, nor a volume of a single layer.
-    constexpr double kSlack = 1e-6;
-    const glm::ivec3& dims = volume_.grid.dims;
-    glm::ivec3 low{0};
-    glm::dvec3 part{0.0};
-    for (int a = 0; a < 3; ++a) {
-      if (!(voxel[a] >= -kSlack && voxel[a] <= dims[a] - 1 + kSlack)) return -1.0;
-      const double inside = std::clamp(voxel[a], 0.0, static_cast<double>(dims[a] - 1));
-      low[a] = std::min(static_cast<int>(inside), std::max(0, dims[a] - 2));
-      part[a] = inside - low[a];
+/// What a volume shows along rows of points of the plane's frame: the rows of a picture.
+class Rows {
+ public:
+  Rows(const Volume& volume, const Mapping& mapping)
+      : volume_(volume), mapping_(mapping), fromBend_(volume.grid.worldToVoxel().matrix * mapping.toGrid) {}
+
+  /// The levels (levelsAt) of `count` points from `start_mm` on; they stay until the next call.
+  std::span<const float> at(const glm::dvec3& start_mm, const glm::dvec3& step_mm, int count) {
+    points_.resize(static_cast<std::size_t>(count));
+    levels_.resize(static_cast<std::size_t>(count));
+    if (mapping_.bend != nullptr && !mapping_.bend->displacement_mm.empty()) {
+      fill(mapping_.toBend, start_mm, step_mm);
+      registration::displace(*mapping_.bend, points_);
+      for (glm::dvec3& p : points_) p = carried(fromBend_, p);
+    } else {
+      fill(fromBend_ * mapping_.toBend, start_mm, step_mm);
     }
-    if (!volume_.coverage.empty()) {
-      const glm::ivec3 nearest = low + glm::ivec3(glm::greaterThanEqual(part, glm::dvec3(0.5)));
-      if (volume_.coverage[volume_.grid.indexOf(nearest.x, nearest.y, nearest.z)] == 0) return -1.0;
-    }
-    double sum = 0.0;
-    double weights = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 step{corner & 1, (corner >> 1) & 1, corner >> 2};
-      double weight = 1.0;
-      for (int a = 0; a < 3; ++a) weight *= step[a] != 0 ? part[a] : 1.0 - part[a];
-      if (weight == 0.0) continue;
-      const std::size_t index = volume_.grid.indexOf(low.x + step.x, low.y + step.y, low.z + step.z);
-      if (!volume_.coverage.empty() && volume_.coverage[index] == 0) continue;  // black beside the beam is no tissue
-      sum += weight * volume_.echo[index];
-      weights += weight;
-    }
-    return weights > 0.0 ? sum / weights : -1.0;
+    levelsAt(volume_, points_, levels_);
+    return levels_;
   }
 
  private:
-  const Volume& volume_;
-  glm::dmat4 toVoxel_;
-};
+  void fill(const glm::dmat4& matrix, const glm::dvec3& start_mm, const glm::dvec3& step_mm) {
+    const glm::dvec3 start = carried(matrix, start_mm);
+    const glm::dvec3 step = glm::dmat3(matrix) * step_mm;
+    for (std::size_t n = 0; n < points_.size(); ++n) points_[n] = start + static_cast<double>(n) * step;
+  }
 
-std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0l, 255l)); }
+  const Volume& volume_;
+  const Mapping& mapping_;
+  glm::dmat4 fromBend_;  ///< to voxels
+  std::vector<glm::dvec3> points_;
+  std::vector<float> levels_;
+};
 
 }  // namespace
 
@@ -117,21 +111,15 @@ GreyPicture sliced(const Volume& volume, const Plane& plane, const glm::ivec2& s
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   picture.grey.assign(count, 0);
   picture.seen.assign(count, 0);
-  if (volume.echo.size() != volume.grid.voxelCount() || volume.echo.empty()) return picture;
-  const Reader reader(volume);
-  const bool bends = mapping.bend != nullptr && !mapping.bend->displacement_mm.empty();
-  const glm::dmat4 straight = reader.toVoxel() * mapping.toGrid * mapping.toBend;
+  Rows rows(volume, mapping);
   for (int y = 0; y < size.y; ++y) {
-    const glm::dvec3 from = pointAt(plane, size, {0.0, y});
-    const glm::dvec3 voxel = carried(straight, from);
-    const glm::dvec3 step = glm::dmat3(straight) * (plane.pixel_mm * plane.right);
-    for (int x = 0; x < size.x; ++x) {
-      const double value = bends ? reader.at(carried(reader.toVoxel(), mapping(from + x * plane.pixel_mm * plane.right)))
-                                 : reader.at(voxel + static_cast<double>(x) * step);
-      if (value < 0.0) continue;
-      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      picture.grey[at] = level(value);
-      picture.seen[at] = 1;
+    std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x);
+    for (const float seen : rows.at(pointAt(plane, size, {0.0, y}), plane.pixel_mm * plane.right, size.x)) {
+      if (seen >= 0.0F) {
+        picture.grey[at] = static_cast<std::uint8_t>(seen + 0.5F);
+        picture.seen[at] = 1;
+      }
+      ++at;
     }
   }
   return picture;
@@ -213,25 +201,35 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
   ColourPicture picture{size, {}};
   picture.rgb.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0, 0, 0});
   if (seams.view.empty()) return picture;
-  std::vector<Reader> readers;
-  static const Volume nothing;
-  for (const SeenView& view : views) readers.emplace_back(view.volume != nullptr ? *view.volume : nothing);
+  const auto indexOf = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+  };
   const glm::dmat4 toCell = seams.cells.worldToVoxel().matrix * toWorld;
   std::vector<int> owner(picture.rgb.size(), -1);
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
-      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      const glm::dvec3 p = pointAt(plane, size, {x, y});
-      const glm::ivec3 cell = glm::ivec3(glm::round(carried(toCell, p)));
+      const glm::ivec3 cell = glm::ivec3(glm::round(carried(toCell, pointAt(plane, size, {x, y}))));
       if (!seams.cells.contains(cell)) continue;
       const int view = seams.view[seams.cells.indexOf(cell.x, cell.y, cell.z)] - 1;
-      if (view < 0 || static_cast<std::size_t>(view) >= views.size()) continue;
-      owner[at] = view;
-      const auto v = static_cast<std::size_t>(view);
-      const double grey =
-          views[v].volume != nullptr ? std::max(0.0, readers[v].at(carried(readers[v].toVoxel(), views[v].fromPlane(p)))) : 0.0;
-      const auto tint = colourOfView(v);
-      for (std::size_t c = 0; c < 3; ++c) picture.rgb[at][c] = level(0.62 * grey + 0.22 * tint[c] * (0.35 + 0.65 * grey / 255.0));
+      if (view < static_cast<int>(views.size())) owner[indexOf(x, y)] = view;
+    }
+  }
+  static const Volume nothing;
+  std::vector<Rows> rows;
+  for (const SeenView& view : views) rows.emplace_back(view.volume != nullptr ? *view.volume : nothing, view.fromPlane);
+  for (int y = 0; y < size.y; ++y) {
+    for (int begin = 0, end = 0; begin < size.x; begin = end) {
+      const int view = owner[indexOf(begin, y)];
+      while (end < size.x && owner[indexOf(end, y)] == view) ++end;
+      if (view < 0) continue;
+      const auto tint = colourOfView(static_cast<std::size_t>(view));
+      std::size_t at = indexOf(begin, y);
+      for (const float seen :
+           rows[static_cast<std::size_t>(view)].at(pointAt(plane, size, {begin, y}), plane.pixel_mm * plane.right, end - begin)) {
+        const double grey = std::max(0.0F, seen);
+        for (std::size_t c = 0; c < 3; ++c) picture.rgb[at][c] = level(0.62 * grey + 0.22 * tint[c] * (0.35 + 0.65 * grey / 255.0));
+        ++at;
+      }
     }
   }
   for (int y = 0; y + 1 < size.y; ++y) {
@@ -256,18 +254,21 @@ glm::dmat4 nudged(const glm::dmat4& fixedToMoving, const glm::dvec3& shift_mm, c
 QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving, double step_mm) {
   QuickAgreement result;
   if (fixed.echo.empty() || moving.echo.empty() || !(step_mm > 0.0)) return result;
-  const Reader reader(moving);
   const glm::ivec3 step = glm::max(glm::ivec3(1), glm::ivec3(glm::round(glm::dvec3(step_mm) / fixed.grid.spacing_mm)));
-  const glm::dmat4 toVoxel = reader.toVoxel() * fixedToMoving * fixed.grid.voxelToWorld().matrix;
+  const glm::dmat4 toWorld = fixed.grid.voxelToWorld().matrix;
+  const Mapping mapping{glm::dmat4(1.0), nullptr, fixedToMoving};
+  Rows rows(moving, mapping);
   std::size_t covered = 0;
   double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   for (int k = 0; k < fixed.grid.dims.z; k += step.z) {
     for (int j = 0; j < fixed.grid.dims.y; j += step.y) {
+      const auto others = rows.at(carried(toWorld, {0, j, k}), static_cast<double>(step.x) * glm::dvec3(toWorld[0]),
+                                  (fixed.grid.dims.x + step.x - 1) / step.x);
       for (int i = 0; i < fixed.grid.dims.x; i += step.x) {
         const std::size_t index = fixed.grid.indexOf(i, j, k);
         if (fixed.coverageAt(index) == Coverage::absent) continue;
         ++covered;
-        const double other = reader.at(carried(toVoxel, {i, j, k}));
+        const double other = others[static_cast<std::size_t>(i / step.x)];
         if (other < 0.0) continue;
         const double own = fixed.echo[index];
         ++result.points;

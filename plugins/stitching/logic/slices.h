@@ -56,8 +56,8 @@ struct ColourPicture {
   bool operator==(const ColourPicture&) const = default;
 };
 
-/// The volume in the plane, linear between voxel centres, nothing outside the grid and where the nearest voxel is absent. Constants and
-/// ramps are exact; voxel centres give their voxels.
+/// The volume in the plane, by levelsAt of imaging: nothing outside the grid and where the nearest voxel is absent. Constants and ramps
+/// are exact; voxel centres give their voxels.
 [[nodiscard]] GreyPicture sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping);
 
 enum class Overlay {

@@ -79,6 +79,12 @@ glm::dvec3 displacementAt(const ControlGrid& control, const glm::dvec3& p_mm) {
   return Lattice(control).displacementAt(p_mm);
 }
 
+void displace(const ControlGrid& control, std::span<glm::dvec3> points_mm) {
+  if (control.displacement_mm.empty()) return;
+  const Lattice lattice(control);
+  for (glm::dvec3& p : points_mm) p += lattice.displacementAt(p);
+}
+
 glm::dvec3 movingPoint(const Deformation& fixedToMoving, const glm::dvec3& fixed_mm) {
   return glm::dvec3(fixedToMoving.rigid * glm::dvec4(fixed_mm + displacementAt(fixedToMoving.control, fixed_mm), 1.0));
 }
