@@ -120,7 +120,7 @@ TEST_F(OutOfTree, TheStitchingPluginConfiguresAgainstTheInstalledSdkAlone) {
                 "' -G '" CMAKE_GENERATOR "' -DCMAKE_CXX_COMPILER='" CMAKE_CXX "' -DCMAKE_PREFIX_PATH='" + (f / "sdk").string() +
                 "' -DEW_SANITIZE='" EW_SANITIZE_FLAGS "'",
             f / "log");
-  EXPECT_TRUE(fs::exists(f / "sdk/include/ew/stitching/stitch.h"));
+  EXPECT_TRUE(fs::exists(f / "sdk/include/ew/stitching/common_grid.h"));
 }
 
 TEST_F(OutOfTree, AWordThatIsNotKnownOrSaysNothingStopsTheConfigurationInsteadOfAPluginWithoutItsPanel) {

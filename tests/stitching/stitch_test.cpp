@@ -1,4 +1,4 @@
-#include "ew/stitching/stitch.h"
+#include "ew/stitching/join.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -35,18 +35,46 @@ Volume constant(const Grid& grid, int level) {
   return volumeOf(grid, [level](const glm::dvec3&) { return level; });
 }
 
+struct PlacedVolume {
+  Volume volume;
+  glm::dmat4 toWorld{1.0};
+  std::string name;
+};
 PlacedVolume at(Volume volume, const std::string& name = "a", const glm::dmat4& toWorld = glm::dmat4(1.0)) {
   return {std::move(volume), toWorld, name};
 }
 glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z)); }
 
-StitchResult stitched(const std::vector<PlacedVolume>& inputs, const StitchOptions& options = {}) {
-  auto result = stitch(inputs, options, noProgress());
-  EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
-  return result ? std::move(*result) : StitchResult{};
+std::vector<PlacedGrid> gridsOf(std::span<const PlacedVolume> inputs) {
+  std::vector<PlacedGrid> grids;
+  for (const PlacedVolume& input : inputs) grids.push_back({input.volume.grid, input.toWorld, input.name});
+  return grids;
 }
 
-std::uint8_t echoAt(const StitchResult& result, const glm::dvec3& p_world_mm) {
+/// Feathered on the common grid.
+Result<JoinResult> stitch(std::span<const PlacedVolume> inputs, const StitchOptions& options, Progress& progress) {
+  const auto forecast = forecastStitch(gridsOf(inputs), options);
+  if (!forecast) return passOn(forecast.error());
+  std::vector<View> views;
+  for (const PlacedVolume& input : inputs) {
+    views.emplace_back();
+    views.back().volume = &input.volume;
+    views.back().toWorld = input.toWorld;
+    views.back().name = input.name;
+  }
+  JoinOptions how;
+  how.grid = options;
+  how.seam.method = SeamMethod::feather;
+  return join(views, {}, forecast->grid, how, progress);
+}
+
+JoinResult stitched(const std::vector<PlacedVolume>& inputs, const StitchOptions& options = {}) {
+  auto result = stitch(inputs, options, noProgress());
+  EXPECT_TRUE(result) << (result ? "" : result.error().sentence());
+  return result ? std::move(*result) : JoinResult{};
+}
+
+std::uint8_t echoAt(const JoinResult& result, const glm::dvec3& p_world_mm) {
   const Grid& grid = result.volume.grid;
   const glm::ivec3 ijk(glm::round((grid.worldToVoxel() * Point<frame::World>{p_world_mm}).at));
   EXPECT_TRUE(grid.contains(ijk));
@@ -104,7 +132,7 @@ TEST(Stitch, BlendsLinearlyAcrossTheFeatherOfTwoOverlappingVolumes) {
   }
   EXPECT_EQ(echoAt(result, {9, 12, 12}), 100);
   EXPECT_EQ(echoAt(result, {20, 12, 12}), 210);
-  EXPECT_NEAR(result.overlapShare, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(result.report.overlapShare, 1.0 / 3.0, 1e-12);
 }
 
 TEST(Stitch, KeepsARampThatBothVolumesShowExactly) {
@@ -119,7 +147,7 @@ TEST(Stitch, KeepsARampThatBothVolumesShowExactly) {
         if (result.volume.coverage[grid.indexOf(i, j, k)] != 0) {
           ASSERT_EQ(result.volume.echo[grid.indexOf(i, j, k)], ramp(glm::dvec3(i, j, k))) << i << ' ' << j << ' ' << k;
         }
-  EXPECT_EQ(result.disagreementRms, 0.0);
+  EXPECT_EQ(result.report.disagreementRms, 0.0);
 }
 
 TEST(Stitch, SamplesARampLinearlyBetweenTheVoxels) {
@@ -176,22 +204,22 @@ TEST(Stitch, WeighsInterpolatedVoxelsLessThanMeasuredOnes) {
 TEST(Stitch, KeepsBothOfTwoVolumesThatDoNotTouch) {
   const auto result = stitched({at(constant(gridOf({4, 4, 4}), 60), "a"), at(constant(gridOf({4, 4, 4}, {20, 0, 0}), 90), "b")});
   EXPECT_EQ(result.volume.grid.dims, glm::ivec3(24, 4, 4));
-  EXPECT_EQ(result.contributions[0].voxels, 64u);
-  EXPECT_EQ(result.contributions[1].voxels, 64u);
-  EXPECT_EQ(result.overlapShare, 0.0);
+  EXPECT_EQ(result.report.contributions[0].voxels, 64u);
+  EXPECT_EQ(result.report.contributions[1].voxels, 64u);
+  EXPECT_EQ(result.report.overlapShare, 0.0);
   EXPECT_EQ(echoAt(result, {1, 1, 1}), 60);
   EXPECT_EQ(echoAt(result, {21, 1, 1}), 90);
   EXPECT_EQ(echoAt(result, {10, 1, 1}), 0);
-  ASSERT_EQ(result.notes.size(), 1u);
+  ASSERT_EQ(result.report.notes.size(), 1u);
 }
 
 TEST(Stitch, SaysWhenBlackVoxelsCountAsMeasuredForWantOfCoverage) {
   Volume dark = constant(gridOf({4, 4, 4}), 0);
   const auto warned = stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")});
-  ASSERT_EQ(warned.notes.size(), 1u);
-  EXPECT_NE(warned.notes.front().english().find("'dark'"), std::string::npos);
+  ASSERT_EQ(warned.report.notes.size(), 1u);
+  EXPECT_NE(warned.report.notes.front().english().find("'dark'"), std::string::npos);
   dark.coverage.assign(dark.echo.size(), 2);
-  EXPECT_TRUE(stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")}).notes.empty());
+  EXPECT_TRUE(stitched({at(dark, "dark"), at(constant(gridOf({4, 4, 4}), 90), "bright")}).report.notes.empty());
 }
 
 TEST(Stitch, PlacesAVolumeWithItsMatrix) {
@@ -212,7 +240,7 @@ TEST(Stitch, GivesTheSameVoxelsOnAnyNumberOfThreads) {
     const auto many = stitched(inputs, {.threads = threads});
     EXPECT_EQ(many.volume, one.volume);
     EXPECT_EQ(many.source, one.source);
-    EXPECT_EQ(many.disagreementRms, one.disagreementRms);
+    EXPECT_EQ(many.report.disagreementRms, one.report.disagreementRms);
   }
 }
 
@@ -256,7 +284,7 @@ TEST(Stitch, ForecastsMemoryAndRefusesBeforeTakingIt) {
   EXPECT_EQ(stitch(endless, {}, noProgress()).error().code, ErrorCode::tooLarge);
 
   const std::vector<PlacedVolume> small = {at(constant(gridOf({10, 10, 10}), 1))};
-  const auto forecast = forecastStitch(small, {});
+  const auto forecast = forecastStitch(gridsOf(small), {});
   ASSERT_TRUE(forecast);
   EXPECT_EQ(forecast->bytes, 1000u * 3u + 1000u * 4u);
 }
@@ -265,7 +293,7 @@ TEST(Stitch, ForecastsTheGridItThenMakes) {
   const std::vector<PlacedVolume> inputs = {at(constant(gridOf({10, 8, 6}), 9)),
                                             at(constant(gridOf({7, 7, 7}, glm::dvec3(0.0), 0.5), 9), "b",
                                                moved(3.7, -2.2, 8.8) * glm::rotate(glm::dmat4(1.0), 1.1, glm::dvec3(1, 0, 0)))};
-  const auto forecast = forecastStitch(inputs, {});
+  const auto forecast = forecastStitch(gridsOf(inputs), {});
   ASSERT_TRUE(forecast);
   EXPECT_EQ(stitched(inputs).volume.grid, forecast->grid);
 }
@@ -283,7 +311,7 @@ RC_GTEST_PROP(Stitch, KeepsConstantsExactlyInAnyPlacement, ()) {
   }
   const auto result = stitch(inputs, {.spacing_mm = 0.8}, noProgress());
   RC_ASSERT(static_cast<bool>(result));
-  RC_ASSERT(result->contributions.front().voxels > 0u);
+  RC_ASSERT(result->report.contributions.front().voxels > 0u);
   for (std::size_t i = 0; i < result->volume.echo.size(); ++i)
     RC_ASSERT(result->volume.echo[i] == (result->volume.coverage[i] != 0 ? level : 0));
 }
@@ -303,7 +331,7 @@ RC_GTEST_PROP(Stitch, DoesNotDependOnTheOrderOfTheVolumes, ()) {
   const auto backward = stitch(inputs, options, noProgress());
   RC_ASSERT(forward && backward);
   RC_ASSERT(forward->volume == backward->volume);
-  RC_ASSERT(std::abs(forward->overlapShare - backward->overlapShare) < 1e-15);
+  RC_ASSERT(std::abs(forward->report.overlapShare - backward->report.overlapShare) < 1e-15);
 }
 
 RC_GTEST_PROP(Stitch, StaysBetweenTheDarkestAndTheBrightestInput, ()) {

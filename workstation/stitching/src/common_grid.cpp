@@ -3,7 +3,7 @@
 #include <fstream>
 #include <limits>
 
-#include "ew/stitching/stitch.h"
+#include "ew/stitching/common_grid.h"
 #include "view_sampler.h"
 
 namespace ew::stitching {
@@ -105,18 +105,6 @@ Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const 
   grid.dims = glm::ivec3(dims);
   forecast.bytes = static_cast<std::uint64_t>(bytes);
   return forecast;
-}
-
-Result<StitchForecast> forecastStitch(std::span<const PlacedVolume> inputs, const StitchOptions& options) {
-  std::vector<PlacedGrid> grids;
-  for (const auto& input : inputs) grids.push_back({input.volume.grid, input.toWorld, input.name});
-  return forecastStitch(grids, options);
-}
-
-Result<StitchForecast> forecastStitch(std::span<const PlacedView> inputs, const StitchOptions& options) {
-  std::vector<PlacedGrid> grids;
-  for (const auto& input : inputs) grids.push_back({input.volume->grid, input.toWorld, input.name});
-  return forecastStitch(grids, options);
 }
 
 std::optional<std::uint64_t> availableMemory_bytes() {

@@ -13,7 +13,7 @@
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
 #include "ew/registration/deformation.h"
-#include "ew/stitching/stitch.h"
+#include "ew/stitching/common_grid.h"
 
 namespace ew::stitching {
 
@@ -46,7 +46,9 @@ struct SeamStroke {
 };
 
 enum class SeamMethod {
-  feather,  ///< no seam: mean weighted by the distance from each view's border (what stitch() does)
+  /// No seam: each voxel is the mean of the views that cover it, weighted by the distance from each view's border (up to featherWidth_mm)
+  /// and by interpolatedWeight where a view was interpolated. Constants are kept exactly; one view on its own grid passes unchanged.
+  feather,
   nearest,  ///< each voxel to the view in whose inside it lies deepest
   graphCut  ///< along the surface where the views differ least
 };
@@ -113,9 +115,9 @@ struct JoinReport {
   Grid grid;
   std::vector<Contribution> contributions;  ///< one per view
   SeamVisibility seam;           ///< as seamVisibility, but the step is that between the views in the blend, which no tissue can feign
-  double overlapShare = 0.0;     ///< as in StitchResult; with seams it is counted cell by cell
-  double disagreementRms = 0.0;  ///< where views were blended
-  std::vector<Message> notes;
+  double overlapShare = 0.0;     ///< of the covered voxels, those to which two or more views contributed; with seams counted cell by cell
+  double disagreementRms = 0.0;  ///< grey levels: spread of the views about their blend where they were blended; 0 where none was
+  std::vector<Message> notes;    ///< what the user should know: a view that touches no other, one that contributed nothing
   double seconds = 0.0;
 };
 
@@ -130,8 +132,8 @@ struct JoinReport {
                                       BlockSink& sink, Progress& progress);
 /// The same in memory.
 struct JoinResult {
-  Volume volume;
-  std::vector<std::uint8_t> source;
+  Volume volume;                     ///< with coverage: measured where a measured voxel contributed
+  std::vector<std::uint8_t> source;  ///< per voxel 1 + index of the view that weighed most (the earlier one of equals); 0: absent
   JoinReport report;
 };
 [[nodiscard]] Result<JoinResult> join(std::span<const View> views, const SeamMap& seams, const Grid& result, const JoinOptions& options,
