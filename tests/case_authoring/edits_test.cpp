@@ -70,7 +70,7 @@ TEST(Edits, GainAndDgcAreThereUntilTheyAreSwitchedOff) {
 }
 
 TEST(Edits, APlaceThatIsMissingIsTheIdentityAndABrokenOneIsAnError) {
-  EXPECT_EQ(placeOf(kManifest).value(), glm::dmat4(1.0));
+  EXPECT_EQ(placeOf(kManifest).value(), (Transform<frame::World, frame::File>{}));
   for (const json& wrong : {json("here"), json::array({1, 2}), json::array({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, "16"})})
     EXPECT_EQ(placeOf(withField(kManifest, "volume.file_to_world", wrong)).error().code, ErrorCode::badField);
 }
@@ -83,7 +83,7 @@ TEST(Edits, TheFieldOfAProblemComesFromItsContext) {
 
 RC_GTEST_PROP(Edits, APlaceSurvivesTheManifestAndItsText, ()) {
   const auto number = [](double unit) { return *rc::gen::inRange(-20000, 20000) * unit; };
-  const glm::dmat4 matrix = sdk::matrixOf({{number(0.037), number(0.037), number(0.037)}, {number(0.01), number(0.01), number(0.01)}});
+  const auto matrix = sdk::transformOf({{number(0.037), number(0.037), number(0.037)}, {number(0.01), number(0.01), number(0.01)}});
   const json manifest = json::parse(withPlace(kManifest, matrix).dump());
   RC_ASSERT(placeOf(manifest).value() == matrix);
   RC_ASSERT(manifest["volume"]["licence"] == "CC0");
@@ -106,8 +106,8 @@ TEST(Edits, LinesBecomeAListWithoutEmptyOnesAndBack) {
 }
 
 TEST(Edits, TheStartPoseIsSetExactlyAndTakenAway) {
-  glm::dmat4 pose(1.0);
-  pose[3] = glm::dvec4(1.25, -7.5, 1e-3, 1.0);
+  Transform<frame::World, frame::Probe> pose;
+  pose.matrix[3] = glm::dvec4(1.25, -7.5, 1e-3, 1.0);
   const json manifest = withStartPose(kManifest, pose);
   EXPECT_EQ(startPoseOf(manifest), pose);
   EXPECT_EQ(withStartPose(manifest, std::nullopt), kManifest);
@@ -120,15 +120,15 @@ TEST(Edits, AProbeSeesTheVolumeWhereItsFanReachesIt) {
   scan.halfFace_mm = 20.0;
   scan.volume.dims = {21, 21, 21};  // 20 mm
   scan.volume.origin_mm = {30.0, 60.0, -10.0};
-  const glm::dmat4 here(1.0);
+  const Transform<frame::World, frame::Probe> here;
   EXPECT_FALSE(seesVolume(scan, here)) << "parallel lines run beside it";
   scan.halfWidth_rad = 0.5;
   EXPECT_TRUE(seesVolume(scan, here)) << "a fan opens towards it";
   scan.depth_mm = 40.0;
   EXPECT_FALSE(seesVolume(scan, here)) << "the picture ends before it";
   scan.depth_mm = 100.0;
-  glm::dmat4 behind(1.0);
-  behind[3] = glm::dvec4(0.0, 120.0, 0.0, 1.0);
+  Transform<frame::World, frame::Probe> behind;
+  behind.matrix[3] = glm::dvec4(0.0, 120.0, 0.0, 1.0);
   EXPECT_FALSE(seesVolume(scan, behind));
 }
 

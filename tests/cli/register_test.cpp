@@ -28,7 +28,7 @@ class RegisterCommand : public testing::Test {
     const std::vector<std::pair<std::string, glm::dvec3>> places{
         {"gall bladder", {5, -3, 2}}, {"vein", {15, -3, 3}}, {"rib", {6, 6, 4}}, {"cyst", {9, 2, 9}}, {"node", {12, 5, 6}}};
     for (const auto& [name, p] : places) {
-      glm::dvec3 q(truth * glm::dvec4(p, 1.0));
+      glm::dvec3 q = carried(truth, p);
       if (name == wrong) q.x += by_mm;
       list.push_back({{"name", name}, {"fixed_mm", {p.x, p.y, p.z}}, {"moving_mm", {q.x, q.y, q.z}}});
     }
@@ -39,7 +39,8 @@ class RegisterCommand : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   }
-  const glm::dmat4 truth = glm::rotate(glm::translate(glm::dmat4(1.0), {-4.0, 2.5, 1.0}), 0.3, glm::dvec3(0.0, 0.6, 0.8));
+  const Transform<frame::Moving, frame::Fixed> truth{
+      glm::rotate(glm::translate(glm::dmat4(1.0), {-4.0, 2.5, 1.0}), 0.3, glm::dvec3(0.0, 0.6, 0.8))};
   TemporaryFolder folder;
 };
 
@@ -52,7 +53,7 @@ TEST_F(RegisterCommand, BringsVolumesTogetherByLandmarksAndWritesWhatTheContract
   const auto transform = cli::readTransform(folder / "t.txt");
   ASSERT_TRUE(transform) << transform.error();
   for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 4; ++r) EXPECT_NEAR((*transform)[c][r], truth[c][r], 1e-9);
+    for (int r = 0; r < 4; ++r) EXPECT_NEAR(transform->matrix[c][r], truth.matrix[c][r], 1e-9);
 
   const auto field = readVectorField(folder / "field.mha");
   ASSERT_TRUE(field) << field.error();
@@ -63,7 +64,7 @@ TEST_F(RegisterCommand, BringsVolumesTogetherByLandmarksAndWritesWhatTheContract
     for (int j = 0; j < 10; ++j)
       for (int i = 0; i < 12; ++i) {
         const glm::dvec3 p(5.0 + i, -3.0 + j, 2.0 + k);
-        const glm::dvec3 u = glm::dvec3(truth * glm::dvec4(p, 1.0)) - p;
+        const glm::dvec3 u = carried(truth, p) - p;
         for (int axis = 0; axis < 3; ++axis)
           ASSERT_NEAR(field->values[3 * grid.indexOf(i, j, k) + static_cast<std::size_t>(axis)], u[axis], 1e-5);
       }
@@ -76,7 +77,7 @@ TEST_F(RegisterCommand, BringsVolumesTogetherByLandmarksAndWritesWhatTheContract
   for (int k = 0; k < 8; ++k)
     for (int j = 0; j < 10; ++j)
       for (int i = 0; i < 12; ++i) {
-        const glm::dvec3 q(truth * glm::dvec4(5.0 + i, -3.0 + j, 2.0 + k, 1.0));
+        const glm::dvec3 q = carried(truth, {5.0 + i, -3.0 + j, 2.0 + k});
         if (glm::any(glm::lessThan(q, glm::dvec3(0.0))) || glm::any(glm::greaterThan(q, glm::dvec3(13.0, 11.0, 8.0)))) continue;
         ++compared;
         EXPECT_NEAR(moved->volume.echo[moved->volume.grid.indexOf(i, j, k)], 20.0 + 3.0 * q.x + 5.0 * q.y + 7.0 * q.z, 0.51);
@@ -186,7 +187,7 @@ class RegisterImages : public testing::Test {
     TissueView view = viewOfSide(48, 1.25);
     write(tissue, view, "f.mha");
     view.view = 2;
-    view.toTissue = [this](const glm::dvec3& q) { return glm::dvec3(glm::inverse(truth) * glm::dvec4(q, 1.0)); };
+    view.toTissue = [this](const glm::dvec3& q) { return carried(inverse(truth), q); };
     write(tissue, view, "m.mha");
     write(other, view, "o.mha");
   }
@@ -196,12 +197,13 @@ class RegisterImages : public testing::Test {
     if (!found) return 1e9;
     double worst = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec4 p(corner & 1 ? 59.0 : 0.0, corner & 2 ? 59.0 : 0.0, corner & 4 ? 59.0 : 0.0, 1.0);
-      worst = std::max(worst, glm::length(glm::dvec3((*found - truth) * p)));
+      const glm::dvec3 p(corner & 1 ? 59.0 : 0.0, corner & 2 ? 59.0 : 0.0, corner & 4 ? 59.0 : 0.0);
+      worst = std::max(worst, glm::length(carried(*found, p) - carried(truth, p)));
     }
     return worst;
   }
-  const glm::dmat4 truth = glm::rotate(glm::translate(glm::dmat4(1.0), {12.0, -3.0, 2.0}), 0.14, glm::normalize(glm::dvec3(0.2, 1.0, 0.4)));
+  const Transform<frame::Moving, frame::Fixed> truth{
+      glm::rotate(glm::translate(glm::dmat4(1.0), {12.0, -3.0, 2.0}), 0.14, glm::normalize(glm::dvec3(0.2, 1.0, 0.4)))};
   TemporaryFolder folder;
 };
 
@@ -309,18 +311,19 @@ TEST_F(RegisterImages, PicturesOfWhichOneHeaderIsLeftHandedAreBroughtTogetherByA
   ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   const auto rigid = cli::readTransform(folder / "t.txt");
   ASSERT_TRUE(rigid) << rigid.error();
-  EXPECT_GT(glm::determinant(*rigid), 0.0);
-  for (const glm::dvec4& corner : {glm::dvec4(0, 0, 0, 1), glm::dvec4(50, 0, 0, 1), glm::dvec4(0, 50, 0, 1)})
-    EXPECT_LT(glm::distance(*rigid * corner, corner), 1e-9) << "the pixels stay where they are";
+  EXPECT_GT(glm::determinant(rigid->matrix), 0.0);
+  for (const glm::dvec3& corner : {glm::dvec3(0, 0, 0), glm::dvec3(50, 0, 0), glm::dvec3(0, 50, 0)})
+    EXPECT_LT(glm::distance(carried(*rigid, corner), corner), 1e-9) << "the pixels stay where they are";
 }
 
 TEST(RegistrationFiles, ATransformComesBackTheSameToTheLastBit) {
   const TemporaryFolder folder;
-  const glm::dmat4 matrix = glm::rotate(glm::translate(glm::dmat4(1.0), {1.0 / 3.0, -1e6, 2e-9}), 0.7, glm::dvec3(1.0, 0.0, 0.0));
-  writeText(folder / "t.txt", "# made by hand\n" + cli::transformText(matrix));
+  const Transform<frame::Moving, frame::Fixed> fixedToMoving{
+      glm::rotate(glm::translate(glm::dmat4(1.0), {1.0 / 3.0, -1e6, 2e-9}), 0.7, glm::dvec3(1.0, 0.0, 0.0))};
+  writeText(folder / "t.txt", "# made by hand\n" + cli::transformText(fixedToMoving));
   const auto read = cli::readTransform(folder / "t.txt");
   ASSERT_TRUE(read) << read.error();
-  EXPECT_EQ(*read, matrix);
+  EXPECT_EQ(*read, fixedToMoving);
   for (const auto& [text, code] : {std::pair{std::string("1 2 3"), ErrorCode::badField},
                                    {std::string("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1"), ErrorCode::notRigid},
                                    {std::string("1 0 0 0 0 1 0 0 0 0 x 0 0 0 0 1"), ErrorCode::badField}}) {

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <type_traits>
 
 namespace ew::frames_test {
 namespace {
@@ -29,6 +30,33 @@ TEST(Frames, AProductAppliesTheRightFactorFirst) {
   EXPECT_EQ((probeToWorld * Direction<Probe>{{1, 2, 3}}).along, glm::dvec3(1, 2, 3)) << "a direction is not translated";
 }
 
+template <class Left, class Right>
+constexpr bool canMultiply = requires(const Left& left, const Right& right) {
+  left* right;
+};
+
+// Decision 0001: a product in the wrong order does not compile.
+static_assert(canMultiply<Transform<World, Probe>, Transform<Probe, Image>>);
+static_assert(!canMultiply<Transform<Probe, Image>, Transform<World, Probe>>);
+static_assert(canMultiply<Transform<frame::Moving, World>, Transform<World, frame::Fixed>>);
+static_assert(!canMultiply<Transform<World, frame::Fixed>, Transform<frame::Moving, World>>);
+static_assert(canMultiply<Transform<frame::Moving, frame::Fixed>, Transform<frame::Fixed, frame::Voxel>>);
+static_assert(!canMultiply<Transform<frame::Moving, frame::Fixed>, Transform<frame::Moving, frame::Voxel>>, "the grid of the other volume");
+static_assert(!canMultiply<Transform<World, frame::View>, Transform<frame::Moving, frame::Fixed>>,
+              "a view is no moving volume unless renamed");
+static_assert(!canMultiply<Transform<World, frame::Placed>, Transform<World, frame::View>>, "a place found is not placed once more");
+static_assert(!canMultiply<Transform<World, frame::File>, Point<frame::Voxel>>);
+// One pose is no other, and a matrix has to be named before it is one.
+static_assert(!std::is_convertible_v<Transform<frame::Moving, frame::Fixed>, Transform<frame::Fixed, frame::Moving>>);
+static_assert(!std::is_assignable_v<Transform<World, frame::View>&, Transform<World, frame::File>>);
+static_assert(!std::is_convertible_v<glm::dmat4, Transform<World, frame::View>>);
+
+TEST(Frames, ATransformRenamedKeepsItsNumbers) {
+  const Transform<World, frame::View> viewToWorld{matrixFromRows(kRows)};
+  const Transform<World, frame::Fixed> fixedToWorld = renamed<World, frame::Fixed>(viewToWorld);
+  EXPECT_EQ(fixedToWorld.matrix, viewToWorld.matrix);
+}
+
 RC_GTEST_PROP(Frames, InverseUndoesARigidTransform, ()) {
   const auto number = [] { return static_cast<double>(*rc::gen::inRange(-100000, 100000)) / 1000.0; };
   const glm::dvec3 axis = glm::dvec3(number(), number(), number() + 200.0);
@@ -36,7 +64,9 @@ RC_GTEST_PROP(Frames, InverseUndoesARigidTransform, ()) {
       glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(number(), number(), number())), number(), glm::normalize(axis))};
   const Point<Probe> p{{number(), number(), number()}};
   RC_ASSERT(glm::length((inverse(t) * (t * p)).at - p.at) < 1e-9);
-  RC_ASSERT(checkRigid(t.matrix).has_value());
+  RC_ASSERT(glm::length((rigidInverse(t) * (t * p)).at - p.at) < 1e-9);
+  RC_ASSERT(glm::length(carried(t, p.at) - (t * p).at) == 0.0);
+  RC_ASSERT(checkRigid(t).has_value());
 }
 
 TEST(CheckRigid, NamesWhatIsWrong) {

@@ -26,11 +26,12 @@ TEST(Grid, TakesVoxelsToTheWorldAndBack) {
 }
 
 TEST(Grid, PlacedAndBoundedTogether) {
-  const glm::dmat4 move = glm::translate(glm::dmat4(1.0), glm::dvec3(1, 2, 3)) * glm::rotate(glm::dmat4(1.0), 0.3, glm::dvec3(0, 0, 1));
+  const Transform<frame::World, frame::File> move{glm::translate(glm::dmat4(1.0), glm::dvec3(1, 2, 3)) *
+                                                  glm::rotate(glm::dmat4(1.0), 0.3, glm::dvec3(0, 0, 1))};
   const Grid grid = oblique();
   const Grid moved = placed(grid, move);
   const Point<frame::Voxel> corner{{3, 4, 5}};
-  const glm::dvec3 expected = glm::dvec3(move * glm::dvec4((grid.voxelToWorld() * corner).at, 1.0));
+  const glm::dvec3 expected = carried(move, (grid.voxelTo<frame::File>() * corner).at);
   EXPECT_LT(glm::length((moved.voxelToWorld() * corner).at - expected), 1e-12);
   const Bounds bounds = boundsOf(moved);
   EXPECT_TRUE(glm::all(glm::lessThanEqual(bounds.lowest_mm, expected + 1e-9)));

@@ -7,7 +7,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace ew;
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   fuzz::OneText files(text);
-  if (const auto transform = stitching::parseTransform(text, "transform"); !transform) fuzz::checkError(transform.error());
+  if (const auto transform = stitching::parseRigidRows(text, "transform"); !transform) fuzz::checkError(transform.error());
   const auto project = stitching::parseProject(text, "/folder");
   if (!project) {
     fuzz::checkError(project.error());

@@ -35,7 +35,7 @@ class TraineeTest : public WindowFixture {
     opened->previousExaminations = {{"two years ago", "ultrasound", "Nothing found."}};
     opened->findings = {"One stone with a bright front."};
     opened->diagnosis = "Solitary stone.";
-    opened->targets = {{.kind = CaseTarget::Kind::plane, .name = "long axis", .probeToWorld = glm::dmat4(1.0)},
+    opened->targets = {{.kind = CaseTarget::Kind::plane, .name = "long axis", .probeToFile = Transform<frame::File, frame::Probe>{}},
                        {.kind = CaseTarget::Kind::point, .name = "the stone", .at_mm = glm::dvec3(0.0), .revealsFinding = true}};
     return saveCase(*opened, folder.toStdString()) ? folder : QString();
   }

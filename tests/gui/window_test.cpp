@@ -287,12 +287,12 @@ class WindowTest : public WindowFixture {
       panel->findChild<QDoubleSpinBox*>(QLatin1String(name))->setValue(value);
     QCOMPARE(document.history().count(), 3);
     document.history().undo();
-    QCOMPARE(place()[3].x, 30.0);
-    QCOMPARE(place()[3].z, 7.0);
-    QCOMPARE(place()[1].z, 0.0);
+    QCOMPARE(place().matrix[3].x, 30.0);
+    QCOMPARE(place().matrix[3].z, 7.0);
+    QCOMPARE(place().matrix[1].z, 0.0);
     document.history().undo();
-    QCOMPARE(place()[3].z, 0.0);
-    QCOMPARE(place()[3].x, 30.0);
+    QCOMPARE(place().matrix[3].z, 0.0);
+    QCOMPARE(place().matrix[3].x, 30.0);
   }
 
   void aSweepDroppedOnTheWindowBecomesAVolume() {

@@ -189,14 +189,14 @@ TEST(HardQuality, OfConstantOrDisjointVolumesIsZeroAndSaysNothingIsKnown) {
   Volume flat;
   flat.grid.dims = glm::ivec3(20);
   flat.echo.assign(8000, 90);
-  const auto same = assessQuality({&flat, {}}, {&flat, {}}, glm::dmat4(1.0), {}, nullptr, {}, noProgress());
+  const auto same = assessQuality({&flat, {}}, {&flat, {}}, {}, {}, nullptr, {}, noProgress());
   ASSERT_TRUE(same);
   EXPECT_EQ(same->after.correlation, 0.0);
   EXPECT_EQ(same->greyCorrelationAfter, 0.0);
   for (const RegionQuality& region : same->regions) EXPECT_TRUE(std::isinf(region.uncertainty_mm));
-  glm::dmat4 away(1.0);
-  away[3] = glm::dvec4(500.0, 0.0, 0.0, 1.0);
-  const auto apart = assessQuality({&flat, {}}, {&flat, {}}, glm::dmat4(1.0), {away, {}}, nullptr, {}, noProgress());
+  Transform<frame::Moving, frame::Fixed> away;
+  away.matrix[3] = glm::dvec4(500.0, 0.0, 0.0, 1.0);
+  const auto apart = assessQuality({&flat, {}}, {&flat, {}}, {}, {away, {}}, nullptr, {}, noProgress());
   ASSERT_TRUE(apart);
   EXPECT_EQ(apart->after.overlapShare, 0.0);
   EXPECT_EQ(apart->after.chance, 1.0);
@@ -209,7 +209,7 @@ TEST(HardQuality, TakesVolumesOfOneVoxelThickness) {
   thin.grid.dims = {40, 40, 1};
   const GreyImage shown = noise(9, 40);
   thin.echo = shown.pixels;
-  const auto found = assessQuality({&thin, {}}, {&thin, {}}, glm::dmat4(1.0), {}, nullptr, {}, noProgress());
+  const auto found = assessQuality({&thin, {}}, {&thin, {}}, {}, {}, nullptr, {}, noProgress());
   ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_NEAR(found->after.correlation, 1.0, 1e-6);
   EXPECT_EQ(found->residualRms_grey, 0.0);

@@ -18,7 +18,7 @@ using test::Tissue;
 using test::uprightGrid;
 
 ElasticResult registered(const Volume& fixed, const Volume& moving, const ElasticOptions& options = {}) {
-  auto found = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
+  auto found = registerElastic({&fixed, {}}, {&moving, {}}, {}, options, noProgress());
   EXPECT_TRUE(found) << found.error();
   return found ? std::move(*found) : ElasticResult{};
 }

@@ -83,7 +83,7 @@ TEST(GraphHardCases, AnAnchoredChainNamesItsWrongEdgeByTheTracker) {
   KnownGraph known(6, 5);
   for (std::size_t i = 0; i + 1 < 6; ++i) known.join(i, i + 1, 0.2, 0.2);
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, std::size_t{5}}) {
-    known.nodes[i].toWorld = known.truth[i] * moved(glm::dvec3(0.0), known.draw.vector(0.7), known.draw.vector(0.01));
+    known.nodes[i].toWorld = known.truth[i] * moved<frame::View>(glm::dvec3(0.0), known.draw.vector(0.7), known.draw.vector(0.01));
     known.nodes[i].prior = isotropic(0.7, 0.01);
   }
   known.spoil(2, 30.0, 15.0);
@@ -201,8 +201,8 @@ TEST(GraphHardCases, TwoHundredNodesWithWrongPairsAreSolved) {
 
 TEST(GraphHardCases, OriginsFarAwayDoNotSpoilThePoses) {
   KnownGraph known(4, 14);
-  const glm::dmat4 far = glm::translate(glm::dmat4(1.0), {1e6, -1e6, 1e6});
-  for (auto& truth : known.truth) truth = truth * glm::inverse(far);  // every subvolume's own origin is 1700 m from its tissue
+  const Transform<frame::View, frame::View> far{glm::translate(glm::dmat4(1.0), {1e6, -1e6, 1e6})};
+  for (auto& truth : known.truth) truth = truth * inverse(far);  // every subvolume's own origin is 1700 m from its tissue
   known.nodes[0].toWorld = known.truth[0];
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {

@@ -16,7 +16,7 @@ using test::worst;
 
 bool mentions(const LandmarkResult& result, const std::string& words) { return result.reason.english().find(words) != std::string::npos; }
 
-const glm::dmat4 kTruth = rigid(0.6, {1.0, 2.0, 3.0}, {20.0, -30.0, 5.0});
+const auto kTruth = rigid(0.6, {1.0, 2.0, 3.0}, {20.0, -30.0, 5.0});
 
 TEST(LandmarkHardCases, CollinearPlacesCannotTellTheTurnAboutTheirLine) {
   std::vector<glm::dvec3> line;
@@ -124,11 +124,11 @@ TEST(LandmarkHardCases, PairsWithNothingInCommonAreNotAligned) {
 
 TEST(LandmarkHardCases, MirroredPlacesAreNamedAsSuch) {
   const auto places = scattered(6, 11);
-  const auto found = registerLandmarks(pairsOf(places, kTruth * glm::scale(glm::dmat4(1.0), {-1.0, 1.0, 1.0})));
+  const auto found = registerLandmarks(pairsOf(places, {kTruth.matrix * glm::scale(glm::dmat4(1.0), {-1.0, 1.0, 1.0})}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->verdict, Verdict::notAligned);
   EXPECT_TRUE(mentions(*found, "mirror image")) << found->reason;
-  EXPECT_GT(glm::determinant(glm::dmat3(found->fixedToMoving)), 0.0) << "no mirror is ever returned";
+  EXPECT_GT(glm::determinant(glm::dmat3(found->fixedToMoving.matrix)), 0.0) << "no mirror is ever returned";
 }
 
 TEST(LandmarkHardCases, PlacesInOnePlaneGiveTheTurnAndNoMirror) {

@@ -14,6 +14,7 @@ namespace {
 
 using test::apart_mm;
 using test::centred;
+using test::motion;
 using test::pose;
 using test::seen;
 using test::Tissue;
@@ -22,22 +23,22 @@ using test::tissue;
 bool mentions(const Message& reason, const std::string& words) { return reason.english().find(words) != std::string::npos; }
 
 const Grid kGrid = centred(glm::ivec3(40), 1.5);
-const glm::dmat4 kTruth = pose({8.0, -6.0, 4.0}, {8.0, 6.0, -5.0});
-const glm::dmat4 kStart = kTruth * pose({2.0, -2.0, 1.5}, {2.0, 3.0, -2.0});
+const auto kTruth = pose({8.0, -6.0, 4.0}, {8.0, 6.0, -5.0});
+const auto kStart = kTruth * motion({2.0, -2.0, 1.5}, {2.0, 3.0, -2.0});
 
-Volume fixedView() { return seen(tissue(21, 110.0), kGrid, glm::dmat4(1.0), 1); }
-Volume movingView() { return seen(tissue(21, 110.0), kGrid, glm::inverse(kTruth), 2); }
+Volume fixedView() { return seen(tissue(21, 110.0), kGrid, {}, 1); }
+Volume movingView() { return seen(tissue(21, 110.0), kGrid, inverse(kTruth), 2); }
 
 void expectCannotTell(const Volume& fixed, const Volume& moving, const std::string& words) {
   const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(matched);
   EXPECT_EQ(matched->best.verdict, Verdict::cannotTell) << matched->best.reason;
   EXPECT_TRUE(mentions(matched->best.reason, words)) << matched->best.reason;
-  const auto refined = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {}, noProgress());
+  const auto refined = refineRigid({&fixed}, {&moving}, {}, {}, noProgress());
   ASSERT_TRUE(refined);
   EXPECT_EQ(refined->verdict, Verdict::cannotTell) << refined->reason;
   EXPECT_TRUE(mentions(refined->reason, words)) << refined->reason;
-  EXPECT_EQ(refined->fixedToMoving, glm::dmat4(1.0)) << "the start stays";
+  EXPECT_EQ(refined->fixedToMoving, (Transform<frame::Moving, frame::Fixed>{})) << "the start stays";
 }
 
 TEST(RigidHardCases, AConstantImageSaysThatItShowsNoStructure) {
@@ -60,13 +61,13 @@ TEST(RigidHardCases, ABlackImageHoldsNoEcho) {
 }
 
 TEST(RigidHardCases, OneVoxelOfThicknessIsTooThin) {
-  const Volume thin = seen(tissue(21, 110.0), centred({40, 40, 1}, 1.5), glm::dmat4(1.0), 2);
+  const Volume thin = seen(tissue(21, 110.0), centred({40, 40, 1}, 1.5), {}, 2);
   expectCannotTell(fixedView(), thin, "too thin");
   expectCannotTell(thin, fixedView(), "too thin");
 }
 
 TEST(RigidHardCases, AreasSaturatedByGainDoNotMoveThePose) {
-  const Volume moving = seen(tissue(21, 110.0), kGrid, glm::inverse(kTruth), 2, 18.0, 1.9, 10.0);
+  const Volume moving = seen(tissue(21, 110.0), kGrid, inverse(kTruth), 2, 18.0, 1.9, 10.0);
   EXPECT_GT(std::count(moving.echo.begin(), moving.echo.end(), 255), static_cast<std::ptrdiff_t>(moving.echo.size() / 10));
   const Volume fixed = fixedView();
   const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
@@ -77,13 +78,13 @@ TEST(RigidHardCases, AreasSaturatedByGainDoNotMoveThePose) {
 
 TEST(RigidHardCases, PureSpeckleIsNotAligned) {
   const Tissue plain;
-  const Volume fixed = seen(plain, kGrid, glm::dmat4(1.0), 1, 25.0);
-  const Volume moving = seen(plain, kGrid, glm::dmat4(1.0), 2, 25.0);
+  const Volume fixed = seen(plain, kGrid, {}, 1, 25.0);
+  const Volume moving = seen(plain, kGrid, {}, 2, 25.0);
   const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(matched);
   EXPECT_NE(matched->best.verdict, Verdict::aligned) << matched->best.reason;
   EXPECT_TRUE(mentions(matched->best.reason, "unrelated tissue") || mentions(matched->best.reason, "chance")) << matched->best.reason;
-  const auto refined = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {}, noProgress());
+  const auto refined = refineRigid({&fixed}, {&moving}, {}, {}, noProgress());
   ASSERT_TRUE(refined);
   EXPECT_NE(refined->verdict, Verdict::aligned) << refined->reason;
 }
@@ -95,8 +96,8 @@ TEST(RigidHardCases, RepeatedStructureCannotTellWhichOfItsPlacesItIs) {
       for (int x = -5; x <= 5; ++x) comb.blobs.push_back({15.0 * glm::dvec3(x, y, z), glm::dvec3(5.0), 60.0});
     }
   }
-  const Volume fixed = seen(comb, kGrid, glm::dmat4(1.0), 1, 10.0);
-  const Volume moving = seen(comb, kGrid, pose({4.0, 3.0, -2.0}, {}), 2, 10.0);
+  const Volume fixed = seen(comb, kGrid, {}, 1, 10.0);
+  const Volume moving = seen(comb, kGrid, renamed<frame::Fixed, frame::Moving>(pose({4.0, 3.0, -2.0}, {})), 2, 10.0);
   const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->best.verdict, Verdict::cannotTell) << found->best.reason;
@@ -105,7 +106,7 @@ TEST(RigidHardCases, RepeatedStructureCannotTellWhichOfItsPlacesItIs) {
 }
 
 /// Equal tubes along y at the places of a lattice: nothing tells one from the next, nor one place along them from another.
-Volume combSeen(const glm::dmat4& viewToTissue, unsigned seed) {
+Volume combSeen(const Transform<frame::Fixed, frame::Moving>& viewToTissue, unsigned seed) {
   Tissue comb;
   constexpr double kPeriod_mm = 13.0;
   for (int z = -6; z <= 6; ++z)
@@ -114,14 +115,14 @@ Volume combSeen(const glm::dmat4& viewToTissue, unsigned seed) {
 }
 
 TEST(RigidHardCases, ACombOfEqualVesselsIsNotClaimedByMatchingNorByRefiningFromAStartThatSlidAlongThem) {
-  const glm::dmat4 truth = pose({3.0, -2.0, 1.0}, {});
-  const Volume fixed = combSeen(glm::dmat4(1.0), 1);
-  const Volume moving = combSeen(glm::inverse(truth), 2);
+  const auto truth = pose({3.0, -2.0, 1.0}, {});
+  const Volume fixed = combSeen({}, 1);
+  const Volume moving = combSeen(inverse(truth), 2);
   const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(matched);
   EXPECT_EQ(matched->best.verdict, Verdict::cannotTell) << matched->best.reason;
   for (const glm::dvec3& off : {glm::dvec3(0.5, 7.0, -0.5), glm::dvec3(1.0, -5.0, 0.5)}) {
-    const auto refined = refineRigid({&fixed}, {&moving}, truth * pose(off, {2.0, 1.0, -2.0}), {}, noProgress());
+    const auto refined = refineRigid({&fixed}, {&moving}, truth * motion(off, {2.0, 1.0, -2.0}), {}, noProgress());
     ASSERT_TRUE(refined);
     EXPECT_EQ(refined->verdict, Verdict::cannotTell) << refined->reason;
     EXPECT_FALSE(refined->reason.empty());
@@ -133,15 +134,15 @@ TEST(RigidHardCases, AStartHalfAPeriodOffIsNotRefinedToTheWrongRepetitionAndANea
   for (int z = -5; z <= 5; ++z)
     for (int y = -5; y <= 5; ++y)
       for (int x = -5; x <= 5; ++x) comb.blobs.push_back({15.0 * glm::dvec3(x, y, z), glm::dvec3(5.0), 60.0});
-  const Volume fixed = seen(comb, kGrid, glm::dmat4(1.0), 1, 10.0);
-  const glm::dmat4 truth = pose({4.0, 3.0, -2.0}, {});
-  const Volume moving = seen(comb, kGrid, glm::inverse(truth), 2, 10.0);
-  const auto near = refineRigid({&fixed}, {&moving}, truth * pose({0.8, -0.6, 0.5}, {}), {}, noProgress());
+  const Volume fixed = seen(comb, kGrid, {}, 1, 10.0);
+  const auto truth = pose({4.0, 3.0, -2.0}, {});
+  const Volume moving = seen(comb, kGrid, inverse(truth), 2, 10.0);
+  const auto near = refineRigid({&fixed}, {&moving}, truth * motion({0.8, -0.6, 0.5}, {}), {}, noProgress());
   ASSERT_TRUE(near);
   EXPECT_EQ(near->verdict, Verdict::aligned) << near->reason;
   EXPECT_LT(apart_mm(near->fixedToMoving, truth, kGrid), 0.5);
   for (const double off_mm : {8.5, 10.0}) {
-    const auto far = refineRigid({&fixed}, {&moving}, truth * pose({off_mm, 0.5, -0.5}, {}), {}, noProgress());
+    const auto far = refineRigid({&fixed}, {&moving}, truth * motion({off_mm, 0.5, -0.5}, {}), {}, noProgress());
     ASSERT_TRUE(far);
     EXPECT_EQ(far->verdict, Verdict::cannotTell) << off_mm << " mm off: " << far->reason;
     EXPECT_TRUE(mentions(far->reason, "the structure repeats") || mentions(far->reason, "too far off")) << far->reason;
@@ -153,14 +154,14 @@ TEST(RigidHardCases, SlicesFifteenTimesThickerThanTheirPixelsAreAligned) {
   thin.spacing_mm.z = 3.0;
   thin.origin_mm.z = -0.5 * 3.0 * 18.0;
   const auto all = tissue(51, 110.0);
-  const Volume fixed = seen(all, thin, glm::dmat4(1.0), 1);
+  const Volume fixed = seen(all, thin, {}, 1);
   Grid turned = thin;  // the other one is sliced along x
   turned.dims = {19, 280, 280};
   turned.spacing_mm = {3.0, 0.2, 0.2};
   turned.origin_mm = -0.5 * glm::dvec3(turned.dims - 1) * turned.spacing_mm;
-  const glm::dmat4 truth = pose({5.0, -4.0, 3.0}, {6.0, -8.0, 5.0});
+  const auto truth = pose({5.0, -4.0, 3.0}, {6.0, -8.0, 5.0});
   for (const Grid& grid : {thin, turned}) {
-    const Volume moving = seen(all, grid, glm::inverse(truth), 2);
+    const Volume moving = seen(all, grid, inverse(truth), 2);
     const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
@@ -170,15 +171,15 @@ TEST(RigidHardCases, SlicesFifteenTimesThickerThanTheirPixelsAreAligned) {
 
 TEST(RigidHardCases, ASmallVolumeIsFoundInALargeOneAndAStrangerIsNot) {
   const auto all = tissue(52, 130.0);
-  const Volume large = seen(all, centred(glm::ivec3(64), 1.5), glm::dmat4(1.0), 1);
+  const Volume large = seen(all, centred(glm::ivec3(64), 1.5), {}, 1);
   const Grid small = centred(glm::ivec3(28), 1.5);  // a twelfth of it
-  const glm::dmat4 truth = pose({18.0, -12.0, 9.0}, {7.0, 9.0, -4.0});
-  const Volume part = seen(all, small, glm::inverse(truth), 2);
+  const auto truth = pose({18.0, -12.0, 9.0}, {7.0, 9.0, -4.0});
+  const Volume part = seen(all, small, inverse(truth), 2);
   const auto found = matchPartial({&large}, {&part}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
-  EXPECT_LT(apart_mm(glm::inverse(found->best.fixedToMoving), glm::inverse(truth), small), 1.5);
-  const Volume stranger = seen(tissue(777, 130.0), small, glm::dmat4(1.0), 2);
+  EXPECT_LT(apart_mm(inverse(found->best.fixedToMoving), inverse(truth), small), 1.5);
+  const Volume stranger = seen(tissue(777, 130.0), small, {}, 2);
   const auto none = matchPartial({&large}, {&stranger}, {}, noProgress());
   ASSERT_TRUE(none);
   EXPECT_NE(none->best.verdict, Verdict::aligned) << none->best.reason;
@@ -186,20 +187,20 @@ TEST(RigidHardCases, ASmallVolumeIsFoundInALargeOneAndAStrangerIsNot) {
 
 TEST(RigidHardCases, LeftHandedAxesAreRegisteredAndMirroredTissueIsNot) {
   const auto all = tissue(53, 110.0);
-  const Volume fixed = seen(all, kGrid, glm::dmat4(1.0), 1);
+  const Volume fixed = seen(all, kGrid, {}, 1);
   for (int axis = 0; axis < 3; ++axis) {
     Grid leftHanded = kGrid;  // rows run the other way, and the header says so
     leftHanded.directions[axis][axis] = -1.0;
     leftHanded.origin_mm[axis] = -kGrid.origin_mm[axis];
-    const Volume moving = seen(all, leftHanded, glm::inverse(kTruth), 2);
+    const Volume moving = seen(all, leftHanded, inverse(kTruth), 2);
     for (const bool other : {false, true}) {
       const auto found = other ? matchPartial({&moving}, {&fixed}, {}, noProgress()) : matchPartial({&fixed}, {&moving}, {}, noProgress());
       ASSERT_TRUE(found);
       EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
-      EXPECT_LT(apart_mm(other ? glm::inverse(found->best.fixedToMoving) : found->best.fixedToMoving, kTruth, kGrid), 1.0);
+      EXPECT_LT(apart_mm(other ? inverse(found->best.fixedToMoving) : found->best.fixedToMoving, kTruth, kGrid), 1.0);
     }
-    glm::dmat4 mirror(1.0);  // and here the header does not: what left and right confused look like
-    mirror[axis][axis] = -1.0;
+    Transform<frame::Fixed, frame::Moving> mirror;  // and here the header does not: what left and right confused look like
+    mirror.matrix[axis][axis] = -1.0;
     const Volume confused = seen(all, kGrid, mirror, 2);
     const auto never = matchPartial({&fixed}, {&confused}, {}, noProgress());
     ASSERT_TRUE(never);
@@ -215,7 +216,7 @@ TEST(RigidHardCases, GeometryThatIsNoNumberIsRefusedByName) {
     ASSERT_FALSE(matched);
     EXPECT_EQ(matched.error().code, ErrorCode::badField);
     EXPECT_TRUE(mentions(matched.error().sentence(), word)) << matched.error();
-    const auto refined = refineRigid({&moving}, {&fixed}, glm::dmat4(1.0), {}, noProgress());
+    const auto refined = refineRigid({&moving}, {&fixed}, {}, {}, noProgress());
     ASSERT_FALSE(refined);
     EXPECT_TRUE(mentions(refined.error().sentence(), word)) << refined.error();
   };
@@ -228,8 +229,8 @@ TEST(RigidHardCases, GeometryThatIsNoNumberIsRefusedByName) {
   bad = movingView();
   bad.grid.directions[1][2] = nan;
   refused(bad, "direction");
-  glm::dmat4 start(1.0);
-  start[3][1] = nan;
+  Transform<frame::Moving, frame::Fixed> start;
+  start.matrix[3][1] = nan;
   const Volume moving = movingView();
   const auto refined = refineRigid({&fixed}, {&moving}, start, {}, noProgress());
   ASSERT_FALSE(refined);
@@ -243,9 +244,9 @@ TEST(RigidHardCases, AnOverlapOfATenthIsAlignedRightlyOrNotClaimed) {
     const auto all = tissue(60 + n, 230.0);
     glm::dvec3 shift(4.0, -3.0, 2.0);
     shift[static_cast<int>(n % 3)] = (n % 2 == 0 ? 1.0 : -1.0) * (72.0 - (7.2 + 1.2 * n));  // 10 to 15 %
-    const glm::dmat4 truth = pose(shift, {6.0, 8.0, -5.0});
-    const Volume fixed = seen(all, grid, glm::dmat4(1.0), 1);
-    const Volume moving = seen(all, grid, glm::inverse(truth), 2);
+    const auto truth = pose(shift, {6.0, 8.0, -5.0});
+    const Volume fixed = seen(all, grid, {}, 1);
+    const Volume moving = seen(all, grid, inverse(truth), 2);
     const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
     ASSERT_TRUE(matched);
     if (matched->best.verdict != Verdict::aligned) continue;
@@ -278,8 +279,9 @@ TEST(RigidHardCases, BlackThatCountsAsOutsideIsNamedAsTheReason) {
 
 TEST(RigidHardCases, DisjointImagesAreRefusedByMatchingAndByRefinement) {
   const auto all = tissue(31, 300.0, 0.3);
-  const Volume fixed = seen(all, kGrid, glm::dmat4(1.0), 1);
-  const Volume moving = seen(all, kGrid, pose({75.0, 0.0, 0.0}, {}), 2);  // 60 mm wide: no common tissue
+  const Volume fixed = seen(all, kGrid, {}, 1);
+  const Volume moving =
+      seen(all, kGrid, renamed<frame::Fixed, frame::Moving>(pose({75.0, 0.0, 0.0}, {})), 2);  // 60 mm wide: no common tissue
   const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(matched);
   EXPECT_NE(matched->best.verdict, Verdict::aligned) << matched->best.reason;
@@ -294,9 +296,9 @@ TEST(RigidHardCases, FivePercentOverlapIsAlignedRightlyOrNotClaimed) {
   // Below the least overlap a search counts (8 %): found when asked for, never claimed wrongly.
   const auto all = tissue(31, 200.0, 0.4);
   const Grid grid = centred(glm::ivec3(56), 1.5);
-  const Volume fixed = seen(all, grid, glm::dmat4(1.0), 1);
-  const glm::dmat4 far = pose({-66.0, -63.0, 0.0}, {});  // 18 x 21 mm of 84 x 84: 5 %
-  const Volume moving = seen(all, grid, glm::inverse(far), 2);
+  const Volume fixed = seen(all, grid, {}, 1);
+  const auto far = pose({-66.0, -63.0, 0.0}, {});  // 18 x 21 mm of 84 x 84: 5 %
+  const Volume moving = seen(all, grid, inverse(far), 2);
   for (const double least : {0.08, 0.03}) {
     PartialOptions options;
     options.leastOverlap = least;
@@ -312,8 +314,8 @@ TEST(RigidHardCases, FivePercentOverlapIsAlignedRightlyOrNotClaimed) {
 TEST(RigidHardCases, ShadowOverHalfOfOneImageIsNeverClaimedWronglyAndConfidenceOvercomesIt) {
   const Grid grid = centred(glm::ivec3(52), 1.5);
   const auto all = tissue(21, 140.0);
-  const Volume fixed = seen(all, grid, glm::dmat4(1.0), 1);
-  Volume moving = seen(all, grid, glm::inverse(kTruth), 2);
+  const Volume fixed = seen(all, grid, {}, 1);
+  Volume moving = seen(all, grid, inverse(kTruth), 2);
   std::vector<float> confidence(moving.echo.size(), 1.0f);
   for (std::size_t q = 0; q < moving.echo.size(); ++q) {
     if (q % 52 >= 26) continue;
@@ -346,9 +348,9 @@ TEST(RigidHardCases, GainInvertedBetweenImagesIsNotClaimedToAgree) {
 TEST(RigidHardCases, HalfATurnIsFoundWhenAskedForAndNotClaimedWhenNot) {
   const auto all = tissue(41, 110.0);
   const Grid grid = centred(glm::ivec3(24), 2.5);
-  const glm::dmat4 truth = pose({5.0, -3.0, 4.0}, {0.0, 180.0, 0.0});
-  const Volume fixed = seen(all, grid, glm::dmat4(1.0), 1, 10.0);
-  const Volume moving = seen(all, grid, glm::inverse(truth), 2, 10.0);
+  const auto truth = pose({5.0, -3.0, 4.0}, {0.0, 180.0, 0.0});
+  const Volume fixed = seen(all, grid, {}, 1, 10.0);
+  const Volume moving = seen(all, grid, inverse(truth), 2, 10.0);
   PartialOptions options;
   const auto narrow = matchPartial({&fixed}, {&moving}, options, noProgress());
   ASSERT_TRUE(narrow);
@@ -372,8 +374,8 @@ TEST(RigidHardCases, AnOriginAMillionMillimetresAwayCostsNoAccuracy) {
   Volume moving = movingView();
   const glm::dvec3 far(1e6, -1e6, 1e6);
   moving.grid.origin_mm += far;
-  glm::dmat4 shift(1.0);
-  shift[3] = glm::dvec4(far, 1.0);
+  Transform<frame::Moving, frame::Moving> shift;
+  shift.matrix[3] = glm::dvec4(far, 1.0);
   const auto found = refineRigid({&fixed}, {&moving}, shift * kStart, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
@@ -393,7 +395,7 @@ TEST(RigidHardCases, NoiseAtTheEdgeOfASectorAloneNeverAligns) {
     return volume;
   };
   const Volume fixed = cut(fixedView());
-  const Volume moving = cut(seen(tissue(77, 110.0), kGrid, glm::dmat4(1.0), 2));
+  const Volume moving = cut(seen(tissue(77, 110.0), kGrid, {}, 2));
   const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_NE(found->best.verdict, Verdict::aligned) << found->best.reason;
@@ -411,11 +413,11 @@ TEST(RigidHardCases, ShadowsAloneThatTurnWithTheProbeNeverAlign) {
     return volume;
   };
   const Volume fixed = shadowed(fixedView());
-  const Volume moving = shadowed(seen(tissue(77, 110.0), kGrid, glm::dmat4(1.0), 2));
+  const Volume moving = shadowed(seen(tissue(77, 110.0), kGrid, {}, 2));
   const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(matched);
   EXPECT_EQ(matched->best.verdict, Verdict::cannotTell) << matched->best.reason;
-  const auto refined = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {}, noProgress());
+  const auto refined = refineRigid({&fixed}, {&moving}, {}, {}, noProgress());
   ASSERT_TRUE(refined);
   EXPECT_EQ(refined->verdict, Verdict::cannotTell) << refined->reason;
   EXPECT_TRUE(mentions(refined->reason, "shadows")) << refined->reason;

@@ -422,7 +422,7 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
     EXPECT_EQ(truth->measurements[0].unit, "mm");
     EXPECT_EQ(truth->measurements[0].tolerance, 2.0);
     ASSERT_EQ(truth->planes.size(), 1u);
-    EXPECT_LT(glm::length(glm::dvec3(truth->planes[0].probeToWorld[3]) - glm::dvec3(70, 20, 30)), 0.5) << "placed with the case";
+    EXPECT_LT(glm::length(glm::dvec3(truth->planes[0].probeToWorld.matrix[3]) - glm::dvec3(70, 20, 30)), 0.5) << "placed with the case";
     ASSERT_EQ(truth->structures.size(), 1u);
     EXPECT_EQ(truth->structures[0].label, 1);
   }

@@ -65,7 +65,7 @@ TEST(LoadCase, OpensAFolderOrItsManifestAlike) {
   ASSERT_TRUE(byManifest);
   EXPECT_EQ(*byFolder, *byManifest);
   EXPECT_EQ(byFolder->title, "One");
-  EXPECT_EQ(byFolder->volume.fileToWorld, glm::dmat4(1.0));
+  EXPECT_EQ(byFolder->volume.fileToWorld, (Transform<frame::World, frame::File>{}));
   EXPECT_TRUE(byFolder->scene.gainAndDgc);
   EXPECT_FALSE(byFolder->startPose);
 }
@@ -269,9 +269,9 @@ TEST(LoadCase, ReadsSweepsTargetsAndWhatIsExpected) {
   ASSERT_EQ(opened->targets.size(), 4u);
   EXPECT_EQ(opened->targets[0].at_mm, glm::dvec3(1, 2, 3));
   EXPECT_EQ(opened->targets[1].kind, CaseTarget::Kind::plane);
-  EXPECT_FALSE(opened->targets[1].probeToWorld);
+  EXPECT_FALSE(opened->targets[1].probeToFile);
   EXPECT_EQ(opened->targets[1].angleTolerance_deg, 20.0);
-  EXPECT_EQ(opened->targets[2].probeToWorld, glm::dmat4(1.0));
+  EXPECT_EQ(opened->targets[2].probeToFile, (Transform<frame::File, frame::Probe>{}));
   EXPECT_EQ(opened->targets[3].organ, "gall stone");
   ASSERT_EQ(opened->measurements.size(), 2u);
   EXPECT_EQ(opened->measurements[0].tolerance, 2.0);
@@ -362,8 +362,8 @@ TEST(SaveCase, RefusesWhatLoadCaseWouldRefuseAndLeavesTheOldFile) {
   EXPECT_EQ(refused([](Case& c) { c.title.clear(); }), ErrorCode::badField);
   EXPECT_EQ(refused([](Case& c) { c.patient.age_years = -3; }), ErrorCode::badField);
   EXPECT_EQ(refused([](Case& c) { c.volume.file = "../../etc/passwd"; }), ErrorCode::badField);
-  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld[0][0] = std::nan(""); }), ErrorCode::notRigid);
-  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld[0][0] = 3.0; }), ErrorCode::notRigid);
+  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld.matrix[0][0] = std::nan(""); }), ErrorCode::notRigid);
+  EXPECT_EQ(refused([](Case& c) { c.volume.fileToWorld.matrix[0][0] = 3.0; }), ErrorCode::notRigid);
   EXPECT_EQ(refused([](Case& c) { c.history = "\xff\xfe not UTF-8"; }), ErrorCode::badField);
 }
 
@@ -555,7 +555,7 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
   made.diagnosis = text();
   (*rc::gen::arbitrary<bool>() ? made.volume.file : made.volume.recipe) = "patient.json";
   made.volume.recipeSpacing_mm = *rc::gen::inRange(1, 100) * 0.1;
-  made.volume.fileToWorld = matrix();
+  made.volume.fileToWorld = {matrix()};
   if (!made.volume.recipe.empty() && *rc::gen::arbitrary<bool>()) {
     made.volume.sweeps = {"volumes/a.mha"};
     made.volume.reconstruct = {
@@ -569,7 +569,10 @@ RC_GTEST_PROP(SaveCase, IsReadBackEqual, ()) {
     made.measurements = {{"m" + text().substr(0, 99), *rc::gen::inRange(1, 100) * 0.1}, {"n", {}, true}};
     made.targets = {
         {.kind = CaseTarget::Kind::structure, .name = "s" + text().substr(0, 99), .organ = "o" + text(), .revealsFinding = true},
-        {.kind = CaseTarget::Kind::plane, .name = "p", .probeToWorld = matrix(), .angleTolerance_deg = 3.5},
+        {.kind = CaseTarget::Kind::plane,
+         .name = "p",
+         .probeToFile = Transform<frame::File, frame::Probe>{matrix()},
+         .angleTolerance_deg = 3.5},
         {.kind = CaseTarget::Kind::point, .name = "q", .at_mm = glm::dvec3(1.0 / 3.0, 2, -1e-9), .tolerance_mm = 0.7}};
   }
   if (*rc::gen::arbitrary<bool>()) made.findings = {text(), text()};

@@ -61,7 +61,7 @@ TEST(LoadCaseVolume, PlacesTheVolumeOfAFile) {
   Case made;
   made.id = made.title = "x";
   made.volume.file = "a.mha";
-  made.volume.fileToWorld = glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1});
+  made.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
   made.folder = folder.path();
   EXPECT_FALSE(caseNeedsPreparation(made));
   const auto echo = loadCaseVolume(made, noProgress());
@@ -142,7 +142,7 @@ TEST(LoadCaseVolume, PlacesALabelFileOnItsOwnGridBesideTheEcho) {
   made.id = made.title = "x";
   made.volume.file = "a.mha";
   made.volume.labels = "l.mha";
-  made.volume.fileToWorld = glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1});
+  made.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
   ASSERT_TRUE(saveCase(made, folder.path()));
   const auto opened = loadCase(folder.path());
   ASSERT_TRUE(opened) << opened.error();

@@ -74,17 +74,17 @@ TEST_F(VoxelSourceOfASweep, APixelLeadsToTheFrameAndItsPixelHoweverThePictureIsT
   EXPECT_EQ(from.recordedFrames, 12U);
   EXPECT_TRUE(traced->imported.reconstruction.source.empty());
   // The volume lies elsewhere in the body, and turned.
-  glm::dmat4 place(1.0);
-  place[0] = {0.0, 1.0, 0.0, 0.0};
-  place[1] = {-1.0, 0.0, 0.0, 0.0};
-  place[3] = {7.0, -40.0, 11.0, 1.0};
+  Transform<frame::World, frame::World> place;
+  place.matrix[0] = {0.0, 1.0, 0.0, 0.0};
+  place.matrix[1] = {-1.0, 0.0, 0.0, 0.0};
+  place.matrix[3] = {7.0, -40.0, 11.0, 1.0};
   const Grid moved = placed(volume.grid, place);
   for (const bool markerLeft : {false, true}) {
     for (const bool upsideDown : {false, true}) {
       for (const double pixel_mm : {0.1, 0.25}) {
         const DisplayGeometry geometry = geometryOf(markerLeft, upsideDown, pixel_mm);
         Pose pose = poseAt(14.2);  // beside frame 7, which is the seventh with a pose
-        pose.probeToWorld.matrix = place * pose.probeToWorld.matrix;
+        pose.probeToWorld = place * pose.probeToWorld;
         // 4 mm along +x and 3.3 mm deep of the face: pixel (14, 3.3) of the frame.
         const glm::dvec2 pixel = geometry.face_px + glm::dvec2((markerLeft ? -4.0 : 4.0), (upsideDown ? -3.3 : 3.3)) / pixel_mm;
         const VoxelSource found = voxelSourceAt(from, volume, moved, pointShownAt(geometry, pose, pixel));

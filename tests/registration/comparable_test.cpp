@@ -72,7 +72,7 @@ TEST(Covered, FollowsTheCoverageOfTheVolumeWhenThereIsOne) {
 TEST(Comparable, GainAndDepthGainHardlyShow) {
   const auto all = tissue(3, 60.0);
   const Grid grid = centred({40, 40, 40}, 1.0);
-  Volume plain = seen(all, grid, glm::dmat4(1.0), 1, 6.0);
+  Volume plain = seen(all, grid, {}, 1, 6.0);
   Volume gained = plain;
   for (std::size_t q = 0; q < gained.echo.size(); ++q) {
     const double depth = static_cast<double>(q / 40 % 40) / 40.0;
@@ -151,7 +151,7 @@ TEST(Streaks, AreFoundAlongTheBeamAndNotInTissue) {
   turned.origin_mm = turned.directions * grid.origin_mm;
   const std::vector<double> voxels{3.0};
   for (const Grid& g : {grid, turned}) {
-    const Volume plain = seen(tissue(5, 130.0), g, glm::dmat4(1.0), 3);
+    const Volume plain = seen(tissue(5, 130.0), g, {}, 3);
     for (const glm::dvec3 beam : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.3, -2.0, 0.4)}) {
       const Volume dark = shadowed(plain, beam, 0.4);
       const auto images = comparableImages({&dark}, voxels, {}, noProgress());
@@ -186,7 +186,7 @@ TEST(Streaks, AreTakenOutAndWhatIsCompactStays) {
     return std::sqrt(after / before);
   };
   EXPECT_LT(spread(streaks), 0.2);
-  EXPECT_GT(spread(seen(tissue(6, 80.0), grid, glm::dmat4(1.0), 1, 0.0)), 0.4);
+  EXPECT_GT(spread(seen(tissue(6, 80.0), grid, {}, 1, 0.0)), 0.4);
 }
 
 TEST(Streaks, OfAFanAreTakenOutAlongEachBeam) {

@@ -24,12 +24,12 @@ class Cancelled final : public Progress {
   [[nodiscard]] bool cancelRequested() const override { return true; }
 };
 
-glm::dmat4 turned(double angle_rad, const glm::dvec3& shift_mm) {
+Transform<frame::Moving, frame::Fixed> turned(double angle_rad, const glm::dvec3& shift_mm) {
   glm::dmat4 m(1.0);
   m[0] = glm::dvec4(std::cos(angle_rad), std::sin(angle_rad), 0.0, 0.0);
   m[1] = glm::dvec4(-std::sin(angle_rad), std::cos(angle_rad), 0.0, 0.0);
   m[3] = glm::dvec4(shift_mm, 1.0);
-  return m;
+  return {m};
 }
 
 const glm::dmat3 kShear(glm::dvec3(0.10, 0.02, -0.03), glm::dvec3(-0.05, 0.08, 0.01), glm::dvec3(0.04, -0.02, -0.06));
@@ -72,7 +72,7 @@ TEST(Displace, MovesEachPointByItsDisplacement) {
 TEST(MovingPoint, BendsFirstAndTurnsThen) {
   const Deformation deformation{turned(0.5, {10.0, 0.0, -4.0}),
                                 affineField(uprightGrid({3, 3, 3}, 20.0), glm::dmat3(0.0), {1.0, 2.0, 3.0})};
-  const glm::dvec3 expected = glm::dvec3(deformation.rigid * glm::dvec4(6.0, 8.0, 10.0, 1.0));
+  const glm::dvec3 expected = carried(deformation.rigid, {6.0, 8.0, 10.0});
   EXPECT_LT(glm::distance(movingPoint(deformation, {5.0, 6.0, 7.0}), expected), 1e-12);
 }
 
@@ -261,7 +261,7 @@ TEST(Warped, ReturnsTheVolumeItselfWhenNothingMoves) {
 
 TEST(Warped, KeepsARampExactAndMarksWhatLiesOutside) {
   const Volume volume = ramp(uprightGrid({12, 9, 7}, 2.0));
-  const Deformation deformation{glm::dmat4(1.0),
+  const Deformation deformation{{},
                                 affineField(uprightGrid({2, 2, 2}, 100.0), glm::dmat3(0.0), {1.0, 2.0, 0.0})};  // half a voxel, one voxel
   const auto moved = warped(volume, deformation, volume.grid, 1, noProgress());
   ASSERT_TRUE(moved);

@@ -75,7 +75,7 @@ TEST(ElasticLevel, CountsTheShadowOfOneViewLittleAndAllElseAsBefore) {
   const NodeGrid nodes = nodesFor(grid, 8.0);
   const NodeValues nothing(4 * nodes.count(), 0.0F);
   for (const auto& [fixed, moving] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-    LevelPair pair(*fixed, *moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+    LevelPair pair(*fixed, *moving, axesTransformOf(grid, grid, {}), nodes, 1);
     ASSERT_TRUE(pair.warp(nothing, noProgress()));
     ASSERT_TRUE(pair.doubtShadows(nothing, noProgress()));
     for (int warped = 0; warped < 2; ++warped) {  // the warp at hand, and those that follow
@@ -103,7 +103,7 @@ LeftMotion leftOf(const Volume& fixed, const Volume& moving, int threads = 1) {
   EXPECT_TRUE(makeLevel({&fixed, {}}, {}, 1.0, 6.0, 1, noProgress(), f));
   EXPECT_TRUE(makeLevel({&moving, {}}, {}, 1.0, 6.0, 1, noProgress(), m));
   const NodeGrid nodes = nodesFor(fixed.grid, 8.0);
-  LevelPair pair(f, m, axesTransformOf(fixed.grid, moving.grid, glm::dmat4(1.0)), nodes, 1);
+  LevelPair pair(f, m, axesTransformOf(fixed.grid, moving.grid, {}), nodes, 1);
   EXPECT_TRUE(pair.warp(NodeValues(4 * nodes.count(), 0.0F), noProgress()));
   LeftMotion left;
   EXPECT_TRUE(lookForLeftMotion(pair, nodes, threads, noProgress(), left));
@@ -164,7 +164,7 @@ TEST(ElasticCost, HasTheDerivativeThatDifferencesShow) {
   const Pair pair = bentPair(grid, 1.5, 0.0);
   const LevelImage fixed = levelOf(pair.fixed, 1.0), moving = levelOf(pair.moving, 1.0);
   const NodeGrid nodes = nodesFor(grid, 9.0);
-  LevelPair level(fixed, moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  LevelPair level(fixed, moving, axesTransformOf(grid, grid, {}), nodes, 1);
   NodeValues values(4 * nodes.count(), 0.0F);
   for (std::size_t n = 0; n < values.size(); ++n) values[n] = 0.2F * std::sin(static_cast<float>(n));
   CostOptions options;
@@ -206,7 +206,7 @@ TEST(ElasticCost, HasTheMatrixOfItsGradients) {
   const Volume volume = imaged(grid, [&](const glm::dvec3& p) { return tissue.at(p); });
   const LevelImage image = levelOf(volume, 1.0);
   const NodeGrid nodes = nodesFor(grid, 8.7);
-  LevelPair level(image, image, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  LevelPair level(image, image, axesTransformOf(grid, grid, {}), nodes, 1);
   NodeValues values(4 * nodes.count(), 0.0F);
   CostOptions options;
   options.scale = 100.0;
@@ -262,7 +262,7 @@ TEST(ElasticSolver, SolvesItsSystemAndNamesOneWithoutStiffness) {
   const Pair pair = bentPair(grid, 2.0, 5.0);
   const LevelImage fixed = levelOf(pair.fixed, 2.0), moving = levelOf(pair.moving, 2.0);
   const NodeGrid nodes = nodesFor(grid, 8.0);
-  LevelPair level(fixed, moving, axesTransformOf(grid, grid, glm::dmat4(1.0)), nodes, 1);
+  LevelPair level(fixed, moving, axesTransformOf(grid, grid, {}), nodes, 1);
   NodeSystem system(nodes);
   PairSums sums;
   ASSERT_TRUE(level.warp(NodeValues(4 * nodes.count(), 0.0F), noProgress()) && level.assemble({}, &system, sums, noProgress()));

@@ -57,8 +57,7 @@ TEST(RegisterElastic, RecoversAKnownBendAndSaysThatTheVolumesAgree) {
   const Grid grid = uprightGrid({48, 48, 48}, 1.0);
   const Pair pair = bentPair(grid, 4.0, 6.0);
   int levels = 0;
-  const auto found =
-      registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress(), [&](const Level&) { ++levels; });
+  const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, {}, noProgress(), [&](const Level&) { ++levels; });
   ASSERT_TRUE(found) << found.error();
   const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + bend(p, 4.0); });
   EXPECT_LT(errors.mean, 0.35);  // 2.6 with nothing done
@@ -81,7 +80,7 @@ TEST(RegisterElastic, FollowsAWaveThatTurnsWithinTheVolume) {
       grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 11);
   const Volume moving = imaged(
       grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 12);
-  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, {}, {}, noProgress());
   ASSERT_TRUE(found) << found.error();
   EXPECT_EQ(found->verdict, Verdict::aligned);
   EXPECT_LT(errorsOf(found->fixedToMoving, grid, grid, truth).mean, 0.6);  // 3.3 with nothing done
@@ -98,11 +97,11 @@ TEST(RegisterElastic, ReachesMotionLargerThanItsStructuresByTheWideSearch) {
       grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
   ElasticOptions options;
   options.largestMotion_mm = 18.0;
-  const auto wide = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
+  const auto wide = registerElastic({&fixed, {}}, {&moving, {}}, {}, options, noProgress());
   ASSERT_TRUE(wide) << wide.error();
   EXPECT_LT(errorsOf(wide->fixedToMoving, grid, grid, truth).mean, 0.3);
   options.largestMotion_mm = 0.0;
-  const auto local = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
+  const auto local = registerElastic({&fixed, {}}, {&moving, {}}, {}, options, noProgress());
   ASSERT_TRUE(local) << local.error();
   EXPECT_GT(errorsOf(local->fixedToMoving, grid, grid, truth).mean, 1.0);
 }
@@ -112,14 +111,14 @@ TEST(RegisterElastic, FollowsARigidStartBetweenObliqueAndLeftHandedGrids) {
   fixedGrid.origin_mm = {5.0, -3.0, 60.0};
   const Grid movingGrid = uprightGrid({64, 70, 60}, 1.0);
   const Tissue tissue(5);
-  glm::dmat4 start(1.0);
+  Transform<frame::Moving, frame::Fixed> start;
   const double angle = 0.4;
-  start[0] = glm::dvec4(std::cos(angle), 0.0, -std::sin(angle), 0.0);
-  start[2] = glm::dvec4(std::sin(angle), 0.0, std::cos(angle), 0.0);
+  start.matrix[0] = glm::dvec4(std::cos(angle), 0.0, -std::sin(angle), 0.0);
+  start.matrix[2] = glm::dvec4(std::sin(angle), 0.0, std::cos(angle), 0.0);
   // The middle of the fixed volume goes to that of the moving one.
   const glm::dvec3 middle = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(fixedGrid.dims)}).at;
-  start[3] = glm::dvec4(glm::dvec3(32.0, 35.0, 30.0) - glm::dmat3(start) * middle, 1.0);
-  const auto truth = [&](const glm::dvec3& p) { return glm::dvec3(start * glm::dvec4(p + bend(p, 3.0), 1.0)); };
+  start.matrix[3] = glm::dvec4(glm::dvec3(32.0, 35.0, 30.0) - glm::dmat3(start.matrix) * middle, 1.0);
+  const auto truth = [&](const glm::dvec3& p) { return carried(start, p + bend(p, 3.0)); };
   const Volume fixed = imaged(
       fixedGrid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 1);
   const Volume moving = imaged(
@@ -136,10 +135,10 @@ TEST(RegisterElastic, IsBitEqualForOneTwoAndEightThreads) {
   const Pair pair = bentPair(grid, 3.0, 15.0);
   ElasticOptions options;
   options.threads = 1;
-  const auto one = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+  const auto one = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, noProgress());
   ASSERT_TRUE(one);
   for (options.threads = 2; options.threads <= 8; options.threads *= 4) {
-    const auto other = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+    const auto other = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, noProgress());
     ASSERT_TRUE(other);
     EXPECT_EQ(other->fixedToMoving.control, one->fixedToMoving.control);
     EXPECT_EQ(other->uncertainty, one->uncertainty);
@@ -152,7 +151,7 @@ TEST(RegisterElastic, IsStifferTheNoisierTheImages) {
   double before = 0.0;
   for (const double noise : {4.0, 40.0}) {
     const Pair pair = bentPair(grid, 2.0, noise);
-    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress());
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, {}, noProgress());
     ASSERT_TRUE(found);
     // Noise lets the images decide less: every node is more of a guess.
     double uncertain = 0.0;
@@ -179,7 +178,7 @@ TEST(RegisterElastic, FillsAHoleFromItsSurroundingsAndMarksIt) {
       }
     }
   }
-  const auto found = registerElastic({&pair.fixed, confidence}, {&pair.moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  const auto found = registerElastic({&pair.fixed, confidence}, {&pair.moving, {}}, {}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_LT(glm::distance(movingPoint(found->fixedToMoving, middle), middle + bend(middle, 3.0)), 0.8);
   const Grid& nodes = found->fixedToMoving.control.nodes;
@@ -207,7 +206,7 @@ TEST(RegisterElastic, FollowsTissueAndNotTheShadowsThatTurnWithTheProbe) {
     for (const bool known : {false, true}) {
       Input f{&fixed}, m{&moving};
       if (known) f.beams = Beams{beamFixed}, m.beams = Beams{beamMoving};
-      const auto found = registerElastic(f, m, glm::dmat4(1.0), {.threads = 1}, noProgress());
+      const auto found = registerElastic(f, m, {}, {.threads = 1}, noProgress());
       ASSERT_TRUE(found) << (found ? "" : found.error().sentence());
       const Errors errors = errorsOf(found->fixedToMoving, grid, grid, truth);
       EXPECT_LT(errors.mean, mean_mm) << known << ' ' << amplitude_mm;
@@ -224,7 +223,7 @@ TEST(RegisterElastic, KeepsTheStartForUnrelatedTissueAndSaysNotAligned) {
       grid, [&](const glm::dvec3& p) { return one.at(p); }, 10.0, 1);
   const Volume moving = imaged(
       grid, [&](const glm::dvec3& p) { return other.at(p); }, 10.0, 2);
-  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), {}, noProgress());
+  const auto found = registerElastic({&fixed, {}}, {&moving, {}}, {}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_NE(found->verdict, Verdict::aligned) << found->reason << " chance " << found->before.chance << " then " << found->after.chance;
   EXPECT_EQ(found->largestMotion_mm, 0.0);
@@ -235,7 +234,7 @@ TEST(RegisterElastic, StopsInTimeAndReturnsWhatItHas) {
   const Pair pair = bentPair(grid, 3.0, 10.0);
   ElasticOptions options;
   options.maxTime_s = 1e-6;
-  const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, noProgress());
+  const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->stop, StopReason::timeLimit);
 }
@@ -247,7 +246,7 @@ TEST(RegisterElastic, IsCancelledAtItsNextQuestionWhereverItIs) {
     auto progress = test::CountedStop::atQuestion(question);
     ElasticOptions options;
     options.threads = 2;
-    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, progress);
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, progress);
     ASSERT_FALSE(found) << question;
     EXPECT_EQ(found.error().code, ErrorCode::cancelled);
     EXPECT_LE(progress.questionsAfter(), test::kMostQuestionsAfter) << question;
@@ -262,7 +261,7 @@ TEST(RegisterElastic, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
     test::RisingProgress progress;
     ElasticOptions options;
     options.threads = threads;
-    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, glm::dmat4(1.0), options, progress);
+    const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, progress);
     ASSERT_TRUE(found);
     EXPECT_EQ(progress.backwards(), 0);
     EXPECT_GT(progress.reports(), 10);
@@ -273,29 +272,30 @@ TEST(RegisterElastic, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
 TEST(RegisterElastic, NamesWhatIsWrongWithItsArguments) {
   const Grid grid = uprightGrid({16, 16, 16}, 1.0);
   const Pair pair = bentPair(grid, 1.0, 0.0);
-  const auto errorOf = [&](const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options) {
+  const auto errorOf = [&](const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                           const ElasticOptions& options) {
     const auto found = registerElastic(fixed, moving, start, options, noProgress());
     return found ? Error{} : found.error();
   };
   const Input fixed{&pair.fixed, {}}, moving{&pair.moving, {}};
   const std::vector<float> few(7, 1.0F);
-  EXPECT_EQ(errorOf({&pair.fixed, few}, moving, glm::dmat4(1.0), {}).code, ErrorCode::badField);
+  EXPECT_EQ(errorOf({&pair.fixed, few}, moving, {}, {}).code, ErrorCode::badField);
   std::vector<float> wrong(grid.voxelCount(), 1.0F);
   wrong[9] = std::nanf("");
-  EXPECT_EQ(errorOf(fixed, {&pair.moving, wrong}, glm::dmat4(1.0), {}).code, ErrorCode::badField);
-  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(2.0), {}).code, ErrorCode::notRigid);
+  EXPECT_EQ(errorOf(fixed, {&pair.moving, wrong}, {}, {}).code, ErrorCode::badField);
+  EXPECT_EQ(errorOf(fixed, moving, {glm::dmat4(2.0)}, {}).code, ErrorCode::notRigid);
   Volume uncovered = pair.fixed;
   uncovered.coverage.assign(uncovered.echo.size(), 0);
-  EXPECT_EQ(errorOf({&uncovered, {}}, moving, glm::dmat4(1.0), {}).code, ErrorCode::emptyVolume);
+  EXPECT_EQ(errorOf({&uncovered, {}}, moving, {}, {}).code, ErrorCode::emptyVolume);
   Volume none;
-  EXPECT_EQ(errorOf({&none, {}}, moving, glm::dmat4(1.0), {}).code, ErrorCode::emptyVolume);
+  EXPECT_EQ(errorOf({&none, {}}, moving, {}, {}).code, ErrorCode::emptyVolume);
   ElasticOptions options;
   options.leastJacobian = 0.0;
-  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);
-  EXPECT_NE(errorOf(fixed, moving, glm::dmat4(1.0), options).sentence().find("leastJacobian"), std::string::npos);
+  EXPECT_EQ(errorOf(fixed, moving, {}, options).code, ErrorCode::badField);
+  EXPECT_NE(errorOf(fixed, moving, {}, options).sentence().find("leastJacobian"), std::string::npos);
   options = {};
   options.stiffness = -1.0;
-  EXPECT_EQ(errorOf(fixed, moving, glm::dmat4(1.0), options).code, ErrorCode::badField);
+  EXPECT_EQ(errorOf(fixed, moving, {}, options).code, ErrorCode::badField);
 }
 
 TEST(ForecastElastic, GrowsWithTheVolumeAndShrinksWithTheEffort) {

@@ -59,13 +59,13 @@ inline Grid centred(const glm::ivec3& dims, double voxel_mm) {
 }
 
 /// What a view whose points m lie at `viewToTissue` m sees: grey levels and independent speckle of `speckle` grey levels.
-inline Volume seen(const Tissue& tissue, const Grid& grid, const glm::dmat4& viewToTissue, unsigned seed, double speckle = 18.0,
-                   double gain = 1.0, double offset = 0.0) {
+inline Volume seen(const Tissue& tissue, const Grid& grid, const Transform<frame::Fixed, frame::Moving>& viewToTissue, unsigned seed,
+                   double speckle = 18.0, double gain = 1.0, double offset = 0.0) {
   std::mt19937 random(seed);
   Volume out;
   out.grid = grid;
   out.echo.resize(grid.voxelCount());
-  const glm::dmat4 toTissue = viewToTissue * grid.voxelToWorld().matrix;
+  const glm::dmat4 toTissue = (viewToTissue * grid.voxelTo<frame::Moving>()).matrix;
   Tissue near;  // what can be seen from here
   near.base = tissue.base;
   const glm::dvec3 middle(toTissue * glm::dvec4(0.5 * glm::dvec3(grid.dims - 1), 1.0));
@@ -87,7 +87,7 @@ inline Volume seen(const Tissue& tissue, const Grid& grid, const glm::dmat4& vie
 }
 
 /// Turn by |turn_deg| about turn_deg, then shift.
-inline glm::dmat4 pose(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+inline Transform<frame::Moving, frame::Fixed> pose(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
   const double angle = glm::length(turn_deg) * 0.017453292519943295;
   glm::dmat4 out(1.0);
   if (angle > 0.0) {
@@ -96,16 +96,21 @@ inline glm::dmat4 pose(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
     out = glm::dmat4(glm::dmat3(1.0) + std::sin(angle) * k + (1.0 - std::cos(angle)) * (k * k));
   }
   out[3] = glm::dvec4(shift_mm, 1.0);
-  return out;
+  return {out};
+}
+/// The same as a motion within the fixed frame.
+inline Transform<frame::Fixed, frame::Fixed> motion(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+  return renamed<frame::Fixed, frame::Fixed>(pose(shift_mm, turn_deg));
 }
 
 /// Largest distance between where two transforms take the corners of a grid.
-inline double apart_mm(const glm::dmat4& a, const glm::dmat4& b, const Grid& grid) {
+template <class To, class From>
+double apart_mm(const Transform<To, From>& a, const Transform<To, From>& b, const Grid& grid) {
   double most = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 voxel = glm::dvec3(grid.dims - 1) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec4 p = grid.voxelToWorld().matrix * glm::dvec4(voxel, 1.0);
-    most = std::max(most, glm::length(glm::dvec3(a * p - b * p)));
+    const glm::dvec3 p = carried(grid.voxelToWorld(), voxel);
+    most = std::max(most, glm::length(carried(a, p) - carried(b, p)));
   }
   return most;
 }

@@ -13,7 +13,7 @@
 namespace ew::registration::test {
 
 struct FoundViews {
-  std::vector<glm::dmat4> truth;  ///< own mm of each view to the resting patient's
+  std::vector<Transform<frame::World, frame::View>> truth;  ///< to the resting patient
   std::vector<glm::dvec3> middle_mm;
   std::vector<GraphEdge> edges;  ///< pairs called aligned
 };
@@ -26,13 +26,13 @@ inline bool write(const FoundViews& views, const std::string& file) {
       for (int c = 0; c < 4; ++c) out << m[c][r] << ' ';
   };
   for (std::size_t n = 0; n < views.truth.size(); ++n) {
-    put(views.truth[n]);
+    put(views.truth[n].matrix);
     out << views.middle_mm[n].x << ' ' << views.middle_mm[n].y << ' ' << views.middle_mm[n].z << '\n';
   }
   out << std::setprecision(9);
   for (const GraphEdge& edge : views.edges) {
     out << edge.fixed << ' ' << edge.moving << ' ';
-    put(edge.fixedToMoving);
+    put(edge.fixedToMoving.matrix);
     out << edge.centre_mm.x << ' ' << edge.centre_mm.y << ' ' << edge.centre_mm.z;
     for (int r = 0; r < 6; ++r)
       for (int c = r; c < 6; ++c) out << ' ' << (edge.covariance ? (*edge.covariance)[static_cast<std::size_t>(6 * r + c)] : 0.0);
@@ -53,7 +53,7 @@ inline std::optional<FoundViews> readFoundViews(const std::string& file) {
   };
   FoundViews views;
   for (std::size_t n = 0; n < nodes; ++n) {
-    views.truth.push_back(get());
+    views.truth.push_back({get()});
     glm::dvec3 p(0.0);
     in >> p.x >> p.y >> p.z;
     views.middle_mm.push_back(p);
@@ -61,7 +61,7 @@ inline std::optional<FoundViews> readFoundViews(const std::string& file) {
   for (std::size_t e = 0; e < edges; ++e) {
     GraphEdge edge;
     in >> edge.fixed >> edge.moving;
-    edge.fixedToMoving = get();
+    edge.fixedToMoving.matrix = get();
     in >> edge.centre_mm.x >> edge.centre_mm.y >> edge.centre_mm.z;
     PoseCovariance covariance{};
     for (std::size_t r = 0; r < 6; ++r)
@@ -110,7 +110,7 @@ inline SpoiledGraph spoiledGraph(const FoundViews& views, std::uint64_t seed) {
     const glm::dvec3 along = glm::normalize(draw.vector(1.0));
     const glm::dvec3 about = glm::normalize(draw.vector(1.0));
     GraphEdge& edge = graph.edges[e];
-    edge.fixedToMoving = edge.fixedToMoving * moved(edge.centre_mm, shift_mm * along, glm::radians(turnBy_deg) * about);
+    edge.fixedToMoving = edge.fixedToMoving * moved<frame::Fixed>(edge.centre_mm, shift_mm * along, glm::radians(turnBy_deg) * about);
   };
   spoil(first, 35.0, 20.0);
   spoil(second, 60.0, 28.0);
@@ -126,12 +126,13 @@ struct PlacedViews {
 };
 inline PlacedViews placedWith(std::size_t gauge, const GraphResult& found, const FoundViews& views) {
   PlacedViews placed;
-  const glm::dmat4 back = views.truth[gauge] * glm::inverse(found.toWorld[gauge]);
+  const auto back = views.truth[gauge] * inverse(found.toWorld[gauge]);
   for (std::size_t n = 0; n < found.toWorld.size(); ++n) {
     if (found.part[n] != found.part[gauge]) continue;
     ++placed.count;
-    const glm::dmat4 pose = back * found.toWorld[n];
-    placed.worst.mm = std::max(placed.worst.mm, glm::length(glm::dvec3((pose - views.truth[n]) * glm::dvec4(views.middle_mm[n], 1.0))));
+    const auto pose = back * found.toWorld[n];
+    placed.worst.mm =
+        std::max(placed.worst.mm, glm::length(carried(pose, views.middle_mm[n]) - carried(views.truth[n], views.middle_mm[n])));
     placed.worst.deg = std::max(placed.worst.deg, turn_deg(pose, views.truth[n]));
   }
   return placed;

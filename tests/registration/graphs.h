@@ -37,22 +37,23 @@ class Draw {
 };
 
 /// p -> R (p - about) + about + shift, R the turn by a vector (axis times angle).
-inline glm::dmat4 moved(const glm::dvec3& about, const glm::dvec3& shift_mm, const glm::dvec3& turn_rad) {
+template <class Frame>
+Transform<Frame, Frame> moved(const glm::dvec3& about, const glm::dvec3& shift_mm, const glm::dvec3& turn_rad) {
   const double angle = glm::length(turn_rad);
   const glm::dmat4 turn = angle > 0.0 ? glm::rotate(glm::dmat4(1.0), angle, turn_rad / angle) : glm::dmat4(1.0);
-  return glm::translate(glm::dmat4(1.0), about + shift_mm) * turn * glm::translate(glm::dmat4(1.0), -about);
+  return {glm::translate(glm::dmat4(1.0), about + shift_mm) * turn * glm::translate(glm::dmat4(1.0), -about)};
 }
 
 /// Subvolumes with known poses, names a, b, c …
 struct KnownGraph {
-  std::vector<glm::dmat4> truth;
+  std::vector<Transform<frame::World, frame::View>> truth;  ///< node to world
   std::vector<GraphNode> nodes;
   std::vector<GraphEdge> edges;
 
   explicit KnownGraph(std::size_t count, std::uint64_t seed) : draw(seed) {
     for (std::size_t i = 0; i < count; ++i) {
       const glm::dvec3 place(30.0 * static_cast<double>(i), draw.even(-20, 20), draw.even(-20, 20));
-      truth.push_back(moved(glm::dvec3(0.0), place, draw.vector(0.5)));
+      truth.push_back(renamed<frame::World, frame::View>(moved<frame::World>(glm::dvec3(0.0), place, draw.vector(0.5))));
       nodes.emplace_back();
       nodes.back().name = count <= 26 ? std::string(1, static_cast<char>('a' + i)) : "n" + std::to_string(i);
     }
@@ -63,10 +64,10 @@ struct KnownGraph {
     const double sigma_rad = glm::radians(sigma_deg);
     const glm::dvec3 centre = draw.vector(20.0);
     const glm::dvec3 shift = draw.vector(sigma_mm);
-    const glm::dmat4 error = moved(centre, shift, draw.vector(sigma_rad));
+    const auto error = moved<frame::Fixed>(centre, shift, draw.vector(sigma_rad));
     edges.push_back({.fixed = fixed,
                      .moving = moving,
-                     .fixedToMoving = glm::inverse(truth[moving]) * truth[fixed] * error,
+                     .fixedToMoving = renamed<frame::Moving, frame::Fixed>(inverse(truth[moving]) * truth[fixed]) * error,
                      .covariance = isotropic(std::max(sigma_mm, 0.05), std::max(sigma_rad, 0.001)),
                      .centre_mm = centre});
     return edges.back();
@@ -75,14 +76,16 @@ struct KnownGraph {
   void spoil(std::size_t edge, double shift_mm, double turn_deg) {
     const glm::dvec3 along = glm::normalize(draw.vector(1.0));
     const glm::dvec3 about = glm::normalize(draw.vector(1.0));
-    edges[edge].fixedToMoving = edges[edge].fixedToMoving * moved(edges[edge].centre_mm, shift_mm * along, glm::radians(turn_deg) * about);
+    edges[edge].fixedToMoving =
+        edges[edge].fixedToMoving * moved<frame::Fixed>(edges[edge].centre_mm, shift_mm * along, glm::radians(turn_deg) * about);
   }
 
   Draw draw;
 };
 
-inline double turn_deg(const glm::dmat4& a, const glm::dmat4& b) {
-  const glm::dmat3 between = glm::transpose(glm::dmat3(a)) * glm::dmat3(b);
+template <class To, class From>
+double turn_deg(const Transform<To, From>& a, const Transform<To, From>& b) {
+  const glm::dmat3 between = glm::transpose(glm::dmat3(a.matrix)) * glm::dmat3(b.matrix);
   const glm::dvec3 axial(between[1][2] - between[2][1], between[2][0] - between[0][2], between[0][1] - between[1][0]);
   return glm::degrees(std::atan2(0.5 * glm::length(axial), 0.5 * (between[0][0] + between[1][1] + between[2][2] - 1.0)));
 }
@@ -93,11 +96,11 @@ struct PoseError {
 };
 
 /// Worst over the nodes, at the place `middle` of each subvolume.
-inline PoseError worstError(const std::vector<glm::dmat4>& found, const std::vector<glm::dmat4>& truth,
-                            const glm::dvec3& middle = glm::dvec3(0.0)) {
+inline PoseError worstError(const std::vector<Transform<frame::World, frame::View>>& found,
+                            const std::vector<Transform<frame::World, frame::View>>& truth, const glm::dvec3& middle = glm::dvec3(0.0)) {
   PoseError worst;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    worst.mm = std::max(worst.mm, glm::length(glm::dvec3((found[i] - truth[i]) * glm::dvec4(middle, 1.0))));
+    worst.mm = std::max(worst.mm, glm::length(carried(found[i], middle) - carried(truth[i], middle)));
     worst.deg = std::max(worst.deg, turn_deg(found[i], truth[i]));
   }
   return worst;

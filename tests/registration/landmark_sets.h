@@ -11,16 +11,15 @@
 
 namespace ew::registration::test {
 
-inline glm::dvec3 at(const glm::dmat4& matrix, const glm::dvec3& p) { return glm::dvec3(matrix * glm::dvec4(p, 1.0)); }
-
-inline glm::dmat4 rigid(double angle_rad, const glm::dvec3& axis, const glm::dvec3& shift_mm) {
-  return glm::rotate(glm::translate(glm::dmat4(1.0), shift_mm), angle_rad, glm::normalize(axis));
+inline Transform<frame::Moving, frame::Fixed> rigid(double angle_rad, const glm::dvec3& axis, const glm::dvec3& shift_mm) {
+  return {glm::rotate(glm::translate(glm::dmat4(1.0), shift_mm), angle_rad, glm::normalize(axis))};
 }
 
 /// Pairs named p0, p1 … whose places are moved exactly.
-inline std::vector<LandmarkPair> pairsOf(const std::vector<glm::dvec3>& fixed, const glm::dmat4& fixedToMoving) {
+inline std::vector<LandmarkPair> pairsOf(const std::vector<glm::dvec3>& fixed,
+                                         const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
   std::vector<LandmarkPair> pairs;
-  for (const glm::dvec3& p : fixed) pairs.push_back({"p" + std::to_string(pairs.size()), p, at(fixedToMoving, p)});
+  for (const glm::dvec3& p : fixed) pairs.push_back({"p" + std::to_string(pairs.size()), p, carried(fixedToMoving, p)});
   return pairs;
 }
 
@@ -37,9 +36,10 @@ inline std::vector<glm::dvec3> scattered(std::size_t count, std::uint64_t seed) 
   return places;
 }
 
-inline double worst(const glm::dmat4& a, const glm::dmat4& b, const std::vector<glm::dvec3>& places) {
+inline double worst(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b,
+                    const std::vector<glm::dvec3>& places) {
   double most = 0.0;
-  for (const auto& p : places) most = std::max(most, glm::length(at(a, p) - at(b, p)));
+  for (const auto& p : places) most = std::max(most, glm::length(carried(a, p) - carried(b, p)));
   return most;
 }
 

@@ -11,7 +11,6 @@
 namespace ew::registration::landmarks_test {
 namespace {
 
-using test::at;
 using test::pairsOf;
 using test::rigid;
 using test::scattered;
@@ -88,12 +87,12 @@ TEST(Landmarks, ExpectedErrorIsWhatPickingManyTimesGives) {
   double expected = 0.0;
   for (int run = 0; run < kRuns; ++run) {
     std::vector<LandmarkPair> pairs;
-    for (const auto& p : places) pairs.push_back({"", picked(p), picked(at(truth, p))});
+    for (const auto& p : places) pairs.push_back({"", picked(p), picked(carried(truth, p))});
     const auto found = registerLandmarks(pairs, {.pickError_mm = pick_mm});
     ASSERT_TRUE(found);
     expected += found->expectedError_mm / kRuns;
     for (std::size_t t = 0; t < targets.size(); ++t) {
-      const double off = glm::length(at(found->fixedToMoving, targets[t]) - at(truth, targets[t]));
+      const double off = glm::length(carried(found->fixedToMoving, targets[t]) - carried(truth, targets[t]));
       squares[t] += off * off / kRuns;
     }
   }
@@ -118,7 +117,7 @@ TEST(Landmarks, ACoarseHandIsBelievedButRaisesTheExpectedError) {
 }
 
 TEST(Landmarks, RefuseACoordinateThatIsNoNumber) {
-  auto pairs = pairsOf(scattered(4, 1), glm::dmat4(1.0));
+  auto pairs = pairsOf(scattered(4, 1), {});
   pairs[1].name = "portal vein";
   pairs[1].moving_mm.y = std::numeric_limits<double>::quiet_NaN();
   const auto found = registerLandmarks(pairs);
@@ -126,7 +125,7 @@ TEST(Landmarks, RefuseACoordinateThatIsNoNumber) {
   EXPECT_EQ(found.error().code, ErrorCode::badField);
   EXPECT_NE(found.error().sentence().find("'portal vein'"), std::string::npos) << found.error();
   for (const double pick : {0.0, -1.0, std::numeric_limits<double>::infinity()})
-    EXPECT_FALSE(registerLandmarks(pairsOf(scattered(4, 1), glm::dmat4(1.0)), {.pickError_mm = pick})) << pick;
+    EXPECT_FALSE(registerLandmarks(pairsOf(scattered(4, 1), {}), {.pickError_mm = pick})) << pick;
 }
 
 }  // namespace

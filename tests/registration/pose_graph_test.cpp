@@ -122,11 +122,11 @@ RC_GTEST_PROP(PoseGraph, TheWorldMayBeMovedWithoutChangingHowTheSubvolumesLie, (
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = i + 1; j < std::min<std::size_t>(6, i + 3); ++j) known.join(i, j, 0.3, 0.3);
   const auto here = solved(known);
-  const glm::dmat4 world = moved(glm::dvec3(10.0, 0.0, -7.0), known.draw.vector(300.0), known.draw.vector(1.0));
+  const auto world = moved<frame::World>(glm::dvec3(10.0, 0.0, -7.0), known.draw.vector(300.0), known.draw.vector(1.0));
   for (auto& node : known.nodes) node.toWorld = world * node.toWorld;
   const auto there = solved(known);
   RC_ASSERT(here.has_value() && there.has_value());
-  std::vector<glm::dmat4> expected;
+  std::vector<Transform<frame::World, frame::View>> expected;
   for (const auto& pose : here->toWorld) expected.push_back(world * pose);
   const auto error = worstError(there->toWorld, expected);
   RC_ASSERT(error.mm < 1e-5);
@@ -212,8 +212,8 @@ TEST(PoseGraph, CovariancesAreWhatManyDrawsScatter) {
     const auto& covariance = found->covariance[4];
     expected_mm2 += (covariance[0] + covariance[7] + covariance[14]) / kRuns;
     expected_rad2 += (covariance[21] + covariance[28] + covariance[35]) / kRuns;
-    const glm::dvec4 centre(found->centre_mm[4], 1.0);
-    seen_mm2 += std::pow(glm::length(glm::dvec3((found->toWorld[4] - known.truth[4]) * centre)), 2) / kRuns;
+    const glm::dvec3 centre = found->centre_mm[4];
+    seen_mm2 += std::pow(glm::length(carried(found->toWorld[4], centre) - carried(known.truth[4], centre)), 2) / kRuns;
     seen_rad2 += std::pow(glm::radians(test::turn_deg(found->toWorld[4], known.truth[4])), 2) / kRuns;
     for (const double entry : found->covariance[0]) EXPECT_EQ(entry, 0.0) << "the gauge does not move";
   }
@@ -241,7 +241,7 @@ TEST(PoseGraph, ATrackerPullsWhereItIsBelievedAndItsWrongPoseIsNamed) {
   KnownGraph known(6, 33);
   for (std::size_t i = 0; i + 1 < 6; ++i) known.join(i, i + 1, 0.2, 0.2);
   for (std::size_t i = 0; i < 6; ++i) {
-    known.nodes[i].toWorld = known.truth[i] * moved(glm::dvec3(0.0), known.draw.vector(0.5), known.draw.vector(0.005));
+    known.nodes[i].toWorld = known.truth[i] * moved<frame::View>(glm::dvec3(0.0), known.draw.vector(0.5), known.draw.vector(0.005));
     known.nodes[i].prior = isotropic(0.5, 0.005);
   }
   const auto right = solved(known);
@@ -250,7 +250,7 @@ TEST(PoseGraph, ATrackerPullsWhereItIsBelievedAndItsWrongPoseIsNamed) {
   EXPECT_LT(worstError(right->toWorld, known.truth).mm, 1.5);
   EXPECT_TRUE(right->edges[2].confirmed) << "the tracker confirms the chain";
 
-  known.nodes[3].toWorld = known.nodes[3].toWorld * moved(glm::dvec3(0.0), {25.0, 0.0, 0.0}, {0.0, 0.3, 0.0});
+  known.nodes[3].toWorld = known.nodes[3].toWorld * moved<frame::View>(glm::dvec3(0.0), {25.0, 0.0, 0.0}, {0.0, 0.3, 0.0});
   const auto found = solved(known);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->wrongPriors, std::vector<std::size_t>{3}) << found->reason;
@@ -295,10 +295,10 @@ TEST(PoseGraph, RefusesWhatIsNoGraph) {
   (*bad.edges[1].covariance)[1] = 99.0;
   EXPECT_EQ(codeOf(bad), nameOf(ErrorCode::badField));
   bad = known;
-  bad.edges[1].fixedToMoving = glm::scale(glm::dmat4(1.0), glm::dvec3(1.1));
+  bad.edges[1].fixedToMoving.matrix = glm::scale(glm::dmat4(1.0), glm::dvec3(1.1));
   EXPECT_EQ(codeOf(bad), nameOf(ErrorCode::notRigid));
   bad = known;
-  bad.nodes[2].toWorld[3][0] = std::numeric_limits<double>::quiet_NaN();
+  bad.nodes[2].toWorld.matrix[3][0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(codeOf(bad), nameOf(ErrorCode::notRigid));
   bad = known;
   bad.edges[1].trust = 1.5;

@@ -33,13 +33,13 @@ struct ViewPlan {
 /// A view in coordinates of its own, and where what it shows rests in the patient.
 class PressedView {
  public:
-  Volume volume;            ///< in its own mm
-  glm::dmat4 ownToWorld;    ///< where the tracker would have put it
-  glm::dvec3 middle_mm{0};  ///< of what it covers, own mm
+  Volume volume;                                    ///< in its own mm
+  Transform<frame::World, frame::View> ownToWorld;  ///< where the tracker would have put it
+  glm::dvec3 middle_mm{0};                          ///< of what it covers, own mm
 
   /// Where the tissue seen at a place (own mm) rests, world mm.
   [[nodiscard]] glm::dvec3 restOf(const glm::dvec3& own_mm) const {
-    const glm::dvec3 world(ownToWorld * glm::dvec4(own_mm, 1.0));
+    const glm::dvec3 world = carried(ownToWorld, own_mm);
     const glm::dvec3 at = (world - lowest_mm) / kStep_mm;
     const glm::dvec3 low = glm::clamp(glm::floor(at), glm::dvec3(0.0), glm::dvec3(dims - 2));
     const glm::dvec3 t = at - low;
@@ -55,10 +55,10 @@ class PressedView {
   }
   /// The place (own mm) at which tissue that rests at `rest_mm` is seen.
   [[nodiscard]] glm::dvec3 seenAt(const glm::dvec3& rest_mm) const {
-    const glm::dmat4 worldToOwn = glm::inverse(ownToWorld);
+    const auto worldToOwn = inverse(ownToWorld);
     glm::dvec3 world = rest_mm;
-    for (int step = 0; step < 30; ++step) world += rest_mm - restOf(glm::dvec3(worldToOwn * glm::dvec4(world, 1.0)));
-    return glm::dvec3(worldToOwn * glm::dvec4(world, 1.0));
+    for (int step = 0; step < 30; ++step) world += rest_mm - restOf(carried(worldToOwn, world));
+    return carried(worldToOwn, world);
   }
   [[nodiscard]] bool covers(const glm::dvec3& own_mm) const {
     const glm::ivec3 v(glm::round(glm::dvec3(volume.grid.worldToVoxel().matrix * glm::dvec4(own_mm, 1.0))));
@@ -220,9 +220,9 @@ inline std::vector<PressedView> pressedViews(const ViewPlan& plan, const std::fi
     const glm::dvec3 middle = 0.5 * (bounds.lowest_mm + bounds.highest_mm);
     const glm::dvec3 about = glm::normalize(draw.vector(1.0));
     const glm::dvec3 shift = draw.vector(60.0);
-    const glm::dmat4 worldToOwn = moved(middle, shift, glm::radians(draw.even(4.0, 13.0)) * about);
+    const auto worldToOwn = moved<frame::World>(middle, shift, glm::radians(draw.even(4.0, 13.0)) * about);
     view.volume.grid = placed(view.volume.grid, worldToOwn);
-    view.ownToWorld = glm::inverse(worldToOwn);
+    view.ownToWorld = renamed<frame::World, frame::View>(inverse(worldToOwn));
     glm::dvec3 sum(0.0);
     const auto covered = view.places(6.0);
     for (const auto& p : covered) sum += p;

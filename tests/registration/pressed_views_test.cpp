@@ -13,15 +13,15 @@ namespace {
 
 using namespace test;
 
-double apart_mm(const glm::dmat4& a, const glm::dmat4& b, const glm::dvec3& at_mm) {
-  return glm::length(glm::dvec3((a - b) * glm::dvec4(at_mm, 1.0)));
+double apart_mm(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b, const glm::dvec3& at_mm) {
+  return glm::length(carried(a, at_mm) - carried(b, at_mm));
 }
 
 /// Pairs with the true rigid parts in place of what was found.
 FoundViews withTrueEdges(const FoundViews& found, const std::vector<PressedView>& views) {
   FoundViews ideal = found;
   for (GraphEdge& edge : ideal.edges)
-    if (const auto part = trueEdge(views[edge.fixed], views[edge.moving])) edge.fixedToMoving = part->matrix;
+    if (const auto part = trueEdge(views[edge.fixed], views[edge.moving])) edge.fixedToMoving = {part->matrix};
   return ideal;
 }
 
@@ -51,7 +51,7 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
   FoundViews found;
   for (const PressedView& view : views) {
     const RigidPart pose = truePose(view);
-    found.truth.push_back(pose.matrix);
+    found.truth.push_back({pose.matrix});
     found.middle_mm.push_back(view.middle_mm);
     std::printf("view %zu: what is not rigid in it %.2f mm\n", found.truth.size() - 1, pose.rms_mm);
   }
@@ -70,10 +70,11 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
     const PoseCovariance& c = *best.covariance;
     std::printf(
         "%zu-%zu: %.2f mm and %.2f degrees from the rigid part of the true motion, which leaves %.2f mm; stated %.2f mm, %.2f degrees\n", a,
-        b, apart_mm(best.fixedToMoving, ideal->matrix, best.centre_mm), turn_deg(best.fixedToMoving, ideal->matrix), ideal->rms_mm,
-        std::sqrt(c[0] + c[7] + c[14]), glm::degrees(std::sqrt(c[21] + c[28] + c[35])));
+        b, apart_mm(best.fixedToMoving, {ideal->matrix}, best.centre_mm),
+        turn_deg(best.fixedToMoving, Transform<frame::Moving, frame::Fixed>{ideal->matrix}), ideal->rms_mm, std::sqrt(c[0] + c[7] + c[14]),
+        glm::degrees(std::sqrt(c[21] + c[28] + c[35])));
     std::fflush(stdout);
-    EXPECT_LT(apart_mm(best.fixedToMoving, ideal->matrix, best.centre_mm), 3.0) << "called aligned, and wrong";
+    EXPECT_LT(apart_mm(best.fixedToMoving, {ideal->matrix}, best.centre_mm), 3.0) << "called aligned, and wrong";
     found.edges.push_back(
         {.fixed = a, .moving = b, .fixedToMoving = best.fixedToMoving, .covariance = best.covariance, .centre_mm = best.centre_mm});
   }

@@ -39,13 +39,14 @@ Volume blobs(int side, unsigned seed, bool alikeAlongK = false) {
   return volume;
 }
 
-glm::dmat4 shifted(double x, double y = 0.0, double z = 0.0) {
+template <class To = frame::Moving, class From = frame::Fixed>
+Transform<To, From> shifted(double x, double y = 0.0, double z = 0.0) {
   glm::dmat4 m(1.0);
   m[3] = glm::dvec4(x, y, z, 1.0);
-  return m;
+  return {m};
 }
 
-Quality assessed(const Volume& fixed, const Volume& moving, const glm::dmat4& before, const Deformation& after,
+Quality assessed(const Volume& fixed, const Volume& moving, const Transform<frame::Moving, frame::Fixed>& before, const Deformation& after,
                  const Deformation* backward = nullptr, const QualityOptions& options = {}) {
   auto found = assessQuality({&fixed, {}}, {&moving, {}}, before, after, backward, options, noProgress());
   EXPECT_TRUE(found) << (found ? "" : found.error().sentence());
@@ -55,7 +56,7 @@ Quality assessed(const Volume& fixed, const Volume& moving, const glm::dmat4& be
 TEST(AssessQuality, FindsNothingToBlameInAVolumeOnItself) {
   const Volume volume = blobs(32, 1);
   const Deformation rest;
-  const Quality q = assessed(volume, volume, glm::dmat4(1.0), rest, &rest);
+  const Quality q = assessed(volume, volume, {}, rest, &rest);
   EXPECT_NEAR(q.after.correlation, 1.0, 1e-6);
   EXPECT_NEAR(q.after.overlapShare, 1.0, 1e-12);
   EXPECT_NEAR(q.greyCorrelationAfter, 1.0, 1e-12);
@@ -77,7 +78,7 @@ TEST(AssessQuality, PutsAGainIntoTheResidualAndNotIntoTheAgreement) {
   const Volume fixed = blobs(32, 2);
   Volume moving = fixed;
   for (std::uint8_t& e : moving.echo) e = static_cast<std::uint8_t>(e - 13);
-  const Quality q = assessed(fixed, moving, glm::dmat4(1.0), {});
+  const Quality q = assessed(fixed, moving, {}, {});
   EXPECT_NEAR(q.after.correlation, 1.0, 1e-5);
   EXPECT_DOUBLE_EQ(q.residualRms_grey, 13.0);
   EXPECT_EQ(q.residualHistogram[35], fixed.echo.size());  // 12 to 15
@@ -100,24 +101,24 @@ TEST(AssessQuality, TellsBeforeFromAfterAndCountsTheOverlap) {
 TEST(AssessQuality, SaysHowFarThereAndBackIsFromHome) {
   const Volume volume = blobs(32, 4);
   const Deformation backward{shifted(-1.0, 0.5), {}};
-  const Quality q = assessed(volume, volume, glm::dmat4(1.0), {shifted(3.0, -0.5), {}}, &backward);
+  const Quality q = assessed(volume, volume, {}, {shifted(3.0, -0.5), {}}, &backward);
   EXPECT_NEAR(q.inverseConsistencyMedian_mm.value(), 2.0, 1e-9);
   EXPECT_NEAR(q.inverseConsistency95_mm.value(), 2.0, 1e-9);
-  EXPECT_FALSE(assessed(volume, volume, glm::dmat4(1.0), {}).inverseConsistencyMedian_mm.has_value());
+  EXPECT_FALSE(assessed(volume, volume, {}, {}).inverseConsistencyMedian_mm.has_value());
 }
 
 TEST(AssessQuality, GivesTheJacobianOfTheElasticPart) {
   const Volume volume = blobs(32, 5);
   const glm::dmat3 squeeze{{-0.4, 0.0, 0.0}, {0.0, 0.1, 0.0}, {0.0, 0.0, 0.0}};
-  const Deformation squeezed{glm::dmat4(1.0), affineField(uprightGrid(glm::ivec3(5), 8.0), squeeze, glm::dvec3(0.0))};
-  const Quality q = assessed(volume, volume, glm::dmat4(1.0), squeezed);
+  const Deformation squeezed{{}, affineField(uprightGrid(glm::ivec3(5), 8.0), squeeze, glm::dvec3(0.0))};
+  const Quality q = assessed(volume, volume, {}, squeezed);
   EXPECT_NEAR(q.jacobian.smallest, 0.66, 1e-6);
   EXPECT_NEAR(q.jacobian.largest, 0.66, 1e-6);
 }
 
 TEST(AssessQuality, CallsADirectionOpenThatNothingFixes) {
   const Volume volume = blobs(32, 6, true);  // the same along k
-  for (const RegionQuality& region : assessed(volume, volume, glm::dmat4(1.0), {}).regions) EXPECT_TRUE(std::isinf(region.uncertainty_mm));
+  for (const RegionQuality& region : assessed(volume, volume, {}, {}).regions) EXPECT_TRUE(std::isinf(region.uncertainty_mm));
 }
 
 TEST(AssessQuality, ExpectsAboutTheErrorThatNoiseReallyMakes) {
@@ -133,7 +134,7 @@ TEST(AssessQuality, ExpectsAboutTheErrorThatNoiseReallyMakes) {
       for (std::uint8_t& e : v->echo) e = static_cast<std::uint8_t>(std::lround(std::fmin(255.0, std::fmax(0.0, e + noise(random)))));
     QualityOptions options;
     options.region_mm = 48.0;
-    const Quality q = assessed(fixed, moving, glm::dmat4(1.0), {}, nullptr, options);
+    const Quality q = assessed(fixed, moving, {}, {}, nullptr, options);
     ASSERT_EQ(q.regions.size(), 1U);
     expected += std::pow(q.regions[0].uncertainty_mm, 2.0);
     // The parabola through three correlations along each axis has its top at the shift this pair would be registered with.
@@ -143,8 +144,7 @@ TEST(AssessQuality, ExpectsAboutTheErrorThatNoiseReallyMakes) {
       for (int s = -1; s <= 1; ++s) {
         glm::dvec3 shift(0.0);
         shift[axis] = 0.75 * s;
-        at[static_cast<std::size_t>(s + 1)] =
-            assessed(fixed, moving, glm::dmat4(1.0), {shifted(shift.x, shift.y, shift.z), {}}).after.correlation;
+        at[static_cast<std::size_t>(s + 1)] = assessed(fixed, moving, {}, {shifted(shift.x, shift.y, shift.z), {}}).after.correlation;
       }
       const double top = 0.75 * 0.5 * (at[0] - at[2]) / (at[0] - 2.0 * at[1] + at[2]);
       squared += top * top;
@@ -161,9 +161,9 @@ TEST(AssessQuality, ExpectsAboutTheErrorThatNoiseReallyMakes) {
 TEST(AssessQuality, SaysTheSameForEveryNumberOfThreads) {
   const Volume fixed = blobs(32, 8), moving = blobs(32, 9);
   const Deformation bent{shifted(1.0), wavyField(uprightGrid(glm::ivec3(6), 7.0), 1.0, 30.0)};
-  const Quality one = assessed(fixed, moving, glm::dmat4(1.0), bent, nullptr, {15.0, 12.0, 1});
+  const Quality one = assessed(fixed, moving, {}, bent, nullptr, {15.0, 12.0, 1});
   for (const int threads : {2, 8}) {
-    const Quality more = assessed(fixed, moving, glm::dmat4(1.0), bent, nullptr, {15.0, 12.0, threads});
+    const Quality more = assessed(fixed, moving, {}, bent, nullptr, {15.0, 12.0, threads});
     EXPECT_EQ(one.after, more.after);
     EXPECT_EQ(one.localCorrelationAfter, more.localCorrelationAfter);
     EXPECT_EQ(one.residualHistogram, more.residualHistogram);
@@ -174,14 +174,14 @@ TEST(AssessQuality, SaysTheSameForEveryNumberOfThreads) {
 
 TEST(AssessQuality, RefusesWhatItCannotUse) {
   const Volume volume = blobs(16, 10), empty;
-  const auto code = [&](const Volume& fixed, const glm::dmat4& before, const QualityOptions& options) {
+  const auto code = [&](const Volume& fixed, const Transform<frame::Moving, frame::Fixed>& before, const QualityOptions& options) {
     const auto found = assessQuality({&fixed, {}}, {&volume, {}}, before, {}, nullptr, options, noProgress());
     return found ? ErrorCode::internal : found.error().code;
   };
-  EXPECT_EQ(code(empty, glm::dmat4(1.0), {}), ErrorCode::emptyVolume);
-  EXPECT_EQ(code(volume, 2.0 * glm::dmat4(1.0), {}), ErrorCode::notRigid);
-  EXPECT_EQ(code(volume, glm::dmat4(1.0), {0.0, 12.0, 1}), ErrorCode::badField);
-  EXPECT_EQ(code(volume, glm::dmat4(1.0), {15.0, std::nan(""), 1}), ErrorCode::badField);
+  EXPECT_EQ(code(empty, {}, {}), ErrorCode::emptyVolume);
+  EXPECT_EQ(code(volume, {glm::dmat4(2.0)}, {}), ErrorCode::notRigid);
+  EXPECT_EQ(code(volume, {}, {0.0, 12.0, 1}), ErrorCode::badField);
+  EXPECT_EQ(code(volume, {}, {15.0, std::nan(""), 1}), ErrorCode::badField);
 }
 
 class Impatient final : public Progress {
@@ -193,24 +193,25 @@ class Impatient final : public Progress {
 TEST(AssessQuality, StopsWhenAskedTo) {
   const Volume volume = blobs(24, 11);
   Impatient impatient;
-  const auto found = assessQuality({&volume, {}}, {&volume, {}}, glm::dmat4(1.0), {}, nullptr, {}, impatient);
+  const auto found = assessQuality({&volume, {}}, {&volume, {}}, {}, {}, nullptr, {}, impatient);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::cancelled);
 }
 
 TEST(ClosureError, IsTheGapThatALoopLeaves) {
   EXPECT_EQ(closureError_mm({}, 50.0), 0.0);
-  EXPECT_NEAR(closureError_mm({shifted(3.0), shifted(0.0, 4.0), shifted(-3.0)}, 50.0), 4.0, 1e-12);
+  const auto step = [](double x, double y = 0.0) { return shifted<frame::View, frame::View>(x, y); };
+  EXPECT_NEAR(closureError_mm({step(3.0), step(0.0, 4.0), step(-3.0)}, 50.0), 4.0, 1e-12);
   const double angle = 0.1;
-  glm::dmat4 turn(1.0);
-  turn[0] = {std::cos(angle), std::sin(angle), 0.0, 0.0};
-  turn[1] = {-std::sin(angle), std::cos(angle), 0.0, 0.0};
+  Transform<frame::View, frame::View> turn;
+  turn.matrix[0] = {std::cos(angle), std::sin(angle), 0.0, 0.0};
+  turn.matrix[1] = {-std::sin(angle), std::cos(angle), 0.0, 0.0};
   // A corner lies sqrt(2) reach from the axis and moves along a chord.
   EXPECT_NEAR(closureError_mm({turn}, 50.0), 2.0 * std::sin(angle / 2.0) * std::sqrt(2.0) * 50.0, 1e-9);
-  EXPECT_NEAR(closureError_mm({turn, glm::inverse(turn)}, 50.0), 0.0, 1e-12);
+  EXPECT_NEAR(closureError_mm({turn, inverse(turn)}, 50.0), 0.0, 1e-12);
   // The order counts: first the turn, then the way.
-  EXPECT_NEAR(closureError_mm({shifted(10.0), turn, glm::inverse(turn), shifted(-10.0)}, 50.0), 0.0, 1e-12);
-  EXPECT_TRUE(std::isinf(closureError_mm({shifted(std::nan(""))}, 50.0)));
+  EXPECT_NEAR(closureError_mm({step(10.0), turn, inverse(turn), step(-10.0)}, 50.0), 0.0, 1e-12);
+  EXPECT_TRUE(std::isinf(closureError_mm({step(std::nan(""))}, 50.0)));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
   const Volume& whole = loaded->volume;
   for (const double peak_mm : {3.0, 5.0}) {
     const ControlGrid bend = bendOf(whole.grid, peak_mm);
-    auto bent = warped(whole, {glm::dmat4(1.0), bend}, whole.grid, 1, noProgress());
+    auto bent = warped(whole, {{}, bend}, whole.grid, 1, noProgress());
     ASSERT_TRUE(bent);
     Volume fixed = columns(*bent, 0, 160), moving = columns(whole, 80, whole.grid.dims.x);
     fixed.coverage.clear();
@@ -70,12 +70,11 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
         }
     ElasticOptions options;
     options.threads = 1;
-    const auto there = registerElastic({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), options, noProgress());
-    const auto back = registerElastic({&moving, {}}, {&fixed, {}}, glm::dmat4(1.0), options, noProgress());
+    const auto there = registerElastic({&fixed, {}}, {&moving, {}}, {}, options, noProgress());
+    const auto back = registerElastic({&moving, {}}, {&fixed, {}}, {}, options, noProgress());
     ASSERT_TRUE(there) << there.error().sentence();
     ASSERT_TRUE(back) << back.error().sentence();
-    const auto quality =
-        assessQuality({&fixed, {}}, {&moving, {}}, glm::dmat4(1.0), there->fixedToMoving, &back->fixedToMoving, {}, noProgress());
+    const auto quality = assessQuality({&fixed, {}}, {&moving, {}}, {}, there->fixedToMoving, &back->fixedToMoving, {}, noProgress());
     ASSERT_TRUE(quality) << quality.error().sentence();
     std::vector<double> errors, before;
     for (int k = 2; k < fixed.grid.dims.z; k += 3)

@@ -31,12 +31,12 @@ struct Recording {
   SweepPoses poses;
 
   /// The volume of these frames when every pose is `off` after the given one.
-  [[nodiscard]] Volume volume(const glm::dmat4& off, double spacing_mm) const {
+  [[nodiscard]] Volume volume(const Transform<frame::Moving, frame::World>& off, double spacing_mm) const {
     std::vector<PosedFrame> frames;
     for (std::size_t n = 0; n < poses.imageToWorld.size(); ++n)
       if (poses.imageToWorld[n])
         frames.push_back({{sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width},
-                          Transform<frame::World, frame::Image>{off * poses.imageToWorld[n]->matrix}});
+                          renamed<frame::World, frame::Image>(off * *poses.imageToWorld[n])});
     auto made = reconstruct(frames, {.spacing_mm = spacing_mm, .fillReach_mm = 2.0, .threads = 1}, noProgress());
     if (!made) {
       ADD_FAILURE() << made.error();
@@ -66,14 +66,14 @@ Recording recordingOf(const std::filesystem::path& file, const std::filesystem::
 struct Wrong {
   double mm = 0.0;
   double deg = 0.0;
-  glm::dmat4 off{1.0};
+  Transform<frame::Moving, frame::World> off;
 };
 Wrong wrongPose(int n, const glm::dvec3& about_mm) {
   Draw draw(1000 + static_cast<std::uint64_t>(n));
   Wrong wrong{.mm = 5.0 * (n % 4 + 1), .deg = 3.75 * (n % 4 + 1)};
   const glm::dvec3 along = glm::normalize(draw.vector(1.0));
   const glm::dvec3 axis = glm::normalize(draw.vector(1.0));
-  wrong.off = moved(about_mm, wrong.mm * along, glm::radians(wrong.deg) * axis);
+  wrong.off = renamed<frame::Moving, frame::World>(moved<frame::World>(about_mm, wrong.mm * along, glm::radians(wrong.deg) * axis));
   return wrong;
 }
 
@@ -89,10 +89,10 @@ struct Tally {
 /// How far the found pose takes places (mm of the given world) from where the given poses have them.
 void count(const char* how, const Wrong& wrong, const RigidResult& result, const std::vector<glm::dvec3>& places, double goal_mm,
            Tally& tally) {
-  const glm::dmat4 back = glm::inverse(result.fixedToMoving) * wrong.off;
+  const auto back = inverse(result.fixedToMoving) * wrong.off;
   double mean = 0.0, worst = 0.0;
   for (const glm::dvec3& p : places) {
-    const double apart = glm::length(glm::dvec3(back * glm::dvec4(p, 1.0)) - p);
+    const double apart = glm::length(carried(back, p) - p);
     mean += apart / static_cast<double>(places.size());
     worst = std::max(worst, apart);
   }
@@ -144,9 +144,9 @@ struct Wires {
     const glm::dvec3 from = p - wires[wire].front_mm;
     return glm::length(from - glm::dot(from, along) * along);
   }
-  [[nodiscard]] double median_mm(const glm::dmat4& correction) const {
+  [[nodiscard]] double median_mm(const Transform<frame::Fixed, frame::World>& correction) const {
     std::vector<double> all;
-    for (const Seen& point : seen) all.push_back(distance_mm(glm::dvec3(correction * glm::dvec4(point.at_mm, 1.0)), point.wire));
+    for (const Seen& point : seen) all.push_back(distance_mm(carried(correction, point.at_mm), point.wire));
     std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
     return all[all.size() / 2];
   }
@@ -196,7 +196,7 @@ TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
   const Wires wires = wiresOf(folder, b);
   ASSERT_EQ(wires.wires.size(), 9u);
   ASSERT_EQ(wires.seen.size(), 927u);
-  const double given_mm = wires.median_mm(glm::dmat4(1.0));
+  const double given_mm = wires.median_mm({});
   EXPECT_LT(given_mm, 0.5);  // what tracker, calibration and segmentation are off by
   std::vector<glm::dvec3> places;
   glm::dvec3 middle(0.0);
@@ -204,15 +204,15 @@ TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
     places.push_back(point.at_mm);
     middle += point.at_mm / static_cast<double>(wires.seen.size());
   }
-  const Volume fixed = a.volume(glm::dmat4(1.0), 0.4);
+  const Volume fixed = a.volume({}, 0.4);
   constexpr int kWrong = 20;
   Tally refined, searched, alone;
   double worstMedian_mm = 0.0;
   for (int n = 0; n < kWrong; ++n) {
     const Wrong wrong = wrongPose(n, middle);
     const Volume moving = b.volume(wrong.off, 0.4);
-    const auto from = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {.threads = 1}, noProgress());
-    const auto about = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
+    const auto from = refineRigid({&fixed}, {&moving}, {}, {.threads = 1}, noProgress());
+    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
     const auto without = matchPartial({&fixed}, {&moving}, oneThread(), noProgress());
     ASSERT_TRUE(from && about && without);
     count("descending", wrong, *from, places, 1.0, alone);
@@ -220,7 +220,7 @@ TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
     count("poses thrown away", wrong, without->best, places, 1.0, searched);
     for (const RigidResult* result : {&*about, &without->best})
       if (result->verdict == Verdict::aligned)
-        worstMedian_mm = std::max(worstMedian_mm, wires.median_mm(glm::inverse(result->fixedToMoving) * wrong.off));
+        worstMedian_mm = std::max(worstMedian_mm, wires.median_mm(inverse(result->fixedToMoving) * wrong.off));
   }
   std::printf(
       "wires: given poses %.2f mm from them (median), found ones at most %.2f; of %d: descending %d found, %d undecided; then searching "
@@ -239,8 +239,8 @@ TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
   const auto folder = ew::test::recording("simulated-liver-pair");
   const Recording a = recordingOf(folder / "liver_sim_l2.igs.mha");
   const Recording b = recordingOf(folder / "liver_sim_r2.igs.mha");
-  const Volume fixed = a.volume(glm::dmat4(1.0), 0.8);
-  const Volume given = b.volume(glm::dmat4(1.0), 3.0);
+  const Volume fixed = a.volume({}, 0.8);
+  const Volume given = b.volume({}, 3.0);
   std::vector<glm::dvec3> places;
   glm::dvec3 middle(0.0);
   for (int k = 0; k < given.grid.dims.z; k += 3)
@@ -258,7 +258,7 @@ TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
   for (int n = 0; n < kWrong; ++n) {
     const Wrong wrong = wrongPose(n, middle);
     const Volume moving = b.volume(wrong.off, 0.8);
-    const auto about = refineRigid({&fixed}, {&moving}, glm::dmat4(1.0), {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
+    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
     const auto without = matchPartial({&fixed}, {&moving}, oneThread(), noProgress());
     ASSERT_TRUE(about && without);
     count("descending, then searching", wrong, *about, places, 1.0, refined);
@@ -278,9 +278,9 @@ TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
 TEST(RealPairs, SimulatedLiverSweepsAreHardlyBentThoughTheirShadowsTurn) {
   EW_NEEDS_RECORDING("simulated-liver-pair");
   const auto folder = ew::test::recording("simulated-liver-pair");
-  const Volume fixed = recordingOf(folder / "liver_sim_l2.igs.mha").volume(glm::dmat4(1.0), 0.8);
-  const Volume moving = recordingOf(folder / "liver_sim_r2.igs.mha").volume(glm::dmat4(1.0), 0.8);
-  const auto found = registerElastic({&fixed}, {&moving}, glm::dmat4(1.0), {.threads = 2}, noProgress());
+  const Volume fixed = recordingOf(folder / "liver_sim_l2.igs.mha").volume({}, 0.8);
+  const Volume moving = recordingOf(folder / "liver_sim_r2.igs.mha").volume({}, 0.8);
+  const auto found = registerElastic({&fixed}, {&moving}, {}, {.threads = 2}, noProgress());
   ASSERT_TRUE(found);
   std::vector<double> bent_mm;
   for (std::size_t n = 0; n < fixed.echo.size(); n += 7) {

@@ -59,6 +59,7 @@ namespace {
 using ew::test::shadowed;
 using test::apart_mm;
 using test::centred;
+using test::motion;
 using test::pose;
 using test::seen;
 using test::tissue;
@@ -66,13 +67,13 @@ using test::tissue;
 struct Pair {
   Volume fixed;
   Volume moving;
-  glm::dmat4 truth;  // fixedToMoving
+  Transform<frame::Moving, frame::Fixed> truth;
 };
-Pair pairOf(const glm::dmat4& truth, unsigned seed = 1, int side = 44, double voxel_mm = 1.5, double speckle = 18.0) {
+Pair pairOf(const Transform<frame::Moving, frame::Fixed>& truth, unsigned seed = 1, int side = 44, double voxel_mm = 1.5,
+            double speckle = 18.0) {
   const auto all = tissue(seed, 1.8 * side * voxel_mm);
   const Grid grid = centred(glm::ivec3(side), voxel_mm);
-  return {seen(all, grid, glm::dmat4(1.0), 100 + seed, speckle), seen(all, grid, glm::inverse(truth), 200 + seed, speckle, 0.8, 20.0),
-          truth};
+  return {seen(all, grid, {}, 100 + seed, speckle), seen(all, grid, inverse(truth), 200 + seed, speckle, 0.8, 20.0), truth};
 }
 
 TEST(NormalEquations, AreThoseOfAPlainSumOverVoxels) {
@@ -88,7 +89,7 @@ TEST(NormalEquations, AreThoseOfAPlainSumOverVoxels) {
   PoseSums sums;
   ASSERT_TRUE(sumOverPair(fixed, moving, pair.truth, centre, {loss, 0, -1, false, true}, 1, noProgress(), sums));
 
-  const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * pair.truth * fixed.grid.voxelToWorld().matrix;
+  const glm::dmat4 toVoxel = (moving.grid.toVoxel<frame::Moving>() * pair.truth * fixed.grid.voxelTo<frame::Fixed>()).matrix;
   const auto valueAt = [&](const glm::dvec3& p, bool& covered) {
     const glm::ivec3 q(glm::floor(p));
     covered = false;
@@ -171,9 +172,10 @@ TEST(Turns, EveryTurnWithinReachHasANeighbourOnTheLattice) {
       do {
         for (int a = 0; a < 3; ++a) axis[a] = static_cast<double>(random()) / 2147483648.0 - 1.0;
       } while (glm::length(axis) > 1.0 || glm::length(axis) < 0.1);
-      const glm::dmat4 wanted(rotationBy(glm::normalize(axis) * most_deg * 0.0174532925 * (static_cast<double>(random()) / 4294967296.0)));
+      const Transform<frame::Moving, frame::Fixed> wanted{
+          glm::dmat4(rotationBy(glm::normalize(axis) * most_deg * 0.0174532925 * (static_cast<double>(random()) / 4294967296.0)))};
       double nearest = 1e9;
-      for (const auto& turn : turns) nearest = std::min(nearest, turnBetween_rad(wanted, glm::dmat4(rotationBy(turn))));
+      for (const auto& turn : turns) nearest = std::min(nearest, turnBetween_rad(wanted, {glm::dmat4(rotationBy(turn))}));
       worst = std::max(worst, nearest);
     }
     EXPECT_LT(worst * 57.2957795, 0.95 * step_deg) << most_deg;
@@ -215,14 +217,14 @@ TEST(Translations, AgreeWithAPlainSumOverEveryShift) {
     }
   }
   EXPECT_NEAR(peaks[0].overlapCells, bestCells, 0.01);
-  EXPECT_LT(glm::length(glm::dvec3(peaks[0].fixedToMoving[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6);
+  EXPECT_LT(glm::length(glm::dvec3(peaks[0].fixedToMoving.matrix[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6);
   EXPECT_LT(glm::length(glm::dvec3(pair.truth[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6) << "the phantom is too plain";
 }
 
 TEST(RefineRigid, FindsAKnownPoseFromFiveMillimetresAndEightDegreesOff) {
   const Pair pair = pairOf(pose({6.0, -4.0, 3.0}, {5.0, 8.0, -3.0}));
   int levels = 0;
-  const auto found = refineRigid({&pair.fixed}, {&pair.moving}, pair.truth * pose({3.0, 3.0, -2.5}, {5.0, -5.0, 4.0}), {}, noProgress(),
+  const auto found = refineRigid({&pair.fixed}, {&pair.moving}, pair.truth * motion({3.0, 3.0, -2.5}, {5.0, -5.0, 4.0}), {}, noProgress(),
                                  [&](const Level&) { ++levels; });
   ASSERT_TRUE(found);
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
@@ -240,10 +242,10 @@ TEST(RefineRigid, GivesTheSamePoseOnLeftHandedObliqueAndAnisotropicGrids) {
   const glm::dmat3 turn(pose({}, {40.0, -20.0, 60.0}));
   odd.directions = glm::dmat3(turn[1], turn[0], turn[2]);
   odd.origin_mm = -(odd.directions * (0.5 * odd.spacing_mm * glm::dvec3(odd.dims - 1)));
-  const glm::dmat4 truth = pose({5.0, 2.0, -4.0}, {6.0, -4.0, 5.0});
-  const Volume fixed = seen(all, centred(glm::ivec3(44), 1.5), glm::dmat4(1.0), 1);
-  const Volume moving = seen(all, odd, glm::inverse(truth), 2);
-  const auto found = refineRigid({&fixed}, {&moving}, truth * pose({2.0, -2.0, 1.0}, {3.0, 2.0, -3.0}), {}, noProgress());
+  const auto truth = pose({5.0, 2.0, -4.0}, {6.0, -4.0, 5.0});
+  const Volume fixed = seen(all, centred(glm::ivec3(44), 1.5), {}, 1);
+  const Volume moving = seen(all, odd, inverse(truth), 2);
+  const auto found = refineRigid({&fixed}, {&moving}, truth * motion({2.0, -2.0, 1.0}, {3.0, 2.0, -3.0}), {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
   EXPECT_LT(apart_mm(found->fixedToMoving, truth, fixed.grid), 0.5);
@@ -258,7 +260,7 @@ TEST(RefineRigid, StatesAnErrorThatMatchesTheSpreadOverTwelveSeeds) {
     ASSERT_TRUE(found);
     ASSERT_TRUE(found->covariance) << found->reason;
     // found = truth * exp(error) about the centre, as the covariance says it.
-    const glm::dmat4 error = glm::inverse(pair.truth) * found->fixedToMoving;
+    const glm::dmat4 error = (inverse(pair.truth) * found->fixedToMoving).matrix;
     const glm::dvec3 centre = found->centre_mm;
     const glm::dvec3 shift = glm::dvec3(error * glm::dvec4(centre, 1.0)) - centre;
     const glm::dvec3 turn = 0.5 * glm::dvec3(error[1][2] - error[2][1], error[2][0] - error[0][2], error[0][1] - error[1][0]);
@@ -275,7 +277,7 @@ TEST(RefineRigid, StatesAnErrorThatMatchesTheSpreadOverTwelveSeeds) {
 
 TEST(RefineRigid, StatesALargerErrorWhereItGoesBackToTheStart) {
   // Without a stated error an aligned pair would be lost to the graph.
-  const glm::dmat4 start = pose({4.0, -3.0, 2.0}, {30.0, 4.0, -50.0});
+  const auto start = pose({4.0, -3.0, 2.0}, {30.0, 4.0, -50.0});
   const glm::dvec3 shift(0.3, -0.2, 0.1);
   const glm::dvec3 turn(0.01, -0.03, 0.02);
   RigidResult result;
@@ -298,7 +300,7 @@ TEST(RefineRigid, StatesALargerErrorWhereItGoesBackToTheStart) {
 
 TEST(RefineRigid, SearchesAboutAStartFromWhichDescendingLeadsNowhere) {
   const Pair pair = pairOf(pose({6.0, -4.0, 3.0}, {5.0, 8.0, -3.0}), 4);
-  const glm::dmat4 start = pair.truth * pose({11.0, -12.0, 9.0}, {10.0, -11.0, 9.0});
+  const auto start = pair.truth * motion({11.0, -12.0, 9.0}, {10.0, -11.0, 9.0});
   const auto descended = refineRigid({&pair.fixed}, {&pair.moving}, start, {}, noProgress());
   ASSERT_TRUE(descended);
   EXPECT_NE(descended->verdict, Verdict::aligned) << "the start is too easy: " << descended->reason;
@@ -318,8 +320,8 @@ TEST(RefineRigid, SearchesAboutAStartFromWhichDescendingLeadsNowhere) {
 TEST(RefineRigid, SearchingAboutAStartAlignsNoUnrelatedTissue) {
   const Grid grid = centred(glm::ivec3(44), 1.5);
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    const Volume fixed = seen(tissue(10 * seed + 1, 110.0), grid, glm::dmat4(1.0), 1);
-    const Volume moving = seen(tissue(10 * seed + 2, 110.0), grid, glm::dmat4(1.0), 2);
+    const Volume fixed = seen(tissue(10 * seed + 1, 110.0), grid, {}, 1);
+    const Volume moving = seen(tissue(10 * seed + 2, 110.0), grid, {}, 2);
     const auto found = refineRigid({&fixed}, {&moving}, pose({3.0, 0.0, 2.0}, {4.0, 0.0, 0.0}), {.searchTurn_deg = 20.0}, noProgress());
     ASSERT_TRUE(found);
     EXPECT_NE(found->verdict, Verdict::aligned) << found->reason;
@@ -330,7 +332,7 @@ TEST(RefineRigid, LeavesOutWhatConfidenceDistrusts) {
   Pair pair = pairOf(pose({3.0, 1.0, -2.0}, {2.0, 3.0, 1.0}), 9);
   // Half of the moving view shows another tissue, and is said to.
   const auto other = tissue(99, 120.0);
-  const Volume wrong = seen(other, pair.moving.grid, glm::dmat4(1.0), 5);
+  const Volume wrong = seen(other, pair.moving.grid, {}, 5);
   std::vector<float> confidence(pair.moving.echo.size(), 1.0f);
   for (std::size_t q = 0; q < pair.moving.echo.size(); ++q) {
     if (q % 44 < 20) {
@@ -338,7 +340,7 @@ TEST(RefineRigid, LeavesOutWhatConfidenceDistrusts) {
       confidence[q] = 0.0f;
     }
   }
-  const glm::dmat4 start = pair.truth * pose({2.0, 1.0, -1.0}, {2.0, -2.0, 1.0});
+  const auto start = pair.truth * motion({2.0, 1.0, -1.0}, {2.0, -2.0, 1.0});
   const auto weighted = refineRigid({&pair.fixed}, {&pair.moving, confidence}, start, {}, noProgress());
   ASSERT_TRUE(weighted);
   EXPECT_EQ(weighted->verdict, Verdict::aligned) << weighted->reason;
@@ -362,8 +364,8 @@ TEST(MatchPartial, FindsThirtyPercentOverlapTurnedByTwentyDegreesWithoutAStart) 
 
 TEST(MatchPartial, RefusesTissueOfTwoDifferentPatients) {
   const Grid grid = centred(glm::ivec3(48), 1.5);
-  const Volume fixed = seen(tissue(11, 110.0), grid, glm::dmat4(1.0), 1);
-  const Volume moving = seen(tissue(12, 110.0), grid, glm::dmat4(1.0), 2);
+  const Volume fixed = seen(tissue(11, 110.0), grid, {}, 1);
+  const Volume moving = seen(tissue(12, 110.0), grid, {}, 2);
   const auto found = matchPartial({&fixed}, {&moving}, {}, noProgress());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->best.verdict, Verdict::notAligned) << found->best.reason;
@@ -403,7 +405,7 @@ TEST(MatchPartial, StopsAtItsNextQuestionWhereverItIs) {
 
 TEST(MatchPartial, ForecastsTheMemoryItTakes) {
   for (const int side : {40, 96}) {
-    Volume volume = seen(tissue(2, 60.0, 0.1), centred({side, side, side / 2}, 0.8), glm::dmat4(1.0), 3);
+    Volume volume = seen(tissue(2, 60.0, 0.1), centred({side, side, side / 2}, 0.8), {}, 3);
     PartialOptions options;
     options.maxTurn_deg = 5.0;
     options.threads = 1;
@@ -445,17 +447,18 @@ TEST(RefineRigid, AndMatchPartialAreNotDrawnAwayByShadowsThatTurnWithTheProbe) {
 }
 
 TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
-  Pair pair = pairOf(glm::dmat4(1.0), 1, 16, 3.0);
-  const auto code = [&](const Input& f, const Input& m, const glm::dmat4& start, const RefineOptions& options = {}) {
+  Pair pair = pairOf({}, 1, 16, 3.0);
+  const auto code = [&](const Input& f, const Input& m, const Transform<frame::Moving, frame::Fixed>& start,
+                        const RefineOptions& options = {}) {
     const auto found = refineRigid(f, m, start, options, noProgress());
     return found ? ErrorCode::internal : found.error().code;
   };
-  const glm::dmat4 one(1.0);
+  const Transform<frame::Moving, frame::Fixed> one;
   std::vector<float> few(7, 1.0f);
   EXPECT_EQ(code({&pair.fixed, few}, {&pair.moving}, one), ErrorCode::badField);
   std::vector<float> wild(pair.fixed.echo.size(), 1.5f);
   EXPECT_EQ(code({&pair.fixed, wild}, {&pair.moving}, one), ErrorCode::badField);
-  EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, 2.0 * one), ErrorCode::notRigid);
+  EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, {2.0 * one.matrix}), ErrorCode::notRigid);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving}, one, {.finest_mm = -1.0}), ErrorCode::badField);
   EXPECT_EQ(code({&pair.fixed, {}, Beams{}}, {&pair.moving}, one), ErrorCode::badField);
   EXPECT_EQ(code({&pair.fixed}, {&pair.moving, {}, Beams{{NAN, 0.0, 1.0}}}, one), ErrorCode::badField);

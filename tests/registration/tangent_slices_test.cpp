@@ -17,7 +17,7 @@ constexpr double kSpacing_mm = 0.5;
 struct Slabs {
   Volume fixed;
   Volume moving;
-  glm::dmat4 start{1.0};
+  Transform<frame::Moving, frame::Fixed> start;
 };
 Slabs slabs(const Motion& truth) {
   const Pattern pattern(21, 1.1, 30.0, 30.0);
@@ -27,7 +27,7 @@ Slabs slabs(const Motion& truth) {
   out.fixed.grid.spacing_mm = glm::dvec3(kSpacing_mm);
   out.moving.grid = out.fixed.grid;
   out.moving.grid.origin_mm = {100.0, 0.0, 0.0};
-  out.start[3] = glm::dvec4(100.0, 0.0, 0.0, 1.0);
+  out.start.matrix[3] = glm::dvec4(100.0, 0.0, 0.0, 1.0);
   for (int k = 0; k < 4; ++k) {
     out.fixed.echo.insert(out.fixed.echo.end(), pair.fixed.pixels.begin(), pair.fixed.pixels.end());
     out.moving.echo.insert(out.moving.echo.end(), pair.moving.pixels.begin(), pair.moving.pixels.end());
@@ -97,14 +97,14 @@ TEST(RegisterTangentSlices, CutsThePlaneAlongTheBeamWhateverItsNormal) {
 
 TEST(RegisterTangentSlices, RefusesAPlaneOutsideTheOverlapAndANormalWithoutDirection) {
   const Slabs pair = slabs(bend(2.0, kSide * kSpacing_mm));
-  const auto code = [&](const glm::dmat4& start, const glm::dvec3& point, const glm::dvec3& normal) {
+  const auto code = [&](const Transform<frame::Moving, frame::Fixed>& start, const glm::dvec3& point, const glm::dvec3& normal) {
     const auto found = registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, start, point, normal, {}, noProgress());
     return found ? ErrorCode::internal : found.error().code;
   };
   EXPECT_EQ(code(pair.start, {0.0, 0.0, 50.0}, {0.0, 0.0, 1.0}), ErrorCode::badField);
-  EXPECT_EQ(code(glm::dmat4(1.0), {0.0, 0.0, 0.75}, {0.0, 0.0, 1.0}), ErrorCode::badField);  // the moving volume lies elsewhere
+  EXPECT_EQ(code({}, {0.0, 0.0, 0.75}, {0.0, 0.0, 1.0}), ErrorCode::badField);  // the moving volume lies elsewhere
   EXPECT_EQ(code(pair.start, {0.0, 0.0, 0.75}, {0.0, 0.0, 0.0}), ErrorCode::badField);
-  EXPECT_EQ(code(2.0 * glm::dmat4(1.0), {0.0, 0.0, 0.75}, {0.0, 0.0, 1.0}), ErrorCode::notRigid);
+  EXPECT_EQ(code({glm::dmat4(2.0)}, {0.0, 0.0, 0.75}, {0.0, 0.0, 1.0}), ErrorCode::notRigid);
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   GreyImage before(120, 90);
   const Picture first = scanner.make(state, 120, 90);
   for (int y = 0; y < 90; ++y) std::copy_n(first.grey.row(y), 120, viewOf(before).row(y));
-  const glm::dmat4 away = glm::translate(glm::dmat4(1.0), {128.0, -64.0, 32.0});
+  const Transform<frame::World, frame::World> away{glm::translate(glm::dmat4(1.0), {128.0, -64.0, 32.0})};
   scanner.place(away);
   EXPECT_EQ(scanner.subject()->placedLabels, scanner.subject()->placedGrid);
-  state.pose.probeToWorld.matrix = away * state.pose.probeToWorld.matrix;
+  state.pose.probeToWorld = away * state.pose.probeToWorld;
   const Picture moved = scanner.make(state, 120, 90);
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 120; ++x) ASSERT_NEAR(moved.grey.row(y)[x], viewOf(before).row(y)[x], 1) << x << ' ' << y;

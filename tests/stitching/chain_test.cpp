@@ -1,4 +1,5 @@
 #include "ew/stitching/chain.h"
+#include "ew/stitching/places.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -101,7 +102,7 @@ TEST(Chain, AnEditedPairIsRegisteredAgainAlone) {
   pair.fixed = 0;
   pair.moving = 1;
   pair.method = PairMethod::byHand;
-  pair.start = test::shiftedBy({-21.0, 0.5, 0.0});
+  pair.start = test::shiftedBy<frame::Moving, frame::Fixed>({-21.0, 0.5, 0.0});
   world.project.pairs = {pair};
   const auto edited = world.run(into, noProgress(), until);
   ASSERT_TRUE(edited) << edited.error();
@@ -119,13 +120,13 @@ TEST(Chain, AnEditedPairIsRegisteredAgainAlone) {
 }
 
 /// Where b would be if the tracker had it turned by 14 degrees and 12 mm off: its views overlap by 14 mm.
-glm::dmat4 farOff(const glm::dmat4& place, double by_mm) {
+Transform<frame::World, frame::View> farOff(const Transform<frame::World, frame::View>& place, double by_mm) {
   const double turn = 14.0 * std::numbers::pi / 180.0;
   glm::dmat4 off(1.0);
   off[0] = glm::dvec4(std::cos(turn), std::sin(turn), 0.0, 0.0);
   off[1] = glm::dvec4(-std::sin(turn), std::cos(turn), 0.0, 0.0);
   off[3] = glm::dvec4(0.0, by_mm, 0.0, 1.0);
-  return place * off;
+  return place * Transform<frame::View, frame::View>{off};
 }
 
 bool wasSearched(const PairOutcome& pair) {
@@ -137,13 +138,13 @@ TEST(Chain, SearchesAboutAPlaceFromWhichRefiningDoesNotEndAligned) {
   ChainWorld world;
   ChainOptions until;
   until.until = Step::rigid;
-  const glm::dmat4 truth =
-      glm::inverse(world.project.volumes[1].toWorld * test::shiftedBy({-0.8, 0.0, 0.0})) * world.project.volumes[0].toWorld;
+  const auto b = world.project.volumes[1].toWorld * test::shiftedBy<frame::View, frame::View>({-0.8, 0.0, 0.0});
+  const auto truth = fixedToMovingOf(world.project.volumes[0].toWorld, b);
   const auto near = world.run(world.folder / "near", noProgress(), until);
   ASSERT_TRUE(near) << near.error();
   EXPECT_FALSE(wasSearched(near->pairs.at(0))) << "what descending finds is not searched for";
 
-  const glm::dmat4 recorded = world.project.volumes[1].toWorld;
+  const auto recorded = world.project.volumes[1].toWorld;
   world.project.volumes[1].toWorld = farOff(recorded, 12.0);
   const auto found = world.run(world.folder / "far", noProgress(), until);
   ASSERT_TRUE(found) << found.error();
@@ -151,8 +152,8 @@ TEST(Chain, SearchesAboutAPlaceFromWhichRefiningDoesNotEndAligned) {
   EXPECT_EQ(pair.used, PairMethod::refine);
   EXPECT_TRUE(wasSearched(pair)) << pair.rigid.reason;
   EXPECT_EQ(pair.rigid.verdict, registration::Verdict::aligned) << pair.rigid.reason;
-  const glm::dvec4 middle(28.0, 16.0, 14.0, 1.0);
-  EXPECT_LT(glm::distance(pair.rigid.fixedToMoving * middle, truth * middle), 0.5);
+  const glm::dvec3 middle(28.0, 16.0, 14.0);
+  EXPECT_LT(glm::distance(carried(pair.rigid.fixedToMoving, middle), carried(truth, middle)), 0.5);
 
   // Nobody believes a place that is further off than the tracker could have been.
   world.project.volumes[1].toWorld = farOff(recorded, 45.0);
@@ -520,7 +521,7 @@ TEST(Chain, LeavesOutWhatNothingHoldsToTheOthers) {
   together.fixed = 0;
   together.moving = 1;
   together.method = PairMethod::byHand;
-  together.start = glm::inverse(world.project.volumes[1].toWorld) * world.project.volumes[0].toWorld;
+  together.start = fixedToMovingOf(world.project.volumes[0].toWorld, world.project.volumes[1].toWorld);
   world.project.pairs.push_back(together);
   for (auto& volume : world.project.volumes) volume.placement = Placement::unknown;
   world.project.settings.elastic = false;

@@ -38,7 +38,7 @@ class BlobScene {
     return level + static_cast<double>(hash >> 24) / 6.0 - 21.0;
   }
   /// @param toWorld of the volume; its own grid begins at its origin
-  [[nodiscard]] Volume cut(const glm::ivec3& dims, double spacing_mm, const glm::dmat4& toWorld) const {
+  [[nodiscard]] Volume cut(const glm::ivec3& dims, double spacing_mm, const Transform<frame::World, frame::View>& toWorld) const {
     Volume volume;
     volume.grid.dims = dims;
     volume.grid.spacing_mm = glm::dvec3(spacing_mm);
@@ -46,8 +46,8 @@ class BlobScene {
     for (int k = 0; k < dims.z; ++k)
       for (int j = 0; j < dims.y; ++j)
         for (int i = 0; i < dims.x; ++i)
-          volume.echo[volume.grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(
-              std::clamp(at(glm::dvec3(toWorld * glm::dvec4(spacing_mm * glm::dvec3(i, j, k), 1.0))), 1.0, 255.0));
+          volume.echo[volume.grid.indexOf(i, j, k)] =
+              static_cast<std::uint8_t>(std::clamp(at(carried(toWorld, spacing_mm * glm::dvec3(i, j, k))), 1.0, 255.0));
     return volume;
   }
 
@@ -60,10 +60,11 @@ class BlobScene {
   std::vector<Blob> blobs_;
 };
 
-inline glm::dmat4 shiftedBy(const glm::dvec3& by_mm) {
-  glm::dmat4 matrix(1.0);
-  matrix[3] = glm::dvec4(by_mm, 1.0);
-  return matrix;
+template <class To, class From>
+Transform<To, From> shiftedBy(const glm::dvec3& by_mm) {
+  Transform<To, From> shift;
+  shift.matrix[3] = glm::dvec4(by_mm, 1.0);
+  return shift;
 }
 
 /// Three volumes in a row, each overlapping the next, in files, and a project about them.
@@ -72,13 +73,13 @@ class ChainWorld {
   explicit ChainWorld(int size = 36) {
     const BlobScene scene(7);
     for (int n = 0; n < 3; ++n) {
-      const glm::dmat4 place = shiftedBy({-40.0 + 0.6 * size * n, -0.5 * size, -0.5 * size});
+      const auto place = shiftedBy<frame::World, frame::View>({-40.0 + 0.6 * size * n, -0.5 * size, -0.5 * size});
       const auto file = folder / (std::string(1, static_cast<char>('a' + n)) + ".mha");
       static_cast<void>(writeVolume(scene.cut(glm::ivec3(size, size - 4, size - 8), 0.999, place), file));
       stitching::ProjectVolume volume;
       volume.file = file;
       volume.name = file.filename().string();
-      volume.toWorld = place * shiftedBy({n == 1 ? 0.8 : 0.0, 0.0, n == 2 ? -0.6 : 0.0});
+      volume.toWorld = place * shiftedBy<frame::View, frame::View>({n == 1 ? 0.8 : 0.0, 0.0, n == 2 ? -0.6 : 0.0});
       project.volumes.push_back(std::move(volume));
     }
     project.settings.effort = registration::ElasticEffort::fast;

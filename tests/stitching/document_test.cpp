@@ -85,10 +85,10 @@ TEST_F(StitchDocumentTest, RepeatedNudgesAreOneStepWithTheirSumInItsName) {
   for (int n = 1; n <= 4; ++n) {
     const StitchProject* before = document_.beforeMerging("nudge 1");
     EXPECT_EQ(before != nullptr, n > 1);
-    glm::dmat4 place(1.0);
-    place[3].x = 0.5 * n;
+    Transform<frame::World, frame::View> place;
+    place.matrix[3].x = 0.5 * n;
     if (before != nullptr) {
-      EXPECT_EQ(before->volumes[1].toWorld, glm::dmat4(1.0));
+      EXPECT_EQ(before->volumes[1].toWorld, (Transform<frame::World, frame::View>{}));
     }
     document_.edit(withPlace(document_.project(), 1, place, Placement::hand), "nudge b by " + std::to_string(0.5 * n) + " mm", "nudge 1");
   }
@@ -100,14 +100,14 @@ TEST_F(StitchDocumentTest, RepeatedNudgesAreOneStepWithTheirSumInItsName) {
 
 TEST_F(StitchDocumentTest, AHandThatLetsGoBeginsAnotherStep) {
   document_.edit(threeVolumes(), "add");
-  glm::dmat4 place(1.0);
-  place[3].x = 1.0;
+  Transform<frame::World, frame::View> place;
+  place.matrix[3].x = 1.0;
   document_.edit(withPlace(document_.project(), 1, place, Placement::hand), "one", "key");
   document_.endMerging();
-  place[3].x = 2.0;
+  place.matrix[3].x = 2.0;
   document_.edit(withPlace(document_.project(), 1, place, Placement::hand), "two", "key");
   document_.undo();
-  EXPECT_EQ(document_.project().volumes[1].toWorld[3].x, 1.0);
+  EXPECT_EQ(document_.project().volumes[1].toWorld.matrix[3].x, 1.0);
 }
 
 TEST_F(StitchDocumentTest, AnEditThatChangesNothingIsNoStep) {
@@ -134,8 +134,8 @@ TEST_F(StitchDocumentTest, ARemovedVolumeTakesItsPairsAndStrokesAlongAndTheOther
 TEST_F(StitchDocumentTest, APairWhoseVolumesChangePlacesIsTheSamePairToldFromTheOtherSide) {
   StitchProject project = threeVolumes();
   ProjectPair pair = pairWithLandmark(0, 2);
-  glm::dmat4 start(1.0);
-  start[3] = {7.0, -2.0, 1.0, 1.0};
+  Transform<frame::Moving, frame::Fixed> start;
+  start.matrix[3] = {7.0, -2.0, 1.0, 1.0};
   pair.start = start;
   project = withVolumeMoved(withPair(project, pair), 2, 0);
   EXPECT_EQ(project.volumes[0].name, "c");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ew/stitching/places.h"
 #include "stitching/chain_world.h"
 
 namespace ew::stitching::group_bend_test {
@@ -17,7 +18,7 @@ struct Row {
       volume.echo.assign(volume.grid.voxelCount(), 100);
       view.volume = std::make_shared<const Volume>(std::move(volume));
       held.push_back(std::move(view));
-      poses.push_back(test::shiftedBy({0.5 * size * n, 0.0, 0.0}));
+      poses.push_back(test::shiftedBy<frame::World, frame::View>({0.5 * size * n, 0.0, 0.0}));
     }
     for (const auto& view : held) views.push_back(&view);
   }
@@ -26,7 +27,7 @@ struct Row {
     PairBend bend;
     bend.fixed = fixed;
     bend.moving = moving;
-    bend.fixedToMoving.rigid = glm::inverse(poses[moving]) * poses[fixed];
+    bend.fixedToMoving.rigid = fixedToMovingOf(poses[fixed], poses[moving]);
     bend.fixedToMoving.control.nodes.dims = {2, 2, 2};
     bend.fixedToMoving.control.nodes.spacing_mm = glm::dvec3(60.0);
     bend.fixedToMoving.control.displacement_mm.assign(8, glm::vec3(motion));
@@ -34,7 +35,7 @@ struct Row {
   }
   std::vector<LoadedView> held;
   std::vector<const LoadedView*> views;
-  std::vector<glm::dmat4> poses;
+  std::vector<Transform<frame::World, frame::View>> poses;
   std::vector<PairBend> pairs;
 };
 
@@ -60,8 +61,8 @@ TEST(BendGroup, SharesAPairsMotionBetweenBothAndLetsItFallOffOutside) {
 
 TEST(BendGroup, GivesViewsThatAgreeInALoopTheMotionsThatAllPairsAskFor) {
   Row row(3, 60);
-  row.poses[2] = row.poses[1] = test::shiftedBy({20.0, 0.0, 0.0});
-  row.poses[2][3].y = 15.0;
+  row.poses[2] = row.poses[1] = test::shiftedBy<frame::World, frame::View>({20.0, 0.0, 0.0});
+  row.poses[2].matrix[3].y = 15.0;
   const glm::dvec3 own[] = {{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, 0.0, -3.0}};
   for (std::size_t f = 0; f < 3; ++f)
     for (std::size_t m = f + 1; m < 3; ++m) row.pair(f, m, own[m] - own[f]);

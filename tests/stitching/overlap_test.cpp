@@ -28,16 +28,17 @@ TEST(Overlap, HoldsEveryVoxelThatBothCover) {
   for (int k = 0; k < 40; ++k)
     for (int j = 0; j < 50; ++j)
       for (int i = 0; i < 20; ++i) fixed.coverage[fixed.grid.indexOf(i, j, k)] = 0;
-  const glm::dmat4 place = glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(-21.0, 6.0, 2.0)), 0.3, glm::dvec3(0.2, 1.0, 0.4));
+  const Transform<frame::Moving, frame::Fixed> place{
+      glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(-21.0, 6.0, 2.0)), 0.3, glm::dvec3(0.2, 1.0, 0.4))};
   const auto overlap = overlapOf(fixed, moving, place);
   ASSERT_TRUE(overlap);
   const auto [inFixed, inMoving] = sharedBoxes(fixed.grid, moving.grid, place, 0.0);
-  const glm::dmat4 there = moving.grid.worldToVoxel().matrix * place * fixed.grid.voxelToWorld().matrix;
+  const auto there = moving.grid.toVoxel<frame::Moving>() * place * fixed.grid.voxelTo<frame::Fixed>();
   std::size_t shared = 0;
   for (int k = 0; k < 40; ++k)
     for (int j = 0; j < 50; ++j)
       for (int i = 0; i < 60; ++i) {
-        const glm::ivec3 own(i, j, k), other(glm::floor(glm::dvec3(there * glm::dvec4(i, j, k, 1.0)) + 0.5));
+        const glm::ivec3 own(i, j, k), other(glm::floor(carried(there, {i, j, k}) + 0.5));
         if (fixed.coverage[fixed.grid.indexOf(i, j, k)] == 0 || !moving.grid.contains(other)) continue;
         ++shared;
         const auto holds = [](const VoxelBox& box, const glm::ivec3& p) {
@@ -49,7 +50,7 @@ TEST(Overlap, HoldsEveryVoxelThatBothCover) {
       }
   EXPECT_GT(shared, 5000u);
   EXPECT_GE(overlap->fixed.begin.x, 17);
-  EXPECT_FALSE(overlapOf(fixed, moving, glm::translate(glm::dmat4(1.0), glm::dvec3(500.0, 0.0, 0.0))));
+  EXPECT_FALSE(overlapOf(fixed, moving, {glm::translate(glm::dmat4(1.0), glm::dvec3(500.0, 0.0, 0.0))}));
 }
 
 TEST(Overlap, APartKeepsItsVoxelsAndTheirPlaces) {

@@ -23,7 +23,9 @@ Error refused(const json& project) {
   return parsed ? Error{} : parsed.error();
 }
 
-glm::dmat4 oddPlace() { return matrixFromRows({0, -1, 0, 4.25, 1, 0, 0, -1.0 / 3.0, 0, 0, 1, 1e-9, 0, 0, 0, 1}); }
+Transform<frame::World, frame::View> oddPlace() {
+  return {matrixFromRows({0, -1, 0, 4.25, 1, 0, 0, -1.0 / 3.0, 0, 0, 1, 1e-9, 0, 0, 0, 1})};
+}
 
 /// A project in which no field has its default.
 StitchProject fullProject() {
@@ -50,7 +52,7 @@ StitchProject fullProject() {
   pair.moving = 2;
   pair.method = PairMethod::byHand;
   pair.decision = Decision::accepted;
-  pair.start = oddPlace();
+  pair.start = renamed<frame::Moving, frame::Fixed>(oddPlace());
   pair.landmarks = {{"gall bladder", {1, 2, 3}, {4, 5, 1.0 / 7.0}}, {"2", {0, 0, 1}, {1e-3, 0, 0}}};
   pair.maxTurn_deg = 60.0;
   pair.effort = registration::ElasticEffort::fast;
@@ -197,7 +199,7 @@ TEST(StitchProject, TurnsAPairThatIsWrittenTheOtherWayRound) {
   EXPECT_EQ(pair.landmarks[0].fixed_mm, glm::dvec3(4, 5, 6));
   EXPECT_EQ(pair.landmarks[0].moving_mm, glm::dvec3(1, 2, 3));
   EXPECT_EQ(pair.landmarks[0].name, "1");
-  const glm::dmat4 product = *pair.start * oddPlace();
+  const glm::dmat4 product = pair.start->matrix * oddPlace().matrix;
   for (int column = 0; column < 4; ++column) EXPECT_LT(glm::distance(product[column], glm::dmat4(1.0)[column]), 1e-12);
 }
 
@@ -207,7 +209,7 @@ TEST(StitchProject, TakesAPlaceFromAFileOfSixteenNumbers) {
   const json project = {{"volumes", {{{"file", "a.mha"}, {"to_world", "a.txt"}}}}};
   const auto read = parseProject(project.dump(), folder.path());
   ASSERT_TRUE(read) << read.error();
-  EXPECT_EQ(glm::dvec3(read->volumes[0].toWorld[3]), glm::dvec3(10, 20, 30));
+  EXPECT_EQ(glm::dvec3(read->volumes[0].toWorld.matrix[3]), glm::dvec3(10, 20, 30));
   EXPECT_EQ(read->volumes[0].file, folder / "a.mha");
   EXPECT_EQ(read->volumes[0].name, "a.mha");
   writeText(folder / "a.txt", "1 0 0 10\n0 1 0 20\n");

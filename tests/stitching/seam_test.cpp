@@ -23,7 +23,7 @@ struct TwoViews {
   std::vector<View> views;
 
   TwoViews(SpeckledViewRecipe l, SpeckledViewRecipe r) : left(speckledView(l, 0)), right(speckledView(r, 0)) {
-    views = {viewOf(left.volume, "left", l.toWorld), viewOf(right.volume, "right", r.toWorld)};
+    views = {viewOf(left.volume, "left", l.toWorld.matrix), viewOf(right.volume, "right", r.toWorld.matrix)};
     views[0].confidence = left.confidence;
     views[1].confidence = right.confidence;
   }

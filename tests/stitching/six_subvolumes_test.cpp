@@ -53,8 +53,6 @@ double processorSeconds() {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-glm::dvec3 carried(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1.0)); }
-
 struct Spread {
   std::vector<double> values;
   void add(double value) { values.push_back(value); }
@@ -79,23 +77,23 @@ class Judge {
   }
 
   /// Mean distance over what a view covers between its place and another one, both seen from the first view.
-  [[nodiscard]] double apart_mm(std::size_t view, const std::vector<glm::dmat4>& places) const {
-    const glm::dmat4 found = glm::inverse(toWorld_[0]) * toWorld_[view];
-    const glm::dmat4 meant = glm::inverse(places[0]) * places[view];
+  [[nodiscard]] double apart_mm(std::size_t view, const std::vector<Transform<frame::World, frame::View>>& places) const {
+    const auto found = inverse(toWorld_[0]) * toWorld_[view];
+    const auto meant = inverse(places[0]) * places[view];
     Spread apart;
     forEachSample(view, [&](const glm::dvec3& p) { apart.add(glm::distance(carried(found, p), carried(meant, p))); });
     return apart.mean();
   }
 
   /// Where the probes were.
-  [[nodiscard]] std::vector<glm::dmat4> ofProbes() const {
-    std::vector<glm::dmat4> places;
-    for (std::size_t v = 0; v < toWorld_.size(); ++v) places.push_back(glm::inverse(truth_.fromWorld(v)));
+  [[nodiscard]] std::vector<Transform<frame::World, frame::View>> ofProbes() const {
+    std::vector<Transform<frame::World, frame::View>> places;
+    for (std::size_t v = 0; v < toWorld_.size(); ++v) places.push_back(inverse(truth_.fromWorld(v)));
     return places;
   }
 
   /// The rigid places that bring the same tissue together best, which is not where the probes were: each view pressed it another way.
-  [[nodiscard]] std::vector<glm::dmat4> ofTissue() const {
+  [[nodiscard]] std::vector<Transform<frame::World, frame::View>> ofTissue() const {
     auto places = ofProbes();
     struct Meeting {
       std::size_t f, m;
@@ -138,13 +136,13 @@ class Judge {
     for (int k = 0; k < grid.dims.z; k += 6)
       for (int j = 0; j < grid.dims.y; j += 6)
         for (int i = 0; i < grid.dims.x; i += 6) {
-          const glm::dvec3 p = carried(grid.voxelToWorld().matrix, glm::dvec3(i, j, k));
+          const glm::dvec3 p = carried(grid.voxelToWorld(), glm::dvec3(i, j, k));
           std::vector<glm::dvec3> tissue;
           for (std::size_t v = 0; v < toWorld_.size(); ++v) {
             glm::dvec3 at = p;
             if (bent && v < state_.bends.size() && !state_.bends[v].displacement_mm.empty())
               at += registration::displacementAt(state_.bends[v], p);
-            const glm::dvec3 own = carried(glm::inverse(toWorld_[v]), at);
+            const glm::dvec3 own = carried(inverse(toWorld_[v]), at);
             if (covered(v, own)) tissue.push_back(truth_.tissueAt(v, own));
           }
           for (std::size_t a = 0; a < tissue.size(); ++a)
@@ -163,29 +161,29 @@ class Judge {
       for (int j = 0; j < volume.grid.dims.y; j += kStep)
         for (int i = 0; i < volume.grid.dims.x; i += kStep)
           if (volume.coverageAt(volume.grid.indexOf(i, j, k)) != Coverage::absent)
-            take(carried(volume.grid.voxelToWorld().matrix, glm::dvec3(i, j, k)));
+            take(carried(volume.grid.voxelToWorld(), glm::dvec3(i, j, k)));
   }
   [[nodiscard]] bool covered(std::size_t view, const glm::dvec3& p) const {
     const Volume& volume = *state_.volumes[view];
-    const glm::ivec3 voxel(glm::floor(carried(volume.grid.worldToVoxel().matrix, p) + 0.5));
+    const glm::ivec3 voxel(glm::floor(carried(volume.grid.worldToVoxel(), p) + 0.5));
     return volume.grid.contains(voxel) && volume.coverageAt(volume.grid.indexOf(voxel.x, voxel.y, voxel.z)) != Coverage::absent;
   }
-  static glm::dmat4 fitted(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
+  static Transform<frame::World, frame::View> fitted(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
     Eigen::Matrix3Xd a(3, static_cast<Eigen::Index>(from.size())), b(3, static_cast<Eigen::Index>(to.size()));
     for (std::size_t n = 0; n < from.size(); ++n) {
       a.col(static_cast<Eigen::Index>(n)) << from[n].x, from[n].y, from[n].z;
       b.col(static_cast<Eigen::Index>(n)) << to[n].x, to[n].y, to[n].z;
     }
     const Eigen::Matrix4d found = Eigen::umeyama(a, b, false);
-    glm::dmat4 out(1.0);
+    Transform<frame::World, frame::View> out;
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 4; ++c) out[c][r] = found(r, c);
+      for (int c = 0; c < 4; ++c) out.matrix[c][r] = found(r, c);
     return out;
   }
 
   const test::SixRecordings& truth_;
   const ChainState& state_;
-  std::vector<glm::dmat4> toWorld_;
+  std::vector<Transform<frame::World, frame::View>> toWorld_;
 };
 
 /// How far each view's voxels are to be trusted, as the chain kept it.
@@ -232,7 +230,7 @@ Shadows shadowsOf(const std::vector<View>& views, const Grid& grid, std::span<co
   for (int k = 2; k < grid.dims.z; k += 5)
     for (int j = 2; j < grid.dims.y; j += 5)
       for (int i = 2; i < grid.dims.x; i += 5) {
-        const glm::dvec3 p = carried(grid.voxelToWorld().matrix, glm::dvec3(i, j, k));
+        const glm::dvec3 p = carried(grid.voxelToWorld(), glm::dvec3(i, j, k));
         double least = 2.0, most = -1.0;
         int covering = 0;
         for (std::size_t v = 0; v < views.size(); ++v) {
@@ -240,7 +238,7 @@ Shadows shadowsOf(const std::vector<View>& views, const Grid& grid, std::span<co
           const Volume& volume = *views[v].volume;
           glm::dvec3 at = p;
           if (views[v].bend != nullptr) at += registration::displacementAt(*views[v].bend, p);
-          const glm::dmat4 toVoxel = volume.grid.worldToVoxel().matrix * glm::inverse(views[v].toWorld);
+          const auto toVoxel = volume.grid.toVoxel<frame::View>() * inverse(views[v].toWorld);
           const glm::ivec3 voxel(glm::floor(carried(toVoxel, at) + 0.5));
           if (!volume.grid.contains(voxel)) continue;
           const std::size_t index = volume.grid.indexOf(voxel.x, voxel.y, voxel.z);

@@ -161,8 +161,8 @@ TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
   bend.nodes.origin_mm = glm::dvec3(-50.0);
   bend.displacement_mm.assign(8, glm::vec3(1.0f, 2.0f, 3.0f));
   Mapping mapping;
-  mapping.toBend[3] = {10, 0, 0, 1};
-  mapping.toGrid[3] = {0, 0, -5, 1};
+  mapping.toBend.matrix[3] = {10, 0, 0, 1};
+  mapping.toGrid.matrix[3] = {0, 0, -5, 1};
   mapping.bend = &bend;
   const glm::dvec3 p = mapping({1, 1, 1});
   EXPECT_NEAR(p.x, 12.0, 1e-6);
@@ -245,10 +245,14 @@ TEST(Slices, ALatticeWithoutDisplacementIsSquareAndAShiftShiftsIt) {
   EXPECT_TRUE(deformedLattice(plane, size, 0.0, [](const glm::dvec3& p) { return p; }).empty());
 }
 
+Transform<frame::Moving, frame::Fixed> movedBy(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+  return renamed<frame::Moving, frame::Fixed>(motionOf<frame::Fixed>(shift_mm, turn_deg, {}));
+}
+
 TEST(Slices, ANudgeMovesWhatTheMovingVolumeShowsByThatMuch) {
-  glm::dmat4 fixedToMoving = motionOf({3, 1, -2}, {10, 20, -5}, {0, 0, 0});
+  const auto fixedToMoving = movedBy({3, 1, -2}, {10, 20, -5});
   const glm::dvec3 seen{4, 5, 6};  // a place of the moving volume
-  const auto shownAt = [&](const glm::dmat4& m) { return glm::dvec3(glm::inverse(m) * glm::dvec4(seen, 1.0)); };
+  const auto shownAt = [&](const Transform<frame::Moving, frame::Fixed>& t) { return carried(inverse(t), seen); };
   const glm::dvec3 before = shownAt(fixedToMoving);
   const glm::dvec3 after = shownAt(nudged(fixedToMoving, {2, 0, -1}, {}, {}));
   EXPECT_NEAR(glm::length(after - before - glm::dvec3(2, 0, -1)), 0.0, 1e-9);
@@ -261,11 +265,11 @@ TEST(Slices, QuickAgreementIsOneAtTheTruthAndLessBesideIt) {
   volume.grid.dims = {30, 30, 30};
   std::uint32_t state = 7;
   for (int n = 0; n < 27000; ++n) volume.echo.push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
-  const QuickAgreement same = quickAgreement(volume, volume, glm::dmat4(1.0), 1.0);
+  const QuickAgreement same = quickAgreement(volume, volume, {}, 1.0);
   EXPECT_NEAR(same.correlation, 1.0, 1e-9);
   EXPECT_EQ(same.overlapShare, 1.0);
-  EXPECT_LT(quickAgreement(volume, volume, motionOf({3, 0, 0}, {}, {}), 1.0).correlation, 0.1);
-  const QuickAgreement apart = quickAgreement(volume, volume, motionOf({300, 0, 0}, {}, {}), 1.0);
+  EXPECT_LT(quickAgreement(volume, volume, movedBy({3, 0, 0}, {}), 1.0).correlation, 0.1);
+  const QuickAgreement apart = quickAgreement(volume, volume, movedBy({300, 0, 0}, {}), 1.0);
   EXPECT_EQ(apart.points, 0u);
   EXPECT_EQ(apart.correlation, 0.0);
 }
@@ -285,7 +289,7 @@ TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
   dark.echo.assign(64000, 10);
   bright.echo.assign(64000, 240);
   const std::vector<SeenView> views = {{&dark, {}}, {&bright, {}}};
-  const auto picture = seamPicture(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, glm::dmat4(1.0));
+  const auto picture = seamPicture(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, {});
   EXPECT_LT(picture.rgb[0][1], 60);
   EXPECT_GT(picture.rgb[8][1], 140);
 }

@@ -41,7 +41,7 @@ struct PlacedVolume {
   std::string name;
 };
 PlacedVolume at(Volume volume, const std::string& name = "a", const glm::dmat4& toWorld = glm::dmat4(1.0)) {
-  return {std::move(volume), toWorld, name};
+  return {std::move(volume), {toWorld}, name};
 }
 glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z)); }
 

@@ -45,7 +45,7 @@ inline glm::dmat4 moved(double x, double y, double z) { return glm::translate(gl
 inline View viewOf(const Volume& volume, const std::string& name, const glm::dmat4& toWorld = glm::dmat4(1.0)) {
   View view;
   view.volume = &volume;
-  view.toWorld = toWorld;
+  view.toWorld = {toWorld};
   view.name = name;
   return view;
 }

@@ -17,13 +17,14 @@ std::pair<std::string, std::string> split(const std::string& path) {
   return dot == std::string::npos ? std::pair{path, std::string()} : std::pair{path.substr(0, dot), path.substr(dot + 1)};
 }
 
-/// 16 numbers, row by row, as a matrix; empty when it is anything else.
-std::optional<glm::dmat4> matrixIn(const nlohmann::json& value) {
+/// 16 numbers, row by row, as a transform; empty when it is anything else.
+template <class To, class From>
+std::optional<Transform<To, From>> transformIn(const nlohmann::json& value) {
   if (!value.is_array() || value.size() != 16 || !std::all_of(value.begin(), value.end(), [](const auto& n) { return n.is_number(); }))
     return std::nullopt;
   std::array<double, 16> rows{};
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = value[i].get<double>();
-  return matrixFromRows(rows);
+  return Transform<To, From>{matrixFromRows(rows)};
 }
 
 }  // namespace
@@ -76,16 +77,16 @@ nlohmann::json withEffect(nlohmann::json manifest, const std::string& path, bool
   return withField(std::move(manifest), path, on);
 }
 
-Result<glm::dmat4> placeOf(const nlohmann::json& manifest) {
+Result<Transform<frame::World, frame::File>> placeOf(const nlohmann::json& manifest) {
   const auto value = fieldOf(manifest, "volume.file_to_world");
-  if (value.is_null()) return glm::dmat4(1.0);
-  if (const auto matrix = matrixIn(value)) return *matrix;
+  if (value.is_null()) return Transform<frame::World, frame::File>{};
+  if (const auto fileToWorld = transformIn<frame::World, frame::File>(value)) return *fileToWorld;
   return failure(ErrorCode::badField,
                  say<"The volume's place is not 16 numbers, row by row; correct 'volume.file_to_world' in case.json.">(),
                  {{"field", "volume.file_to_world"}});
 }
 
-nlohmann::json withPlace(nlohmann::json manifest, const glm::dmat4& fileToWorld) {
+nlohmann::json withPlace(nlohmann::json manifest, const Transform<frame::World, frame::File>& fileToWorld) {
   return withField(std::move(manifest), "volume.file_to_world", nlohmann::json(rowsOf(fileToWorld)));
 }
 
@@ -128,16 +129,18 @@ nlohmann::json withLines(nlohmann::json manifest, const std::string& path, const
   return withField(std::move(manifest), path, list.empty() ? std::nullopt : std::optional<nlohmann::json>(list));
 }
 
-std::optional<glm::dmat4> startPoseOf(const nlohmann::json& manifest) { return matrixIn(fieldOf(manifest, "start_pose")); }
+std::optional<Transform<frame::World, frame::Probe>> startPoseOf(const nlohmann::json& manifest) {
+  return transformIn<frame::World, frame::Probe>(fieldOf(manifest, "start_pose"));
+}
 
-nlohmann::json withStartPose(nlohmann::json manifest, const std::optional<glm::dmat4>& probeToWorld) {
+nlohmann::json withStartPose(nlohmann::json manifest, const std::optional<Transform<frame::World, frame::Probe>>& probeToWorld) {
   return withField(std::move(manifest), "start_pose", probeToWorld ? std::optional<nlohmann::json>(rowsOf(*probeToWorld)) : std::nullopt);
 }
 
-bool seesVolume(const sdk::Cases::Scan& scan, const glm::dmat4& probeToWorld) {
+bool seesVolume(const sdk::Cases::Scan& scan, const Transform<frame::World, frame::Probe>& probeToWorld) {
   constexpr double kDepthStep_mm = 4.0;
   constexpr int kLines = 17;
-  const glm::dmat4 probeToVoxel = scan.volume.worldToVoxel().matrix * probeToWorld;
+  const auto probeToVoxel = scan.volume.worldToVoxel() * probeToWorld;
   const bool isFan = scan.halfWidth_rad > 0.0;
   // Lines of a fan meet this far behind the face.
   const double radius_mm = isFan ? scan.halfFace_mm / std::sin(scan.halfWidth_rad) : 0.0;
@@ -145,10 +148,10 @@ bool seesVolume(const sdk::Cases::Scan& scan, const glm::dmat4& probeToWorld) {
     const double across = 2.0 * line / (kLines - 1) - 1.0;
     const double angle_rad = across * scan.halfWidth_rad;
     for (double depth_mm = 0.0; depth_mm <= scan.depth_mm; depth_mm += kDepthStep_mm) {
-      const glm::dvec4 p_probe = isFan ? glm::dvec4((radius_mm + depth_mm) * std::sin(angle_rad),
-                                                    (radius_mm + depth_mm) * std::cos(angle_rad) - radius_mm, 0.0, 1.0)
-                                       : glm::dvec4(across * scan.halfFace_mm, depth_mm, 0.0, 1.0);
-      const glm::dvec3 p_voxel(probeToVoxel * p_probe);
+      const glm::dvec3 p_probe =
+          isFan ? glm::dvec3((radius_mm + depth_mm) * std::sin(angle_rad), (radius_mm + depth_mm) * std::cos(angle_rad) - radius_mm, 0.0)
+                : glm::dvec3(across * scan.halfFace_mm, depth_mm, 0.0);
+      const glm::dvec3 p_voxel = carried(probeToVoxel, p_probe);
       if (glm::all(glm::greaterThanEqual(p_voxel, glm::dvec3(-0.5))) &&
           glm::all(glm::lessThan(p_voxel, glm::dvec3(scan.volume.dims) - 0.5)))
         return true;

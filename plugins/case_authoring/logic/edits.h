@@ -31,8 +31,8 @@ namespace ew::case_authoring {
 
 /// Where the volume lies: volume.file_to_world, the identity when the manifest gives none.
 /// @error badField when it is not 16 numbers
-[[nodiscard]] Result<glm::dmat4> placeOf(const nlohmann::json& manifest);
-[[nodiscard]] nlohmann::json withPlace(nlohmann::json manifest, const glm::dmat4& fileToWorld);
+[[nodiscard]] Result<Transform<frame::World, frame::File>> placeOf(const nlohmann::json& manifest);
+[[nodiscard]] nlohmann::json withPlace(nlohmann::json manifest, const Transform<frame::World, frame::File>& fileToWorld);
 
 /// Whether the case lists a probe. One that lists none allows all.
 [[nodiscard]] bool listsProbe(const nlohmann::json& manifest, const std::string& id);
@@ -47,12 +47,13 @@ namespace ew::case_authoring {
 [[nodiscard]] nlohmann::json withLines(nlohmann::json manifest, const std::string& path, const std::string& lines);
 
 /// Where the probe stands at the start, probe to world; empty when the case leaves it to the program, or when it is not 16 numbers.
-[[nodiscard]] std::optional<glm::dmat4> startPoseOf(const nlohmann::json& manifest);
-[[nodiscard]] nlohmann::json withStartPose(nlohmann::json manifest, const std::optional<glm::dmat4>& probeToWorld);
+[[nodiscard]] std::optional<Transform<frame::World, frame::Probe>> startPoseOf(const nlohmann::json& manifest);
+[[nodiscard]] nlohmann::json withStartPose(nlohmann::json manifest,
+                                           const std::optional<Transform<frame::World, frame::Probe>>& probeToWorld);
 
 /// Whether any part of the picture lies within the volume when the probe of `scan` stands at `probeToWorld`. The picture is looked at every
 /// 4 mm of depth and in 17 lines: a volume that is smaller may be missed.
-[[nodiscard]] bool seesVolume(const sdk::Cases::Scan& scan, const glm::dmat4& probeToWorld);
+[[nodiscard]] bool seesVolume(const sdk::Cases::Scan& scan, const Transform<frame::World, frame::Probe>& probeToWorld);
 
 /// The field a problem is about ("patient.age_years"), from its context; empty when it names none. An index is cut off: "start_pose[3]"
 /// is about "start_pose".

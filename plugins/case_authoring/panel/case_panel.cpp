@@ -263,15 +263,15 @@ void CasePanel::addScene(QFormLayout* form) {
 }
 
 void CasePanel::addPlace(QFormLayout* form) {
-  auto* place = new sdk::PlacementFields;
+  auto* place = new sdk::PlacementFields<frame::World, frame::File>;
   place->setObjectName(QStringLiteral("placement"));
-  place->onChanged = [this](const glm::dmat4& matrix, const std::string& axis) {
+  place->onChanged = [this](const Transform<frame::World, frame::File>& fileToWorld, const std::string& axis) {
     change(
         kPlacePath, tr("Move the volume, %1").arg(sdk::words(axis)),
-        [&](nlohmann::json manifest) { return withPlace(std::move(manifest), matrix); }, axis);
+        [&](nlohmann::json manifest) { return withPlace(std::move(manifest), fileToWorld); }, axis);
   };
   fields_[kPlacePath] = {[place](const nlohmann::json& manifest) {
-                           if (const auto matrix = placeOf(manifest)) place->setMatrix(*matrix);
+                           if (const auto fileToWorld = placeOf(manifest)) place->setTransform(*fileToWorld);
                          },
                          addRow(form, {}, place, kPlacePath)};
 }

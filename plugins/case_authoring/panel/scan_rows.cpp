@@ -75,7 +75,7 @@ void CasePanel::addStartPose(QFormLayout* form) {
   startRemark_ = sdk::problemLabel();
   startRemark_->setObjectName(QStringLiteral("startRemark"));
   column->addWidget(startRemark_);
-  const auto set = [this, path](const QString& what, const std::optional<glm::dmat4>& pose) {
+  const auto set = [this, path](const QString& what, const std::optional<Transform<frame::World, frame::Probe>>& pose) {
     // Taken and removed again are two steps: who undoes the second wants the first back.
     change(
         path, what, [&](nlohmann::json manifest) { return withStartPose(std::move(manifest), pose); }, pose ? " taken" : " removed");
@@ -95,7 +95,7 @@ void CasePanel::addStartPose(QFormLayout* form) {
                      leave->setEnabled(pose.has_value());
                      if (!pose) return place->setText(tr("on the skin before the volume's middle"));
                      const auto mm = [](double value) { return QLocale().toString(value, 'f', 1); };
-                     const glm::dvec4& at_mm = (*pose)[3];
+                     const glm::dvec4& at_mm = pose->matrix[3];
                      place->setText(tr("x %1  y %2  z %3 mm").arg(mm(at_mm.x), mm(at_mm.y), mm(at_mm.z)));
                    },
                    addRow(form, tr("Start pose"), cell, path)};

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "ew/imaging/point_levels.h"
-#include "ew/stitching/places.h"
 
 namespace ew::stitching {
 namespace {
@@ -25,7 +24,7 @@ std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(s
 class Rows {
  public:
   Rows(const Volume& volume, const Mapping& mapping)
-      : volume_(volume), mapping_(mapping), fromBend_(volume.grid.worldToVoxel().matrix * mapping.toGrid) {}
+      : volume_(volume), mapping_(mapping), fromBend_(volume.grid.toVoxel<frame::View>() * mapping.toGrid) {}
 
   /// The levels (levelsAt) of `count` points from `start_mm` on; they stay until the next call.
   std::span<const float> at(const glm::dvec3& start_mm, const glm::dvec3& step_mm, int count) {
@@ -43,15 +42,16 @@ class Rows {
   }
 
  private:
-  void fill(const glm::dmat4& matrix, const glm::dvec3& start_mm, const glm::dvec3& step_mm) {
-    const glm::dvec3 start = carried(matrix, start_mm);
-    const glm::dvec3 step = glm::dmat3(matrix) * step_mm;
+  template <class Own, class Frame>
+  void fill(const Transform<Own, Frame>& fromPlane, const glm::dvec3& start_mm, const glm::dvec3& step_mm) {
+    const glm::dvec3 start = carried(fromPlane, start_mm);
+    const glm::dvec3 step = glm::dmat3(fromPlane.matrix) * step_mm;
     for (std::size_t n = 0; n < points_.size(); ++n) points_[n] = start + static_cast<double>(n) * step;
   }
 
   const Volume& volume_;
   const Mapping& mapping_;
-  glm::dmat4 fromBend_;  ///< to voxels
+  Transform<frame::Voxel, frame::World> fromBend_;
   std::vector<glm::dvec3> points_;
   std::vector<float> levels_;
 };
@@ -82,17 +82,12 @@ glm::dvec2 pixelOf(const Plane& plane, const glm::ivec2& size, const glm::dvec3&
 
 double distanceTo(const Plane& plane, const glm::dvec3& p_mm) { return glm::dot(p_mm - plane.centre_mm, plane.normal()); }
 
-Plane moved(const Plane& plane, const glm::dmat4& rigid) {
-  const glm::dmat3 turn(rigid);
-  return {carried(rigid, plane.centre_mm), turn * plane.right, turn * plane.down, plane.pixel_mm};
-}
-
 Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& turn_deg) {
   Plane result = plane;
   for (const int axis : {1, 0, 2}) {
     if (turn_deg[axis] == 0.0) continue;
     const glm::dvec3 about = axis == 0 ? result.right : axis == 1 ? result.down : result.normal();
-    result = moved(result, turnAbout(turn_deg[axis] * about, about_mm));
+    result = moved(result, Transform<frame::View, frame::View>{turnAbout(turn_deg[axis] * about, about_mm)});
   }
   // Hundreds of small turns must not shear the picture.
   result.right = glm::normalize(result.right);
@@ -197,14 +192,14 @@ std::array<std::uint8_t, 3> colourOfView(std::size_t view) {
 }
 
 ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views, const Plane& plane, const glm::ivec2& size,
-                          const glm::dmat4& toWorld) {
+                          const Transform<frame::World, frame::Fixed>& planeToWorld) {
   ColourPicture picture{size, {}};
   picture.rgb.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0, 0, 0});
   if (seams.view.empty()) return picture;
   const auto indexOf = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
   };
-  const glm::dmat4 toCell = seams.cells.worldToVoxel().matrix * toWorld;
+  const auto toCell = seams.cells.worldToVoxel() * planeToWorld;
   std::vector<int> owner(picture.rgb.size(), -1);
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
@@ -242,27 +237,32 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
   return picture;
 }
 
-glm::dmat4 motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
-  return glm::translate(glm::dmat4(1.0), shift_mm) * turnAbout(turn_deg, pivot_mm);
+template <class Frame>
+Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
+  return {glm::translate(glm::dmat4(1.0), shift_mm) * turnAbout(turn_deg, pivot_mm)};
 }
+template Transform<frame::Fixed, frame::Fixed> motionOf(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&);
+template Transform<frame::World, frame::World> motionOf(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&);
 
-glm::dmat4 nudged(const glm::dmat4& fixedToMoving, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
+Transform<frame::Moving, frame::Fixed> nudged(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const glm::dvec3& shift_mm,
+                                              const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
   // What stood at p stands at motion(p) afterwards, so the point seen at q is the one that stood at motion^-1(q).
-  return fixedToMoving * rigidInverse(motionOf(shift_mm, turn_deg, pivot_mm));
+  return fixedToMoving * rigidInverse(motionOf<frame::Fixed>(shift_mm, turn_deg, pivot_mm));
 }
 
-QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving, double step_mm) {
+QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                              double step_mm) {
   QuickAgreement result;
   if (fixed.echo.empty() || moving.echo.empty() || !(step_mm > 0.0)) return result;
   const glm::ivec3 step = glm::max(glm::ivec3(1), glm::ivec3(glm::round(glm::dvec3(step_mm) / fixed.grid.spacing_mm)));
-  const glm::dmat4 toWorld = fixed.grid.voxelToWorld().matrix;
-  const Mapping mapping{glm::dmat4(1.0), nullptr, fixedToMoving};
+  const auto toFixed = fixed.grid.voxelTo<frame::Fixed>();
+  const Mapping mapping{{}, nullptr, renamed<frame::View, frame::World>(fixedToMoving)};
   Rows rows(moving, mapping);
   std::size_t covered = 0;
   double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
   for (int k = 0; k < fixed.grid.dims.z; k += step.z) {
     for (int j = 0; j < fixed.grid.dims.y; j += step.y) {
-      const auto others = rows.at(carried(toWorld, {0, j, k}), static_cast<double>(step.x) * glm::dvec3(toWorld[0]),
+      const auto others = rows.at(carried(toFixed, {0, j, k}), static_cast<double>(step.x) * glm::dvec3(toFixed.matrix[0]),
                                   (fixed.grid.dims.x + step.x - 1) / step.x);
       for (int i = 0; i < fixed.grid.dims.x; i += step.x) {
         const std::size_t index = fixed.grid.indexOf(i, j, k);

@@ -32,16 +32,22 @@ enum class Cut { axial, coronal, sagittal };
 [[nodiscard]] glm::dvec2 pixelOf(const Plane& plane, const glm::ivec2& size, const glm::dvec3& p_mm);
 [[nodiscard]] double distanceTo(const Plane& plane, const glm::dvec3& p_mm);
 /// The plane as seen in another frame.
-[[nodiscard]] Plane moved(const Plane& plane, const glm::dmat4& rigid);
+template <class To, class From>
+[[nodiscard]] Plane moved(const Plane& plane, const Transform<To, From>& rigid) {
+  const glm::dmat3 turn(rigid.matrix);
+  return {carried(rigid, plane.centre_mm), turn * plane.right, turn * plane.down, plane.pixel_mm};
+}
 /// Turned about a point of it (and so still through it): first about its own `down`, then about `right`, then about the normal.
 [[nodiscard]] Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& turn_deg);
 
-/// How a point of the plane's frame goes over into a volume's own: toGrid * (b + u(b)) with b = toBend * p.
+/// How a point of the plane's frame, which is that of a pair's fixed volume, goes over into a volume's own: toGrid * (b + u(b)) with
+/// b = toBend * p. Where nothing bends, the fixed volume's frame may stand for the world; as it is made, all frames are one.
 struct Mapping {
-  glm::dmat4 toBend{1.0};                           ///< into the frame of the bend
+  Transform<frame::World, frame::Fixed> toBend;
   const registration::ControlGrid* bend = nullptr;  ///< null: none
-  glm::dmat4 toGrid{1.0};
+  Transform<frame::View, frame::World> toGrid;
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p_mm) const;
+  [[nodiscard]] Transform<frame::View, frame::Fixed> withoutBend() const { return toGrid * toBend; }
 };
 
 struct GreyPicture {
@@ -89,19 +95,20 @@ struct SeenView {
   Mapping fromPlane;
 };
 /// Each pixel from the view that the seam map gives it, tinted with that view's colour, borders between views drawn bright.
-/// @param toWorld from the plane's frame
 [[nodiscard]] ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views, const Plane& plane, const glm::ivec2& size,
-                                        const glm::dmat4& toWorld);
+                                        const Transform<frame::World, frame::Fixed>& planeToWorld);
 /// Index of the view at a world point, or -1.
 [[nodiscard]] int viewAt(const SeamMap& seams, const glm::dvec3& p_world_mm);
 /// The colour in which a view is shown, everywhere the same; eight of them, then from the beginning.
 [[nodiscard]] std::array<std::uint8_t, 3> colourOfView(std::size_t view);
 
 /// The moving volume moved within the fixed frame: shifted by `shift_mm`, after a turn about `pivot_mm` (axis times degrees, fixed frame).
-[[nodiscard]] glm::dmat4 nudged(const glm::dmat4& fixedToMoving, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg,
-                                const glm::dvec3& pivot_mm);
-/// The rigid motion of such a nudge, in the frame in which it happens.
-[[nodiscard]] glm::dmat4 motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm);
+[[nodiscard]] Transform<frame::Moving, frame::Fixed> nudged(const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                                                            const glm::dvec3& shift_mm, const glm::dvec3& turn_deg,
+                                                            const glm::dvec3& pivot_mm);
+/// The rigid motion of such a nudge, in the frame in which it happens: the fixed volume's, or the world.
+template <class Frame>
+[[nodiscard]] Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm);
 
 /// Plain correlation of grey levels over what both cover, on a lattice of `step_mm` in the fixed volume; none below 200 common points.
 /// For a hand that nudges: a figure that moves at once. Not a verdict.
@@ -110,6 +117,7 @@ struct QuickAgreement {
   double overlapShare = 0.0;  ///< of the fixed volume's covered points
   std::size_t points = 0;
 };
-[[nodiscard]] QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving, double step_mm);
+[[nodiscard]] QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving,
+                                            const Transform<frame::Moving, frame::Fixed>& fixedToMoving, double step_mm);
 
 }  // namespace ew::stitching

@@ -99,7 +99,8 @@ StitchProject withVolumeMoved(StitchProject project, std::size_t from, std::size
   return project;
 }
 
-StitchProject withPlace(StitchProject project, std::size_t volume, const glm::dmat4& toWorld, Placement placement) {
+StitchProject withPlace(StitchProject project, std::size_t volume, const Transform<frame::World, frame::View>& toWorld,
+                        Placement placement) {
   if (volume >= project.volumes.size()) return project;
   project.volumes[volume].toWorld = toWorld;
   project.volumes[volume].placement = placement;
@@ -119,7 +120,7 @@ ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t 
 ProjectPair toldFromTheOtherSide(ProjectPair pair) {
   std::swap(pair.fixed, pair.moving);
   for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
-  if (pair.start) pair.start = rigidInverse(*pair.start);
+  if (pair.start) pair.start = withRolesSwapped(*pair.start);
   return pair;
 }
 

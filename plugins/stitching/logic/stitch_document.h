@@ -17,7 +17,8 @@ namespace ew::stitching {
 [[nodiscard]] StitchProject withVolumes(StitchProject project, std::vector<ProjectVolume> added);  ///< names made unique
 [[nodiscard]] StitchProject withoutVolume(StitchProject project, std::size_t volume);
 [[nodiscard]] StitchProject withVolumeMoved(StitchProject project, std::size_t from, std::size_t to);
-[[nodiscard]] StitchProject withPlace(StitchProject project, std::size_t volume, const glm::dmat4& toWorld, Placement placement);
+[[nodiscard]] StitchProject withPlace(StitchProject project, std::size_t volume, const Transform<frame::World, frame::View>& toWorld,
+                                      Placement placement);
 /// The pair as the project has it, or as nobody has said anything about it. @param fixed, moving different; the smaller is the fixed one
 [[nodiscard]] ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t moving);
 /// The same pair with its volumes in the other roles.

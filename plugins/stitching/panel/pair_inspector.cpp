@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/stitching/places.h"
 #include "panel/look.h"
 
 namespace ew::stitching {
@@ -174,8 +173,8 @@ QWidget* PairInspector::makePose() {
   auto* heading = sdk::headingLabel(tr("Pose"));
   heading->setToolTip(tr("Where the moving volume lies in the fixed one; in the views the arrow keys move it"));
   column->addWidget(heading);
-  pose_ = new sdk::PlacementFields;
-  pose_->onChanged = [this](const glm::dmat4& movingToFixed, const std::string& axis) {
+  pose_ = new sdk::PlacementFields<frame::Fixed, frame::Moving>;
+  pose_->onChanged = [this](const Transform<frame::Fixed, frame::Moving>& movingToFixed, const std::string& axis) {
     if (showing_ || !session_.pair()) return;
     session_.setTransform(rigidInverse(movingToFixed), tr("pose of %1 by numbers").arg(words(letterOf(session_.pair()->moving))),
                           "figures " + axis + ' ' + std::to_string(session_.pair()->fixed) + ' ' + std::to_string(session_.pair()->moving));
@@ -467,7 +466,7 @@ void PairInspector::showFigures() {
   const QuickAgreement now = session_.agreement();
   now_->setText(now.points < 200 ? tr("no overlap") : numberText(now.correlation, 2));
   const bool was = std::exchange(showing_, true);
-  pose_->setMatrix(rigidInverse(session_.transform()));
+  pose_->setTransform(rigidInverse(session_.transform()));
   showing_ = was;
 }
 

@@ -54,7 +54,7 @@ class PairInspector final : public QWidget {
   QLabel* halves_ = nullptr;
   QLabel* time_ = nullptr;
   LevelChart* chart_ = nullptr;
-  sdk::PlacementFields* pose_ = nullptr;
+  sdk::PlacementFields<frame::Fixed, frame::Moving>* pose_ = nullptr;
   QTableWidget* table_ = nullptr;
   Paragraph* landmarkWord_ = nullptr;
   QPushButton* pick_ = nullptr;

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "ew/stitching/places.h"
 #include "panel/look.h"
 
 namespace ew::stitching {
@@ -98,7 +97,7 @@ const std::vector<PlacementView::Sheet>& PlacementView::sheetsOf(std::size_t ind
   return kept.second;
 }
 
-QPolygonF PlacementView::outline(const Sheet& sheet, const glm::dmat4& toWorld) const {
+QPolygonF PlacementView::outline(const Sheet& sheet, const Transform<frame::World, frame::View>& toWorld) const {
   return {{pixelAt(carried(toWorld, sheet.corner_mm)), pixelAt(carried(toWorld, sheet.corner_mm + sheet.along_mm)),
            pixelAt(carried(toWorld, sheet.corner_mm + sheet.along_mm + sheet.down_mm)),
            pixelAt(carried(toWorld, sheet.corner_mm + sheet.down_mm))}};
@@ -119,7 +118,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
   std::vector<Seen> order;
   const glm::dvec3 away = glm::cross(right_, down_);
   for (std::size_t n = 0; n < count; ++n) {
-    const glm::dmat4 toWorld = session_.toWorld(n);
+    const auto toWorld = session_.toWorld(n);
     for (const Sheet& sheet : sheetsOf(n))
       order.push_back({n, &sheet, glm::dot(carried(toWorld, sheet.corner_mm + 0.5 * (sheet.along_mm + sheet.down_mm)), away)});
   }
@@ -139,7 +138,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
   for (std::size_t n = 0; n < count; ++n) {
     const auto volume = session_.volume(n);
     if (!volume) continue;
-    const glm::dmat4 toPixel = session_.toWorld(n) * volume->grid.voxelToWorld().matrix;
+    const auto voxelToWorld = session_.toWorld(n) * volume->grid.voxelTo<frame::View>();
     const bool chosen = session_.chosenVolume() == n || held_ == n;
     QColor colour = colourOf(colourOfView(n));
     colour.setAlpha(chosen ? 255 : 150);
@@ -147,7 +146,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
     QPointF corner[8];
     for (int c = 0; c < 8; ++c) {
       const glm::dvec3 voxel = glm::dvec3(c & 1, (c >> 1) & 1, c >> 2) * glm::dvec3(volume->grid.dims) - 0.5;
-      corner[c] = pixelAt(carried(toPixel, voxel));
+      corner[c] = pixelAt(carried(voxelToWorld, voxel));
     }
     for (int c = 0; c < 8; ++c)
       for (const int bit : {1, 2, 4})
@@ -192,7 +191,7 @@ int PlacementView::volumeUnder(const QPointF& at) {
   double nearest = 1e300;
   const glm::dvec3 away = glm::cross(right_, down_);
   for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-    const glm::dmat4 toWorld = session_.toWorld(n);
+    const auto toWorld = session_.toWorld(n);
     for (const Sheet& sheet : sheetsOf(n)) {
       if (!outline(sheet, toWorld).containsPoint(at, Qt::OddEvenFill)) continue;
       const double depth = glm::dot(carried(toWorld, sheet.corner_mm + 0.5 * (sheet.along_mm + sheet.down_mm)), away);
@@ -212,11 +211,11 @@ void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const g
   turnOf_ += turn_deg;
   const auto volume = session_.volume(index);
   if (!volume) return;
-  const glm::dvec3 middle = carried(heldFrom_ * volume->grid.voxelToWorld().matrix, 0.5 * (glm::dvec3(volume->grid.dims) - 1.0));
+  const glm::dvec3 middle = carried(heldFrom_ * volume->grid.voxelTo<frame::View>(), 0.5 * (glm::dvec3(volume->grid.dims) - 1.0));
   const QLocale locale;
   const QString letter = sdk::words(letterOf(index));
   const bool turns = turnOf_ != glm::dvec3(0.0);
-  session_.setPlace(index, motionOf(wayOf_, turnOf_, middle) * heldFrom_,
+  session_.setPlace(index, motionOf<frame::World>(wayOf_, turnOf_, middle) * heldFrom_,
                     turns ? tr("rotate %1 by %2°").arg(letter, locale.toString(glm::length(turnOf_), 'f', 0))
                           : tr("move %1 by %2 mm").arg(letter, locale.toString(glm::length(wayOf_), 'f', 1)),
                     "place " + std::to_string(index));

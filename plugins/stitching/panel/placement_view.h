@@ -39,7 +39,7 @@ class PlacementView final : public ViewBase {
   };
   [[nodiscard]] const std::vector<Sheet>& sheetsOf(std::size_t volume);
   [[nodiscard]] int volumeUnder(const QPointF& at);
-  [[nodiscard]] QPolygonF outline(const Sheet& sheet, const glm::dmat4& toWorld) const;
+  [[nodiscard]] QPolygonF outline(const Sheet& sheet, const Transform<frame::World, frame::View>& toWorld) const;
   void place(std::size_t volume, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);
 
   std::map<const Volume*, std::pair<std::weak_ptr<const Volume>, std::vector<Sheet>>> sheets_;
@@ -50,7 +50,7 @@ class PlacementView final : public ViewBase {
   QPointF last_;
   std::optional<std::size_t> held_;
   bool turning_ = false;
-  glm::dmat4 heldFrom_{1.0};
+  Transform<frame::World, frame::View> heldFrom_;
   glm::dvec3 wayOf_{0.0}, turnOf_{0.0};
   std::size_t fittedFor_ = 0;
   const ChainState* foundFor_ = nullptr;  ///< only compared

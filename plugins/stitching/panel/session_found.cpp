@@ -35,8 +35,8 @@ const PairOutcome* StitchSession::outcomeOf(std::size_t fixed, std::size_t movin
     if (isNew) {
       PairOutcome& turned = at->second;
       std::swap(turned.fixed, turned.moving);
-      turned.rigid.fixedToMoving = rigidInverse(outcome.rigid.fixedToMoving);
-      for (auto& hypothesis : turned.hypotheses) hypothesis.fixedToMoving = rigidInverse(hypothesis.fixedToMoving);
+      turned.rigid.fixedToMoving = withRolesSwapped(outcome.rigid.fixedToMoving);
+      for (auto& hypothesis : turned.hypotheses) hypothesis.fixedToMoving = withRolesSwapped(hypothesis.fixedToMoving);
     }
     return &at->second;
   }
@@ -153,23 +153,27 @@ bool StitchSession::isMatchFresh() const {
   return std::none_of(all.begin(), all.end(), [](const PairLine& line) { return line.stale; });
 }
 
-const glm::dmat4* StitchSession::foundPlace(std::size_t index) const {
+const Transform<frame::World, frame::View>* StitchSession::foundPlace(std::size_t index) const {
   const auto at = foundIndex(index);
   return at && found_->graph && *at < found_->graph->toWorld.size() && samePlaces(index) ? &found_->graph->toWorld[*at] : nullptr;
 }
 
-glm::dmat4 StitchSession::placedToShown(std::size_t index) const {
-  for (std::size_t other = 0; other < project().volumes.size(); ++other) {
-    if (other == index) continue;
-    if (const glm::dmat4* place = foundPlace(other)) return *place * rigidInverse(project().volumes[other].toWorld);
-  }
-  return glm::dmat4(1.0);
+Transform<frame::Placed, frame::View> StitchSession::placeGiven(std::size_t index) const {
+  return renamed<frame::Placed, frame::View>(project().volumes[index].toWorld);
 }
 
-glm::dmat4 StitchSession::toWorld(std::size_t index) const {
-  if (index >= project().volumes.size()) return glm::dmat4(1.0);
-  if (const glm::dmat4* place = foundPlace(index)) return *place;
-  return placedToShown(index) * project().volumes[index].toWorld;
+Transform<frame::World, frame::Placed> StitchSession::placedToShown(std::size_t index) const {
+  for (std::size_t other = 0; other < project().volumes.size(); ++other) {
+    if (other == index) continue;
+    if (const auto* place = foundPlace(other)) return *place * rigidInverse(placeGiven(other));
+  }
+  return {};
+}
+
+Transform<frame::World, frame::View> StitchSession::toWorld(std::size_t index) const {
+  if (index >= project().volumes.size()) return {};
+  if (const auto* place = foundPlace(index)) return *place;
+  return placedToShown(index) * placeGiven(index);
 }
 
 bool StitchSession::hasElastic() const {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "ew/sdk/panel.h"
-#include "ew/stitching/places.h"
 #include "panel/folders.h"
 #include "panel/session_parts.h"
 

@@ -52,13 +52,13 @@ void StitchSession::setStage(Stage stage) {
   Q_EMIT lookChanged();
 }
 
-glm::dmat4 StitchSession::startTransform() const {
-  if (!pair_) return glm::dmat4(1.0);
-  return rigidInverse(project().volumes[pair_->moving].toWorld) * project().volumes[pair_->fixed].toWorld;
+Transform<frame::Moving, frame::Fixed> StitchSession::startTransform() const {
+  if (!pair_) return {};
+  return fixedToMovingOf(project().volumes[pair_->fixed].toWorld, project().volumes[pair_->moving].toWorld);
 }
 
-glm::dmat4 StitchSession::transform() const {
-  if (!pair_) return glm::dmat4(1.0);
+Transform<frame::Moving, frame::Fixed> StitchSession::transform() const {
+  if (!pair_) return {};
   const ProjectPair said = pairOf(project(), pair_->fixed, pair_->moving);
   const PairLine line = pairLine(pair_->fixed, pair_->moving);
   if (said.start && (said.method == PairMethod::byHand || line.outcome == nullptr || line.stale)) return *said.start;
@@ -72,8 +72,8 @@ glm::dmat4 StitchSession::transform() const {
 Mapping StitchSession::fixedMapping(Stage stage) const {
   if (stage != Stage::elastic || !hasElastic()) return {};
   const std::size_t i = *foundIndex(pair_->fixed);
-  const glm::dmat4& world = found_->graph->toWorld[i];
-  return {world, &found_->bends[i], rigidInverse(world)};
+  const auto& world = found_->graph->toWorld[i];
+  return {renamed<frame::World, frame::Fixed>(world), &found_->bends[i], rigidInverse(world)};
 }
 
 Mapping StitchSession::movingMapping(Stage stage) const {
@@ -81,14 +81,13 @@ Mapping StitchSession::movingMapping(Stage stage) const {
   if (stage == Stage::elastic && hasElastic()) {
     const std::size_t i = *foundIndex(pair_->fixed);
     const std::size_t j = *foundIndex(pair_->moving);
-    return {found_->graph->toWorld[i], &found_->bends[j], rigidInverse(found_->graph->toWorld[j])};
+    const auto fixedToWorld = renamed<frame::World, frame::Fixed>(found_->graph->toWorld[i]);
+    return {fixedToWorld, &found_->bends[j], rigidInverse(found_->graph->toWorld[j])};
   }
-  return {glm::dmat4(1.0), nullptr, stage == Stage::start ? startTransform() : transform()};
+  return {{}, nullptr, renamed<frame::View, frame::World>(stage == Stage::start ? startTransform() : transform())};
 }
 
-Plane StitchSession::movingPlane() const {
-  return linked_ ? moved(plane_, movingMapping(stage_).toGrid * movingMapping(stage_).toBend) : movingPlane_;
-}
+Plane StitchSession::movingPlane() const { return linked_ ? moved(plane_, movingMapping(stage_).withoutBend()) : movingPlane_; }
 
 glm::dvec3 StitchSession::movingCross() const { return linked_ ? movingMapping(stage_)(cross_) : movingCross_; }
 
@@ -105,19 +104,13 @@ void StitchSession::setCross(const glm::dvec3& p_mm) {
 }
 
 void StitchSession::setMovingPlane(const Plane& plane) {
-  if (linked_) {
-    const Mapping mapping = movingMapping(stage_);
-    return setPlane(moved(plane, rigidInverse(mapping.toGrid * mapping.toBend)));
-  }
+  if (linked_) return setPlane(moved(plane, rigidInverse(movingMapping(stage_).withoutBend())));
   movingPlane_ = plane;
   Q_EMIT lookChanged();
 }
 
 void StitchSession::setMovingCross(const glm::dvec3& p_mm) {
-  if (linked_) {
-    const Mapping mapping = movingMapping(stage_);
-    return setCross(carried(rigidInverse(mapping.toGrid * mapping.toBend), p_mm));
-  }
+  if (linked_) return setCross(carried(rigidInverse(movingMapping(stage_).withoutBend()), p_mm));
   movingCross_ = p_mm;
   const double off = distanceTo(movingPlane_, p_mm);
   if (std::abs(off) > 1e-9) movingPlane_.centre_mm += off * movingPlane_.normal();
@@ -171,7 +164,7 @@ void StitchSession::fit() {
   glm::dvec3 middle = middleOf(grid);
   if (fixed && moving) {
     // The middle of what both cover: where there is something to compare.
-    const glm::dmat4 toVoxel = moving->grid.worldToVoxel().matrix * transform();
+    const auto toVoxel = moving->grid.toVoxel<frame::Moving>() * transform();
     glm::dvec3 sum{0.0};
     int count = 0;
     constexpr int kSide = 16;
@@ -179,7 +172,7 @@ void StitchSession::fit() {
       const glm::dvec3 share = glm::dvec3(n % kSide, (n / kSide) % kSide, n / kSide / kSide) / (kSide - 1.0);
       const glm::ivec3 at = glm::ivec3(glm::round(share * (glm::dvec3(grid.dims) - 1.0)));
       if (fixed->coverageAt(grid.indexOf(at.x, at.y, at.z)) == Coverage::absent) continue;
-      const glm::dvec3 p = carried(grid.voxelToWorld().matrix, glm::dvec3(at));
+      const glm::dvec3 p = carried(grid.voxelTo<frame::Fixed>(), glm::dvec3(at));
       const glm::ivec3 other = glm::ivec3(glm::round(carried(toVoxel, p)));
       if (!moving->grid.contains(other) || moving->coverageAt(moving->grid.indexOf(other.x, other.y, other.z)) == Coverage::absent)
         continue;
@@ -207,7 +200,7 @@ QuickAgreement StitchSession::agreement() const {
   const auto moving = volume(pair_->moving);
   if (!fixed || !moving) return {};
   // Cross-hairs that move ask again and again about a pose that stays.
-  const glm::dmat4 now = transform();
+  const auto now = transform();
   if (agreementOf_.fixed == fixed && agreementOf_.moving == moving && agreementOf_.transform == now) return agreementOf_.found;
   const glm::dvec3 extent = glm::dvec3(fixed->grid.dims) * fixed->grid.spacing_mm;
   const double step_mm = std::max(1.0, std::cbrt(extent.x * extent.y * extent.z) / 40.0);

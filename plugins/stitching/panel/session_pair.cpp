@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "ew/sdk/panel.h"
-#include "ew/stitching/places.h"
 #include "panel/charts.h"
 #include "panel/session_parts.h"
 
@@ -25,8 +24,10 @@ void StitchSession::afterChoice() {
   if (auto result = registration::registerLandmarks(marks)) landmarkResult_ = std::move(*result);
 }
 
-void StitchSession::setPlace(std::size_t index, const glm::dmat4& shown, const QString& what, const std::string& mergeKey) {
-  edit(withPlace(project(), index, rigidInverse(placedToShown(index)) * shown, Placement::hand), what, mergeKey);
+void StitchSession::setPlace(std::size_t index, const Transform<frame::World, frame::View>& shown, const QString& what,
+                             const std::string& mergeKey) {
+  const Transform<frame::Placed, frame::View> place = rigidInverse(placedToShown(index)) * shown;
+  edit(withPlace(project(), index, renamed<frame::World, frame::View>(place), Placement::hand), what, mergeKey);
 }
 
 void StitchSession::setPlacement(std::size_t index, Placement placement) {
@@ -122,7 +123,8 @@ void StitchSession::setDecision(Decision decision) {
   editPair([&](ProjectPair& pair) { pair.decision = next; }, what);
 }
 
-void StitchSession::setTransform(const glm::dmat4& fixedToMoving, const QString& what, const std::string& mergeKey) {
+void StitchSession::setTransform(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const QString& what,
+                                 const std::string& mergeKey) {
   editPair(
       [&](ProjectPair& pair) {
         pair.start = fixedToMoving;
@@ -136,10 +138,10 @@ void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg
   if (!pair_) return;
   const glm::dmat3 axes(plane_.right, plane_.down, plane_.normal());
   const bool shifts = shift_mm != glm::dvec3(0.0);
-  const glm::dmat4 next = nudged(transform(), axes * shift_mm, axes * turn_deg, cross_);
+  const auto next = nudged(transform(), axes * shift_mm, axes * turn_deg, cross_);
   const std::string key = (shifts ? "shift " : "turn ") + std::to_string(pair_->fixed) + ' ' + std::to_string(pair_->moving);
   // The name tells the whole way since the keys began to be pressed.
-  glm::dmat4 from = transform();
+  auto from = transform();
   if (const StitchProject* before = document_.beforeMerging(key)) {
     const ProjectPair was = pairOf(*before, pair_->fixed, pair_->moving);
     const PairLine line = pairLine(pair_->fixed, pair_->moving);
@@ -147,14 +149,14 @@ void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg
            : line.outcome != nullptr                     ? line.outcome->rigid.fixedToMoving
                                                          : startTransform();
   }
-  const glm::dmat4 motion = rigidInverse(next) * from;
+  const Transform<frame::Fixed, frame::Fixed> motion = rigidInverse(next) * from;
   const QLocale locale;
   QString what;
   if (shifts) {
     what =
         tr("nudge %1 by %2 mm").arg(words(letterOf(pair_->moving)), locale.toString(glm::length(carried(motion, cross_) - cross_), 'g', 3));
   } else {
-    const glm::dmat3 turn(motion);
+    const glm::dmat3 turn(motion.matrix);
     const double angle = std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0)) * 180.0 / M_PI;
     what = tr("rotate %1 by %2°").arg(words(letterOf(pair_->moving)), locale.toString(angle, 'g', 3));
   }
@@ -164,7 +166,7 @@ void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg
 
 void StitchSession::pinStart() {
   if (running_) return;
-  const glm::dmat4 now = transform();
+  const auto now = transform();
   editPair([&](ProjectPair& pair) { pair.start = now; }, tr("redo %1").arg(nameOfPair()), "redo " + nameOfPair().toStdString());
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "ew/sdk/panel.h"
-#include "ew/stitching/places.h"
 #include "panel/look.h"
 
 namespace ew::stitching {
@@ -96,7 +95,7 @@ QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, S
 QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
   const ChainState* found = session_.found();
   const std::size_t fixed = session_.pair()->fixed;
-  const glm::dmat4 toWorld = session_.toWorld(fixed);
+  const auto toWorld = renamed<frame::World, frame::Fixed>(session_.toWorld(fixed));
   if (tools_.fourth == Tools::Fourth::displacement) {
     if (!session_.hasElastic()) {
       nothing_ = session_.project().settings.elastic ? tr("No deformation has been found yet. 'Elastic' finds one.")
@@ -131,9 +130,8 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
     }
     std::vector<SeenView> views;
     for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-      const glm::dmat4 world = session_.toWorld(n);
       const auto* bend = n < found->bends.size() && session_.isFoundFresh() ? &found->bends[n] : nullptr;
-      views.push_back({session_.volume(n).get(), {toWorld, bend, rigidInverse(world)}});
+      views.push_back({session_.volume(n).get(), {toWorld, bend, rigidInverse(session_.toWorld(n))}});
     }
     return imageOf(seamPicture(*found->seams, views, shown, size, toWorld));
   }
@@ -142,7 +140,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
     nothing_ = tr("There is no stitched volume yet. 'Compute mosaic' makes it.");
     return {};
   }
-  return imageOf(sliced(*result, shown, size, {glm::dmat4(1.0), nullptr, toWorld}));
+  return imageOf(sliced(*result, shown, size, {toWorld, nullptr, {}}));
 }
 
 void SliceView::render() {
@@ -196,7 +194,7 @@ void SliceView::render() {
 void SliceView::drawLattice(QPainter& painter) const {
   const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
   const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
-  const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toBend));
+  const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toBend.matrix));
   const auto lines = deformedLattice(plane(), {width(), height()}, kLattice_mm, [&](const glm::dvec3& p) {
     const glm::dvec3 q = carried(mine.toBend, p);
     return p + back * (registration::displacementAt(*other.bend, q) - registration::displacementAt(*mine.bend, q));
@@ -222,7 +220,7 @@ void SliceView::drawLandmarks(QPainter& painter) const {
   const Plane shown = plane();
   const bool moving = kind_ == Kind::moving;
   const Mapping toMoving = session_.movingMapping(session_.stage());
-  const glm::dmat4 fromMoving = rigidInverse(toMoving.toGrid * toMoving.toBend);
+  const auto fromMoving = rigidInverse(toMoving.withoutBend());
   const auto draw = [&](const glm::dvec3& own, const QString& word, const QColor& colour, bool chosen) {
     const glm::dvec3 p = moving && !isOwnMoving() ? carried(fromMoving, own) : own;
     const double off = std::abs(distanceTo(shown, p));
@@ -254,7 +252,7 @@ void SliceView::drawLandmarks(QPainter& painter) const {
 }
 
 void SliceView::drawStrokes(QPainter& painter) const {
-  const glm::dmat4 fromWorld = rigidInverse(session_.toWorld(session_.pair()->fixed));
+  const auto fromWorld = rigidInverse(session_.toWorld(session_.pair()->fixed));
   const Plane shown = plane();
   // Dabs of one stroke are seen as one shape: rims first, then what lies inside takes their place.
   QImage shapes(size(), QImage::Format_ARGB32_Premultiplied);
@@ -281,9 +279,9 @@ void SliceView::drawStrokes(QPainter& painter) const {
 
 void SliceView::drawFrameWords(QPainter& painter) const {
   // Which way the patient lies, by the axis that points most that way.
-  const glm::dmat3 turn =
-      session_.pair() ? glm::dmat3(isOwnMoving() ? session_.toWorld(session_.pair()->moving) : session_.toWorld(session_.pair()->fixed))
-                      : glm::dmat3(1.0);
+  const glm::dmat3 turn = session_.pair()
+                              ? glm::dmat3(session_.toWorld(isOwnMoving() ? session_.pair()->moving : session_.pair()->fixed).matrix)
+                              : glm::dmat3(1.0);
   const auto letter = [](const glm::dvec3& direction) {
     const glm::dvec3 size = glm::abs(direction);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -209,9 +209,7 @@ QString StitchSession::verdictOf(int a, int b) const {
 
 QList<double> StitchSession::transformNow() const {
   QList<double> numbers;
-  const glm::dmat4 matrix = transform();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) numbers << matrix[column][row];
+  for (const double number : rowsOf(transform())) numbers << number;
   return numbers;
 }
 

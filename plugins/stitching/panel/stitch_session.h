@@ -113,9 +113,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   /// Every volume was in the last run, and nothing that shapes the places was edited since.
   [[nodiscard]] bool isMatchFresh() const;
   /// As found, else as placed. A volume placed anew since lies where it was put beside those that were not.
-  [[nodiscard]] glm::dmat4 toWorld(std::size_t volume) const;
+  [[nodiscard]] Transform<frame::World, frame::View> toWorld(std::size_t volume) const;
   /// Puts a volume where `shown` says, in the frame of toWorld.
-  void setPlace(std::size_t volume, const glm::dmat4& shown, const QString& what, const std::string& mergeKey);
+  void setPlace(std::size_t volume, const Transform<frame::World, frame::View>& shown, const QString& what, const std::string& mergeKey);
   void setPlacement(std::size_t volume, Placement placement);
 
   // What is looked at.
@@ -141,8 +141,8 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] MachinePace bendPace() const;  ///< from the pairs that were bent
   [[nodiscard]] MachinePace searchPace() const;
   /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
-  [[nodiscard]] glm::dmat4 transform() const;
-  [[nodiscard]] glm::dmat4 startTransform() const;
+  [[nodiscard]] Transform<frame::Moving, frame::Fixed> transform() const;
+  [[nodiscard]] Transform<frame::Moving, frame::Fixed> startTransform() const;
   /// From the fixed frame to each side's own grid, for a stage.
   [[nodiscard]] Mapping fixedMapping(Stage stage) const;
   [[nodiscard]] Mapping movingMapping(Stage stage) const;
@@ -176,7 +176,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   // Decisions and nudges.
   void setDecision(Decision decision);
   void nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);  ///< along and about the plane's right, down, normal
-  void setTransform(const glm::dmat4& fixedToMoving, const QString& what, const std::string& mergeKey);
+  void setTransform(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const QString& what, const std::string& mergeKey);
   [[nodiscard]] QuickAgreement agreement() const;  ///< at the present transform
 
   // Work.
@@ -238,8 +238,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void settle(ChainState state, StitchProject asked);
   [[nodiscard]] std::optional<std::size_t> foundIndex(std::size_t volume) const;
   [[nodiscard]] bool samePlaces(std::size_t volume) const;
-  [[nodiscard]] const glm::dmat4* foundPlace(std::size_t volume) const;  ///< null: none, or placed anew since
-  [[nodiscard]] glm::dmat4 placedToShown(std::size_t volume) const;      ///< from the project's world to the one that is shown
+  [[nodiscard]] const Transform<frame::World, frame::View>* foundPlace(std::size_t volume) const;  ///< null: none, or placed anew since
+  [[nodiscard]] Transform<frame::Placed, frame::View> placeGiven(std::size_t volume) const;        ///< by the project
+  [[nodiscard]] Transform<frame::World, frame::Placed> placedToShown(std::size_t volume) const;
   void editPair(const std::function<void(ProjectPair&)>& change, const QString& what, const std::string& mergeKey = {});
   [[nodiscard]] QString nameOfPair() const;
   [[nodiscard]] std::vector<std::optional<Grid>> gridsFound() const;                        ///< of the volumes as found_ numbers them
@@ -295,7 +296,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   std::vector<std::string> runningKeys_;  ///< of the volumes that runningLevels_ numbers
   struct AgreementOf {
     std::shared_ptr<const Volume> fixed, moving;
-    glm::dmat4 transform{0.0};
+    Transform<frame::Moving, frame::Fixed> transform;
     QuickAgreement found;
   };
   mutable AgreementOf agreementOf_;

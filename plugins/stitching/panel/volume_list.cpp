@@ -274,10 +274,10 @@ void VolumeList::chooseTransform() {
   keepFolderOf(file);
   auto text = session_.host().files().readText(file.toStdString());
   if (!text) return Q_EMIT problem(words(text.error().message));
-  auto matrix = parseTransform(*text, fs::path(file.toStdString()).filename().string());
-  if (!matrix) return Q_EMIT problem(words(matrix.error().message));
+  auto toWorld = parseTransform<frame::World, frame::View>(*text, fs::path(file.toStdString()).filename().string());
+  if (!toWorld) return Q_EMIT problem(words(toWorld.error().message));
   Q_EMIT problem({});
-  session_.edit(withPlace(session_.project(), *chosen, *matrix, Placement::tracker),
+  session_.edit(withPlace(session_.project(), *chosen, *toWorld, Placement::tracker),
                 tr("pose of %1 from a file").arg(words(letterOf(*chosen))));
 }
 

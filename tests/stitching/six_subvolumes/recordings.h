@@ -44,7 +44,7 @@ class SixRecordings {
         ASSERT_TRUE(swept) << swept.error();
         for (auto& frame : swept->sequence.frames)
           for (auto& each : frame.transforms)
-            if (each.to == "Reference") each.matrix = view.fromWorld * each.matrix;
+            if (each.to == "Reference") each.matrix = view.fromWorld.matrix * each.matrix;
         ASSERT_TRUE(writeDeviceSet(swept->deviceSet, folder / (name + ".xml")));
         ASSERT_TRUE(writeSequence(swept->sequence, folder / (name + ".igs.mha")));
         std::ofstream out(folder / (name + ".truth"));
@@ -66,12 +66,12 @@ class SixRecordings {
   }
 
   /// The world's mm to those of the recording; a view's true place is the inverse.
-  [[nodiscard]] const glm::dmat4& fromWorld(std::size_t view) const { return views_[view].fromWorld; }
+  [[nodiscard]] const Transform<frame::View, frame::World>& fromWorld(std::size_t view) const { return views_[view].fromWorld; }
 
   /// Where the tissue rests, in the patient's world, that a recording shows at a point of its own frame.
   [[nodiscard]] glm::dvec3 tissueAt(std::size_t view, const glm::dvec3& p_mm) const {
     const View& of = views_[view];
-    const glm::dvec3 p_world(glm::inverse(of.fromWorld) * glm::dvec4(p_mm, 1.0));
+    const glm::dvec3 p_world = carried(inverse(of.fromWorld), p_mm);
     return of.pressure[frameAt(of, p_world)]->rest(p_world);
   }
   /// The way back: where a recording shows what rests at a point of the world.
@@ -79,12 +79,12 @@ class SixRecordings {
     const View& of = views_[view];
     glm::dvec3 p_world = rest_mm;
     for (int round = 0; round < 3; ++round) p_world = of.pressure[frameAt(of, p_world)]->moved(rest_mm);
-    return glm::dvec3(of.fromWorld * glm::dvec4(p_world, 1.0));
+    return carried(of.fromWorld, p_world);
   }
 
  private:
   struct View {
-    glm::dmat4 fromWorld{1.0};
+    Transform<frame::View, frame::World> fromWorld;
     std::vector<glm::dmat4> toProbe;
     std::vector<std::unique_ptr<Deformation>> pressure;
   };
@@ -104,7 +104,7 @@ class SixRecordings {
   }
 
   /// Turned by up to 21 degrees and shifted by up to 100 mm, for each view otherwise.
-  static glm::dmat4 ownFrame(std::size_t view) {
+  static Transform<frame::View, frame::World> ownFrame(std::size_t view) {
     const auto n = static_cast<double>(view);
     const glm::dvec3 axis = glm::normalize(glm::dvec3(std::sin(1.0 + 2.1 * n), std::cos(0.3 + 1.3 * n), std::sin(2.0 + 0.7 * n)));
     const double turn = (view == 0 ? 0.0 : 6.0 + 3.0 * n) * 3.14159265358979 / 180.0;
@@ -112,7 +112,7 @@ class SixRecordings {
     const glm::dmat3 cross(0.0, axis.z, -axis.y, -axis.z, 0.0, axis.x, axis.y, -axis.x, 0.0);
     glm::dmat4 frame(glm::dmat3(1.0) + s * cross + (1.0 - c) * cross * cross);
     frame[3] = glm::dvec4(60.0 * std::sin(3.0 * n), -50.0 * std::sin(2.0 * n), 80.0 * std::sin(5.0 * n), 1.0);
-    return frame;
+    return {frame};
   }
 
   std::array<View, kViews> views_;

@@ -444,8 +444,8 @@ Result<json> figureSeven(const PaperBenchOptions& options, Recorder& first, Reco
   if (!b) return passOn(b.error());
   registration::TangentWarpOptions warp;
   warp.slices.threads = 1;
-  const auto found = registration::registerTangentSlices({&*a, {}}, {&*b, {}}, glm::dmat4(1.0), glm::dvec3(0.0, 50.0, 0.0),
-                                                         glm::dvec3(1.0, 0.0, 0.0), warp, joining);
+  const auto found =
+      registration::registerTangentSlices({&*a, {}}, {&*b, {}}, {}, glm::dvec3(0.0, 50.0, 0.0), glm::dvec3(1.0, 0.0, 0.0), warp, joining);
   if (!found) return passOn(found.error());
   const Grid across = planeAcross(options.sweep_mm, a->grid);
   const auto cut = [&](const Volume& volume, const registration::Deformation& deformation) -> Result<Volume> {

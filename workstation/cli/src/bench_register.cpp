@@ -46,7 +46,7 @@ struct Pair {
   Volume fixed;
   Volume moving;
   Motion truth;
-  glm::dmat4 start{1.0};  // what the error at the start is measured with
+  Transform<frame::Moving, frame::Fixed> start;  // what the error at the start is measured with
 };
 
 /// Smooth motion up to kPeak_mm, different in each direction.
@@ -96,13 +96,15 @@ Result<Pair> pairOf(std::string name, const Grid& grid, const SpeckledTissue& fi
   return pair;
 }
 
-glm::dmat4 turnAbout(const glm::dvec3& middle_mm, double angle_deg, const glm::dvec3& axis, const glm::dvec3& shift_mm) {
-  return glm::translate(glm::dmat4(1.0), middle_mm + shift_mm) *
-         glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), glm::normalize(axis)) * glm::translate(glm::dmat4(1.0), -middle_mm);
+Transform<frame::Moving, frame::Fixed> turnAbout(const glm::dvec3& middle_mm, double angle_deg, const glm::dvec3& axis,
+                                                 const glm::dvec3& shift_mm) {
+  return {glm::translate(glm::dmat4(1.0), middle_mm + shift_mm) *
+          glm::rotate(glm::dmat4(1.0), glm::radians(angle_deg), glm::normalize(axis)) * glm::translate(glm::dmat4(1.0), -middle_mm)};
 }
 
-Motion rigidMotion(const glm::dmat4& matrix) {
-  return [matrix](const glm::dvec3& p) { return glm::dvec3(matrix * glm::dvec4(p, 1.0)); };
+template <class To, class From>
+Motion rigidMotion(const Transform<To, From>& t) {
+  return [t](const glm::dvec3& p) { return carried(t, p); };
 }
 
 struct Errors {
@@ -217,8 +219,8 @@ Result<Pairs> makePairs(const RegisterBenchOptions& options, Progress& progress)
   const double extent_mm = kWideVoxel_mm * (options.side - 1);
   const glm::dvec3 middle(0.5 * extent_mm);
   const auto rigidPair = [&](const std::string& name, const SpeckledTissue& seen, double angle_deg, const glm::dvec3& shift_mm) {
-    const glm::dmat4 matrix = turnAbout(middle, angle_deg, {0.5, 0.6, -0.62}, shift_mm);
-    return pairOf(name, wide, tissue, seen, rigidMotion(matrix), rigidMotion(glm::inverse(matrix)), true, progress);
+    const auto fixedToMoving = turnAbout(middle, angle_deg, {0.5, 0.6, -0.62}, shift_mm);
+    return pairOf(name, wide, tissue, seen, rigidMotion(fixedToMoving), rigidMotion(inverse(fixedToMoving)), true, progress);
   };
   if (auto made = take(pairs.turned, rigidPair("turned", tissue, 9.0, {4.0, -3.0, 3.5})); !made) return passOn(made.error());
   for (const auto& [name, angle_deg, share] : {std::tuple{"half", 12.0, 0.5}, {"third", 24.0, 0.66}}) {
@@ -356,11 +358,11 @@ json landmarkRows(std::uint64_t seed, Progress& progress) {
       std::vector<double> times_us;
       constexpr int kDraws = 60;
       for (int n = 0; n < kDraws; ++n) {
-        const glm::dmat4 truth = turnAbout(glm::dvec3(0.0), even(60.0), vector(1.0), vector(40.0));
+        const auto truth = turnAbout(glm::dvec3(0.0), even(60.0), vector(1.0), vector(40.0));
         std::vector<LandmarkPair> pairs;
         for (int p = 0; p < count; ++p) {
           const glm::dvec3 place = vector(80.0);
-          LandmarkPair pair{std::to_string(p), place + vector(pickSpan), glm::dvec3(truth * glm::dvec4(place, 1.0)) + vector(pickSpan)};
+          LandmarkPair pair{std::to_string(p), place + vector(pickSpan), carried(truth, place) + vector(pickSpan)};
           if (p % 5 == 4) pair.moving_mm += 30.0 * glm::normalize(vector(1.0));
           pairs.push_back(pair);
         }
@@ -370,9 +372,9 @@ json landmarkRows(std::uint64_t seed, Progress& progress) {
         if (!result) continue;
         expected_mm += result->expectedError_mm / kDraws;
         for (int corner = 0; corner < 8; ++corner) {
-          const glm::dvec4 p(corner & 1 ? 40.0 : -40.0, corner & 2 ? 40.0 : -40.0, corner & 4 ? 40.0 : -40.0, 1.0);
-          mean_mm += glm::length(glm::dvec3(result->fixedToMoving * p - truth * p)) / (8.0 * kDraws);
-          start_mm += glm::length(glm::dvec3(p - truth * p)) / (8.0 * kDraws);
+          const glm::dvec3 p(corner & 1 ? 40.0 : -40.0, corner & 2 ? 40.0 : -40.0, corner & 4 ? 40.0 : -40.0);
+          mean_mm += glm::length(carried(result->fixedToMoving, p) - carried(truth, p)) / (8.0 * kDraws);
+          start_mm += glm::length(p - carried(truth, p)) / (8.0 * kDraws);
         }
       }
       const std::string setting = std::to_string(count) + (robust ? " pairs, robust" : " pairs, closed form alone");

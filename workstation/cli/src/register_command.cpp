@@ -163,8 +163,8 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   glm::dmat3 across(1.0);
   across[2][2] = glm::determinant(m.directions) * glm::determinant(f.directions) < 0.0 ? -1.0 : 1.0;
   const glm::dmat3 turn = m.directions * across * glm::transpose(f.directions);
-  found.fixedToMoving.rigid = glm::dmat4(turn);
-  found.fixedToMoving.rigid[3] = glm::dvec4(m.origin_mm - turn * f.origin_mm, 1.0);
+  found.fixedToMoving.rigid.matrix = glm::dmat4(turn);
+  found.fixedToMoving.rigid.matrix[3] = glm::dvec4(m.origin_mm - turn * f.origin_mm, 1.0);
   found.fixedToMoving.control.nodes = f;
   found.fixedToMoving.control.displacement_mm.reserve(result->displacement_mm.size());
   double largest_mm = 0.0;
@@ -179,8 +179,8 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   return found;
 }
 
-Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed, const Side& moving, const glm::dmat4& start, Run& run,
-                          Progress& progress, const OnLevel& onLevel) {
+Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed, const Side& moving,
+                          const Transform<frame::Moving, frame::Fixed>& start, Run& run, Progress& progress, const OnLevel& onLevel) {
   ElasticOptions options;
   options.effort = arguments.effort == "fast"       ? ElasticEffort::fast
                    : arguments.effort == "accurate" ? ElasticEffort::accurate
@@ -231,8 +231,8 @@ void rigidInto(Found& found, const RigidResult& result) {
   }
 }
 
-Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, const Side& moving, const glm::dmat4& start,
-                      Progress& progress, const OnLevel& onLevel) {
+Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, const Side& moving,
+                      const Transform<frame::Moving, frame::Fixed>& start, Progress& progress, const OnLevel& onLevel) {
   constexpr double kSearchTurn_deg = 20.0;
   RefineOptions options;
   options.searchTurn_deg = kSearchTurn_deg;
@@ -311,7 +311,7 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
 
 Result<Found> findTransform(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress) {
   const std::string& method = arguments.method;
-  glm::dmat4 start(1.0);
+  Transform<frame::Moving, frame::Fixed> start;
   if (!arguments.start.empty()) {
     const auto read = readTransform(arguments.start);
     if (!read) return passOn(read.error());
@@ -332,7 +332,7 @@ Result<Found> findTransform(const RegisterArguments& arguments, const Side& fixe
 
 /// `--assess`: the figures of ew/registration/quality.h, against where it started.
 Result<void> assess(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Found& found, Progress& progress) {
-  glm::dmat4 before(1.0);
+  Transform<frame::Moving, frame::Fixed> before;
   if (!arguments.start.empty()) {
     const auto start = readTransform(arguments.start);
     if (!start) return passOn(start.error());
@@ -358,11 +358,12 @@ Result<void> assess(const RegisterArguments& arguments, const Side& fixed, const
 }
 
 /// The turn and the shift of the fixed volume's middle: what a person compares with what they expect.
-void transformInto(nlohmann::json& quality, const glm::dmat4& rigid, const Grid& fixed) {
-  const double cosine = 0.5 * (rigid[0][0] + rigid[1][1] + rigid[2][2] - 1.0);
-  const glm::dvec3 middle = (fixed.voxelToWorld() * Point<frame::Voxel>{0.5 * (glm::dvec3(fixed.dims) - 1.0)}).at;
+void transformInto(nlohmann::json& quality, const Transform<frame::Moving, frame::Fixed>& rigid, const Grid& fixed) {
+  const glm::dmat4& turn = rigid.matrix;
+  const double cosine = 0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0);
+  const glm::dvec3 middle = middleOf(fixed);
   quality["turn_deg"] = glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
-  quality["shift_of_middle_mm"] = glm::length(glm::dvec3(rigid * glm::dvec4(middle, 1.0)) - middle);
+  quality["shift_of_middle_mm"] = glm::length(carried(rigid, middle) - middle);
 }
 
 Result<void> announceRegistration(const RegisterArguments& arguments, Run& run) {

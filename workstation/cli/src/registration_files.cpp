@@ -19,7 +19,7 @@ constexpr double kSmallestPickError_mm = 1e-9, kLargestPickError_mm = 1e6;
 
 }  // namespace
 
-Result<glm::dmat4> readTransform(const fs::path& file) {
+Result<Transform<frame::Moving, frame::Fixed>> readTransform(const fs::path& file) {
   constexpr std::size_t kMaxBytes = 1u << 20;
   const auto text = readTextFile(file, kMaxBytes);
   if (!text) return passOn(text.error());
@@ -38,15 +38,15 @@ Result<glm::dmat4> readTransform(const fs::path& file) {
                    {{"file", file.string()}});
   std::array<double, 16> rows{};
   std::copy(numbers->begin(), numbers->end(), rows.begin());
-  const glm::dmat4 matrix = matrixFromRows(rows);
-  if (const auto rigid = checkRigid(matrix); !rigid)
+  const Transform<frame::Moving, frame::Fixed> fixedToMoving{matrixFromRows(rows)};
+  if (const auto rigid = checkRigid(fixedToMoving); !rigid)
     return failure(ErrorCode::notRigid, say<"The transform in '%1' cannot be used: %2">(file.string(), rigid.error().message),
                    {{"file", file.string()}});
-  return matrix;
+  return fixedToMoving;
 }
 
-std::string transformText(const glm::dmat4& matrix) {
-  const auto rows = rowsOf(matrix);
+std::string transformText(const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
+  const auto rows = rowsOf(fixedToMoving);
   std::string text;
   for (std::size_t i = 0; i < 16; ++i) text += textOf(rows[i]) + (i % 4 == 3 ? "\n" : " ");
   return text;

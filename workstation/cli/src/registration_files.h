@@ -15,9 +15,9 @@ namespace ew::cli {
 
 /// `--start T.txt`: sixteen numbers, row major, on as many lines as one likes; what follows a # is skipped.
 /// @error notFound, notReadable, badField (not sixteen numbers), notRigid
-[[nodiscard]] Result<glm::dmat4> readTransform(const std::filesystem::path& file);
+[[nodiscard]] Result<Transform<frame::Moving, frame::Fixed>> readTransform(const std::filesystem::path& file);
 /// Four rows of four numbers, each the shortest that reads back the same.
-[[nodiscard]] std::string transformText(const glm::dmat4& matrix);
+[[nodiscard]] std::string transformText(const Transform<frame::Moving, frame::Fixed>& fixedToMoving);
 
 /// `--landmarks L.json`: {"landmarks": [{"name": "…", "fixed_mm": [x, y, z], "moving_mm": [x, y, z]}, …], "pick_error_mm": 1}; the pairs of
 /// a stitching project have the same form. A pair without a name is called by its number.

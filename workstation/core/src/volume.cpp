@@ -19,10 +19,10 @@ std::ostream& operator<<(std::ostream& out, const Grid& grid) {
              << grid.origin_mm.z << ") mm";
 }
 
-Grid placed(const Grid& grid, const glm::dmat4& rigidFromFileToWorld) {
+Grid placed(const Grid& grid, const Transform<frame::World, frame::File>& fileToWorld) {
   Grid moved = grid;
-  moved.origin_mm = glm::dvec3(rigidFromFileToWorld * glm::dvec4(grid.origin_mm, 1.0));
-  moved.directions = glm::dmat3(rigidFromFileToWorld) * grid.directions;
+  moved.origin_mm = carried(fileToWorld, grid.origin_mm);
+  moved.directions = glm::dmat3(fileToWorld.matrix) * grid.directions;
   return moved;
 }
 

@@ -17,7 +17,8 @@ json pointOf(const glm::dvec3& p_mm) { return {p_mm.x, p_mm.y, p_mm.z}; }
 
 glm::dvec3 pointOf(const json& three) { return {three.at(0).get<double>(), three.at(1).get<double>(), three.at(2).get<double>()}; }
 
-glm::dmat4 truthMatrixOf(const json& rows) { return matrixFromRows(rows.get<std::array<double, 16>>()); }
+/// The patient is made in the frame of the file that it becomes.
+Transform<frame::File, frame::Probe> planeOf(const json& rows) { return {matrixFromRows(rows.get<std::array<double, 16>>())}; }
 
 /// The element of a list of objects that has this name, or the names there are.
 /// @param noSuch what the patient has not: "no such organ"
@@ -52,8 +53,8 @@ Result<json> patientTruth(const Case& opened, Progress& progress) {
 
 /// One target after the other; `truth` is null for a case without a patient, where the manifest says everything itself.
 Result<CaseTruth> compared(const Case& opened, const json& truth) {
-  const glm::dmat4& place = opened.volume.fileToWorld;
-  const auto placedPoint = [&](const glm::dvec3& p_mm) { return glm::dvec3(place * glm::dvec4(p_mm, 1.0)); };
+  const auto& fileToWorld = opened.volume.fileToWorld;
+  const auto placedPoint = [&](const glm::dvec3& p_mm) { return carried(fileToWorld, p_mm); };
   CaseTruth found;
   for (std::size_t n = 0; n < opened.targets.size(); ++n) {
     const CaseTarget& target = opened.targets[n];
@@ -71,12 +72,12 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
     } else {
       ExpectedPlane plane;
       plane.name = target.name;
-      if (target.probeToWorld) {
-        plane.probeToWorld = place * *target.probeToWorld;
+      if (target.probeToFile) {
+        plane.probeToWorld = fileToWorld * *target.probeToFile;
       } else {
         auto known = named(truth.at("planes"), target.name, field + ".name", say<"no such standard plane">());
         if (!known) return passOn(known.error());
-        plane.probeToWorld = place * truthMatrixOf(known->at("probe_to_world"));
+        plane.probeToWorld = fileToWorld * planeOf(known->at("probe_to_world"));
         plane.positionTolerance_mm = known->at("position_tolerance_mm").get<double>();
         plane.angleTolerance_deg = known->at("angle_tolerance_deg").get<double>();
         plane.shows = known->at("shows").get<std::vector<std::string>>();

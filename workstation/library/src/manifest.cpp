@@ -58,10 +58,11 @@ json unknownFields(const json& manifest) {
   return unknown;
 }
 
-glm::dmat4 matrixOf(const json& sixteen) {
+template <class To, class From>
+Transform<To, From> transformOf(const json& sixteen) {
   std::array<double, 16> rows{};
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = sixteen[i].get<double>();
-  return matrixFromRows(rows);
+  return {matrixFromRows(rows)};
 }
 
 void checkMatrix(const json& owner, const char* key, const std::string& place, std::vector<Error>& problems) {
@@ -219,7 +220,7 @@ std::optional<double> numberIn(const json& object, const char* field) {
 std::optional<Pose> poseIn(const json& object, const char* field) {
   if (!object.contains(field)) return std::nullopt;
   Pose pose;
-  pose.probeToWorld.matrix = matrixOf(object[field]);
+  pose.probeToWorld = transformOf<frame::World, frame::Probe>(object[field]);
   return pose;
 }
 
@@ -230,7 +231,7 @@ CaseTarget targetOf(const json& object) {
   target.name = object["name"];
   if (object.contains("at_mm")) target.at_mm = glm::dvec3(object["at_mm"][0], object["at_mm"][1], object["at_mm"][2]);
   target.tolerance_mm = numberIn(object, "tolerance_mm");
-  if (object.contains("probe_to_world")) target.probeToWorld = matrixOf(object["probe_to_world"]);
+  if (object.contains("probe_to_world")) target.probeToFile = transformOf<frame::File, frame::Probe>(object["probe_to_world"]);
   target.positionTolerance_mm = numberIn(object, "position_tolerance_mm");
   target.angleTolerance_deg = numberIn(object, "angle_tolerance_deg");
   target.organ = object.value("organ", "");
@@ -249,7 +250,7 @@ ordered_json toJson(const CaseTarget& target) {
   ordered_json object = {{"kind", kind}, {"name", target.name}};
   if (target.at_mm) object["at_mm"] = {target.at_mm->x, target.at_mm->y, target.at_mm->z};
   if (target.tolerance_mm) object["tolerance_mm"] = *target.tolerance_mm;
-  if (target.probeToWorld) object["probe_to_world"] = rowsOf(*target.probeToWorld);
+  if (target.probeToFile) object["probe_to_world"] = rowsOf(*target.probeToFile);
   if (target.positionTolerance_mm) object["position_tolerance_mm"] = *target.positionTolerance_mm;
   if (target.angleTolerance_deg) object["angle_tolerance_deg"] = *target.angleTolerance_deg;
   if (!target.organ.empty()) object["organ"] = target.organ;
@@ -321,7 +322,7 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   made.volume.recipeSpacing_mm = volume.value("recipe_spacing_mm", 1.0);
   if (volume.contains("sweeps")) made.volume.sweeps = volume["sweeps"].get<std::vector<std::string>>();
   if (volume.contains("reconstruct")) made.volume.reconstruct = reconstructionOf(volume["reconstruct"]);
-  if (volume.contains("file_to_world")) made.volume.fileToWorld = matrixOf(volume["file_to_world"]);
+  if (volume.contains("file_to_world")) made.volume.fileToWorld = transformOf<frame::World, frame::File>(volume["file_to_world"]);
   made.mannequin = manifest.value("mannequin", "");
   if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
   if (manifest.contains("scene")) {

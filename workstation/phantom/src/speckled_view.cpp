@@ -61,7 +61,7 @@ SpeckledView speckledView(const SpeckledViewRecipe& recipe, int threads) {
         for (int i = 0; i < grid.dims.x; ++i, ++at, ++n) {
           const glm::dvec3 own_mm = recipe.origin_mm + recipe.spacing_mm * glm::dvec3(i, j, k);
           double db = gain_db + static_cast<double>(decibel.of(power[n]));
-          db += recipe.scene ? speckledScene_db(glm::dvec3(recipe.toWorld * glm::dvec4(own_mm, 1.0))) : kEvenScene_db;
+          db += recipe.scene ? speckledScene_db(carried(recipe.toWorld, own_mm)) : kEvenScene_db;
           if (recipe.shadow) {
             const auto& shadow = *recipe.shadow;
             const double lost = within(std::min({own_mm.x - shadow.from_mm, shadow.to_mm - own_mm.x, own_mm.y - shadow.below_mm}));

@@ -236,13 +236,13 @@ double expectedError_mm(const Scatter& places, double fle2, double pairs, double
   return std::sqrt(fle2 / pairs * (1.0 + reach_mm * reach_mm * (inverse - least) / 3.0));
 }
 
-glm::dmat4 matrixOf(const LandmarkRigid& rigid) {
+Transform<frame::Moving, frame::Fixed> transformOf(const LandmarkRigid& rigid) {
   const Matrix turn = Eigen::Quaterniond(rigid.turn).normalized().toRotationMatrix();
-  glm::dmat4 matrix(1.0);
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;
   for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) matrix[c][r] = turn(r, c);
-  for (int r = 0; r < 3; ++r) matrix[3][r] = rigid.shift[r];
-  return matrix;
+    for (int r = 0; r < 3; ++r) fixedToMoving.matrix[c][r] = turn(r, c);
+  for (int r = 0; r < 3; ++r) fixedToMoving.matrix[3][r] = rigid.shift[r];
+  return fixedToMoving;
 }
 
 bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -374,7 +374,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
     fits.push_back(std::move(plain));
   }
   const LandmarkFit& best = fits.front();
-  result.fixedToMoving = matrixOf(best.at);
+  result.fixedToMoving = transformOf(best.at);
   result.residual_mm = best.residual;
   result.stop = best.stop;
   if (options.robust) result.weight = best.weight;

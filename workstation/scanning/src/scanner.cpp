@@ -31,7 +31,7 @@ void Scanner::setScene(Scene scene) {
   if (subject_) subject_->scene = std::move(scene);
 }
 
-void Scanner::place(const glm::dmat4& ownToWorld) {
+void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
   if (subject_) subject_->place(ownToWorld);
 }
 

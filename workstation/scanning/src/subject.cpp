@@ -65,7 +65,7 @@ SliceSource ScanVoxels::source(const Grid& placed, double pixel_mm) const {
 
 Result<void> ScanVoxels::unchanged() const { return mapped_ ? mapped_->unchanged() : Result<void>(); }
 
-void ScanSubject::place(const glm::dmat4& ownToWorld) {
+void ScanSubject::place(const Transform<frame::World, frame::World>& ownToWorld) {
   placedGrid = placed(voxels.grid(), ownToWorld);
   if (labels) placedLabels = placed(labels->grid, ownToWorld);
 }
@@ -109,8 +109,8 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
   return contents;
 }
 
-glm::dmat4 ownToWorldOf(const Case& edited, const CaseContents& contents) {
-  return edited.volume.fileToWorld * glm::inverse(contents.fileToWorld);
+Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const CaseContents& contents) {
+  return edited.volume.fileToWorld * inverse(contents.fileToWorld);
 }
 
 ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {

@@ -37,7 +37,7 @@ double degrees(double sine, double cosine) {
 
 }  // namespace
 
-glm::dmat4 matrixOf(const Placement& placement) {
+Transform<frame::World, frame::File> transformOf(const Placement& placement) {
   const Turn x = turnOf(placement.turn_deg.x);
   const Turn y = turnOf(placement.turn_deg.y);
   const Turn z = turnOf(placement.turn_deg.z);
@@ -46,10 +46,11 @@ glm::dmat4 matrixOf(const Placement& placement) {
   m[1] = {z.cosine * y.sine * x.sine - z.sine * x.cosine, z.sine * y.sine * x.sine + z.cosine * x.cosine, y.cosine * x.sine, 0.0};
   m[2] = {z.cosine * y.sine * x.cosine + z.sine * x.sine, z.sine * y.sine * x.cosine - z.cosine * x.sine, y.cosine * x.cosine, 0.0};
   m[3] = glm::dvec4(placement.at_mm, 1.0);
-  return m;
+  return {m};
 }
 
-Placement placementOf(const glm::dmat4& rigid) {
+Placement placementOf(const Transform<frame::World, frame::File>& fileToWorld) {
+  const glm::dmat4& rigid = fileToWorld.matrix;
   Placement placement;
   placement.at_mm = glm::dvec3(rigid[3]);
   // asin(-m20) loses half its digits near 90 degrees; the length of the rest of the first column does not.

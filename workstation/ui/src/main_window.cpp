@@ -363,7 +363,7 @@ void MainWindow::connectPlugins() {
     if (!parts_->opener->showsCase() || !session.subject()) return std::nullopt;
     const Probe& probe = session.probe();
     return sdk::Cases::Scan{probe.id,
-                            session.pose().probeToWorld.matrix,
+                            session.pose().probeToWorld,
                             session.depth_mm(),
                             isSector(probe.kind) ? probe.halfAngle_rad : 0.0,
                             faceHalfWidth_mm(probe),

@@ -199,7 +199,7 @@ void Opener::giveUpOpening() {
 
 Opener::Sources Opener::sourcesOf(const Case& opened) {
   Sources sources{opened.volume, opened.mannequin};
-  sources.volume.fileToWorld = glm::dmat4(1.0);
+  sources.volume.fileToWorld = {};
   return sources;
 }
 

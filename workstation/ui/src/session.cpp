@@ -105,7 +105,7 @@ void Session::clear() {
   Q_EMIT pictureChanged();
 }
 
-void Session::place(const glm::dmat4& ownToWorld) {
+void Session::place(const Transform<frame::World, frame::World>& ownToWorld) {
   if (!subject()) return;
   const Grid before = subject()->placedGrid;
   scanner_.place(ownToWorld);

@@ -36,7 +36,7 @@ class Session final : public QObject {
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return scanner_.subject(); }
   /// Moves the volume, and its labels with it, to where `ownToWorld` (rigid, mm) takes the grids of their own; ignored without one.
   /// A transform and no grid: whoever moves something cannot give it the grid of something else.
-  void place(const glm::dmat4& ownToWorld);
+  void place(const Transform<frame::World, frame::World>& ownToWorld);
   void setTitle(const std::string& title);
 
   /// What the frames run: the case's scene until the console switches an effect. Only the console's is set here; the case keeps its own.

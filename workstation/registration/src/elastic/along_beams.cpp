@@ -47,9 +47,10 @@ std::optional<double> correlationOf(const LevelImage& fixed, const LevelImage& m
 
 }  // namespace
 
-std::optional<BeamPair> beamsToTakeOut(const Input& fixedInput, const Input& movingInput, const glm::dmat4& fixedToMoving,
-                                       const AxesTransform& transform, const NodeGrid& nodes, const MakeLevels& make, int threads,
-                                       Progress& progress, LevelImage& fixed, LevelImage& moving) {
+std::optional<BeamPair> beamsToTakeOut(const Input& fixedInput, const Input& movingInput,
+                                       const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const AxesTransform& transform,
+                                       const NodeGrid& nodes, const MakeLevels& make, int threads, Progress& progress, LevelImage& fixed,
+                                       LevelImage& moving) {
   const std::vector<Beams> ofFixed = candidatesOf(fixedInput, fixed, threads, progress);
   const std::vector<Beams> ofMoving = candidatesOf(movingInput, moving, threads, progress);
   std::vector<BeamPair> ways;
@@ -57,7 +58,7 @@ std::optional<BeamPair> beamsToTakeOut(const Input& fixedInput, const Input& mov
     for (const Beams& m : ofMoving) ways.push_back({f, m});
   }
   // A direction that one side alone shows may be the other's as well.
-  const glm::dmat3 turn(fixedToMoving);
+  const glm::dmat3 turn(fixedToMoving.matrix);
   if (!movingInput.beams) {
     for (const Beams& f : ofFixed) ways.push_back({f, {turn * f.direction}});
   }

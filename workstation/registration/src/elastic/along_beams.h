@@ -24,7 +24,8 @@ using MakeLevels = std::function<bool(const BeamPair*, LevelImage& fixed, LevelI
 /// of both alike spares the tissue. On return the images are those of the answer.
 /// @param fixed,moving images of a coarse level as they are
 /// @return nothing when none agrees better; check for cancelling afterwards
-[[nodiscard]] std::optional<BeamPair> beamsToTakeOut(const Input& fixedInput, const Input& movingInput, const glm::dmat4& fixedToMoving,
+[[nodiscard]] std::optional<BeamPair> beamsToTakeOut(const Input& fixedInput, const Input& movingInput,
+                                                     const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                                                      const AxesTransform& transform, const NodeGrid& nodes, const MakeLevels& make,
                                                      int threads, Progress& progress, LevelImage& fixed, LevelImage& moving);
 

@@ -86,15 +86,15 @@ void displace(const ControlGrid& control, std::span<glm::dvec3> points_mm) {
 }
 
 glm::dvec3 movingPoint(const Deformation& fixedToMoving, const glm::dvec3& fixed_mm) {
-  return glm::dvec3(fixedToMoving.rigid * glm::dvec4(fixed_mm + displacementAt(fixedToMoving.control, fixed_mm), 1.0));
+  return carried(fixedToMoving.rigid, fixed_mm + displacementAt(fixedToMoving.control, fixed_mm));
 }
 
 Result<DisplacementField> fieldOf(const Deformation& fixedToMoving, const Grid& fixedGrid, int threads, Progress& progress) {
   if (auto usable = checkGrid(fixedGrid); !usable) return passOn(usable.error());
   DisplacementField field{fixedGrid, {}};
   field.displacement_mm.resize(fixedGrid.voxelCount());
-  const glm::dmat3 turn(fixedToMoving.rigid);
-  const glm::dvec3 shift(fixedToMoving.rigid[3]);
+  const glm::dmat3 turn(fixedToMoving.rigid.matrix);
+  const glm::dvec3 shift(fixedToMoving.rigid.matrix[3]);
   const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, say<"Writing out the displacements">(), [&](int k) {
     forEachRow(fixedToMoving.control, fixedGrid, k,
                [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
@@ -261,7 +261,7 @@ Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, co
   Volume out{fixedGrid, {}, {}};
   out.echo.resize(fixedGrid.voxelCount());
   out.coverage.resize(fixedGrid.voxelCount());
-  const glm::dmat4 toVoxel = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
+  const auto toVoxel = moving.grid.toVoxel<frame::Moving>() * fixedToMoving.rigid;
   const glm::ivec3 dims = moving.grid.dims;
   const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, say<"Warping the moving volume">(), [&](int k) {
     forEachRow(fixedToMoving.control, fixedGrid, k,
@@ -269,7 +269,7 @@ Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, co
                  const std::size_t row = fixedGrid.indexOf(0, j, k);
                  for (int i = 0; i < fixedGrid.dims.x; ++i) {
                    const glm::dvec3 p = first + step * static_cast<double>(i) + displacement[static_cast<std::size_t>(i)];
-                   const glm::dvec3 at(toVoxel * glm::dvec4(p, 1.0));
+                   const glm::dvec3 at = carried(toVoxel, p);
                    glm::ivec3 low;
                    glm::dvec3 share;
                    bool inside = true;

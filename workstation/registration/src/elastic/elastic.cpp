@@ -197,8 +197,8 @@ struct LevelImages {
 /// One registration: what its levels share, and the result as it grows.
 class ElasticRun {
  public:
-  ElasticRun(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options, Progress& progress,
-             const OnLevel& onLevel);
+  ElasticRun(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start, const ElasticOptions& options,
+             Progress& progress, const OnLevel& onLevel);
   [[nodiscard]] Result<ElasticResult> run();
 
  private:
@@ -229,7 +229,7 @@ class ElasticRun {
 
   const Input& fixed_;
   const Input& moving_;
-  const glm::dmat4& start_;
+  const Transform<frame::Moving, frame::Fixed>& start_;
   const ElasticOptions& options_;
   Progress& progress_;
   const OnLevel& onLevel_;
@@ -256,8 +256,8 @@ class ElasticRun {
   ElasticResult result_;
 };
 
-ElasticRun::ElasticRun(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options, Progress& progress,
-                       const OnLevel& onLevel)
+ElasticRun::ElasticRun(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                       const ElasticOptions& options, Progress& progress, const OnLevel& onLevel)
     : fixed_(fixed),
       moving_(moving),
       start_(start),
@@ -522,8 +522,8 @@ std::uint64_t forecastElastic_bytes(const Grid& fixed, const Grid& moving, const
   return static_cast<std::uint64_t>(bytes);
 }
 
-Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const glm::dmat4& start, const ElasticOptions& options,
-                                      Progress& progress, const OnLevel& onLevel) {
+Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                                      const ElasticOptions& options, Progress& progress, const OnLevel& onLevel) {
   if (auto usable = checkSize(fixed, say<"fixed">()); !usable) return passOn(usable.error());
   if (auto usable = checkSize(moving, say<"moving">()); !usable) return passOn(usable.error());
   if (auto usable = checkOptions(options); !usable) return passOn(usable.error());

@@ -8,11 +8,11 @@
 
 namespace ew::registration {
 
-AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving) {
+AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
   const glm::dmat3 back = glm::inverse(moving.directions);
   AxesTransform result;
-  result.turn = back * glm::dmat3(fixedToMoving) * fixed.directions;
-  result.shift_mm = back * (glm::dvec3(fixedToMoving * glm::dvec4(fixed.origin_mm, 1.0)) - moving.origin_mm);
+  result.turn = back * glm::dmat3(fixedToMoving.matrix) * fixed.directions;
+  result.shift_mm = back * (carried(fixedToMoving, fixed.origin_mm) - moving.origin_mm);
   return result;
 }
 

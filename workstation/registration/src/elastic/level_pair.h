@@ -17,7 +17,8 @@ struct AxesTransform {
   glm::dmat3 turn{1.0};
   glm::dvec3 shift_mm{0.0};
 };
-[[nodiscard]] AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving);
+[[nodiscard]] AxesTransform axesTransformOf(const Grid& fixed, const Grid& moving,
+                                            const Transform<frame::Moving, frame::Fixed>& fixedToMoving);
 
 /// How cost and normal equations are formed.
 struct CostOptions {

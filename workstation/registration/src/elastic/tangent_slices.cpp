@@ -52,17 +52,18 @@ Grid planeGrid(const Grid& fixed, const glm::dvec3& plane_mm, const glm::dvec3& 
 }
 
 /// Grey levels where the volume covers the plane (at least 1), 0 elsewhere; doubtful voxels count as not covered.
-Result<GreyImage> sliceOf(const Input& side, const glm::dmat4& toSide, const Grid& plane, int threads, Progress& progress) {
+/// @param side the moving volume, or with the identity the fixed one as its own mate
+Result<GreyImage> sliceOf(const Input& side, const Transform<frame::Moving, frame::Fixed>& toSide, const Grid& plane, int threads,
+                          Progress& progress) {
   auto cut = warped(*side.volume, {toSide, {}}, plane, threads, progress);
   if (!cut) return passOn(cut.error());
   GreyImage image(plane.dims.x, plane.dims.y);
-  const glm::dmat4 toVoxel = side.volume->grid.worldToVoxel().matrix * toSide * plane.voxelToWorld().matrix;
+  const auto toVoxel = side.volume->grid.toVoxel<frame::Moving>() * toSide * plane.voxelTo<frame::Fixed>();
   for (std::size_t n = 0; n < image.pixels.size(); ++n) {
     if (cut->coverageAt(n) == Coverage::absent) continue;
     if (!side.confidence.empty()) {
-      const glm::dvec4 at = toVoxel * glm::dvec4(static_cast<double>(n % static_cast<std::size_t>(image.width)),
-                                                 static_cast<double>(n / static_cast<std::size_t>(image.width)), 0.0, 1.0);
-      const glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::round(glm::dvec3(at))), glm::ivec3(0), side.volume->grid.dims - 1);
+      const glm::dvec3 pixel(n % static_cast<std::size_t>(image.width), n / static_cast<std::size_t>(image.width), 0.0);
+      const glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::round(carried(toVoxel, pixel))), glm::ivec3(0), side.volume->grid.dims - 1);
       if (side.confidence[side.volume->grid.indexOf(nearest.x, nearest.y, nearest.z)] < 0.1F) continue;
     }
     image.pixels[n] = std::max<std::uint8_t>(1, cut->echo[n]);
@@ -113,9 +114,9 @@ Message tenths(double value) {
 
 }  // namespace
 
-Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving, const glm::dmat4& start,
-                                                const glm::dvec3& plane_mm, const glm::dvec3& normal, const TangentWarpOptions& options,
-                                                Progress& progress) {
+Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving,
+                                                const Transform<frame::Moving, frame::Fixed>& start, const glm::dvec3& plane_mm,
+                                                const glm::dvec3& normal, const TangentWarpOptions& options, Progress& progress) {
   if (auto usable = check(fixed, say<"fixed">()); !usable) return passOn(usable.error());
   if (auto usable = check(moving, say<"moving">()); !usable) return passOn(usable.error());
   if (auto rigid = checkRigid(start); !rigid) return passOn(rigid.error());
@@ -133,7 +134,7 @@ Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input&
   TangentWarpResult result;
   result.slicePlane = planeGrid(fixed.volume->grid, plane_mm, normal / length);
   PartOfProgress cutting(progress, 0.0, 0.2), bending(progress, 0.2, 0.9);
-  auto fixedSlice = sliceOf(fixed, glm::dmat4(1.0), result.slicePlane, options.slices.threads, cutting);
+  auto fixedSlice = sliceOf(fixed, {}, result.slicePlane, options.slices.threads, cutting);
   if (!fixedSlice) return passOn(fixedSlice.error());
   auto movingSlice = sliceOf(moving, start, result.slicePlane, options.slices.threads, cutting);
   if (!movingSlice) return passOn(movingSlice.error());

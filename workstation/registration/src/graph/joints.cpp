@@ -17,7 +17,8 @@ constexpr double kSigmas = 4.0;  // what a covariance explains
 void collect(Joints& joints) {
   for (std::size_t e = 0; e < joints.edges.size(); ++e) {
     const GraphEdge& edge = joints.edges[e];
-    Joint joint{.kind = Kind::pair, .index = e, .a = edge.fixed, .b = edge.moving, .aToB = rigidOf(edge.fixedToMoving)};
+    Joint joint{
+        .kind = Kind::pair, .index = e, .a = edge.fixed, .b = edge.moving, .aToB = rigidOf(renamed<EndB, EndA>(edge.fixedToMoving))};
     joint.centre = vectorOf(edge.centre_mm);
     joint.trust = edge.trust;
     if (edge.covariance) joint.covariance = finiteOf(*edge.covariance);
@@ -28,7 +29,7 @@ void collect(Joints& joints) {
     joints.all.push_back(joint);
   }
   for (std::size_t n = 0; n < joints.nodes.size(); ++n) {
-    Joint joint{.kind = Kind::hold, .index = n, .a = n, .b = joints.world, .aToB = rigidOf(joints.nodes[n].toWorld)};
+    Joint joint{.kind = Kind::hold, .index = n, .a = n, .b = joints.world, .aToB = rigidOf(renamed<EndB, EndA>(joints.nodes[n].toWorld))};
     if (joints.nodes[n].fixed) {
       joints.all.push_back(joint);
     } else if (joints.nodes[n].prior) {
@@ -61,8 +62,8 @@ void centreNodes(Joints& joints) {
 
 }  // namespace
 
-Misfit misfitOf(const Joint& joint, const std::vector<Rigid>& poses) {
-  const Rigid error = inverse(poses[joint.a]) * poses[joint.b] * joint.aToB;
+Misfit misfitOf(const Joint& joint, const std::vector<Pose>& poses) {
+  const Rigid<EndA, EndA> error = inverse(joint.aToWorld(poses)) * joint.bToWorld(poses) * joint.aToB;
   Misfit misfit;
   misfit.vector.head<3>() = error(joint.centre) - joint.centre;
   misfit.vector.tail<3>() = turnOf<double>(error.turn);
@@ -85,11 +86,11 @@ Matrix6 Joints::finalCovariance(const Joint& joint, double varianceFactor) const
   return varianceFactor * covariance;
 }
 
-double Joints::distance(std::size_t joint, const std::vector<Rigid>& poses) const {
+double Joints::distance(std::size_t joint, const std::vector<Pose>& poses) const {
   return (searchWhiten[joint] * misfitOf(all[joint], poses).vector).norm();
 }
 
-double Joints::truncatedCost(const std::vector<Rigid>& poses) const {
+double Joints::truncatedCost(const std::vector<Pose>& poses) const {
   double sum = 0.0;
   for (std::size_t j = 0; j < all.size(); ++j) {
     if (all[j].kind == Kind::hold) continue;
@@ -99,7 +100,7 @@ double Joints::truncatedCost(const std::vector<Rigid>& poses) const {
   return sum;
 }
 
-bool Joints::isWrong(std::size_t joint, const std::vector<Rigid>& poses) const {
+bool Joints::isWrong(std::size_t joint, const std::vector<Pose>& poses) const {
   if (all[joint].kind == Kind::hold) return false;
   const Misfit misfit = misfitOf(all[joint], poses);
   return (misfit.mm > options.wrongAbove_mm || misfit.deg > options.wrongAbove_deg) && (searchWhiten[joint] * misfit.vector).norm() > 1.0;
@@ -110,8 +111,8 @@ std::vector<std::size_t> Joints::fixedFirst(std::vector<std::size_t> order) cons
   return order;
 }
 
-std::vector<Rigid> Joints::placedBy(std::span<const std::size_t> inOrder) const {
-  std::vector<Rigid> poses(nodes.size() + 1);
+std::vector<Pose> Joints::placedBy(std::span<const std::size_t> inOrder) const {
+  std::vector<Pose> poses(nodes.size() + 1);
   const std::size_t roots[] = {world};
   for (const auto& step : spanningForest(nodes.size() + 1, links, inOrder, roots)) {
     if (step.parent == kNone) {
@@ -119,7 +120,8 @@ std::vector<Rigid> Joints::placedBy(std::span<const std::size_t> inOrder) const 
       continue;
     }
     const Joint& joint = all[step.link];
-    poses[step.node] = joint.a == step.node ? poses[joint.b] * joint.aToB : poses[joint.a] * inverse(joint.aToB);
+    poses[step.node] = joint.a == step.node ? renamed<frame::World, frame::View>(joint.bToWorld(poses) * joint.aToB)
+                                            : renamed<frame::World, frame::View>(joint.aToWorld(poses) * inverse(joint.aToB));
   }
   return poses;
 }

@@ -20,7 +20,7 @@ constexpr double kMedianSquare = 5.348;  // of chi square with six degrees of fr
 
 /// Covariances of images are often too hopeful. Loops tell by how much: the median of the whitened residuals, of which a tree would leave
 /// 0. The factor by which they are to grow is at least 1.
-double inflated(const Joints& joints, const Fit& fit, const std::vector<Rigid>& poses) {
+double inflated(const Joints& joints, const Fit& fit, const std::vector<Pose>& poses) {
   const auto bridge = bridgesOf(joints.nodes.size() + 1, joints.links, fit.believed);
   std::vector<double> squares;
   std::vector<bool> looped(joints.all.size(), false);
@@ -76,10 +76,10 @@ void measureClosure(const Joints& joints, const std::vector<bool>& believed, Gra
 }
 
 /// Poses, and how each pair stands to them.
-void reportPoses(const Joints& joints, const Fit& fit, const std::vector<bool>& bridge, const std::vector<Rigid>& poses,
+void reportPoses(const Joints& joints, const Fit& fit, const std::vector<bool>& bridge, const std::vector<Pose>& poses,
                  GraphResult& result) {
   const std::size_t n = joints.nodes.size();
-  for (std::size_t i = 0; i < n; ++i) result.toWorld.push_back(joints.nodes[i].fixed ? joints.nodes[i].toWorld : matrixOf(poses[i]));
+  for (std::size_t i = 0; i < n; ++i) result.toWorld.push_back(joints.nodes[i].fixed ? joints.nodes[i].toWorld : transformOf(poses[i]));
   for (std::size_t i = 0; i < n; ++i) result.centre_mm.emplace_back(joints.centre[i].x(), joints.centre[i].y(), joints.centre[i].z());
   result.withoutInformation = joints.withoutInformation;
   result.edges.assign(joints.edges.size(), {});
@@ -101,7 +101,7 @@ void reportPoses(const Joints& joints, const Fit& fit, const std::vector<bool>& 
     const Misfit misfit = misfitOf({.index = e,
                                     .a = joints.edges[e].fixed,
                                     .b = joints.edges[e].moving,
-                                    .aToB = rigidOf(joints.edges[e].fixedToMoving),
+                                    .aToB = rigidOf(renamed<EndB, EndA>(joints.edges[e].fixedToMoving)),
                                     .centre = vectorOf(joints.edges[e].centre_mm)},
                                    poses);
     result.edges[e].residual_mm = misfit.mm;
@@ -142,7 +142,7 @@ void reportParts(const Joints& joints, const std::vector<bool>& believed, GraphR
 struct Search {
   const Joints& joints;
   Progress& progress;
-  std::vector<Rigid> poses = {};
+  std::vector<Pose> poses = {};
   Fit fit = {};
   PoseDescent last = {};
   int iterations = 0;

@@ -94,10 +94,10 @@ void addCovariances(ceres::Problem& problem, const std::vector<Place>& places, c
 class PoseProblem {
  public:
   /// @param fit of what is believed, with its own covariance; null: of all joints, with the tolerance of the search
-  PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Rigid>& poses);
+  PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Pose>& poses);
 
   /// Descends to where the sum of losses is least.
-  void solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Rigid>& poses, PoseDescent& descent);
+  void solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Pose>& poses, PoseDescent& descent);
 
  private:
   static ceres::Problem::Options ownership();
@@ -105,7 +105,7 @@ class PoseProblem {
   void holdGauge(const std::vector<bool>& counts);
   [[nodiscard]] bool fixHeld();
   [[nodiscard]] ceres::Solver::Options solverOptions(int iterations) const;
-  void readBack(std::vector<Rigid>& poses) const;
+  void readBack(std::vector<Pose>& poses) const;
 
   const Joints& joints_;
   std::size_t n_;  ///< nodes; the world comes behind them
@@ -117,7 +117,7 @@ class PoseProblem {
   ceres::Problem problem_;  ///< refers to all above
 };
 
-PoseProblem::PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Rigid>& poses)
+PoseProblem::PoseProblem(const Joints& joints, const Fit* fit, ceres::LossFunction& loss, const std::vector<Pose>& poses)
     : joints_(joints), n_(joints.nodes.size()), places_(n_ + 1), used_(n_ + 1, false), held_(n_ + 1, false), problem_(ownership()) {
   for (std::size_t i = 0; i <= n_; ++i) places_[i] = {.turn = poses[i].turn, .at = poses[i](joints.centre[i]), .centre = joints.centre[i]};
   for (std::size_t j = 0; j < joints.all.size(); ++j) {
@@ -194,7 +194,7 @@ ceres::Solver::Options PoseProblem::solverOptions(int iterations) const {
   return how;
 }
 
-void PoseProblem::solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Rigid>& poses, PoseDescent& descent) {
+void PoseProblem::solve(int iterations, bool wantCovariance, Progress& progress, std::vector<Pose>& poses, PoseDescent& descent) {
   if (!fixHeld()) {
     descent.stop = StopReason::converged;
     if (wantCovariance) descent.covariance.assign(n_, PoseCovariance{});
@@ -217,7 +217,7 @@ void PoseProblem::solve(int iterations, bool wantCovariance, Progress& progress,
   if (wantCovariance && descent.stop != StopReason::singular) addCovariances(problem_, places_, held_, descent);
 }
 
-void PoseProblem::readBack(std::vector<Rigid>& poses) const {
+void PoseProblem::readBack(std::vector<Pose>& poses) const {
   for (std::size_t i = 0; i < n_; ++i) {
     if (!used_[i] || held_[i]) continue;
     poses[i].turn = places_[i].turn.normalized();
@@ -227,7 +227,7 @@ void PoseProblem::readBack(std::vector<Rigid>& poses) const {
 
 }  // namespace
 
-PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress) {
+PoseDescent searchPoses(const Joints& joints, std::vector<Pose>& poses, Progress& progress) {
   keepCeresQuiet();
   PoseDescent descent;
   GradedLoss loss;
@@ -239,7 +239,7 @@ PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progres
   return descent;
 }
 
-PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses, Progress& progress) {
+PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Pose>& poses, Progress& progress) {
   keepCeresQuiet();
   PoseDescent descent;
   ceres::CauchyLoss loss(joints.options.lossScale * std::sqrt(6.0));

@@ -25,10 +25,9 @@ struct Fit {
 
 /// Descends over all joints with a loss that is made less and less convex (Geman and McClure), so that wrong joints lose their pull.
 /// @param poses one per node, the world's last; the start, then the answer
-[[nodiscard]] PoseDescent searchPoses(const Joints& joints, std::vector<Rigid>& poses, Progress& progress);
+[[nodiscard]] PoseDescent searchPoses(const Joints& joints, std::vector<Pose>& poses, Progress& progress);
 
 /// Descends over what is believed, weighted by covariances, with a Cauchy loss.
-[[nodiscard]] PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Rigid>& poses,
-                                   Progress& progress);
+[[nodiscard]] PoseDescent fitPoses(const Joints& joints, const Fit& fit, bool wantCovariance, std::vector<Pose>& poses, Progress& progress);
 
 }  // namespace ew::registration::graph

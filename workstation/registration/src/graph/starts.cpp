@@ -21,7 +21,8 @@ std::vector<int> evidenceOf(const Joints& joints) {
     at[joints.all[j].b].push_back(j);
   }
   const auto walked = [&](std::size_t joint, std::size_t from) {  // from -> the other end
-    return joints.all[joint].a == from ? joints.all[joint].aToB : inverse(joints.all[joint].aToB);
+    return joints.all[joint].a == from ? renamed<frame::View, frame::View>(joints.all[joint].aToB)
+                                       : renamed<frame::View, frame::View>(inverse(joints.all[joint].aToB));
   };
   const auto other = [&](std::size_t joint, std::size_t from) {
     return joints.all[joint].a == from ? joints.all[joint].b : joints.all[joint].a;
@@ -34,7 +35,7 @@ std::vector<int> evidenceOf(const Joints& joints) {
   for (std::size_t j = 0; j < joints.all.size(); ++j) {
     const Joint& joint = joints.all[j];
     const auto check = [&](const std::vector<std::size_t>& path) {
-      Rigid around;
+      Rigid<frame::View, frame::View> around;
       std::size_t from = joint.a;
       auto [mm2, rad2] = tolerance2(j);
       for (const std::size_t step : path) {
@@ -44,7 +45,7 @@ std::vector<int> evidenceOf(const Joints& joints) {
         mm2 += stepMm2;
         rad2 += stepRad2;
       }
-      const Rigid error = inverse(around) * joint.aToB;
+      const Rigid<EndA, EndA> error = inverse(renamed<EndB, EndA>(around)) * joint.aToB;
       const bool same = (error(joint.centre) - joint.centre).squaredNorm() < mm2 && std::pow(angle_rad(error.turn), 2) < rad2;
       found[j] = same ? std::max(found[j], 0) + 1 : (found[j] > 0 ? found[j] : -1);
     };
@@ -72,8 +73,8 @@ std::vector<int> evidenceOf(const Joints& joints) {
 
 }  // namespace
 
-std::vector<std::vector<Rigid>> startsOf(const Joints& joints) {
-  std::vector<Rigid> given(joints.nodes.size() + 1);
+std::vector<std::vector<Pose>> startsOf(const Joints& joints) {
+  std::vector<Pose> given(joints.nodes.size() + 1);
   for (std::size_t n = 0; n < joints.nodes.size(); ++n) given[n] = rigidOf(joints.nodes[n].toWorld);
   if (!joints.options.startFromEdges) return {given};
 
@@ -90,7 +91,7 @@ std::vector<std::vector<Rigid>> startsOf(const Joints& joints) {
   };
   std::vector<std::size_t> byEvidence = order;
   std::stable_sort(byEvidence.begin(), byEvidence.end(), better);
-  std::vector<std::vector<Rigid>> found{joints.placedBy(joints.fixedFirst(byEvidence))};
+  std::vector<std::vector<Pose>> found{joints.placedBy(joints.fixedFirst(byEvidence))};
 
   const bool priors = std::any_of(joints.all.begin(), joints.all.end(), [](const Joint& joint) { return joint.kind == Kind::prior; });
   if (priors) {
@@ -102,7 +103,7 @@ std::vector<std::vector<Rigid>> startsOf(const Joints& joints) {
     std::mt19937_64 draw(1);
     std::vector<double> key(joints.all.size());
     double least = std::numeric_limits<double>::infinity();
-    std::vector<Rigid> best;
+    std::vector<Pose> best;
     for (int tree = 0; tree < kRandomTrees; ++tree) {
       for (std::size_t j = 0; j < joints.all.size(); ++j) {
         const double even = (static_cast<double>(draw() >> 11) + 0.5) * 0x1.0p-53;

@@ -61,8 +61,8 @@ void sample(const ComparableImage& image, const glm::dvec3& index, float& value,
 Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& moving, const Deformation& fixedToMoving, int threads,
                        Progress& progress) {
   Side side{std::vector<float>(fixed.grid.voxelCount(), 0.0F), std::vector<float>(fixed.grid.voxelCount(), 0.0F)};
-  const auto toWorld = fixed.grid.voxelToWorld();
-  const glm::dmat4 toIndex = moving.grid.worldToVoxel().matrix * fixedToMoving.rigid;
+  const auto toFixed = fixed.grid.voxelTo<frame::Fixed>();
+  const auto toIndex = moving.grid.toVoxel<frame::Moving>() * fixedToMoving.rigid;
   const bool bends = !fixedToMoving.control.displacement_mm.empty();
   const Lattice lattice(fixedToMoving.control);
   const bool finished = forEachTask(fixed.grid.dims.z, threads, progress, say<"Comparing">(), [&](int k) {
@@ -70,9 +70,9 @@ Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& movi
       for (int i = 0; i < fixed.grid.dims.x; ++i) {
         const std::size_t n = fixed.grid.indexOf(i, j, k);
         if (fixed.weight[n] == 0) continue;
-        glm::dvec3 p = (toWorld * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at;
+        glm::dvec3 p = (toFixed * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at;
         if (bends) p += lattice.displacementAt(p);
-        sample(moving, glm::dvec3(toIndex * glm::dvec4(p, 1.0)), side.moved[n], side.weight[n]);
+        sample(moving, carried(toIndex, p), side.moved[n], side.weight[n]);
         side.weight[n] *= static_cast<float>(fixed.weight[n]) / 255.0F;
       }
     }
@@ -260,7 +260,8 @@ double medianOf(std::vector<double>& values, double share) {
   return *place;
 }
 
-Result<void> checkDeformations(const glm::dmat4& before, const Deformation& fixedToMoving, const Deformation* backward) {
+Result<void> checkDeformations(const Transform<frame::Moving, frame::Fixed>& before, const Deformation& fixedToMoving,
+                               const Deformation* backward) {
   if (auto rigid = checkRigid(before); !rigid) return passOn(rigid.error());
   if (auto rigid = checkRigid(fixedToMoving.rigid); !rigid) return passOn(rigid.error());
   if (backward != nullptr)
@@ -268,8 +269,8 @@ Result<void> checkDeformations(const glm::dmat4& before, const Deformation& fixe
   return {};
 }
 
-Result<void> checkQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
-                          const Deformation* backward, const QualityOptions& options) {
+Result<void> checkQuality(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& before,
+                          const Deformation& fixedToMoving, const Deformation* backward, const QualityOptions& options) {
   if (fixed.volume == nullptr || moving.volume == nullptr) return failure(ErrorCode::emptyVolume, say<"A volume is missing: name two.">());
   if (auto usable = checkInput(fixed, say<"fixed">()); !usable) return passOn(usable.error());
   if (auto usable = checkInput(moving, say<"moving">()); !usable) return passOn(usable.error());
@@ -297,8 +298,8 @@ double shortestSide_mm(const Grid& grid) {
 /// One assessment: its steps in the order in which they are done, and what they share.
 class Assessment {
  public:
-  Assessment(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
-             const QualityOptions& options, Progress& progress)
+  Assessment(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& before,
+             const Deformation& fixedToMoving, const QualityOptions& options, Progress& progress)
       : fixed_(fixed),
         moving_(moving),
         atStart_{before, {}},
@@ -306,7 +307,7 @@ class Assessment {
         options_(options),
         progress_(progress),
         grid_(fixed.volume->grid),
-        movingToVoxel_(moving.volume->grid.worldToVoxel().matrix),
+        movingToVoxel_(moving.volume->grid.toVoxel<frame::Moving>()),
         regions_(grid_, options.region_mm),
         covered_(numberOf(regions_.count - 1) + 1) {}
 
@@ -338,7 +339,7 @@ class Assessment {
   const QualityOptions& options_;
   Progress& progress_;
   const Grid& grid_;  ///< of the fixed volume
-  glm::dmat4 movingToVoxel_;
+  Transform<frame::Voxel, frame::Moving> movingToVoxel_;
   ComparableImage fixedImage_;
   ComparableImage movingImage_;
   Side after_;
@@ -447,8 +448,8 @@ RegionQuality Assessment::regionAt(const glm::ivec3& block) const {
   region.centre_mm = (grid_.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(low + high - 1)}).at;
   region.voxels = covered_[numberOf(block)];
   // The block's voxels of the comparable image: those whose centres lie in it.
-  const glm::dmat4 toImage = fixedImage_.grid.worldToVoxel().matrix * grid_.voxelToWorld().matrix;
-  const glm::dvec3 first(toImage * glm::dvec4(glm::dvec3(low) - 0.5, 1.0)), last(toImage * glm::dvec4(glm::dvec3(high) - 0.5, 1.0));
+  const auto toImage = fixedImage_.grid.worldToVoxel() * grid_.voxelToWorld();
+  const glm::dvec3 first = carried(toImage, glm::dvec3(low) - 0.5), last = carried(toImage, glm::dvec3(high) - 0.5);
   const glm::ivec3 from = glm::clamp(glm::ivec3(glm::ceil(first - 1e-9)), glm::ivec3(0), fixedImage_.grid.dims);
   const glm::ivec3 to = glm::clamp(glm::ivec3(glm::ceil(last - 1e-9)), glm::ivec3(0), fixedImage_.grid.dims);
   region.correlation = sumsOver(fixedImage_, after_, from, to).correlation();
@@ -478,7 +479,7 @@ std::optional<double> Assessment::errorThereAndBack(std::size_t n, const Deforma
   const glm::dvec3 p = (grid_.voxelToWorld() * Point<frame::Voxel>{voxel}).at;
   const glm::dvec3 there = movingPoint(fixedToMoving_, p);
   const Grid& movingGrid = moving_.volume->grid;
-  const glm::ivec3 nearest(glm::round(glm::dvec3(movingToVoxel_ * glm::dvec4(there, 1.0))));
+  const glm::ivec3 nearest(glm::round(carried(movingToVoxel_, there)));
   if (!movingGrid.contains(nearest)) return std::nullopt;
   if (movingVolume_->coverageAt(movingGrid.indexOf(nearest.x, nearest.y, nearest.z)) == Coverage::absent) return std::nullopt;
   return glm::length(movingPoint(backward, there) - p);
@@ -486,8 +487,9 @@ std::optional<double> Assessment::errorThereAndBack(std::size_t n, const Deforma
 
 }  // namespace
 
-Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm::dmat4& before, const Deformation& fixedToMoving,
-                              const Deformation* backward, const QualityOptions& options, Progress& progress) {
+Result<Quality> assessQuality(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& before,
+                              const Deformation& fixedToMoving, const Deformation* backward, const QualityOptions& options,
+                              Progress& progress) {
   if (auto usable = checkQuality(fixed, moving, before, fixedToMoving, backward, options); !usable) return passOn(usable.error());
   Assessment assessment(fixed, moving, before, fixedToMoving, options, progress);
   if (auto done = assessment.compareImages(); !done) return passOn(done.error());
@@ -499,13 +501,13 @@ Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm
   return std::move(assessment.quality);
 }
 
-double closureError_mm(const std::vector<glm::dmat4>& loop, double reach_mm) {
-  glm::dmat4 around(1.0);
-  for (const glm::dmat4& step : loop) around = step * around;
+double closureError_mm(const std::vector<Transform<frame::View, frame::View>>& loop, double reach_mm) {
+  Transform<frame::View, frame::View> around;
+  for (const auto& step : loop) around = step * around;
   double largest = 0.0;
   for (int n = 0; n < 8; ++n) {
     const glm::dvec3 corner{(n & 1) != 0 ? reach_mm : -reach_mm, (n & 2) != 0 ? reach_mm : -reach_mm, (n & 4) != 0 ? reach_mm : -reach_mm};
-    const double error = glm::length(glm::dvec3(around * glm::dvec4(corner, 1.0)) - corner);
+    const double error = glm::length(carried(around, corner) - corner);
     if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
     largest = std::max(largest, error);
   }

@@ -19,7 +19,8 @@ constexpr double kApart_mm = 4.0;  // nearer ones are the same
 constexpr int kRivals = 12;
 
 /// The largest share of the correlation that is left kSlide_mm along an axis of the normal equations, whichever way less is.
-bool looseness(const PairLevels& pair, const glm::dmat4& found, const Evidence& evidence, int threads, Progress& progress, double& left) {
+bool looseness(const PairLevels& pair, const Transform<frame::Moving, frame::Fixed>& found, const Evidence& evidence, int threads,
+               Progress& progress, double& left) {
   const std::size_t at = pair.agreement;
   PoseSums sums;
   glm::dvec3 middle(0.0);
@@ -27,7 +28,7 @@ bool looseness(const PairLevels& pair, const glm::dmat4& found, const Evidence& 
   left = 0.0;
   if (sums.count <= 0.0) return true;
   const double lever_mm = std::max(5.0, 0.5 * glm::length(sums.highest - sums.lowest) * pair.fixed[at].grid.spacing_mm.x);
-  middle = glm::dvec3(pair.fixed[at].grid.voxelToWorld().matrix * glm::dvec4(0.5 * (sums.lowest + sums.highest), 1.0));
+  middle = carried(pair.fixed[at].grid.voxelTo<frame::Fixed>(), 0.5 * (sums.lowest + sums.highest));
   PassOptions pass;
   pass.derivatives = true;
   if (!sumOverPair(pair.fixed[at], pair.packedMoving[at], found, middle, pass, threads, progress, sums)) return false;
@@ -52,8 +53,9 @@ bool looseness(const PairLevels& pair, const glm::dmat4& found, const Evidence& 
 
 }  // namespace
 
-bool doubtsAbout(const PairLevels& pair, const glm::dmat4& start, const glm::dmat4& found, const Evidence& evidence, int threads,
-                 Progress& progress, std::optional<Remark>& doubt) {
+bool doubtsAbout(const PairLevels& pair, const Transform<frame::Moving, frame::Fixed>& start,
+                 const Transform<frame::Moving, frame::Fixed>& found, const Evidence& evidence, int threads, Progress& progress,
+                 std::optional<Remark>& doubt) {
   doubt.reset();
   double left = 0.0;
   if (!looseness(pair, found, evidence, threads, progress, left)) return false;
@@ -65,12 +67,11 @@ bool doubtsAbout(const PairLevels& pair, const glm::dmat4& start, const glm::dma
   const std::size_t level = 0;
   const double voxel_mm = pair.fixed[level].grid.spacing_mm.x;
   const double perSample = voxelsPerSample(pair.fixed[level], pair.moving[level]);
-  const glm::dmat4 toWorld = pair.fixed[level].grid.voxelToWorld().matrix;
-  const glm::dvec3 middle(toWorld * glm::dvec4(0.5 * glm::dvec3(pair.fixed[level].grid.dims - 1), 1.0));
+  const glm::dvec3 middle = carried(pair.fixed[level].grid.voxelTo<frame::Fixed>(), 0.5 * glm::dvec3(pair.fixed[level].grid.dims - 1));
   Evidence here;
   if (!evidenceAt(pair, level, found, perSample, threads, progress, here)) return false;
   const auto peaks = correlateOverTranslations(pair.fixed[level], pair.moving[level], {glm::dvec3(0.0)},
-                                               {0.08, kRivals, threads, glm::dmat3(found)}, progress);
+                                               {0.08, kRivals, threads, glm::dmat3(found.matrix)}, progress);
   if (progress.cancelRequested()) return false;
   const double went_mm = differenceOf(start, found, middle).shift_mm;
   for (const Coarse& peak : peaks) {

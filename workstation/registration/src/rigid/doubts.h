@@ -13,7 +13,8 @@ namespace ew::registration {
 /// @param found where descending ended, and the evidence there at the level of agreement
 /// @param doubt nothing when the pose stands
 /// @return false when cancelled
-[[nodiscard]] bool doubtsAbout(const PairLevels& pair, const glm::dmat4& start, const glm::dmat4& found, const Evidence& evidence,
-                               int threads, Progress& progress, std::optional<Remark>& doubt);
+[[nodiscard]] bool doubtsAbout(const PairLevels& pair, const Transform<frame::Moving, frame::Fixed>& start,
+                               const Transform<frame::Moving, frame::Fixed>& found, const Evidence& evidence, int threads,
+                               Progress& progress, std::optional<Remark>& doubt);
 
 }  // namespace ew::registration

@@ -26,9 +26,9 @@ constexpr double kDifferent_deg = 10.0;
 constexpr double kAsGood = 0.8;
 
 struct Candidate {
-  glm::dmat4 start;   ///< as the search found it
-  glm::dmat4 coarse;  ///< descended at the cells of the search
-  glm::dmat4 pose;
+  Transform<frame::Moving, frame::Fixed> start;   ///< as the search found it
+  Transform<frame::Moving, frame::Fixed> coarse;  ///< descended at the cells of the search
+  Transform<frame::Moving, frame::Fixed> pose;
   Evidence evidence;
 };
 
@@ -87,11 +87,12 @@ class PairSearch {
         options_(options),
         threads_(threads),
         progress_(progress),
-        middle_mm_(pair.fixed[search].grid.voxelToWorld().matrix * glm::dvec4(0.5 * glm::dvec3(pair.fixed[search].grid.dims - 1), 1.0)) {}
+        middle_mm_(carried(pair.fixed[search].grid.voxelTo<frame::Fixed>(), 0.5 * glm::dvec3(pair.fixed[search].grid.dims - 1))) {}
 
   /// @param base   what rotations start from
   /// @param beside one more pose to descend from, found in another way; judged like the others
-  [[nodiscard]] Result<PartialResult> run(const glm::dmat3& base, const std::optional<glm::dmat4>& beside, const OnLevel& onLevel);
+  [[nodiscard]] Result<PartialResult> run(const glm::dmat3& base, const std::optional<Transform<frame::Moving, frame::Fixed>>& beside,
+                                          const OnLevel& onLevel);
 
  private:
   // What can be cancelled returns false then.
@@ -116,7 +117,8 @@ class PairSearch {
   PartialResult result_;
 };
 
-Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optional<glm::dmat4>& beside, const OnLevel& onLevel) {
+Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optional<Transform<frame::Moving, frame::Fixed>>& beside,
+                                      const OnLevel& onLevel) {
   const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   if (!findPeaks(base)) return cancelled();
   if (beside) pool_.push_back({*beside, *beside, *beside, {}});
@@ -242,11 +244,11 @@ std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const
 
 Result<PartialResult> matchPartial(const Input& fixed, const Input& moving, const PartialOptions& options, Progress& progress,
                                    const OnLevel& onLevel) {
-  return matchAbout(fixed, moving, glm::dmat4(1.0), options, progress, onLevel);
+  return matchAbout(fixed, moving, {}, options, progress, onLevel);
 }
 
-Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const glm::dmat4& start, const PartialOptions& options,
-                                 Progress& progress, const OnLevel& onLevel) {
+Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                                 const PartialOptions& options, Progress& progress, const OnLevel& onLevel) {
   const auto begun = std::chrono::steady_clock::now();
   const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   if (auto checked = checkInput(fixed, say<"fixed">()); !checked) return passOn(checked.error());
@@ -273,7 +275,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
   }
 
   PartOfProgress matching(progress, 0.15, 0.95);
-  auto matched = PairSearch(*prepared, search, options, threads, matching).run(glm::dmat3(start), std::nullopt, onLevel);
+  auto matched = PairSearch(*prepared, search, options, threads, matching).run(glm::dmat3(start.matrix), std::nullopt, onLevel);
   if (!matched) return passOn(matched.error());
   result = std::move(*matched);
   const bool aligned = result.best.verdict == Verdict::aligned;
@@ -293,7 +295,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
   if (!whyNothingCanBeSaid(*prepared)) {
     // What is left without streaks may be fine enough to fall between two turns of the search: where the pose went is one more place to
     // look.
-    auto again = PairSearch(*prepared, search, options, threads, checking).run(glm::dmat3(start), fare->fixedToMoving, onLevel);
+    auto again = PairSearch(*prepared, search, options, threads, checking).run(glm::dmat3(start.matrix), fare->fixedToMoving, onLevel);
     if (!again) return passOn(again.error());
     const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
     if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {

@@ -48,8 +48,8 @@ Matrix3 toWorld(const double (&moment)[6], const glm::dmat3& axes) {
 /// One pass over a pair: where the rows of the fixed image lie in the moving one, and whither their sums go.
 class PairPass {
  public:
-  PairPass(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-           const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums);
+  PairPass(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+           const glm::dvec3& centre_mm, const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums);
 
   /// @param mine where sums of this plane go when cubes have none of their own
   void addPlane(int k, PoseSums& mine) const;
@@ -78,15 +78,15 @@ class PairPass {
   PoseRow common_;
 };
 
-PairPass::PairPass(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-                   const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums)
+PairPass::PairPass(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                   const glm::dvec3& centre_mm, const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums)
     : fixed_(fixed),
       options_(options),
       dims_(fixed.grid.dims),
       movingDims_(moving.grid.dims),
       cubes_(cubes),
       blockSums_(options.perBlock ? blockSums : nullptr),
-      toMovingVoxel_(moving.grid.worldToVoxel().matrix * fixedToMoving * fixed.grid.voxelToWorld().matrix),
+      toMovingVoxel_((moving.grid.toVoxel<frame::Moving>() * fixedToMoving * fixed.grid.voxelTo<frame::Fixed>()).matrix),
       toWorld_(fixed.grid.voxelToWorld().matrix),
       centre_mm_(centre_mm),
       axes_(fixed.grid.directions * (1.0 / fixed.grid.spacing_mm.x)) {
@@ -229,8 +229,9 @@ double PoseSums::stiffness() const {
 
 double PoseSums::residualRms() const { return robustWeight > 0.0 ? std::sqrt(residual / robustWeight) : 0.0; }
 
-bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-                 const PassOptions& options, int threads, Progress& progress, PoseSums& sums, std::vector<PoseSums>* blockSums) {
+bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                 const glm::dvec3& centre_mm, const PassOptions& options, int threads, Progress& progress, PoseSums& sums,
+                 std::vector<PoseSums>* blockSums) {
   sums = {};
   const glm::ivec3 dims = fixed.grid.dims;
   const glm::ivec3 cubes = options.blockVoxels > 0 ? (dims + options.blockVoxels - 1) / options.blockVoxels : glm::ivec3(1);

@@ -44,7 +44,8 @@ struct PassOptions {
 /// @param fixedToMoving rigid; centre in the fixed frame, mm
 /// @param blockSums     one per cube, filled when perBlock
 /// @return false when cancelled
-bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& fixedToMoving, const glm::dvec3& centre_mm,
-                 const PassOptions& options, int threads, Progress& progress, PoseSums& sums, std::vector<PoseSums>* blockSums = nullptr);
+bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                 const glm::dvec3& centre_mm, const PassOptions& options, int threads, Progress& progress, PoseSums& sums,
+                 std::vector<PoseSums>* blockSums = nullptr);
 
 }  // namespace ew::registration

@@ -15,30 +15,31 @@ glm::dmat3 rotationBy(const glm::dvec3& turn) {
   return glm::dmat3(1.0) + a * k + b * (k * k);
 }
 
-glm::dmat4 motionAbout(const glm::dvec3& centre, const glm::dvec3& shift, const glm::dvec3& turn) {
+Transform<frame::Fixed, frame::Fixed> motionAbout(const glm::dvec3& centre, const glm::dvec3& shift, const glm::dvec3& turn) {
   const glm::dmat3 r = rotationBy(turn);
-  glm::dmat4 out(r);
-  out[3] = glm::dvec4(centre + shift - r * centre, 1.0);
+  Transform<frame::Fixed, frame::Fixed> out{glm::dmat4(r)};
+  out.matrix[3] = glm::dvec4(centre + shift - r * centre, 1.0);
   return out;
 }
 
-double turnBetween_rad(const glm::dmat4& a, const glm::dmat4& b) {
-  const glm::dmat3 r = glm::transpose(glm::dmat3(a)) * glm::dmat3(b);
+double turnBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b) {
+  const glm::dmat3 r = glm::transpose(glm::dmat3(a.matrix)) * glm::dmat3(b.matrix);
   const glm::dvec3 axis(r[1][2] - r[2][1], r[2][0] - r[0][2], r[0][1] - r[1][0]);
   return std::atan2(0.5 * glm::length(axis), 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1.0));
 }
 
-PoseDifference differenceOf(const glm::dmat4& a, const glm::dmat4& b, const glm::dvec3& at) {
-  const glm::dvec3 gap(a * glm::dvec4(at, 1.0) - b * glm::dvec4(at, 1.0));
+PoseDifference differenceOf(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b,
+                            const glm::dvec3& at) {
+  const glm::dvec3 gap = carried(a, at) - carried(b, at);
   return {turnBetween_rad(a, b) * 180.0 / std::numbers::pi, glm::length(gap)};
 }
 
-Descent descend(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& start, const DescentOptions& options,
-                int threads, Progress& progress) {
+Descent descend(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                const DescentOptions& options, int threads, Progress& progress) {
   Descent out;
   out.fixedToMoving = start;
-  const glm::dmat4 toWorld = fixed.grid.voxelToWorld().matrix;
-  out.centre_mm = glm::dvec3(toWorld * glm::dvec4(0.5 * glm::dvec3(fixed.grid.dims - 1), 1.0));
+  const auto toFixed = fixed.grid.voxelTo<frame::Fixed>();
+  out.centre_mm = carried(toFixed, 0.5 * glm::dvec3(fixed.grid.dims - 1));
   const double voxel_mm = fixed.grid.spacing_mm.x;
   double scale = 0.0;
   double lastStep_mm = 1e300;
@@ -58,7 +59,7 @@ Descent descend(const ComparableImage& fixed, const PackedImage& moving, const g
     }
     scale = 2.0 * sums.residualRms();
     // The centre of the overlap for the next pass: there turns and shifts hardly mix.
-    const glm::dvec3 middle(toWorld * glm::dvec4(0.5 * (sums.lowest + sums.highest), 1.0));
+    const glm::dvec3 middle = carried(toFixed, 0.5 * (sums.lowest + sums.highest));
     out.lever_mm = std::max(5.0, 0.5 * voxel_mm * glm::length(sums.highest - sums.lowest));
     const double lever = out.lever_mm;
 

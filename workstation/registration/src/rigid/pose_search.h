@@ -10,17 +10,19 @@
 namespace ew::registration {
 
 /// A small rigid motion about `centre`: t and w (rad) of exp.
-[[nodiscard]] glm::dmat4 motionAbout(const glm::dvec3& centre_mm, const glm::dvec3& shift_mm, const glm::dvec3& turn_rad);
+[[nodiscard]] Transform<frame::Fixed, frame::Fixed> motionAbout(const glm::dvec3& centre_mm, const glm::dvec3& shift_mm,
+                                                                const glm::dvec3& turn_rad);
 /// The rotation by |turn| about turn.
 [[nodiscard]] glm::dmat3 rotationBy(const glm::dvec3& turn_rad);
-[[nodiscard]] double turnBetween_rad(const glm::dmat4& a, const glm::dmat4& b);
+[[nodiscard]] double turnBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b);
 
 /// How far two poses differ: the turn between them, and how far apart they take `at`.
 struct PoseDifference {
   double turn_deg = 0.0;
   double shift_mm = 0.0;
 };
-[[nodiscard]] PoseDifference differenceOf(const glm::dmat4& a, const glm::dmat4& b, const glm::dvec3& at_mm);
+[[nodiscard]] PoseDifference differenceOf(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b,
+                                          const glm::dvec3& at_mm);
 
 struct DescentOptions {
   int iterations = 20;
@@ -32,7 +34,7 @@ struct DescentOptions {
 
 /// Gauss-Newton on six parameters at one level.
 struct Descent {
-  glm::dmat4 fixedToMoving{1.0};
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;
   PoseSums sums;              ///< of the last pass, at the pose before the last step
   glm::dvec3 centre_mm{0.0};  ///< about which the normal equations are
   double lever_mm = 50.0;     ///< half the overlap's diagonal: turns are compared with shifts by it
@@ -40,7 +42,7 @@ struct Descent {
   double correlationBefore = 0.0;
   StopReason stop = StopReason::notRun;  ///< converged, iterationLimit, singular, noOverlap, cancelled
 };
-[[nodiscard]] Descent descend(const ComparableImage& fixed, const PackedImage& moving, const glm::dmat4& start,
+[[nodiscard]] Descent descend(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
                               const DescentOptions& options, int threads, Progress& progress);
 
 /// Voxels of `image` that count as one independent sample, from the correlations between neighbours of both sides along each axis.

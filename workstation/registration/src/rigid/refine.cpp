@@ -131,8 +131,8 @@ Result<void> checkOptions(const RefineOptions& options) {
   return {};
 }
 
-bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fixedToMoving, double perSample, int threads,
-                Progress& progress, Evidence& evidence) {
+bool evidenceAt(const PairLevels& pair, std::size_t level, const Transform<frame::Moving, frame::Fixed>& fixedToMoving, double perSample,
+                int threads, Progress& progress, Evidence& evidence) {
   const ComparableImage& fixed = pair.fixed[level];
   PoseSums sums;
   const glm::dvec3 centre(0.0);
@@ -148,8 +148,8 @@ bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fix
   return true;
 }
 
-bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, const RefineOptions& options,
-                   int threads, Progress& progress, const OnLevel& onLevel, RigidResult& result) {
+bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, const Transform<frame::Moving, frame::Fixed>& start,
+                   const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel, RigidResult& result) {
   result.fixedToMoving = start;
   Descent descent;
   for (std::size_t l = first; l <= last; ++l) {
@@ -217,10 +217,11 @@ bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, 
   return true;
 }
 
-void keepInstead(const glm::dmat4& kept, RigidResult& result) {
+void keepInstead(const Transform<frame::Moving, frame::Fixed>& kept, RigidResult& result) {
   if (result.covariance) {
-    const glm::dmat4 apart = glm::inverse(kept) * result.fixedToMoving;
-    const glm::dvec3 shift = glm::dvec3(apart * glm::dvec4(result.centre_mm, 1.0)) - result.centre_mm;
+    const Transform<frame::Fixed, frame::Fixed> motion = inverse(kept) * result.fixedToMoving;
+    const glm::dvec3 shift = carried(motion, result.centre_mm) - result.centre_mm;
+    const glm::dmat4& apart = motion.matrix;
     const Eigen::Matrix3d turned = (Eigen::Matrix3d() << apart[0][0], apart[1][0], apart[2][0], apart[0][1], apart[1][1], apart[2][1],
                                     apart[0][2], apart[1][2], apart[2][2])
                                        .finished();
@@ -251,8 +252,9 @@ Streaks streaksOf(const Input& fixed, const Input& moving, const PairLevels& pai
 }
 
 Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& moving, const Streaks& streaks,
-                                          const std::vector<double>& voxel_mm, std::size_t first, const glm::dmat4& pose, double sure,
-                                          int threads, Progress& progress, PairLevels& pair) {
+                                          const std::vector<double>& voxel_mm, std::size_t first,
+                                          const Transform<frame::Moving, frame::Fixed>& pose, double sure, int threads, Progress& progress,
+                                          PairLevels& pair) {
   struct Way {
     Input fixed;
     Input moving;
@@ -314,9 +316,9 @@ Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& movin
   return best;
 }
 
-bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads, Progress& progress,
-                 double& disagree_mm) {
-  std::array<glm::dmat4, 2> poses{start, start};
+bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const Transform<frame::Moving, frame::Fixed>& start,
+                 int threads, Progress& progress, double& disagree_mm) {
+  std::array<Transform<frame::Moving, frame::Fixed>, 2> poses{start, start};
   disagree_mm = std::numeric_limits<double>::infinity();
   glm::dvec3 lowest(0.0);
   glm::dvec3 highest(0.0);
@@ -337,12 +339,12 @@ bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, co
       highest = descent.sums.highest;
     }
   }
-  const glm::dmat4 toWorld = pair.fixed[last].grid.voxelToWorld().matrix;
+  const auto toFixed = pair.fixed[last].grid.voxelTo<frame::Fixed>();
   disagree_mm = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p = toWorld * glm::dvec4((corner & 1) != 0 ? highest.x : lowest.x, (corner & 2) != 0 ? highest.y : lowest.y,
-                                              (corner & 4) != 0 ? highest.z : lowest.z, 1.0);
-    disagree_mm = std::max(disagree_mm, glm::length(glm::dvec3(poses[0] * p - poses[1] * p)));
+    const auto p = toFixed * Point<frame::Voxel>{{(corner & 1) != 0 ? highest.x : lowest.x, (corner & 2) != 0 ? highest.y : lowest.y,
+                                                  (corner & 4) != 0 ? highest.z : lowest.z}};
+    disagree_mm = std::max(disagree_mm, glm::length((poses[0] * p).at - (poses[1] * p).at));
   }
   return true;
 }

@@ -38,18 +38,18 @@ struct Evidence {
 /// What a good agreement (correlation 0.7) over as many samples would reach.
 [[nodiscard]] double mostSignificance(const Evidence& evidence);
 /// @return false when cancelled
-[[nodiscard]] bool evidenceAt(const PairLevels& pair, std::size_t level, const glm::dmat4& fixedToMoving, double voxelsPerSample,
-                              int threads, Progress& progress, Evidence& evidence);
+[[nodiscard]] bool evidenceAt(const PairLevels& pair, std::size_t level, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+                              double voxelsPerSample, int threads, Progress& progress, Evidence& evidence);
 
 /// From `start` through levels [first, last]; fills everything of the result but verdict, reason, before, after and halves.
 /// @return false when cancelled
-[[nodiscard]] bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start,
-                                 const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel,
-                                 RigidResult& result);
+[[nodiscard]] bool refineThrough(const PairLevels& pair, std::size_t first, std::size_t last,
+                                 const Transform<frame::Moving, frame::Fixed>& start, const RefineOptions& options, int threads,
+                                 Progress& progress, const OnLevel& onLevel, RigidResult& result);
 
 /// Gives up the pose that refineThrough found for `kept`, which agrees better at the level of agreement. What was found is another reading
 /// of the same images: the stated error grows by how far the two are apart.
-void keepInstead(const glm::dmat4& kept, RigidResult& result);
+void keepInstead(const Transform<frame::Moving, frame::Fixed>& kept, RigidResult& result);
 
 /// Which way streaks may run: given with the inputs or found in their images, best first.
 struct Streaks {
@@ -61,10 +61,10 @@ struct Streaks {
 
 /// How a pose fares where streaks were taken out.
 struct WithoutStreaks {
-  glm::dmat4 fixedToMoving{1.0};  ///< where it goes
-  PoseDifference moved;           ///< by how much, at the middle of the overlap
-  Evidence evidence;              ///< there
-  bool rests = false;             ///< the pose rested on the streaks: it goes elsewhere, or is no longer believed
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;  ///< where it goes
+  PoseDifference moved;                                  ///< by how much, at the middle of the overlap
+  Evidence evidence;                                     ///< there
+  bool rests = false;                                    ///< the pose rested on the streaks: it goes elsewhere, or is no longer believed
 };
 /// Takes streaks out and sees how `pose` fares by descending through `first` to the level of agreement. When it rested on them and there is
 /// doubt which way they run, `pair` becomes that without them which agrees best elsewhere.
@@ -72,8 +72,9 @@ struct WithoutStreaks {
 /// @param sure significance a pose is believed from
 /// @error as preparePair
 [[nodiscard]] Result<WithoutStreaks> fareWithoutStreaks(const Input& fixed, const Input& moving, const Streaks& streaks,
-                                                        const std::vector<double>& voxel_mm, std::size_t first, const glm::dmat4& pose,
-                                                        double sure, int threads, Progress& progress, PairLevels& pair);
+                                                        const std::vector<double>& voxel_mm, std::size_t first,
+                                                        const Transform<frame::Moving, frame::Fixed>& pose, double sure, int threads,
+                                                        Progress& progress, PairLevels& pair);
 
 /// Why that is reason not to tell.
 [[nodiscard]] Remark onlyStreaks(const WithoutStreaks& fare, double sure);
@@ -81,11 +82,11 @@ struct WithoutStreaks {
 /// Halves of the overlap (two colours of a checkerboard) refined apart from `start`: largest distance between where they take the corners
 /// of the overlap. Infinite when one has nothing to go by.
 /// @return false when cancelled
-[[nodiscard]] bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last, const glm::dmat4& start, int threads,
-                               Progress& progress, double& disagree_mm);
+[[nodiscard]] bool halvesApart(const PairLevels& pair, std::size_t first, std::size_t last,
+                               const Transform<frame::Moving, frame::Fixed>& start, int threads, Progress& progress, double& disagree_mm);
 
 /// As matchPartial, with turns searched about the turn of `start` instead of none.
-[[nodiscard]] Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const glm::dmat4& start,
+[[nodiscard]] Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
                                                const PartialOptions& options, Progress& progress, const OnLevel& onLevel);
 
 /// @error badField

@@ -13,8 +13,8 @@ namespace {
 
 /// The refinement of a pair that shows something.
 /// @param doubt what speaks against a result that is called aligned
-Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, const RefineOptions& options, int threads,
-                               Progress& progress, const OnLevel& onLevel, std::optional<Remark>& doubt) {
+Result<RigidResult> refinePair(const PairLevels& pair, const Transform<frame::Moving, frame::Fixed>& start, const RefineOptions& options,
+                               int threads, Progress& progress, const OnLevel& onLevel, std::optional<Remark>& doubt) {
   doubt.reset();
   const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"Registration was cancelled.">()); };
   RigidResult result;
@@ -67,8 +67,8 @@ Result<RigidResult> refinePair(const PairLevels& pair, const glm::dmat4& start, 
 }
 
 /// Descending from the start alone, with shadows taken out where they decide.
-Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options, int threads,
-                               Progress& progress, const OnLevel& onLevel) {
+Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                               const RefineOptions& options, int threads, Progress& progress, const OnLevel& onLevel) {
   const auto voxels = levelVoxels_mm(fixed.volume->grid, moving.volume->grid, options.coarsest_mm, options.finest_mm);
   PartOfProgress preparing(progress, 0.0, 0.3);
   auto prepared = preparePair(fixed, moving, voxels, threads, preparing);
@@ -105,7 +105,7 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
   if (!fare->rests) return unlessInDoubt();
   if (!whyNothingCanBeSaid(*prepared)) {
     // From the start, and from where the pose went without streaks: either may be the nearer one.
-    for (const glm::dmat4& from : {start, fare->fixedToMoving}) {
+    for (const Transform<frame::Moving, frame::Fixed>& from : {start, fare->fixedToMoving}) {
       auto again = refinePair(*prepared, from, options, threads, checking, onLevel, doubt);
       if (!again) return passOn(again.error());
       const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
@@ -119,8 +119,8 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const gl
 
 }  // namespace
 
-Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start, const RefineOptions& options,
-                                Progress& progress, const OnLevel& onLevel) {
+Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                                const RefineOptions& options, Progress& progress, const OnLevel& onLevel) {
   const auto begun = std::chrono::steady_clock::now();
   if (auto checked = checkInput(fixed, say<"fixed">()); !checked) return passOn(checked.error());
   if (auto checked = checkInput(moving, say<"moving">()); !checked) return passOn(checked.error());

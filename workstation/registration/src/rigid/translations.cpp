@@ -304,10 +304,10 @@ Coarse TranslationSearch::coarseAt(std::size_t q, const Turned& turned, const st
     shift[a] = std::abs(whole - toMiddle) <= std::abs(whole - size_[a] - toMiddle) ? whole : whole - size_[a];
   }
   // Box cell x lies on fixed cell x + shift; the box's middle is the moving image's.
-  const glm::dvec3 onFixed(fixed_.grid.voxelToWorld().matrix * glm::dvec4(turned.boxMiddle + shift, 1.0));
-  const glm::dvec3 movingMiddle(moving_.grid.voxelToWorld().matrix * glm::dvec4(0.5 * glm::dvec3(moving_.grid.dims - 1), 1.0));
-  c.fixedToMoving = glm::dmat4(turned.turn);
-  c.fixedToMoving[3] = glm::dvec4(movingMiddle - turned.turn * onFixed, 1.0);
+  const glm::dvec3 onFixed = carried(fixed_.grid.voxelTo<frame::Fixed>(), turned.boxMiddle + shift);
+  const glm::dvec3 movingMiddle = carried(moving_.grid.voxelTo<frame::Moving>(), 0.5 * glm::dvec3(moving_.grid.dims - 1));
+  c.fixedToMoving.matrix = glm::dmat4(turned.turn);
+  c.fixedToMoving.matrix[3] = glm::dvec4(movingMiddle - turned.turn * onFixed, 1.0);
   return c;
 }
 

@@ -10,7 +10,7 @@ namespace ew::registration {
 
 /// One agreement found by the search over all translations at one rotation.
 struct Coarse {
-  glm::dmat4 fixedToMoving{1.0};
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;
   double score = 0.0;  ///< correlation times the root of the overlap's cells
   double correlation = 0.0;
   double overlapCells = 0.0;

@@ -34,8 +34,9 @@ PairOutcome pairFrom(const json& data) {
   outcome.rigid = rigidFrom(data.at("rigid"));
   if (data.contains("landmarks")) outcome.landmarks = landmarksFrom(data.at("landmarks"));
   for (const auto& each : data.at("hypotheses"))
-    outcome.hypotheses.push_back({matrixFrom(each.at("fixed_to_moving")), numberFrom(each.at("significance")),
-                                  numberFrom(each.at("correlation")), numberFrom(each.at("overlap_share"))});
+    outcome.hypotheses.push_back({transformFrom<frame::Moving, frame::Fixed>(each.at("fixed_to_moving")),
+                                  numberFrom(each.at("significance")), numberFrom(each.at("correlation")),
+                                  numberFrom(each.at("overlap_share"))});
   if (data.contains("processor_s")) outcome.processor_s = numberFrom(data.at("processor_s"));
   return outcome;
 }

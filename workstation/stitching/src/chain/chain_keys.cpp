@@ -48,7 +48,7 @@ std::string keyOf(const Candidate& candidate, const ChainInputs& inputs) {
 PairTask taskOf(const StitchProject& project, std::size_t f, std::size_t m, bool placesKnown, const ProjectPair* entry) {
   const ProjectSettings& settings = project.settings;
   PairTask task{.placesKnown = placesKnown,
-                .start = rigidInverse(project.volumes[m].toWorld) * project.volumes[f].toWorld,
+                .start = fixedToMovingOf(project.volumes[f].toWorld, project.volumes[m].toWorld),
                 .landmarks = {},
                 .maxTurn_deg = settings.maxTurn_deg,
                 .trackerError_mm = settings.trackerError_mm,
@@ -143,7 +143,8 @@ Keys keysOf(const StitchProject& project, const ChainOptions& options, const Cha
   return keys;
 }
 
-std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const glm::dmat4& start, registration::ElasticEffort effort) {
+std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
+                      registration::ElasticEffort effort) {
   ContentKey name = newKey("bend", kBendFormat);
   name.add(fixed.key).add(moving.key).add(start).add(static_cast<int>(effort));
   return name.text();

@@ -47,7 +47,7 @@ struct Keys {
 
 /// Of one pair that is bent from the poses of the graph.
 /// @param start fixedToMoving
-[[nodiscard]] std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const glm::dmat4& start,
+[[nodiscard]] std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
                                     registration::ElasticEffort effort);
 
 }  // namespace ew::stitching

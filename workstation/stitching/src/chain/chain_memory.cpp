@@ -41,7 +41,7 @@ std::uint64_t ofEqualise(const ChainRun& run) {
   std::uint64_t bytes = 0;
   for (std::size_t f = 0; f < all.size(); ++f)
     for (std::size_t m = f + 1; m < all.size(); ++m) {
-      const VoxelBox shared = sharedBoxes(all[f].grid, all[m].grid, rigidInverse(all[m].toWorld) * all[f].toWorld, 0.0).first;
+      const VoxelBox shared = sharedBoxes(all[f].grid, all[m].grid, fixedToMovingOf(all[f].toWorld, all[m].toWorld), 0.0).first;
       const glm::dvec3 size = glm::dvec3(shared.size()) * all[f].grid.spacing_mm / cell_mm;
       bytes += static_cast<std::uint64_t>(1.5 * sizeof(DepthDifference) * size.x * size.y * size.z);
     }
@@ -59,7 +59,7 @@ std::uint64_t ofElastic(const ChainRun& run) {
     for (std::size_t m = f + 1; m < grids.size(); ++m)
       if (boxesMeet(grids[f], grids[m], 0.0))
         each.push_back(
-            bendBytes(all[f].grid, all[m].grid, rigidInverse(all[m].toWorld) * all[f].toWorld, run.elasticOptions(number(f), number(m))));
+            bendBytes(all[f].grid, all[m].grid, fixedToMovingOf(all[f].toWorld, all[m].toWorld), run.elasticOptions(number(f), number(m))));
   return std::max(besideEachOther_bytes(run, std::move(each)).bytes,
                   forecastBends_bytes(grids, grids.size() * (grids.size() - 1) / 2, run.bendOptions()));
 }
@@ -109,7 +109,7 @@ Beside besideEachOther_bytes(const ChainRun& run, std::vector<std::uint64_t> eac
   return beside;
 }
 
-std::uint64_t bendBytes(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving,
+std::uint64_t bendBytes(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                         const registration::ElasticOptions& options) {
   const auto [in, there] = sharedBoxes(fixed, moving, fixedToMoving, kAroundOverlap_mm);
   if (in.size() == glm::ivec3(0)) return 0;

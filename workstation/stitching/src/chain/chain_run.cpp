@@ -12,7 +12,9 @@ ChainRun::ChainRun(const StitchProject& asked, const std::filesystem::path& into
   for (const Step step : kSteps) state.steps.push_back({.step = step});
 }
 
-glm::dmat4 ChainRun::startOf(std::size_t fixed, std::size_t moving) const { return rigidInverse(poseOf(moving)) * poseOf(fixed); }
+Transform<frame::Moving, frame::Fixed> ChainRun::startOf(std::size_t fixed, std::size_t moving) const {
+  return fixedToMovingOf(poseOf(fixed), poseOf(moving));
+}
 
 Result<std::vector<View>> ChainRun::views(Progress& progress) {
   std::vector<View> views;

@@ -36,9 +36,9 @@ struct ChainRun {
 
   [[nodiscard]] StepOutcome& outcomeOf(Step step) { return state.steps[static_cast<std::size_t>(step)]; }
   /// To the world, as the graph has it.
-  [[nodiscard]] const glm::dmat4& poseOf(std::size_t v) const { return state.graph->toWorld[v]; }
+  [[nodiscard]] const Transform<frame::World, frame::View>& poseOf(std::size_t v) const { return state.graph->toWorld[v]; }
   /// From the fixed to the moving volume, as the graph has it.
-  [[nodiscard]] glm::dmat4 startOf(std::size_t fixed, std::size_t moving) const;
+  [[nodiscard]] Transform<frame::Moving, frame::Fixed> startOf(std::size_t fixed, std::size_t moving) const;
   /// The views that go into the result; all are in memory afterwards.
   /// @error what reading says; cancelled
   [[nodiscard]] Result<std::vector<View>> views(Progress& progress);

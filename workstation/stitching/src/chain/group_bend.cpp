@@ -6,7 +6,6 @@
 #include <map>
 
 #include "ew/core/parallel.h"
-#include "ew/stitching/places.h"
 
 namespace ew::stitching {
 namespace {
@@ -98,15 +97,15 @@ void solve(std::vector<double>& matrix, std::vector<glm::dvec3>& right, std::siz
 /// One pair on the lattice.
 struct Meeting {
   const PairBend* pair = nullptr;
-  glm::dmat4 toFixed{1.0};
-  glm::dmat4 toWorld{1.0};  ///< of the moving view
+  Transform<frame::Fixed, frame::World> worldToFixed;
+  Transform<frame::World, frame::Moving> movingToWorld;
   std::vector<float> distance_mm;
   [[nodiscard]] glm::dvec3 motionAt(const glm::dvec3& p_world) const {
-    return carried(toWorld, registration::movingPoint(pair->fixedToMoving, carried(toFixed, p_world))) - p_world;
+    return carried(movingToWorld, registration::movingPoint(pair->fixedToMoving, carried(worldToFixed, p_world))) - p_world;
   }
 };
 
-bool covers(const Volume& volume, const glm::dmat4& worldToVoxel, const glm::dvec3& p_world) {
+bool covers(const Volume& volume, const Transform<frame::Voxel, frame::World>& worldToVoxel, const glm::dvec3& p_world) {
   const glm::ivec3 voxel(glm::floor(carried(worldToVoxel, p_world) + 0.5));
   return volume.grid.contains(voxel) && volume.coverageAt(volume.grid.indexOf(voxel.x, voxel.y, voxel.z)) != Coverage::absent;
 }
@@ -154,13 +153,13 @@ struct NodeScratch {
 /// Views that bend together, on one lattice.
 class BendingGroup {
  public:
-  BendingGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
-               const BendOptions& options)
+  BendingGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
+               std::span<const PairBend> pairs, const BendOptions& options)
       : views_(views), toWorld_(toWorld), pairs_(pairs), options_(options) {
     std::vector<Grid> grids;
     for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
     lattice_ = latticeOver(grids, options.fallOff_mm, options.node_mm);
-    nodeToWorld_ = lattice_.voxelToWorld().matrix;
+    nodeToWorld_ = lattice_.voxelToWorld();
     group.bends.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0f))});
     group.largest_mm.assign(views.size(), 0.0);
   }
@@ -179,19 +178,21 @@ class BendingGroup {
   void shareSlice(int k, const Progress& progress, std::vector<double>& disagreements);
 
   std::span<const LoadedView* const> views_;
-  std::span<const glm::dmat4> toWorld_;
+  std::span<const Transform<frame::World, frame::View>> toWorld_;
   std::span<const PairBend> pairs_;
   const BendOptions& options_;
   Grid lattice_;
-  glm::dmat4 nodeToWorld_{1.0};
+  Transform<frame::World, frame::Voxel> nodeToWorld_;
   std::vector<Meeting> meetings_;
 };
 
 Meeting BendingGroup::meetingOf(const PairBend& pair, const Progress& progress) const {
-  Meeting meeting{&pair, rigidInverse(toWorld_[pair.fixed]), toWorld_[pair.moving], {}};
+  const auto worldToFixed = rigidInverse(renamed<frame::World, frame::Fixed>(toWorld_[pair.fixed]));
+  const auto movingToWorld = renamed<frame::World, frame::Moving>(toWorld_[pair.moving]);
+  Meeting meeting{&pair, worldToFixed, movingToWorld, {}};
   const Volume &fixed = *views_[pair.fixed]->volume, &moving = *views_[pair.moving]->volume;
-  const glm::dmat4 fixedVoxel = fixed.grid.worldToVoxel().matrix * meeting.toFixed;
-  const glm::dmat4 movingVoxel = moving.grid.worldToVoxel().matrix * rigidInverse(toWorld_[pair.moving]);
+  const auto fixedVoxel = fixed.grid.toVoxel<frame::Fixed>() * worldToFixed;
+  const auto movingVoxel = moving.grid.toVoxel<frame::Moving>() * rigidInverse(movingToWorld);
   std::vector<bool> inside(lattice_.voxelCount());
   std::size_t node = 0;
   for (int k = 0; k < lattice_.dims.z; ++k)
@@ -314,8 +315,8 @@ std::uint64_t forecastBends_bytes(std::span<const Grid> placedGrids, std::size_t
   return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
 }
 
-Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld, std::span<const PairBend> pairs,
-                             const BendOptions& options, Progress& progress) {
+Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
+                             std::span<const PairBend> pairs, const BendOptions& options, Progress& progress) {
   PartOfProgress looking(progress, 0.0, 0.3), solving(progress, 0.3, 0.9), unfolding(progress, 0.9, 1.0);
   BendingGroup bending(views, toWorld, pairs, options);
   if (!bending.lookAtOverlaps(looking) || !bending.shareBends(solving) || !bending.unfoldAll(unfolding))

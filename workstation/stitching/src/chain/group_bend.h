@@ -42,7 +42,8 @@ struct GroupBends {
 /// fully where both views cover the node, and less and less outside, to nothing at fallOff_mm. See resources/decisions (bends of a group).
 /// @param toWorld one per view
 /// @error cancelled
-[[nodiscard]] Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const glm::dmat4> toWorld,
-                                           std::span<const PairBend> pairs, const BendOptions& options, Progress& progress);
+[[nodiscard]] Result<GroupBends> bendGroup(std::span<const LoadedView* const> views,
+                                           std::span<const Transform<frame::World, frame::View>> toWorld, std::span<const PairBend> pairs,
+                                           const BendOptions& options, Progress& progress);
 
 }  // namespace ew::stitching

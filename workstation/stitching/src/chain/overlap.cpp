@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "chain/pair_match.h"
-#include "ew/stitching/places.h"
 
 namespace ew::stitching {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 constexpr double kSample_mm = 3.0;
 
 /// The voxels of `own` that can lie in the box of `other`.
-VoxelBox reached(const Grid& own, const Grid& other, const glm::dmat4& otherVoxelToOwnVoxel) {
+VoxelBox reached(const Grid& own, const Grid& other, const Transform<frame::Voxel, frame::Voxel>& otherVoxelToOwnVoxel) {
   glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
   for (int corner = 0; corner < 8; ++corner) {
     const glm::ivec3 last = other.dims - 1;
@@ -44,10 +43,10 @@ std::vector<Value> cut(const std::vector<Value>& values, const Grid& grid, const
 
 }  // namespace
 
-std::optional<Overlap> overlapOf(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving) {
+std::optional<Overlap> overlapOf(const Volume& fixed, const Volume& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
   const Grid& grid = fixed.grid;
-  const glm::dmat4 toFixed = grid.voxelToWorld().matrix;
-  const glm::dmat4 toMoving = moving.grid.worldToVoxel().matrix * fixedToMoving * toFixed;
+  const auto toFixed = grid.voxelTo<frame::Fixed>();
+  const auto toMoving = moving.grid.toVoxel<frame::Moving>() * fixedToMoving * toFixed;
   glm::ivec3 step(1);
   for (int axis = 0; axis < 3; ++axis) step[axis] = std::max(1, static_cast<int>(kSample_mm / grid.spacing_mm[axis]));
   // What lies between the places that are looked at may belong to it.
@@ -82,9 +81,10 @@ VoxelBox widened(const VoxelBox& box, const Grid& grid, double by_mm) {
   return {glm::max(box.begin - by, glm::ivec3(0)), glm::min(box.end + by, grid.dims)};
 }
 
-std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving, double by_mm) {
-  const glm::dmat4 there = moving.worldToVoxel().matrix * fixedToMoving * fixed.voxelToWorld().matrix;
-  const VoxelBox in = reached(fixed, moving, glm::inverse(there)), on = reached(moving, fixed, there);
+std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving,
+                                          const Transform<frame::Moving, frame::Fixed>& fixedToMoving, double by_mm) {
+  const auto there = moving.toVoxel<frame::Moving>() * fixedToMoving * fixed.voxelTo<frame::Fixed>();
+  const VoxelBox in = reached(fixed, moving, inverse(there)), on = reached(moving, fixed, there);
   if (in.size() == glm::ivec3(0) || on.size() == glm::ivec3(0)) return {};
   return {widened(in, fixed, by_mm + kSample_mm), widened(on, moving, by_mm + kSample_mm)};
 }
@@ -113,7 +113,7 @@ bool boxesMeet(const Grid& a, const Grid& b, double margin_mm) {
 Grid gridOf(const Grid& grid, const VoxelBox& box) {
   Grid part = grid;
   part.dims = box.size();
-  part.origin_mm = carried(grid.voxelToWorld().matrix, glm::dvec3(box.begin));
+  part.origin_mm = carried(grid.voxelToWorld(), glm::dvec3(box.begin));
   return part;
 }
 

@@ -26,7 +26,8 @@ struct Overlap {
 };
 /// @param fixedToMoving rigid
 /// @return nothing when they do not meet
-[[nodiscard]] std::optional<Overlap> overlapOf(const Volume& fixed, const Volume& moving, const glm::dmat4& fixedToMoving);
+[[nodiscard]] std::optional<Overlap> overlapOf(const Volume& fixed, const Volume& moving,
+                                               const Transform<frame::Moving, frame::Fixed>& fixedToMoving);
 
 /// A box widened by so much on all sides, inside the grid.
 [[nodiscard]] VoxelBox widened(const VoxelBox& box, const Grid& grid, double by_mm);
@@ -34,8 +35,8 @@ struct Overlap {
 /// Boxes that hold what the boxes of two grids share at a transform, widened: never smaller than what overlapOf finds, known without
 /// voxels.
 /// @return empty boxes (size 0) when they do not meet
-[[nodiscard]] std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving, const glm::dmat4& fixedToMoving,
-                                                        double by_mm);
+[[nodiscard]] std::pair<VoxelBox, VoxelBox> sharedBoxes(const Grid& fixed, const Grid& moving,
+                                                        const Transform<frame::Moving, frame::Fixed>& fixedToMoving, double by_mm);
 
 /// Whether two boxes at their places meet when each is `margin_mm` larger: by the separating axes of their faces and edges.
 [[nodiscard]] bool boxesMeet(const Grid& a, const Grid& b, double margin_mm);

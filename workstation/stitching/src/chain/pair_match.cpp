@@ -1,5 +1,4 @@
 #include "chain/pair_match.h"
-#include "ew/stitching/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +26,13 @@ std::vector<float> sharesOf(std::span<const std::uint8_t> confidence) {
 }
 
 /// The largest distance between where two transforms take the corners of a grid.
-double farthestApart_mm(const Grid& grid, const glm::dmat4& a, const glm::dmat4& b) {
+double farthestApart_mm(const Grid& grid, const Transform<frame::Moving, frame::Fixed>& a,
+                        const Transform<frame::Moving, frame::Fixed>& b) {
   double farthest = 0.0;
-  const glm::dmat4 toWorld = grid.voxelToWorld().matrix;
+  const auto toFixed = grid.voxelTo<frame::Fixed>();
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p = carried(
-        toWorld, glm::dvec3((corner & 1) * (grid.dims.x - 1), ((corner >> 1) & 1) * (grid.dims.y - 1), (corner >> 2) * (grid.dims.z - 1)));
+        toFixed, glm::dvec3((corner & 1) * (grid.dims.x - 1), ((corner >> 1) & 1) * (grid.dims.y - 1), (corner >> 2) * (grid.dims.z - 1)));
     farthest = std::max(farthest, glm::distance(carried(a, p), carried(b, p)));
   }
   return farthest;
@@ -145,10 +145,10 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
   registration::RefineOptions refining;
   refining.finest_mm = task.finest_mm;
   refining.threads = threads;
-  const auto meetingPoint = [&](const glm::dmat4& fixedToMoving) {
+  const auto meetingPoint = [&](const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
     const Grid& grid = fixed.volume->grid;
     const auto overlap = overlapOf(*fixed.volume, *moving.volume, fixedToMoving);
-    return overlap ? overlap->centre_mm : carried(grid.voxelToWorld().matrix, 0.5 * glm::dvec3(grid.dims - 1));
+    return overlap ? overlap->centre_mm : carried(grid.voxelToWorld(), 0.5 * glm::dvec3(grid.dims - 1));
   };
 
   PairOutcome outcome;

@@ -38,14 +38,17 @@ Word wordOf(const JsonFields& entry, const char* key, const std::array<Word, n>&
 }
 
 /// A rigid matrix: 16 numbers, or a file of them.
-std::optional<glm::dmat4> poseOf(const JsonFields& entry, const char* key, const fs::path& folder) {
+template <class To, class From>
+std::optional<Transform<To, From>> poseOf(const JsonFields& entry, const char* key, const fs::path& folder) {
   const json* value = entry.find(key);
-  if (value == nullptr || !value->is_string())
-    return entry.rigid(key, say<"16 numbers, row by row, or the name of a file that holds them">());
+  if (value == nullptr || !value->is_string()) {
+    const auto matrix = entry.rigid(key, say<"16 numbers, row by row, or the name of a file that holds them">());
+    return matrix ? std::optional(Transform<To, From>{*matrix}) : std::nullopt;
+  }
   const fs::path file = folder / entry.text(key, {}, 1, kLongestPath);
   const auto text = readTextFile(file);
   if (!text) return entry.reading().refuse(text.error()), std::nullopt;
-  auto read = parseTransform(*text, file.filename().string());
+  auto read = parseTransform<To, From>(*text, file.filename().string());
   if (!read) return entry.reading().refuse(read.error()), std::nullopt;
   return *read;
 }
@@ -66,7 +69,7 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
   volume.spacing_mm =
       entry.number("spacing_mm", 0.0, 100.0, volume.spacing_mm, say<"a number up to 100, in mm, or 0 to choose it from the sweep">());
   volume.placement = wordOf(entry, "placement", kPlacements, Placement::tracker);
-  if (const auto pose = poseOf(entry, "to_world", folder)) volume.toWorld = *pose;
+  if (const auto pose = poseOf<frame::World, frame::View>(entry, "to_world", folder)) volume.toWorld = *pose;
   return volume;
 }
 
@@ -101,7 +104,7 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
   if (pair.fixed == pair.moving) entry.refuse("moving", say<"another volume than fixed">());
   pair.method = wordOf(entry, "method", kMethods, pair.method);
   pair.decision = wordOf(entry, "decision", kDecisions, pair.decision);
-  pair.start = poseOf(entry, "start", folder);
+  pair.start = poseOf<frame::Moving, frame::Fixed>(entry, "start", folder);
   for (const JsonFields& each : entry.objects("landmarks", 0, kMostLandmarks, say<"a list of objects with fixed_mm and moving_mm">())) {
     each.only({"name", "fixed_mm", "moving_mm"});
     registration::LandmarkPair landmark;
@@ -114,7 +117,7 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
   if (entry.has("effort")) pair.effort = wordOf(entry, "effort", kEfforts, registration::ElasticEffort::balanced);
   if (pair.fixed > pair.moving) {
     std::swap(pair.fixed, pair.moving);
-    if (pair.start) pair.start = rigidInverse(*pair.start);
+    if (pair.start) pair.start = withRolesSwapped(*pair.start);
     for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
   }
   return pair;
@@ -190,7 +193,7 @@ void joinAsTheyLie(ProjectSettings& settings) {
 
 }  // namespace
 
-Result<glm::dmat4> parseTransform(const std::string& text, const std::string& name) {
+Result<std::array<double, 16>> parseRigidRows(const std::string& text, const std::string& name) {
   const auto numbers = parseNumbers(text);
   if (!numbers || numbers->size() != 16)
     return failure(ErrorCode::badField,
@@ -199,14 +202,13 @@ Result<glm::dmat4> parseTransform(const std::string& text, const std::string& na
                    {{"file", name}});
   std::array<double, 16> rows{};
   std::copy(numbers->begin(), numbers->end(), rows.begin());
-  const glm::dmat4 matrix = matrixFromRows(rows);
-  if (auto rigid = checkRigid(matrix); !rigid) {
+  if (auto rigid = checkRigid(matrixFromRows(rows)); !rigid) {
     Error problem = rigid.error();
     problem.message = say<"The transform in '%1' cannot be used. %2">(name, problem.message);
     problem.context.emplace_back("file", name);
     return passOn(std::move(problem));
   }
-  return matrix;
+  return rows;
 }
 
 Result<StitchProject> parseProject(const std::string& textOfProject, const fs::path& folder) {

@@ -87,7 +87,7 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
     const Grid& grid = report.grid;
     document["grid"] = {{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
                         {"spacing_mm", jsonOf(grid.spacing_mm)},
-                        {"voxel_to_world", jsonOf(grid.voxelToWorld().matrix)}};
+                        {"voxel_to_world", jsonOf(grid.voxelToWorld())}};
     document["seam"] = jsonOf(report).at("seam");
     document["overlap_share"] = report.overlapShare;
     document["disagreement_rms"] = report.disagreementRms;

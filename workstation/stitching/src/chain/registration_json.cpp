@@ -91,7 +91,7 @@ ordered_json jsonOf(const registration::RigidResult& rigid) {
 registration::RigidResult rigidFrom(const json& data) {
   registration::RigidResult rigid;
   readVerdict(data, rigid);
-  rigid.fixedToMoving = matrixFrom(data.at("fixed_to_moving"));
+  rigid.fixedToMoving = transformFrom<frame::Moving, frame::Fixed>(data.at("fixed_to_moving"));
   rigid.before = agreementFrom(data.at("before"));
   rigid.after = agreementFrom(data.at("after"));
   if (data.contains("covariance")) rigid.covariance = covarianceFrom(data.at("covariance"));
@@ -124,7 +124,7 @@ ordered_json jsonOf(const registration::LandmarkResult& found) {
 registration::LandmarkResult landmarksFrom(const json& data) {
   registration::LandmarkResult found;
   readVerdict(data, found);
-  found.fixedToMoving = matrixFrom(data.at("fixed_to_moving"));
+  found.fixedToMoving = transformFrom<frame::Moving, frame::Fixed>(data.at("fixed_to_moving"));
   found.residual_mm = numbersFrom(data.at("residual_mm"));
   found.weight = numbersFrom(data.at("weight"));
   found.outlying = data.at("outlying").get<std::vector<std::size_t>>();
@@ -174,7 +174,7 @@ registration::GraphResult graphFrom(const json& data) {
   registration::GraphResult graph;
   graph.verdict = verdictFrom(data.at("verdict"));
   graph.reason = data.at("reason").get<Message>();
-  for (const auto& matrix : data.at("to_world")) graph.toWorld.push_back(matrixFrom(matrix));
+  for (const auto& matrix : data.at("to_world")) graph.toWorld.push_back(transformFrom<frame::World, frame::View>(matrix));
   for (const auto& edge : data.at("edges")) {
     registration::GraphEdgeReport report;
     report.residual_mm = numberFrom(edge.at("residual_mm"));

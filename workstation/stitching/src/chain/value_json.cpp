@@ -1,6 +1,5 @@
 #include "ew/stitching/value_json.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,11 +32,10 @@ std::vector<double> numbersFrom(const json& list) {
   return values;
 }
 
-ordered_json jsonOf(const glm::dmat4& matrix) { return numbers(rowsOf(matrix)); }
-glm::dmat4 matrixFrom(const json& data) {
+std::array<double, 16> rowsFrom(const json& data) {
   std::array<double, 16> rows{};
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = numberFrom(data.at(i));
-  return matrixFromRows(rows);
+  return rows;
 }
 ordered_json jsonOf(const glm::dvec3& v) { return numbers(std::array{v.x, v.y, v.z}); }
 glm::dvec3 vectorFrom(const json& data) { return {numberFrom(data.at(0)), numberFrom(data.at(1)), numberFrom(data.at(2))}; }

@@ -33,11 +33,27 @@ struct Grid {
   }
   [[nodiscard]] Transform<frame::World, frame::Voxel> voxelToWorld() const;
   [[nodiscard]] Transform<frame::Voxel, frame::World> worldToVoxel() const { return inverse(voxelToWorld()); }
+  /// The same of a grid that is not placed yet, by the name its own frame has: File, View, Fixed or Moving.
+  template <class Own>
+  [[nodiscard]] Transform<Own, frame::Voxel> voxelTo() const {
+    return renamed<Own, frame::Voxel>(voxelToWorld());
+  }
+  template <class Own>
+  [[nodiscard]] Transform<frame::Voxel, Own> toVoxel() const {
+    return renamed<frame::Voxel, Own>(worldToVoxel());
+  }
 };
 std::ostream& operator<<(std::ostream& out, const Grid& grid);
 
 /// The grid moved by a rigid transform: what a case's placement does to a volume.
-[[nodiscard]] Grid placed(const Grid& grid, const glm::dmat4& rigidFromFileToWorld);
+[[nodiscard]] Grid placed(const Grid& grid, const Transform<frame::World, frame::File>& fileToWorld);
+template <class Own>
+[[nodiscard]] Grid placed(const Grid& grid, const Transform<frame::World, Own>& ownToWorld) {
+  return placed(grid, renamed<frame::World, frame::File>(ownToWorld));
+}
+
+/// Centre of a grid, in its own mm.
+[[nodiscard]] inline glm::dvec3 middleOf(const Grid& grid) { return carried(grid.voxelToWorld(), 0.5 * (glm::dvec3(grid.dims) - 1.0)); }
 
 /// World-aligned corners (smallest, largest) of the box around all voxel centres.
 struct Bounds {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "ew/core/frames.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 
@@ -28,6 +29,10 @@ class ContentKey {
   ContentKey& add(double number);  ///< every bit of it
   ContentKey& add(const glm::dvec3& v) { return add(v.x).add(v.y).add(v.z); }
   ContentKey& add(const glm::dmat4& matrix);
+  template <class To, class From>
+  ContentKey& add(const Transform<To, From>& t) {
+    return add(t.matrix);
+  }
   [[nodiscard]] std::string text() const;  ///< 32 hexadecimal digits
 
  private:

@@ -47,7 +47,7 @@ struct CaseVolume {
   double recipeSpacing_mm = 1.0;    ///< of a recipe without sweeps: it is voxelised as it is, without views, shadows or speckle of a probe
   std::vector<std::string> sweeps;  ///< virtual sweeps of the recipe ("sweeps/subcostal.json"), recorded, reconstructed and stitched
   CaseReconstruction reconstruct;
-  glm::dmat4 fileToWorld{1.0};  ///< rigid placement in the mannequin, mm, LPS
+  Transform<frame::World, frame::File> fileToWorld;  ///< rigid placement in the mannequin, mm, LPS
   bool operator==(const CaseVolume&) const = default;
 };
 
@@ -65,13 +65,13 @@ struct CaseTarget {
   enum class Kind { point, plane, structure };
   Kind kind = Kind::structure;
   std::string name;
-  std::optional<glm::dvec3> at_mm = {};             ///< of a point
-  std::optional<double> tolerance_mm = {};          ///< of a point
-  std::optional<glm::dmat4> probeToWorld = {};      ///< of a plane; absent: the patient's standard plane of that name
-  std::optional<double> positionTolerance_mm = {};  ///< of a plane; absent: the standard plane's
-  std::optional<double> angleTolerance_deg = {};    ///< of a plane; absent: the standard plane's
-  std::string organ = {};                           ///< of a structure: an organ of the patient
-  bool revealsFinding = false;                      ///< its name gives a finding away: a trainee sees it with the findings
+  std::optional<glm::dvec3> at_mm = {};                                  ///< of a point
+  std::optional<double> tolerance_mm = {};                               ///< of a point
+  std::optional<Transform<frame::File, frame::Probe>> probeToFile = {};  ///< of a plane; absent: the patient's standard plane of that name
+  std::optional<double> positionTolerance_mm = {};                       ///< of a plane; absent: the standard plane's
+  std::optional<double> angleTolerance_deg = {};                         ///< of a plane; absent: the standard plane's
+  std::string organ = {};                                                ///< of a structure: an organ of the patient
+  bool revealsFinding = false;  ///< its name gives a finding away: a trainee sees it with the findings
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseTarget&) const = default;
 };

@@ -57,8 +57,9 @@ struct ElasticResult {
 /// Source: Barber, Phys. Med. Biol. 37, 1992 (gradient method with an intensity component).
 /// @param start fixedToMoving, rigid
 /// @error emptyVolume, badField, notRigid, tooLarge, cancelled (within 0.5 s)
-[[nodiscard]] Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving, const glm::dmat4& start,
-                                                    const ElasticOptions& options, Progress& progress, const OnLevel& onLevel = {});
+[[nodiscard]] Result<ElasticResult> registerElastic(const Input& fixed, const Input& moving,
+                                                    const Transform<frame::Moving, frame::Fixed>& start, const ElasticOptions& options,
+                                                    Progress& progress, const OnLevel& onLevel = {});
 
 /// The paper's own method on two-dimensional images.
 struct Elastic2dOptions {
@@ -127,7 +128,8 @@ struct TangentWarpResult {
 /// @param plane_mm, normal the tangent plane in the fixed volume's frame
 /// @error as registerElastic2d; notRigid (start); badField (a plane outside the overlap, a normal without direction, a fall-off or least
 /// Jacobian out of range)
-[[nodiscard]] Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving, const glm::dmat4& start,
+[[nodiscard]] Result<TangentWarpResult> registerTangentSlices(const Input& fixed, const Input& moving,
+                                                              const Transform<frame::Moving, frame::Fixed>& start,
                                                               const glm::dvec3& plane_mm, const glm::dvec3& normal,
                                                               const TangentWarpOptions& options, Progress& progress);
 

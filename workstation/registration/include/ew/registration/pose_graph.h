@@ -15,7 +15,7 @@ namespace ew::registration {
 /// A subvolume whose pose (its own mm to the world's) is sought.
 struct GraphNode {
   std::string name;
-  glm::dmat4 toWorld{1.0};  ///< where to start; with a prior, what the tracker said
+  Transform<frame::World, frame::View> toWorld;  ///< where to start; with a prior, what the tracker said
   /// How far the tracker is believed, in the subvolume's own frame about priorCentre_mm; absent: the pose is only a start. A tracker's pose
   /// that contradicts the pairs is named and left out like a wrong pair.
   std::optional<PoseCovariance> prior = {};
@@ -27,7 +27,7 @@ struct GraphNode {
 struct GraphEdge {
   std::size_t fixed = 0;  ///< index of the node
   std::size_t moving = 0;
-  glm::dmat4 fixedToMoving{1.0};
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;
   std::optional<PoseCovariance> covariance = {};  ///< about `centre_mm`; absent, or infinite on the diagonal throughout: an edge
                                                   ///< without information, named and left out
   glm::dvec3 centre_mm{0.0};                      ///< of the overlap, in the fixed volume's frame
@@ -54,10 +54,10 @@ struct GraphEdgeReport {
 
 struct GraphResult {
   Verdict verdict = Verdict::cannotTell;
-  Message reason;                      ///< names wrong pairs and disconnected parts by the nodes' names
-  std::vector<glm::dmat4> toWorld;     ///< one per node
-  std::vector<GraphEdgeReport> edges;  ///< one per edge
-  std::vector<int> part;               ///< one per node: parts that no believed edge or prior joins have different numbers
+  Message reason;                                             ///< names wrong pairs and disconnected parts by the nodes' names
+  std::vector<Transform<frame::World, frame::View>> toWorld;  ///< one per node
+  std::vector<GraphEdgeReport> edges;                         ///< one per edge
+  std::vector<int> part;  ///< one per node: parts that no believed edge or prior joins have different numbers
   int parts = 0;
   std::vector<std::size_t> wrong;  ///< indices of edges
   /// Edges that could be wrong in place of one in `wrong`: every loop through that one runs through them too. The verdict is cannotTell

@@ -50,12 +50,12 @@ struct Quality {
 /// @param before   what it is compared with: the start
 /// @param backward movingToFixed found on its own, or null
 /// @error emptyVolume, badField, cancelled
-[[nodiscard]] Result<Quality> assessQuality(const Input& fixed, const Input& moving, const glm::dmat4& before,
+[[nodiscard]] Result<Quality> assessQuality(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& before,
                                             const Deformation& fixedToMoving, const Deformation* backward, const QualityOptions& options,
                                             Progress& progress);
 
 /// Largest mismatch around loops of transforms a->b, b->c, c->a: how far the corners of a cube of side 2 * reach_mm around
 /// the first frame's origin are from where they started. 0 for an empty loop; infinite when an entry is not finite.
-[[nodiscard]] double closureError_mm(const std::vector<glm::dmat4>& loop, double reach_mm);
+[[nodiscard]] double closureError_mm(const std::vector<Transform<frame::View, frame::View>>& loop, double reach_mm);
 
 }  // namespace ew::registration

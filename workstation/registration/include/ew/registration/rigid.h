@@ -44,8 +44,8 @@ struct RigidResult {
   Verdict verdict = Verdict::cannotTell;
   Message reason;  ///< sentences a user can act on: messageOf(remarks)
   std::vector<Remark> remarks;
-  glm::dmat4 fixedToMoving{1.0};  ///< rigid
-  Agreement before;               ///< at the start
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;  ///< rigid
+  Agreement before;                                      ///< at the start
   Agreement after;
   std::optional<PoseCovariance> covariance;  ///< of the pose error; absent when the normal equations are singular
   glm::dvec3 centre_mm{0.0};                 ///< the centre of the overlap that the covariance is about, in the fixed frame
@@ -62,7 +62,7 @@ struct RigidResult {
 /// start takes over where descending is led astray, as by wires or vessels with nothing between them that draws.
 /// @param start fixedToMoving, rigid
 /// @error emptyVolume, badField (confidence of another size, an option out of range), notRigid (start), cancelled
-[[nodiscard]] Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const glm::dmat4& start,
+[[nodiscard]] Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
                                               const RefineOptions& options, Progress& progress, const OnLevel& onLevel = {});
 
 struct PartialOptions {
@@ -77,7 +77,7 @@ struct PartialOptions {
 
 /// A place where the search found agreement.
 struct Hypothesis {
-  glm::dmat4 fixedToMoving{1.0};
+  Transform<frame::Moving, frame::Fixed> fixedToMoving;
   double significance = 0.0;  ///< Fisher z of the correlation times the root of the independent samples: standard deviations above chance
   double correlation = 0.0;
   double overlapShare = 0.0;

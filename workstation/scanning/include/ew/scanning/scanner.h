@@ -27,7 +27,7 @@ class Scanner {
   /// The subject as it is edited: title, scene, place. Voxels and labels stay those of show().
   void setTitle(std::string title);
   void setScene(Scene scene);
-  void place(const glm::dmat4& ownToWorld);
+  void place(const Transform<frame::World, frame::World>& ownToWorld);
 
   /// Tables for a state, made now rather than with the next picture.
   void prepare(const ScanState& state, int width_px, int height_px);

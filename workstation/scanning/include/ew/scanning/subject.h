@@ -65,7 +65,7 @@ struct ScanSubject {
   std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
 
   /// Moves voxels and labels to where `ownToWorld` (rigid, mm) takes the grids of their own.
-  void place(const glm::dmat4& ownToWorld);
+  void place(const Transform<frame::World, frame::World>& ownToWorld);
 };
 
 /// How the scan of a subject begins: its first probe, its start pose, the settings neutral, the effects of its scene, everything touching.
@@ -81,16 +81,16 @@ struct ScanSubject {
 /// case.
 struct CaseContents {
   ScanVoxels voxels;
-  std::shared_ptr<const Volume> labels;  ///< null when the case has none
-  std::vector<TissueAcoustics> tissues;  ///< of the labels, as the recipe has them
-  glm::dmat4 fileToWorld{1.0};           ///< the grids are placed with it
+  std::shared_ptr<const Volume> labels;              ///< null when the case has none
+  std::vector<TissueAcoustics> tissues;              ///< of the labels, as the recipe has them
+  Transform<frame::World, frame::File> fileToWorld;  ///< the grids are placed with it
   std::vector<Message> notes;
 };
 /// @error as loadCaseVolume; cancelled
 [[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});
 
 /// Where a case as it stands puts the grids of its contents.
-[[nodiscard]] glm::dmat4 ownToWorldOf(const Case& edited, const CaseContents& contents);
+[[nodiscard]] Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const CaseContents& contents);
 
 /// A case as it stands, with contents read from it, perhaps before it was edited.
 [[nodiscard]] ScanSubject subjectOf(const Case& edited, const CaseContents& contents);

@@ -114,6 +114,7 @@ inline QWidget* emptyState(const QString& title, const QString& sentence, QPushB
 }
 
 /// Six number fields for a rigid placement. Keeps the numbers as they were typed: a matrix that means the same does not rewrite them.
+template <class To, class From>
 class PlacementFields final : public QWidget {
  public:
   explicit PlacementFields(QWidget* parent = nullptr) : QWidget(parent) {
@@ -139,8 +140,8 @@ class PlacementFields final : public QWidget {
       grid->addWidget(field, row, column + 1);
       connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, i](double value) {
         (i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)] = value;
-        matrix_ = matrixOf(shown_);
-        if (onChanged) onChanged(matrix_, names[i]);
+        transform_ = transformOf<To, From>(shown_);
+        if (onChanged) onChanged(transform_, names[i]);
       });
       fields_[i] = field;
     }
@@ -149,14 +150,14 @@ class PlacementFields final : public QWidget {
   }
 
   /// The exact matrix: what was set, until a field is edited.
-  [[nodiscard]] const glm::dmat4& matrix() const { return matrix_; }
+  [[nodiscard]] const Transform<To, From>& transform() const { return transform_; }
 
-  void setMatrix(const glm::dmat4& rigid) {
+  void setTransform(const Transform<To, From>& rigid) {
     double difference = 0.0;
-    const glm::dmat4 now = matrixOf(shown_);
+    const auto now = transformOf<To, From>(shown_);
     for (int c = 0; c < 4; ++c)
-      for (int r = 0; r < 4; ++r) difference = std::max(difference, std::abs(now[c][r] - rigid[c][r]));
-    matrix_ = rigid;
+      for (int r = 0; r < 4; ++r) difference = std::max(difference, std::abs(now.matrix[c][r] - rigid.matrix[c][r]));
+    transform_ = rigid;
     if (difference < 1e-9) return;
     shown_ = placementOf(rigid);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
@@ -166,13 +167,13 @@ class PlacementFields final : public QWidget {
   }
 
   /// Called when the user edits a field: "x", "y", "z", "rx", "ry" or "rz". Undo takes back one field, not all that were typed in a row.
-  std::function<void(const glm::dmat4&, const std::string& field)> onChanged;
+  std::function<void(const Transform<To, From>&, const std::string& field)> onChanged;
 
  private:
   static QString tr_(const char* text) { return QCoreApplication::translate("ew::sdk::PlacementFields", text); }
   std::array<NumberField*, 6> fields_{};
   Placement shown_;
-  glm::dmat4 matrix_{1.0};
+  Transform<To, From> transform_;
 };
 
 }  // namespace ew::sdk

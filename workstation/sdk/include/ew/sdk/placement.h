@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include "ew/core/frames.h"
+
 namespace ew::sdk {
 
 /// A rigid placement as people edit it: where the file's origin goes, and how it is turned.
@@ -13,10 +15,19 @@ struct Placement {
 };
 
 /// Exact at multiples of 90 degrees: 90 gives zeros and ones, not 6e-17.
-[[nodiscard]] glm::dmat4 matrixOf(const Placement& placement);
+[[nodiscard]] Transform<frame::World, frame::File> transformOf(const Placement& placement);
+/// The same of a volume in another frame than the world: a moving one in the fixed one.
+template <class To, class From>
+[[nodiscard]] Transform<To, From> transformOf(const Placement& placement) {
+  return renamed<To, From>(transformOf(placement));
+}
 
 /// The placement of a rigid matrix: x and z in (-180, 180], y in [-90, 90]. When y is +-90 degrees, x and z turn about the same axis; then
-/// x is 0 and z carries the whole turn. matrixOf(placementOf(m)) equals m within 1e-12.
-[[nodiscard]] Placement placementOf(const glm::dmat4& rigid);
+/// x is 0 and z carries the whole turn. transformOf(placementOf(t)) equals t within 1e-12.
+[[nodiscard]] Placement placementOf(const Transform<frame::World, frame::File>& rigid);
+template <class To, class From>
+[[nodiscard]] Placement placementOf(const Transform<To, From>& rigid) {
+  return placementOf(renamed<frame::World, frame::File>(rigid));
+}
 
 }  // namespace ew::sdk

@@ -31,7 +31,7 @@ struct GreyCorrection {
 struct View {
   const Volume* volume = nullptr;                   ///< never null
   std::span<const std::uint8_t> confidence;         ///< voxelCount() values, 255 for 1; empty: 1 wherever covered
-  glm::dmat4 toWorld{1.0};                          ///< rigid
+  Transform<frame::World, frame::View> toWorld;     ///< rigid
   const registration::ControlGrid* bend = nullptr;  ///< in the world: world point p shows the view's world point p + u(p); null: none
   GreyCorrection correction;
   std::string name;

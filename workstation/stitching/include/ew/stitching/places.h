@@ -1,25 +1,20 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
-#include "ew/core/volume.h"
+#include "ew/core/frames.h"
 
 namespace ew::stitching {
 
-/// Inverse of a rotation and a translation, exact in the rotation.
-[[nodiscard]] inline glm::dmat4 rigidInverse(const glm::dmat4& rigid) {
-  const glm::dmat3 back = glm::transpose(glm::dmat3(rigid));
-  glm::dmat4 inverse(back);
-  inverse[3] = glm::dvec4(-(back * glm::dvec3(rigid[3])), 1.0);
-  return inverse;
+/// Of a pair as its views are placed: here one of them becomes the fixed, the other the moving volume.
+[[nodiscard]] inline Transform<frame::Moving, frame::Fixed> fixedToMovingOf(const Transform<frame::World, frame::View>& fixedView,
+                                                                            const Transform<frame::World, frame::View>& movingView) {
+  const auto fixedToWorld = renamed<frame::World, frame::Fixed>(fixedView);
+  const auto movingToWorld = renamed<frame::World, frame::Moving>(movingView);
+  return rigidInverse(movingToWorld) * fixedToWorld;
 }
 
-/// Where a matrix takes a point.
-[[nodiscard]] inline glm::dvec3 carried(const glm::dmat4& matrix, const glm::dvec3& p) { return glm::dvec3(matrix * glm::dvec4(p, 1.0)); }
-
-/// Centre of a grid, in its own mm.
-[[nodiscard]] inline glm::dvec3 middleOf(const Grid& grid) {
-  return carried(grid.voxelToWorld().matrix, 0.5 * (glm::dvec3(grid.dims) - 1.0));
+/// Of the same pair with its volumes in the other roles.
+[[nodiscard]] inline Transform<frame::Moving, frame::Fixed> withRolesSwapped(const Transform<frame::Moving, frame::Fixed>& fixedToMoving) {
+  return renamed<frame::Moving, frame::Fixed>(rigidInverse(fixedToMoving));
 }
 
 }  // namespace ew::stitching

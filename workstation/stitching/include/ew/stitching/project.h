@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
@@ -34,7 +35,7 @@ struct ProjectVolume {
   std::filesystem::path confidence;  ///< volume of 0..255 on the same grid; empty: 1 wherever covered
   double spacing_mm = 0.0;           ///< of a sweep's reconstruction; 0: chosen from the sweep
   Placement placement = Placement::tracker;
-  glm::dmat4 toWorld{1.0};
+  Transform<frame::World, frame::View> toWorld;
   std::string name;                   ///< the file's name when the project gives none; unique in a project
   std::filesystem::path calibration;  ///< device set of a sweep; empty: the recording says everything itself
   bool operator==(const ProjectVolume&) const = default;
@@ -56,7 +57,7 @@ struct ProjectPair {
   std::size_t moving = 0;
   PairMethod method = PairMethod::automatic;
   Decision decision = Decision::undecided;
-  std::optional<glm::dmat4> start;  ///< fixedToMoving: nudged or dragged by hand
+  std::optional<Transform<frame::Moving, frame::Fixed>> start;  ///< fixedToMoving: nudged or dragged by hand
   std::vector<registration::LandmarkPair> landmarks;
   std::optional<double> maxTurn_deg;                  ///< of the search; absent: the project's
   std::optional<registration::ElasticEffort> effort;  ///< of bending this pair; absent: the project's
@@ -118,6 +119,12 @@ bool operator==(const StitchProject& a, const StitchProject& b);
 
 /// A rigid matrix from text: 16 numbers, row by row, separated by blanks or line ends.
 /// @error badField, notRigid
-[[nodiscard]] Result<glm::dmat4> parseTransform(const std::string& text, const std::string& name);
+[[nodiscard]] Result<std::array<double, 16>> parseRigidRows(const std::string& text, const std::string& name);
+template <class To, class From>
+[[nodiscard]] Result<Transform<To, From>> parseTransform(const std::string& text, const std::string& name) {
+  const auto rows = parseRigidRows(text, name);
+  if (!rows) return passOn(rows.error());
+  return Transform<To, From>{matrixFromRows(*rows)};
+}
 
 }  // namespace ew::stitching

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -34,8 +35,16 @@ template <class Word>
   throw nlohmann::json::other_error::create(501, "a word that is not known", &value);
 }
 
-[[nodiscard]] nlohmann::ordered_json jsonOf(const glm::dmat4& matrix);
-[[nodiscard]] glm::dmat4 matrixFrom(const nlohmann::json& json);
+/// Sixteen numbers, row by row.
+template <class To, class From>
+[[nodiscard]] nlohmann::ordered_json jsonOf(const Transform<To, From>& t) {
+  return numbers(rowsOf(t));
+}
+[[nodiscard]] std::array<double, 16> rowsFrom(const nlohmann::json& json);
+template <class To, class From>
+[[nodiscard]] Transform<To, From> transformFrom(const nlohmann::json& json) {
+  return {matrixFromRows(rowsFrom(json))};
+}
 [[nodiscard]] nlohmann::ordered_json jsonOf(const glm::dvec3& v);
 [[nodiscard]] glm::dvec3 vectorFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Grid& grid);

@@ -32,7 +32,7 @@ std::optional<Bent> keptBend(const ChainRun& run, const std::string& key) {
   auto bent = readBack<Bent>(run.store.find(kBendStep, key), [](const json& data) {
     Bent read;
     read.about = bentFrom(data.at("outcome"));
-    read.bend.fixedToMoving.rigid = matrixFrom(data.at("rigid"));
+    read.bend.fixedToMoving.rigid = transformFrom<frame::Moving, frame::Fixed>(data.at("rigid"));
     read.bend.fixedToMoving.control.nodes = gridFrom(data.at("nodes"));
     return read;
   });
@@ -64,7 +64,7 @@ bool readVectors(const ChainRun& run, const char* step, const std::string& key, 
 }
 
 Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap& overlap, int threads, Progress& progress) {
-  const glm::dmat4 start = run.startOf(f, m);
+  const auto start = run.startOf(f, m);
   registration::ElasticOptions options = run.elasticOptions(f, m);
   options.threads = threads;
   const std::string key = keyOfBend(run.inputs[f], run.inputs[m], start, options.effort);

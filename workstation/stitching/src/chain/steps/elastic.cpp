@@ -36,7 +36,7 @@ Result<std::vector<PairMeeting>> meetingsOf(const ChainRun& run, const Progress&
       if (f >= m || isRejected(run.project, f, m)) continue;
       if (progress.cancelRequested()) return cancelledChain();
       const ChainInput &fixed = run.inputs[f], &moving = run.inputs[m];
-      const glm::dmat4 start = run.startOf(f, m);
+      const auto start = run.startOf(f, m);
       const auto overlap = overlapOf(*fixed.view->volume, *moving.view->volume, start);
       if (!overlap) continue;
       meetings.push_back({f, m, *overlap, gridOf(fixed.grid, overlap->fixed).voxelCount(),
@@ -70,7 +70,7 @@ Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<PairMeeting
 /// Brings the bends of all pairs together: one bend for each view.
 Result<void> share(ChainRun& run, std::vector<PairBend> bends, Progress& progress) {
   std::vector<const LoadedView*> views;
-  std::vector<glm::dmat4> poses;
+  std::vector<Transform<frame::World, frame::View>> poses;
   std::vector<std::size_t> place(run.inputs.size());
   for (std::size_t n = 0; n < run.included.size(); ++n) {
     place[run.included[n]] = n;

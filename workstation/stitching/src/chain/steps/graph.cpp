@@ -4,7 +4,6 @@
 #include "chain/chain_json.h"
 #include "chain/chain_memory.h"
 #include "chain/steps/steps.h"
-#include "ew/stitching/places.h"
 
 namespace ew::stitching {
 namespace {
