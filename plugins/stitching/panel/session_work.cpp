@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ew/sdk/panel.h"
-#include "panel/reasons.h"
+#include "ew/stitching/places.h"
 #include "panel/session_parts.h"
 
 namespace ew::stitching {

@@ -24,10 +24,7 @@ namespace ew {
 /// Made by say(), verbatim() and joined() alone, so that no sentence reaches the window that it cannot translate.
 class Message {
  public:
-  Message() = default;                                               ///< nothing
-  Message(std::string verbatim) : verbatim_(std::move(verbatim)) {}  // NOLINT: while sentences are moved to say()
-  Message(std::string_view verbatim) : verbatim_(verbatim) {}        // NOLINT
-  Message(const char* verbatim) : verbatim_(verbatim) {}             // NOLINT
+  Message() = default;  ///< nothing
 
   /// The text to translate, valid as long as the program runs; null of what is verbatim, joined or nothing.
   [[nodiscard]] const char* text() const { return text_; }
