@@ -66,7 +66,7 @@ Recording recordingOf(const std::filesystem::path& file, const std::filesystem::
 struct Wrong {
   double mm = 0.0;
   double deg = 0.0;
-  Transform<frame::Moving, frame::World> off;
+  Transform<frame::Moving, frame::World> off = {};
 };
 Wrong wrongPose(int n, const glm::dvec3& about_mm) {
   Draw draw(1000 + static_cast<std::uint64_t>(n));

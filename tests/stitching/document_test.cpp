@@ -143,7 +143,7 @@ TEST_F(StitchDocumentTest, APairWhoseVolumesChangePlacesIsTheSamePairToldFromThe
   EXPECT_EQ(project.pairs[0].fixed, 0u);
   EXPECT_EQ(project.pairs[0].moving, 1u);
   EXPECT_EQ(project.pairs[0].landmarks[0].fixed_mm, glm::dvec3(4, 5, 6));
-  EXPECT_EQ(glm::dvec3((*project.pairs[0].start)[3]), glm::dvec3(-7, 2, -1));
+  EXPECT_EQ(glm::dvec3(project.pairs[0].start->matrix[3]), glm::dvec3(-7, 2, -1));
   EXPECT_EQ(withVolumeMoved(project, 0, 2), withPair(threeVolumes(), pair)) << "there and back";
 }
 

@@ -180,7 +180,7 @@ std::vector<std::vector<glm::dvec2>> deformedLattice(const Plane& plane, const g
 
 int viewAt(const SeamMap& seams, const glm::dvec3& p_world_mm) {
   if (seams.view.empty()) return -1;
-  const glm::ivec3 cell = glm::ivec3(glm::round(carried(seams.cells.worldToVoxel().matrix, p_world_mm)));
+  const glm::ivec3 cell = glm::ivec3(glm::round(carried(seams.cells.worldToVoxel(), p_world_mm)));
   return seams.cells.contains(cell) ? seams.view[seams.cells.indexOf(cell.x, cell.y, cell.z)] - 1 : -1;
 }
 

@@ -43,9 +43,9 @@ template <class To, class From>
 /// How a point of the plane's frame, which is that of a pair's fixed volume, goes over into a volume's own: toGrid * (b + u(b)) with
 /// b = toBend * p. Where nothing bends, the fixed volume's frame may stand for the world; as it is made, all frames are one.
 struct Mapping {
-  Transform<frame::World, frame::Fixed> toBend;
+  Transform<frame::World, frame::Fixed> toBend = {};
   const registration::ControlGrid* bend = nullptr;  ///< null: none
-  Transform<frame::View, frame::World> toGrid;
+  Transform<frame::View, frame::World> toGrid = {};
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p_mm) const;
   [[nodiscard]] Transform<frame::View, frame::Fixed> withoutBend() const { return toGrid * toBend; }
 };

@@ -172,7 +172,7 @@ Result<void> keepPrepared(const StepStore& store, const char* step, const std::s
 }
 
 constexpr const char* kJoins = "joins";  ///< of the cache: a folder for each chain that is at work
-constexpr const char* kWaiting = "Waiting for another EchoWeave that prepares the same case";
+Message waiting() { return say<"Waiting for another EchoWeave that prepares the same case">(); }
 
 /// One case's way from recipe to volume.
 class Preparation {
@@ -325,9 +325,9 @@ class Preparation {
   Result<void> makeSweep(const PlannedSweep& sweep) {
     // Cases may share a patient and a sweep: whoever comes second finds what the first one kept, and never a recording that goes while he
     // reads it.
-    const auto recording = store_.lock(kRecordings, sweep.recording, kWaiting, silent_);
+    const auto recording = store_.lock(kRecordings, sweep.recording, waiting(), silent_);
     if (!recording) return passOn(recording.error());
-    const auto volume = store_.lock(kSweeps, sweep.volume, kWaiting, silent_);
+    const auto volume = store_.lock(kSweeps, sweep.volume, waiting(), silent_);
     if (!volume) return passOn(volume.error());
     if (store_.find(kSweeps, sweep.volume)) {
       if (isWhole(store_, kSweeps, sweep.volume, {kVolumeFile, kCoverageFile, kConfidenceFile})) return {};
@@ -422,7 +422,7 @@ class Preparation {
     auto labels = labelsOn(*patient_, coarse, options_.threads, labelling, options_.maxBytes);
     if (!labels) return passOn(labels.error());
     Prepared made{{}, {coarse, std::move(*labels), {}}};
-    const auto lock = store_.lock(kLabels, plan_.labels, kWaiting, silent_);
+    const auto lock = store_.lock(kLabels, plan_.labels, waiting(), silent_);
     if (!lock) return passOn(lock.error());
     if (auto kept = keepPrepared(store_, kLabels, plan_.labels, made, saving); !kept) return passOn(kept.error());
     keepTruth();
@@ -547,7 +547,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
   bool isNamedFolderInTheWay = false;
   Result<Prepared> made = [&]() -> Result<Prepared> {
     if (!cache) return passOn(cache.error());
-    const auto lock = cache->lock(kVolumes, plan.volume, kWaiting, progress);
+    const auto lock = cache->lock(kVolumes, plan.volume, waiting(), progress);
     if (!lock) return passOn(lock.error());
     if (!wasThere && plan.isDoneIn(*cache)) {
       auto cached = readOrNote(*cache);

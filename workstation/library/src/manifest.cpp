@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 3> kExaminationFields = {"when", "kind", 
 constexpr std::array<std::string_view, 9> kTargetFields = {
     "kind", "name", "at_mm", "tolerance_mm", "probe_to_world", "position_tolerance_mm", "angle_tolerance_deg", "organ", "reveals_finding"};
 constexpr std::array<std::string_view, 3> kMeasurementFields = {"name", "tolerance", "reveals_finding"};
-constexpr const char* kSceneName = "the scene of case.json";
+Message sceneName() { return say<"the scene of case.json">(); }
 
 template <class Names>
 json without(json object, const Names& names) {
@@ -53,7 +53,7 @@ json unknownFields(const json& manifest) {
   }
   if (manifest.contains("scene")) {
     json rest;
-    if (sceneFromJson(manifest["scene"], kSceneName, &rest) && !rest.empty()) unknown["scene"] = std::move(rest);
+    if (sceneFromJson(manifest["scene"], sceneName(), &rest) && !rest.empty()) unknown["scene"] = std::move(rest);
   }
   return unknown;
 }
@@ -154,7 +154,7 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
     problems.push_back(wrongField("volume.recipe_spacing_mm", say<"not a number">(), say<"from 0.1 to 10 mm">()));
   if (manifest.contains("scene")) {
     json unknown;
-    if (auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown); !scene) {
+    if (auto scene = sceneFromJson(manifest["scene"], sceneName(), &unknown); !scene) {
       Error problem = std::move(scene.error());
       for (auto& [key, value] : problem.context)
         if (key == "field") value.insert(0, "scene.");
@@ -327,7 +327,7 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   if (manifest.contains("probes")) made.probes = manifest["probes"].get<std::vector<std::string>>();
   if (manifest.contains("scene")) {
     json unknown;
-    auto scene = sceneFromJson(manifest["scene"], kSceneName, &unknown);
+    auto scene = sceneFromJson(manifest["scene"], sceneName(), &unknown);
     if (!scene) return passOn(std::move(scene.error()));
     made.scene = std::move(*scene);
   }

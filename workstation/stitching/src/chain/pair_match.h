@@ -22,7 +22,7 @@ struct LoadedView {
 struct PairTask {
   PairMethod method = PairMethod::automatic;
   bool placesKnown = false;
-  Transform<frame::Moving, frame::Fixed> start;  ///< fixedToMoving: from the places or by hand
+  Transform<frame::Moving, frame::Fixed> start = {};  ///< fixedToMoving: from the places or by hand
   std::vector<registration::LandmarkPair> landmarks;
   double maxTurn_deg = 30.0;
   double trackerError_mm = 3.0;

@@ -47,7 +47,7 @@ struct CaseVolume {
   double recipeSpacing_mm = 1.0;    ///< of a recipe without sweeps: it is voxelised as it is, without views, shadows or speckle of a probe
   std::vector<std::string> sweeps;  ///< virtual sweeps of the recipe ("sweeps/subcostal.json"), recorded, reconstructed and stitched
   CaseReconstruction reconstruct;
-  Transform<frame::World, frame::File> fileToWorld;  ///< rigid placement in the mannequin, mm, LPS
+  Transform<frame::World, frame::File> fileToWorld = {};  ///< rigid placement in the mannequin, mm, LPS
   bool operator==(const CaseVolume&) const = default;
 };
 

@@ -21,7 +21,7 @@ struct ExpectedMeasurement {
 
 struct ExpectedPlane {
   std::string name;
-  Transform<frame::World, frame::Probe> probeToWorld;
+  Transform<frame::World, frame::Probe> probeToWorld = {};
   double positionTolerance_mm = 10.0;
   double angleTolerance_deg = 15.0;
   std::vector<std::string> shows;  ///< organs that are cut by it

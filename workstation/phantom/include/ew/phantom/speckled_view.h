@@ -14,12 +14,12 @@ namespace ew {
 struct SpeckledViewRecipe {
   glm::ivec3 dims{128};
   double spacing_mm = 0.5;
-  glm::dvec3 origin_mm{0.0};                     ///< of its first voxel in its own frame, in which y runs down the beams
-  Transform<frame::World, frame::View> toWorld;  ///< rigid
-  bool scene = true;                             ///< false: even tissue of kEvenScene_db
-  std::uint64_t speckle = 1;                     ///< two views of one number, spacing and frame show the same speckle where they overlap
-  double gain_db = 0.0;                          ///< added everywhere
-  double depthGain_db = 0.0;                     ///< from minus this at the first row to plus this at the last
+  glm::dvec3 origin_mm{0.0};                          ///< of its first voxel in its own frame, in which y runs down the beams
+  Transform<frame::World, frame::View> toWorld = {};  ///< rigid
+  bool scene = true;                                  ///< false: even tissue of kEvenScene_db
+  std::uint64_t speckle = 1;  ///< two views of one number, spacing and frame show the same speckle where they overlap
+  double gain_db = 0.0;       ///< added everywhere
+  double depthGain_db = 0.0;  ///< from minus this at the first row to plus this at the last
   struct Shadow {
     double from_mm = 0.0;  ///< along x of the view's own frame
     double to_mm = 0.0;

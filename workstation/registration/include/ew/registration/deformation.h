@@ -23,7 +23,7 @@ void displace(const ControlGrid& control, std::span<glm::dvec3> points_mm);
 
 /// Elastic, then rigid: moving point = rigid * (p + u(p)), with u in the fixed frame. The Jacobian of the whole is that of p + u(p).
 struct Deformation {
-  Transform<frame::Moving, frame::Fixed> rigid;  ///< fixed to moving
+  Transform<frame::Moving, frame::Fixed> rigid = {};  ///< fixed to moving
   ControlGrid control;
 };
 [[nodiscard]] glm::dvec3 movingPoint(const Deformation& fixedToMoving, const glm::dvec3& fixed_mm);

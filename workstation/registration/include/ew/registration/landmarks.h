@@ -28,13 +28,13 @@ struct LandmarkResult {
   Verdict verdict = Verdict::cannotTell;
   Message reason;  ///< names collinear, coincident, too few or outlying pairs, by their names: messageOf(remarks)
   std::vector<Remark> remarks;
-  Transform<frame::Moving, frame::Fixed> fixedToMoving;  ///< rigid, no mirror; meaningful unless the verdict is cannotTell
-  std::vector<double> residual_mm;                       ///< one per pair, at the transform
-  std::vector<double> weight;                            ///< one per pair, 0..1; below 1/2 it is outlying
-  std::vector<std::size_t> outlying;                     ///< indices
-  std::vector<std::size_t> coincident;                   ///< indices of pairs that repeat another one's place
-  bool collinear = false;                                ///< all places on one line: the turn about it is free
-  double rms_mm = 0.0;                                   ///< over pairs that are not outlying
+  Transform<frame::Moving, frame::Fixed> fixedToMoving = {};  ///< rigid, no mirror; meaningful unless the verdict is cannotTell
+  std::vector<double> residual_mm;                            ///< one per pair, at the transform
+  std::vector<double> weight;                                 ///< one per pair, 0..1; below 1/2 it is outlying
+  std::vector<std::size_t> outlying;                          ///< indices
+  std::vector<std::size_t> coincident;                        ///< indices of pairs that repeat another one's place
+  bool collinear = false;                                     ///< all places on one line: the turn about it is free
+  double rms_mm = 0.0;                                        ///< over pairs that are not outlying
   double expectedError_mm = 0.0;  ///< target registration error at the centroid's far side, from pickError_mm (or the residuals when they
                                   ///< say more) and the pairs' spread; infinite when the turn is free
   double conditioning = 0.0;      ///< second singular value over the first of the scattered places: 0 collinear, 1 round

@@ -15,7 +15,7 @@ namespace ew::registration {
 /// A subvolume whose pose (its own mm to the world's) is sought.
 struct GraphNode {
   std::string name;
-  Transform<frame::World, frame::View> toWorld;  ///< where to start; with a prior, what the tracker said
+  Transform<frame::World, frame::View> toWorld = {};  ///< where to start; with a prior, what the tracker said
   /// How far the tracker is believed, in the subvolume's own frame about priorCentre_mm; absent: the pose is only a start. A tracker's pose
   /// that contradicts the pairs is named and left out like a wrong pair.
   std::optional<PoseCovariance> prior = {};
@@ -27,7 +27,7 @@ struct GraphNode {
 struct GraphEdge {
   std::size_t fixed = 0;  ///< index of the node
   std::size_t moving = 0;
-  Transform<frame::Moving, frame::Fixed> fixedToMoving;
+  Transform<frame::Moving, frame::Fixed> fixedToMoving = {};
   std::optional<PoseCovariance> covariance = {};  ///< about `centre_mm`; absent, or infinite on the diagonal throughout: an edge
                                                   ///< without information, named and left out
   glm::dvec3 centre_mm{0.0};                      ///< of the overlap, in the fixed volume's frame

@@ -44,8 +44,8 @@ struct RigidResult {
   Verdict verdict = Verdict::cannotTell;
   Message reason;  ///< sentences a user can act on: messageOf(remarks)
   std::vector<Remark> remarks;
-  Transform<frame::Moving, frame::Fixed> fixedToMoving;  ///< rigid
-  Agreement before;                                      ///< at the start
+  Transform<frame::Moving, frame::Fixed> fixedToMoving = {};  ///< rigid
+  Agreement before;                                           ///< at the start
   Agreement after;
   std::optional<PoseCovariance> covariance;  ///< of the pose error; absent when the normal equations are singular
   glm::dvec3 centre_mm{0.0};                 ///< the centre of the overlap that the covariance is about, in the fixed frame
@@ -77,7 +77,7 @@ struct PartialOptions {
 
 /// A place where the search found agreement.
 struct Hypothesis {
-  Transform<frame::Moving, frame::Fixed> fixedToMoving;
+  Transform<frame::Moving, frame::Fixed> fixedToMoving = {};
   double significance = 0.0;  ///< Fisher z of the correlation times the root of the independent samples: standard deviations above chance
   double correlation = 0.0;
   double overlapShare = 0.0;

@@ -81,9 +81,9 @@ struct ScanSubject {
 /// case.
 struct CaseContents {
   ScanVoxels voxels;
-  std::shared_ptr<const Volume> labels;              ///< null when the case has none
-  std::vector<TissueAcoustics> tissues;              ///< of the labels, as the recipe has them
-  Transform<frame::World, frame::File> fileToWorld;  ///< the grids are placed with it
+  std::shared_ptr<const Volume> labels;                   ///< null when the case has none
+  std::vector<TissueAcoustics> tissues;                   ///< of the labels, as the recipe has them
+  Transform<frame::World, frame::File> fileToWorld = {};  ///< the grids are placed with it
   std::vector<Message> notes;
 };
 /// @error as loadCaseVolume; cancelled

@@ -131,12 +131,12 @@ class Cases {
 
   /// How the volume of the open case is scanned at this moment.
   struct Scan {
-    std::string probe;                                   ///< its id
-    Transform<frame::World, frame::Probe> probeToWorld;  ///< rigid
-    double depth_mm = 0.0;                               ///< how far the picture reaches
-    double halfWidth_rad = 0.0;                          ///< of the picture about the beam in its middle; 0: its lines are parallel
-    double halfFace_mm = 0.0;                            ///< half the width of the probe's face
-    Grid volume;                                         ///< where the volume lies in the world, with the case's edits
+    std::string probe;                                        ///< its id
+    Transform<frame::World, frame::Probe> probeToWorld = {};  ///< rigid
+    double depth_mm = 0.0;                                    ///< how far the picture reaches
+    double halfWidth_rad = 0.0;                               ///< of the picture about the beam in its middle; 0: its lines are parallel
+    double halfFace_mm = 0.0;                                 ///< half the width of the probe's face
+    Grid volume;                                              ///< where the volume lies in the world, with the case's edits
   };
   /// Empty: the case's volume is not the one that is scanned, or there is no window.
   [[nodiscard]] virtual std::optional<Scan> scan() const;

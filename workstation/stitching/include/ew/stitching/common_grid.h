@@ -37,7 +37,7 @@ struct StitchForecast {
 /// file to the world, mm, LPS.
 struct PlacedGrid {
   Grid grid;
-  glm::dmat4 toWorld{1.0};
+  Transform<frame::World, frame::View> toWorld = {};
   std::string name;  ///< for messages
 };
 

@@ -35,7 +35,7 @@ struct ProjectVolume {
   std::filesystem::path confidence;  ///< volume of 0..255 on the same grid; empty: 1 wherever covered
   double spacing_mm = 0.0;           ///< of a sweep's reconstruction; 0: chosen from the sweep
   Placement placement = Placement::tracker;
-  Transform<frame::World, frame::View> toWorld;
+  Transform<frame::World, frame::View> toWorld = {};
   std::string name;                   ///< the file's name when the project gives none; unique in a project
   std::filesystem::path calibration;  ///< device set of a sweep; empty: the recording says everything itself
   bool operator==(const ProjectVolume&) const = default;
