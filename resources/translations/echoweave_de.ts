@@ -2,6 +2,5777 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ew::Message</name>
+    <message>
+        <source>&quot;%1&quot; cannot be read; check the medium it is on.</source>
+        <translation>„%1“ kann nicht gelesen werden; den Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written (%2); choose another place or free some room.</source>
+        <translation>„%1“ kann nicht geschrieben werden (%2); einen anderen Ort wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was made by somebody else in the meantime and is left as it is; choose another name.</source>
+        <translation>„%1“ hat inzwischen jemand anders angelegt und bleibt, wie es ist; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not written because of a fault in the program; try again.</source>
+        <translation>„%1“ wurde wegen eines Fehlers im Programm nicht geschrieben; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>&quot;female&quot;, &quot;male&quot;, &quot;other&quot; or &quot;&quot;</source>
+        <translation>&quot;female&quot;, &quot;male&quot;, &quot;other&quot; oder &quot;&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;graph cut&quot;, &quot;nearest&quot; or &quot;feather&quot;: how the sweeps are joined where they overlap</source>
+        <translation>&quot;graph cut&quot;, &quot;nearest&quot; oder &quot;feather&quot;: wie die Schwenks verbunden werden, wo sie sich überlappen</translation>
+    </message>
+    <message>
+        <source>&quot;mean&quot;, &quot;maximum&quot;, &quot;latest&quot; or &quot;weighted&quot; by the confidence in each echo</source>
+        <translation>&quot;mean&quot;, &quot;maximum&quot;, &quot;latest&quot; oder &quot;weighted&quot;, gewichtet nach der Verlässlichkeit jedes Echos</translation>
+    </message>
+    <message>
+        <source>&quot;nearest&quot; or &quot;linear&quot;</source>
+        <translation>&quot;nearest&quot; oder &quot;linear&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;point&quot;, &quot;plane&quot; or &quot;structure&quot;</source>
+        <translation>&quot;point&quot;, &quot;plane&quot; oder &quot;structure&quot;</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (by %2 mm and %3 degrees)</source>
+        <translation>%1 (um %2 mm und %3°)</translation>
+    </message>
+    <message>
+        <source>%1 (interface %2, compiler %3)</source>
+        <translation>%1 (Schnittstelle %2, Compiler %3)</translation>
+    </message>
+    <message>
+        <source>%1 GiB</source>
+        <translation>%1 GiB</translation>
+    </message>
+    <message>
+        <source>%1 Usage: echoweave %2.</source>
+        <translation>%1 Aufruf: echoweave %2.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 angles</source>
+        <translation>%1 Winkel</translation>
+    </message>
+    <message>
+        <source>%1 are INVALID and %2 missing</source>
+        <translation>%1 sind INVALID, %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1 are used</source>
+        <translation>%1 werden verwendet</translation>
+    </message>
+    <message>
+        <source>%1 asks for the last bytes of packed samples; store them unpacked.</source>
+        <translation>%1 verlangt die letzten Byte gepackter Abtastwerte; sie ungepackt speichern.</translation>
+    </message>
+    <message>
+        <source>%1 asks to skip lines of its data file, which is not read; use byte skip.</source>
+        <translation>%1 will Zeilen der Datendatei überspringen, was nicht gelesen wird; byte skip verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 at character %2 of the expression</source>
+        <translation>%1 beim Zeichen %2 des Ausdrucks</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>%1 cannot be listed; check its permissions.</source>
+        <translation>Der Inhalt von %1 lässt sich nicht auflisten; die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mapped (%2); read it into memory.</source>
+        <translation>%1 lässt sich nicht in den Speicher abbilden (%2); einlesen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2); check its permissions.</source>
+        <translation>%1 kann nicht geöffnet werden (%2); die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check its permissions.</source>
+        <translation>%1 kann nicht geöffnet werden; die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read (%2); check its permissions.</source>
+        <translation>%1 kann nicht gelesen werden (%2); die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as DICOM: %2; get the file again.</source>
+        <translation>%1 kann nicht als DICOM gelesen werden: %2; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as JSON; restore an earlier copy.</source>
+        <translation>%1 kann nicht als JSON gelesen werden; nehmen Sie eine frühere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a mesh; export it again as STL, PLY or OBJ.</source>
+        <translation>%1 ist nicht als Netz zu lesen; es neu als STL, PLY oder OBJ exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check its permissions.</source>
+        <translation>%1 kann nicht gelesen werden; die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check that you may open it.</source>
+        <translation>%1 kann nicht gelesen werden; prüfen, ob die Datei geöffnet werden darf.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check the medium it is on.</source>
+        <translation>%1 kann nicht gelesen werden; den Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written in blocks; end its name in .mha.</source>
+        <translation>%1 kann nicht in Blöcken geschrieben werden; den Namen auf .mha enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be packed as PNG; try another size.</source>
+        <translation>%1 ließ sich nicht als PNG packen; eine andere Größe versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be unpacked; close other programs.</source>
+        <translation>%1 konnte nicht entpackt werden; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2; check the folder and the free space, or write .avi.</source>
+        <translation>%1 konnte nicht geschrieben werden: %2; Ordner und freien Platz prüfen oder als .avi schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 does not begin with &quot;ply&quot;; it is not a PLY file.</source>
+        <translation>%1 beginnt nicht mit &quot;ply&quot;; es ist keine PLY-Datei.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold one JSON object; check that it is the right file.</source>
+        <translation>%1 enthält kein einzelnes JSON-Objekt; prüfen Sie, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>%1 does not say how large its pixels are (it has no ultrasound regions); give the size in mm.</source>
+        <translation>%1 sagt nicht, wie groß die Pixel sind (es gibt keine Ultraschallregionen); die Größe in mm angeben.</translation>
+    </message>
+    <message>
+        <source>%1 ends before its first frame is whole; nothing of it can be used.</source>
+        <translation>%1 endet, bevor das erste Bild vollständig ist; nichts davon ist zu gebrauchen.</translation>
+    </message>
+    <message>
+        <source>%1 ends before its header says so; copy it again.</source>
+        <translation>%1 endet, bevor der Kopf es sagt; neu kopieren.</translation>
+    </message>
+    <message>
+        <source>%1 ends before its samples begin; get the file again.</source>
+        <translation>%1 endet, bevor die Abtastwerte beginnen; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 ends inside the header of a binary STL file; export the mesh again.</source>
+        <translation>%1 endet im Kopf einer binären STL-Datei; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 ends, or holds something other than a number, in %2 %3 of %4; export the mesh again.</source>
+        <translation>%1 endet oder enthält etwas anderes als eine Zahl in %2 %3 von %4; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 entries</source>
+        <translation>%1 Einträge</translation>
+    </message>
+    <message>
+        <source>%1 extends %2, which is neither beside it nor in resources/anatomy; put it there.</source>
+        <translation>%1 erweitert %2, das weder daneben noch in resources/anatomy liegt; es dort ablegen.</translation>
+    </message>
+    <message>
+        <source>%1 finite number</source>
+        <translation>%1 endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 finite numbers</source>
+        <translation>%1 endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 frame carries the same time as the frame before.</source>
+        <translation>%1 Bild trägt dieselbe Zeit wie das Bild davor.</translation>
+    </message>
+    <message>
+        <source>%1 frame with an INVALID and %2 with a missing pose were left out; %3.</source>
+        <translation>%1 Bild mit der Lage INVALID und %2 mit fehlender wurden ausgelassen; %3.</translation>
+    </message>
+    <message>
+        <source>%1 frames carry the same time as the frame before.</source>
+        <translation>%1 Bilder tragen dieselbe Zeit wie das Bild davor.</translation>
+    </message>
+    <message>
+        <source>%1 frames with an INVALID and %2 with a missing pose were left out; %3.</source>
+        <translation>%1 Bilder mit der Lage INVALID und %2 mit fehlender wurden ausgelassen; %3.</translation>
+    </message>
+    <message>
+        <source>%1 gives more than %2 transforms for one frame; check that the file is undamaged.</source>
+        <translation>%1 nennt mehr als %2 Transformationen für ein Bild; prüfen, ob die Datei unbeschädigt ist.</translation>
+    </message>
+    <message>
+        <source>%1 has &quot;%2&quot; for a coordinate (line %3); export the mesh again.</source>
+        <translation>%1 hat „%2“ als Koordinate (Zeile %3); das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bits a sample; export it with 8 or 16.</source>
+        <translation>%1 hat %2 Bit je Abtastwert; mit 8 oder 16 exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes after its samples, which were not read.</source>
+        <translation>%1 hat %2 Byte nach den Abtastwerten, die nicht gelesen wurden.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, but the limit is %3; cut it into parts.</source>
+        <translation>%1 hat %2 Byte, die Grenze ist aber %3; in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, fewer than %3 samples of %4 after %5 need; correct the dimensions.</source>
+        <translation>%1 hat %2 Byte, weniger als für %3 Abtastwerte zu %4 Byte ab Byte %5 nötig; die Größe berichtigen.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 values per sample, but one value or a colour is needed; export the echo levels alone.</source>
+        <translation>%1 hat %2 Werte je Abtastwert, nötig ist einer oder eine Farbe; nur die Echopegel exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 x %3 pixels, the first picture %4 x %5; put pictures of one size into the folder.</source>
+        <translation>%1 hat %2 × %3 Pixel, das erste Bild %4 × %5; Bilder einer Größe in den Ordner legen.</translation>
+    </message>
+    <message>
+        <source>%1 has a face with corner %2, which does not exist; export the mesh again.</source>
+        <translation>%1 hat eine Fläche mit der Ecke %2, die es nicht gibt; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has a face with fewer than three corners (line %2); export the mesh again.</source>
+        <translation>%1 hat eine Fläche mit weniger als drei Ecken (Zeile %2); das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has a face with the corner &quot;%2&quot;, which does not exist (line %3); export the mesh again.</source>
+        <translation>%1 hat eine Fläche mit der Ecke „%2“, die es nicht gibt (Zeile %3); das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has a header line of more than 1 MiB; check what kind of file it is.</source>
+        <translation>%1 hat eine Kopfzeile von mehr als 1 MiB; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 has a header of more than 512 MiB; record fewer frames in one file.</source>
+        <translation>%1 hat einen Kopf von mehr als 512 MiB; weniger Bilder in eine Datei aufnehmen.</translation>
+    </message>
+    <message>
+        <source>%1 has a point whose coordinates are not finite; export the mesh again.</source>
+        <translation>%1 hat einen Punkt, dessen Koordinaten nicht endlich sind; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has a point with fewer than three coordinates (line %2); export the mesh again.</source>
+        <translation>%1 hat einen Punkt mit weniger als drei Koordinaten (Zeile %2); das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.</source>
+        <translation>Die Endung von %1 wird nicht gelesen; eine Datei .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz angeben.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .avi or .mp4.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .avi oder .mp4 enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .igs.mha.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .igs.mha enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .mha or .mhd.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .mha oder .mhd enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .mha.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .mha enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .png or .mha.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .png oder .mha enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has an ending that is not written; end its name in .xml.</source>
+        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .xml enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 has colours of %2 bits; export it with 8.</source>
+        <translation>%1 hat Farben mit %2 Bit; mit 8 exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has faces without vertex_indices; export the mesh again.</source>
+        <translation>%1 hat Flächen ohne vertex_indices; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.</source>
+        <translation>%1 hat das Format %2, und dieses Programm liest Formate bis %3; mit einem neueren EchoWeave öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 has format %2, this program reads up to format 1; open it with a newer EchoWeave.</source>
+        <translation>%1 hat das Format %2, dieses Programm liest bis Format 1; mit einem neueren EchoWeave öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 has more than the %2 bytes allowed here; check that it is the right file.</source>
+        <translation>%1 hat mehr als die hier erlaubten %2 Byte; prüfen, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>%1 has no end of its PLY header; export the mesh again.</source>
+        <translation>%1 hat kein Ende seines PLY-Kopfes; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has no triangles; export the body as a surface mesh.</source>
+        <translation>%1 hat keine Dreiecke; den Körper als Oberflächennetz exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has points without x, y and z; export the mesh again.</source>
+        <translation>%1 hat Punkte ohne x, y und z; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has samples of NIfTI data type %2, which is not read; convert it to whole or floating point numbers.</source>
+        <translation>%1 hat Abtastwerte vom NIfTI-Datentyp %2, der nicht gelesen wird; in ganze oder Gleitkommazahlen umwandeln.</translation>
+    </message>
+    <message>
+        <source>%1 has samples of no known type; export it as 8 bit samples.</source>
+        <translation>%1 hat Abtastwerte unbekannter Art; mit 8 Bit exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has sizes %2, but a recording is width x height x frames; sequences of volumes are not read, export its frames.</source>
+        <translation>%1 hat die Größe %2, eine Aufnahme aber ist Breite × Höhe × Bilder; Folgen von Volumen werden nicht gelesen, ihre Bilder exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 has the colours %2 in %3 samples a pixel, which is not read; export it as MONOCHROME2 or RGB.</source>
+        <translation>%1 hat die Farben %2 in %3 Abtastwerten je Pixel, was nicht gelesen wird; als MONOCHROME2 oder RGB exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 packed pictures or more, but promises %3 frames; export it again.</source>
+        <translation>%1 enthält %2 gepackte Bilder oder mehr, verspricht aber %3; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 samples, but labels are one 8 bit unsigned number a voxel; export them as such.</source>
+        <translation>Die Abtastwerte von %1 sind %2; Labels sind aber eine Zahl von 8 Bit ohne Vorzeichen je Voxel; so exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes one after the other; choose one by its number, 1 to %3.</source>
+        <translation>%1 enthält %2 Volumen nacheinander; eines nach seiner Nummer wählen, 1 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes one after the other; number %3 was read.</source>
+        <translation>%1 enthält %2 Volumen nacheinander; Nummer %3 wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes one after the other; the first was read.</source>
+        <translation>%1 enthält %2 Volumen nacheinander; das erste wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes, no number %3; choose one that is there.</source>
+        <translation>%1 enthält %2 Volumen, aber keine Nummer %3; eine vorhandene wählen.</translation>
+    </message>
+    <message>
+        <source>%1 holds a single plane, not a volume; import it as a picture.</source>
+        <translation>%1 enthält eine einzige Ebene und kein Volumen; als Bild importieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds images, not poses alone; open it as a sweep.</source>
+        <translation>%1 enthält Bilder, nicht nur Lagen; als Schwenk öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 holds its vectors as text, which is not read; write it as binary.</source>
+        <translation>Die Vektoren von %1 sind als Text gespeichert, was nicht gelesen wird; binär schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 holds more than may be read at once.</source>
+        <translation>%1 enthält mehr, als auf einmal gelesen werden darf.</translation>
+    </message>
+    <message>
+        <source>%1 holds no pictures (.png, .jpg, .pgm); choose a folder that does.</source>
+        <translation>%1 enthält keine Bilder (.png, .jpg, .pgm); einen Ordner mit Bildern wählen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no tissue intensities (only flow or other data); export the B-mode volume.</source>
+        <translation>%1 enthält keine Gewebehelligkeiten (nur Fluss oder andere Daten); das B-Mode-Volumen exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds no voxels (%2); choose a file with samples in it.</source>
+        <translation>%1 enthält keine Voxel (%2); eine Datei mit Abtastwerten wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, so it cannot be mapped; read it into memory, or save it uncompressed with 8 bit samples.</source>
+        <translation>%1 lässt sich nicht in den Speicher abbilden (%2); einlesen oder unkomprimiert mit 8-Bit-Abtastwerten speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which cannot be used.</source>
+        <translation>%1 ist %2; das ist nicht zu gebrauchen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be %3.</source>
+        <translation>%1 ist %2; es muss %3 sein.</translation>
+    </message>
+    <message>
+        <source>%1 is INVALID and %2 missing</source>
+        <translation>%1 ist INVALID, %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1 is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.</source>
+        <translation>%1 ist XML, aber keine Gerätedatei: PlusConfiguration fehlt; die Gerätedatei angeben, mit der der Schwenk aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>%1 is a DICOM file without a Kretz volume in it; import it as pictures.</source>
+        <translation>%1 ist eine DICOM-Datei ohne Kretz-Volumen; als Bilder importieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a DICOM file without pictures; choose the file that holds the pictures.</source>
+        <translation>%1 ist eine DICOM-Datei ohne Bilder; die Datei mit den Bildern wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is a Kretz file with wavelet compression, which is not published; export it uncompressed, or as Cartesian volume.</source>
+        <translation>%1 ist eine Kretz-Datei mit Wavelet-Kompression, deren Aufbau nicht veröffentlicht ist; unkomprimiert oder als kartesisches Volumen exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a Kretz file without an uncompressed grey volume; export it uncompressed, or as Cartesian volume.</source>
+        <translation>%1 ist eine Kretz-Datei ohne unkomprimiertes Grauvolumen; unkomprimiert oder als kartesisches Volumen exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a damaged JPEG; save the picture again.</source>
+        <translation>%1 ist ein beschädigtes JPEG; das Bild neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is a recorded sweep, not a volume; reconstruct it first.</source>
+        <translation>%1 ist ein aufgezeichneter Schwenk, kein Volumen; zuerst rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>%1 is a volume of %2 slices, not a picture; open it as a volume.</source>
+        <translation>%1 ist ein Volumen mit %2 Schichten, kein Bild; als Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is a volume, not a recorded sweep: its voxels have a place of their own; open it as a volume.</source>
+        <translation>%1 ist ein Volumen, kein aufgezeichneter Schwenk: Die Voxel haben ihren eigenen Ort; als Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is a volume, not a recorded sweep; open it as a volume.</source>
+        <translation>%1 ist ein Volumen, kein aufgezeichneter Schwenk; als Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is an empty file; export the mesh again.</source>
+        <translation>%1 ist eine leere Datei; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than a %2 can be (8 MiB); check that it is the right file.</source>
+        <translation>%1 ist zu groß (%2, höchstens 8 MiB); prüfen, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>%1 is no Enhanced US Volume: its pictures have no places in space; import it as a sequence of pictures.</source>
+        <translation>%1 ist kein Enhanced US Volume: Die Bilder haben keinen Ort im Raum; als Bildfolge importieren.</translation>
+    </message>
+    <message>
+        <source>%1 is no JSON Schema that can be used; correct it (%2).</source>
+        <translation>%1 ist kein brauchbares JSON-Schema; bitte berichtigen (%2).</translation>
+    </message>
+    <message>
+        <source>%1 is not a DICOM file; check what kind of file it is.</source>
+        <translation>%1 ist keine DICOM-Datei; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not a JPEG of 8 bits that can be read; save the picture again.</source>
+        <translation>%1 ist kein lesbares JPEG mit 8 Bit; das Bild neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object; write it as { &quot;name&quot;: value, ... }.</source>
+        <translation>%1 ist kein JSON-Objekt; es als { &quot;name&quot;: Wert, ... } schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 is not a Kretz file; check what kind of file it is.</source>
+        <translation>%1 ist keine Kretz-Datei; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not a MetaImage: a header line has no &quot;=&quot;; check what kind of file it is.</source>
+        <translation>%1 ist kein MetaImage: Eine Kopfzeile hat kein „=“; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not a NIfTI volume; check what kind of file it is.</source>
+        <translation>%1 ist kein NIfTI-Volumen; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not a NRRD file; check what kind of file it is.</source>
+        <translation>%1 ist keine NRRD-Datei; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not a PNG that can be read (%2); save the picture again.</source>
+        <translation>%1 ist kein lesbares PNG (%2); das Bild neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is not a picture that can be read (%2); save it again.</source>
+        <translation>%1 ist kein lesbares Bild (%2); neu speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is not a regular file; choose a file.</source>
+        <translation>%1 ist keine gewöhnliche Datei; eine Datei wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a text header followed by samples; check what kind of file it is.</source>
+        <translation>%1 ist kein Textkopf mit Abtastwerten danach; prüfen, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>%1 is not text, which an OBJ file is; export the mesh again.</source>
+        <translation>%1 ist kein Text, wie eine OBJ-Datei es ist; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON: it breaks at line %2, column %3; correct it there or restore an earlier copy.</source>
+        <translation>%1 ist kein gültiges JSON: Es bricht in Zeile %2, Spalte %3 ab; berichtigen Sie es dort oder nehmen Sie eine frühere Kopie.</translation>
+    </message>
+    <message>
+        <source>%1 is not well-formed XML (%2 at byte %3); give the device set the sweep was recorded with.</source>
+        <translation>%1 ist kein wohlgeformtes XML (%2 bei Byte %3); die Gerätedatei angeben, mit der der Schwenk aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as &quot;%2&quot;, which is not read; save it as raw or gzip.</source>
+        <translation>%1 ist als „%2“ gepackt, was nicht gelesen wird; als raw oder gzip speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is shorter than its header promises; export the mesh again.</source>
+        <translation>%1 ist kürzer, als sein Kopf verspricht; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is the header of a two-file NIfTI (.hdr + .img); convert it to a single .nii.</source>
+        <translation>%1 ist der Kopf eines NIfTI aus zwei Dateien (.hdr + .img); in eine einzige .nii umwandeln.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: a NIfTI header has at least 348 bytes, the file has %2; get the file again.</source>
+        <translation>%1 ist zu kurz: Ein NIfTI-Kopf hat mindestens 348 Byte, die Datei hat %2; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: an item of %2 bytes has %3; get the file again.</source>
+        <translation>%1 ist zu kurz: Ein Item von %2 Byte hat %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: it promises %2 bytes of pixels and has %3; get the file again.</source>
+        <translation>%1 ist zu kurz: Die Datei verspricht %2 Byte an Pixeln und hat %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: it promises %2 frames and has %3; get the file again.</source>
+        <translation>%1 ist zu kurz: Die Datei verspricht %2 Bilder und hat %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: its header promises %2 bytes of samples, the file has %3 compressed bytes, which cannot hold them; get the file again.</source>
+        <translation>%1 ist zu kurz: Der Kopf verspricht %2 Byte an Abtastwerten, die Datei hat %3 gepackte Byte, in die sie nicht passen; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: its header promises %2 bytes of samples, the file has %3; get the file again.</source>
+        <translation>%1 ist zu kurz: Der Kopf verspricht %2 Byte an Abtastwerten, die Datei hat %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is too short: its header promises %2 compressed bytes, the file has %3; get the file again.</source>
+        <translation>%1 ist zu kurz: Der Kopf verspricht %2 gepackte Byte, die Datei hat %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 is used</source>
+        <translation>%1 wird verwendet</translation>
+    </message>
+    <message>
+        <source>%1 items</source>
+        <translation>%1 Einträge der Sequenz</translation>
+    </message>
+    <message>
+        <source>%1 keeps its samples in &quot;%2&quot;, which is not there; put both files into one folder.</source>
+        <translation>Die Abtastwerte von %1 sind in „%2“, das nicht da ist; beide Dateien in einen Ordner legen.</translation>
+    </message>
+    <message>
+        <source>%1 keeps its samples in many files, which is not read; save it as one .nrrd.</source>
+        <translation>Die Abtastwerte von %1 sind in vielen Dateien, was nicht gelesen wird; als eine .nrrd speichern.</translation>
+    </message>
+    <message>
+        <source>%1 lists one file per slice, which is not read; convert it to a single .mha.</source>
+        <translation>%1 nennt je Schicht eine Datei, was nicht gelesen wird; in eine einzige .mha umwandeln.</translation>
+    </message>
+    <message>
+        <source>%1 missed beats were put in evenly between those around.</source>
+        <translation>%1 fehlende Schläge wurden gleichmäßig zwischen denen ringsum ergänzt.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 names one file per slice by a pattern, which is not read; convert it to a single .mha.</source>
+        <translation>%1 nennt je Schicht eine Datei nach einem Muster, was nicht gelesen wird; in eine einzige .mha umwandeln.</translation>
+    </message>
+    <message>
+        <source>%1 needs the mannequin %2, which is neither beside it nor in resources/mannequin; put it there.</source>
+        <translation>%1 braucht den Übungskörper %2, der weder daneben noch in resources/mannequin liegt; ihn dort ablegen.</translation>
+    </message>
+    <message>
+        <source>%1 nests deeper than %2 levels, which no file of this program does; check that it is the right file.</source>
+        <translation>%1 ist tiefer als %2 Ebenen geschachtelt, wie keine Datei dieses Programms; prüfen Sie, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 numbers (NDims)</source>
+        <translation>%1 Zahlen (NDims)</translation>
+    </message>
+    <message>
+        <source>%1 numbers (dimension)</source>
+        <translation>%1 Zahlen (dimension)</translation>
+    </message>
+    <message>
+        <source>%1 numbers from %2 to %3</source>
+        <translation>%1 Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cycles are irregular; their frames are not used.</source>
+        <translation>%1 von %2 Zyklen sind unregelmäßig; ihre Bilder werden nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured, in a colour flow region; their luminance became the echo level, and a mask tells where.</source>
+        <translation>%1 der Pixel sind farbig, in einer Region mit Farbdoppler; ihre Helligkeit wurde zum Echopegel, und eine Maske sagt, wo.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured, in a colour flow region; they were made black, and a mask tells where.</source>
+        <translation>%1 der Pixel sind farbig, in einer Region mit Farbdoppler; sie wurden geschwärzt, und eine Maske sagt, wo.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured; their luminance became the echo level, and a mask tells where.</source>
+        <translation>%1 der Pixel sind farbig; ihre Helligkeit wurde zum Echopegel, und eine Maske sagt, wo.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured; their luminance became the echo level.</source>
+        <translation>%1 der Pixel sind farbig; ihre Helligkeit wurde zum Echopegel.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured; they were made black, and a mask tells where.</source>
+        <translation>%1 der Pixel sind farbig; sie wurden geschwärzt, und eine Maske sagt, wo.</translation>
+    </message>
+    <message>
+        <source>%1 of the pixels are coloured; they were made black.</source>
+        <translation>%1 der Pixel sind farbig; sie wurden geschwärzt.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 pairs agree within %2 (rms).</source>
+        <translation>%1 Paare stimmen auf %2 überein (RMS).</translation>
+    </message>
+    <message>
+        <source>%1 pairs agree within %2 (rms); %3 do not fit, by %4.</source>
+        <translation>%1 Paare stimmen auf %2 überein (RMS); %3 passen nicht, um %4.</translation>
+    </message>
+    <message>
+        <source>%1 pairs agree within %2 (rms); %3 does not fit, by %4.</source>
+        <translation>%1 Paare stimmen auf %2 überein (RMS); %3 passt nicht, um %4.</translation>
+    </message>
+    <message>
+        <source>%1 patient text</source>
+        <translation>%1 Text zum Patienten</translation>
+    </message>
+    <message>
+        <source>%1 phases cannot be made of %2 gated frames; ask for at least 1 and at most as many as there are frames.</source>
+        <translation>Aus %2 zugeordneten Bildern lassen sich keine %1 Phasen machen; mindestens 1 und höchstens so viele Phasen verlangen, wie es Bilder gibt.</translation>
+    </message>
+    <message>
+        <source>%1 pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the origin in the first pixel of the first; which way they lie in the patient is not known.</source>
+        <translation>%1 Bilder wurden in der Reihenfolge ihrer Nummern gelesen: x nach rechts, y nach unten, z von Bild zu Bild, der Ursprung im ersten Pixel des ersten; wie sie im Patienten liegen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 pixels of each picture cut away or made black, with any text in them.</source>
+        <translation>%1 Pixel jedes Bildes abgeschnitten oder geschwärzt, samt Text darin.</translation>
+    </message>
+    <message>
+        <source>%1 planes hold flow or other data instead of tissue; they were left out.</source>
+        <translation>%1 Ebenen enthalten Fluss oder andere Daten statt Gewebe; sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 private fields of the maker left out.</source>
+        <translation>%1 private Felder des Herstellers weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 frames of %3 x %4 pixels, for which %5 bytes of memory would be needed, but the limit is %6; check that the file is undamaged, or cut it into parts.</source>
+        <translation>%1 verspricht %2 Bilder von %3 × %4 Pixeln, für die %5 Byte Speicher nötig wären, die Grenze ist aber %6; prüfen, ob die Datei unbeschädigt ist, oder sie in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 of &quot;%3&quot;; use a mesh with at most %4.</source>
+        <translation>%1 verspricht %2 von „%3“; ein Netz mit höchstens %4 verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 pixels, but the limit is %3; save a smaller picture.</source>
+        <translation>%1 verspricht %2 Pixel, die Grenze ist aber %3; ein kleineres Bild speichern.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 samples and holds %3; get the file again.</source>
+        <translation>%1 verspricht %2 Abtastwerte und enthält %3; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 triangles but ends after %3; export the mesh again.</source>
+        <translation>%1 verspricht %2 Dreiecke, endet aber nach %3; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 promises %2 triangles; use a mesh with at most 20 million.</source>
+        <translation>%1 verspricht %2 Dreiecke; ein Netz mit höchstens 20 Millionen verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 repeat the place of an earlier pair.</source>
+        <translation>%1 wiederholen die Stelle eines früheren Paares.</translation>
+    </message>
+    <message>
+        <source>%1 repeats the place of an earlier pair.</source>
+        <translation>%1 wiederholt die Stelle eines früheren Paares.</translation>
+    </message>
+    <message>
+        <source>%1 sample is not a finite number and became 0.</source>
+        <translation>%1 Abtastwert ist keine endliche Zahl und wurde 0.</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>Abtastwerte mit %1</translation>
+    </message>
+    <message>
+        <source>%1 samples are not finite numbers and became 0.</source>
+        <translation>%1 Abtastwerte sind keine endlichen Zahlen und wurden 0.</translation>
+    </message>
+    <message>
+        <source>%1 says &quot;%2&quot; in its header, which cannot be read; export the mesh again.</source>
+        <translation>%1 sagt „%2“ in seinem Kopf, was nicht zu lesen ist; das Netz neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 says its pictures are %2, but they are not stored so; export it again.</source>
+        <translation>%1 nennt die Bilder %2, sie sind aber nicht so gespeichert; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 says its pictures are uncompressed, but they are not stored so; export it again.</source>
+        <translation>%1 nennt die Bilder unkomprimiert, sie sind aber nicht so gespeichert; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 shows %2 calibrated pictures side by side (%3); choose one of the regions.</source>
+        <translation>%1 zeigt %2 kalibrierte Bilder nebeneinander (%3); eine der Regionen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 subvolumes lie together, %2 pair confirmed by loops.</source>
+        <translation>%1 Teilvolumen liegen zusammen, %2 Paar ist durch Schleifen bestätigt.</translation>
+    </message>
+    <message>
+        <source>%1 subvolumes lie together, %2 pairs confirmed by loops.</source>
+        <translation>%1 Teilvolumen liegen zusammen, %2 Paare sind durch Schleifen bestätigt.</translation>
+    </message>
+    <message>
+        <source>%1 text of the examination</source>
+        <translation>%1 Text zur Untersuchung</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 transform comes without a status and counts as valid.</source>
+        <translation>%1 Transformation hat keinen Status und gilt als gültig.</translation>
+    </message>
+    <message>
+        <source>%1 transforms come without a status and count as valid.</source>
+        <translation>%1 Transformationen haben keinen Status und gelten als gültig.</translation>
+    </message>
+    <message>
+        <source>%1 values a voxel</source>
+        <translation>%1 Werte je Voxel</translation>
+    </message>
+    <message>
+        <source>%1 was changed while it was in use; open it again.</source>
+        <translation>%1 wurde während der Benutzung geändert; neu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>%1 words</source>
+        <translation>%1 Wörter</translation>
+    </message>
+    <message>
+        <source>%1 words, one per axis,</source>
+        <translation>%1 Wörter, eines je Achse</translation>
+    </message>
+    <message>
+        <source>%1 would need %2 bytes of memory, but the limit is %3; cut it into parts.</source>
+        <translation>%1 bräuchte %2 Byte Speicher, die Grenze ist aber %3; in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 x %2, rescaled</source>
+        <translation>%1 × %2, umgerechnet</translation>
+    </message>
+    <message>
+        <source>%1, %2 min left</source>
+        <translation>%1, noch %2 min</translation>
+    </message>
+    <message>
+        <source>%1, %2 s left</source>
+        <translation>%1, noch %2 s</translation>
+    </message>
+    <message>
+        <source>%1, one a frame</source>
+        <translation>%1, einer je Bild</translation>
+    </message>
+    <message>
+        <source>%1, one a sample of that axis</source>
+        <translation>%1, einer je Abtastwert dieser Achse</translation>
+    </message>
+    <message>
+        <source>%1, or 0 for %2</source>
+        <translation>%1 oder 0 für %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 x %4 pixels at (%5, %6)</source>
+        <translation>%1: %2, %3 × %4 Pixel bei (%5, %6)</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 x %4 pixels at (%5, %6), %7 x %8 mm a pixel</source>
+        <translation>%1: %2, %3 × %4 Pixel bei (%5, %6), %7 × %8 mm je Pixel</translation>
+    </message>
+    <message>
+        <source>%1; and more</source>
+        <translation>%1; und weitere</translation>
+    </message>
+    <message>
+        <source>%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.</source>
+        <translation>%2 hat %1 Region, aber keine Region %3; eine vorhandene wählen, oder 0 für das ganze Bild.</translation>
+    </message>
+    <message>
+        <source>%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole picture.</source>
+        <translation>%2 hat %1 Regionen, aber keine Region %3; eine vorhandene wählen, oder 0 für das ganze Bild.</translation>
+    </message>
+    <message>
+        <source>%2 holds %1 volume, no number %3; choose one that is there.</source>
+        <translation>%2 enthält %1 Volumen, aber keine Nummer %3; eine vorhandene wählen.</translation>
+    </message>
+    <message>
+        <source>%2 holds %1 volumes, no number %3; choose one that is there.</source>
+        <translation>%2 enthält %1 Volumen, aber keine Nummer %3; eine vorhandene wählen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; could not be bent together. %3</source>
+        <translation>„%1“ und „%2“ konnten nicht miteinander verformt werden. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; could not be registered. %3</source>
+        <translation>„%1“ und „%2“ konnten nicht zugeordnet werden. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to the program, and the next version replaces it; save the case as a copy of your own.</source>
+        <translation>„%1“ gehört zum Programm, und die nächste Version ersetzt es; den Fall als eigene Kopie speichern.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be a section of a case; it needs small letters, digits, &apos;-&apos; and &apos;_&apos;.</source>
+        <translation>„%1“ kann kein Abschnitt eines Falls sein; der Name braucht Kleinbuchstaben, Ziffern, „-“ und „_“.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read; give a file with one pose a line.</source>
+        <translation>„%1“ kann nicht gelesen werden; geben Sie eine Datei mit einer Pose je Zeile an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be written (%2); choose another folder.</source>
+        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; does not describe raw samples (%2); write DIMS:TYPE:SPACING[:OFFSET], as in 256x256x180:u8:0.5,0.5,1.2:512.</source>
+        <translation>„%1“ beschreibt keine rohen Abtastwerte (%2); GRÖSSE:TYP:ABSTAND[:VERSATZ] schreiben, wie in 256x256x180:u8:0.5,0.5,1.2:512.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; gave no volume; check what kind of file it is.</source>
+        <translation>„%1“ ergab kein Volumen; prüfen Sie, was für eine Datei es ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has more than 64 MiB, which is too much for poses; check that it is the right file.</source>
+        <translation>„%1“ hat mehr als 64 MiB, zu viel für Posen; prüfen Sie, ob es die richtige Datei ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds %2 numbers; a transform is 16 numbers, row by row.</source>
+        <translation>„%1“ enthält %2 Zahlen; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds %2 volumes one after the other; choose one by its number, 1 to %2.</source>
+        <translation>„%1“ enthält %2 Volumen nacheinander; eines über seine Nummer wählen, 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds poses, but is no recording of a scan made here; open it as a sweep&apos;s tracking instead.</source>
+        <translation>„%1“ enthält Lagen, ist aber keine hier gemachte Aufzeichnung einer Untersuchung; stattdessen als Tracking eines Schwenks öffnen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds something that is not a number; a transform is 16 numbers, row by row.</source>
+        <translation>„%1“ enthält etwas, das keine Zahl ist; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 cannot be checked (%3); the schema of its plugin is wrong.</source>
+        <translation>„%1“ in %2 lässt sich nicht prüfen (%3); das Schema der Erweiterung ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 cannot be used. %3</source>
+        <translation>„%1“ in %2 ist nicht zu gebrauchen. %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 is %3, which cannot be used.</source>
+        <translation>„%1“ in %2 ist %3; das ist nicht zu gebrauchen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in %2 is %3; it must be %4.</source>
+        <translation>„%1“ in %2 ist %3; es muss %4 sein.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, and the patient has %3.</source>
+        <translation>„%1“ in case.json ist „%2“, und der Patient hat %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, and the patient has %3; it has %4.</source>
+        <translation>„%1“ in case.json ist „%2“, und der Patient hat %3; er hat %4.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, but the case folder cannot be opened; check that it is still there.</source>
+        <translation>„%1“ in case.json ist „%2“, aber der Fallordner lässt sich nicht öffnen; prüfen, ob er noch da ist.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, but there is no such file in the case folder; put it there or correct the name.</source>
+        <translation>„%1“ in case.json ist „%2“, aber im Fallordner gibt es keine solche Datei; sie dort ablegen oder den Namen berichtigen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which is no probe of the program; name one of %3.</source>
+        <translation>„%1“ in case.json ist „%2“, aber das ist kein Schallkopf des Programms; einen von diesen nennen: %3.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which is not a relative path inside the case folder; copy the file into the case folder and name it there.</source>
+        <translation>„%1“ in case.json ist „%2“, aber das ist kein relativer Pfad innerhalb des Fallordners; die Datei in den Fallordner kopieren und dort nennen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which keeps its samples in &apos;%3&apos;, outside of the case folder; copy both files into the case folder and correct the name in the header.</source>
+        <translation>„%1“ in case.json ist „%2“; die Abtastwerte dieser Datei liegen in „%3“, außerhalb des Fallordners; beide Dateien in den Fallordner kopieren und den Namen im Kopf der Datei berichtigen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in case.json is &quot;%2&quot;, which leads out of the case folder through a link; copy the file itself into the case folder.</source>
+        <translation>„%1“ in case.json ist „%2“, was über eine Verknüpfung aus dem Fallordner hinausführt; die Datei selbst in den Fallordner kopieren.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a folder, a pipe or a device; give a file with one pose a line.</source>
+        <translation>„%1“ ist ein Ordner, eine Pipe oder ein Gerät; geben Sie eine Datei mit einer Pose je Zeile an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a pipe or a device and not a file; save what comes out of it as a file first.</source>
+        <translation>„%1“ ist eine Pipe oder ein Gerät und keine Datei; zuerst als Datei speichern, was herauskommt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a recording already, so there is nothing to import; with the poses of a tracker, or a file that says how a motor moved the probe, a volume can be made of it.</source>
+        <translation>„%1“ ist bereits eine Aufnahme, zu importieren gibt es also nichts; mit den Lagen eines Trackers oder einer Datei, die sagt, wie ein Motor den Schallkopf bewegte, lässt sich daraus ein Volumen machen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.</source>
+        <translation>„%1“ ist weder 16 Zahlen noch eine lesbare Datei; geben Sie die Pose auf eine dieser beiden Arten an.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no rectangle; give x,y,width,height in pixels from the upper left corner.</source>
+        <translation>„%1“ ist kein Rechteck; x,y,Breite,Höhe in Pixeln von der linken oberen Ecke angeben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a result that was written here before, and would be lost; move it away or choose another folder.</source>
+        <translation>„%1“ ist kein Ergebnis, das hier früher geschrieben wurde, und ginge verloren; verschieben Sie die Datei oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a step; the steps are %2.</source>
+        <translation>„%1“ ist kein Schritt; die Schritte sind %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an option of stitch.</source>
+        <translation>„%1“ ist keine Option von stitch.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not empty, and nothing in it is overwritten; choose a new or an empty folder.</source>
+        <translation>„%1“ ist nicht leer, und nichts darin wird überschrieben; einen neuen oder leeren Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is of no known kind; if it holds samples without a header, say how they are stored (dimensions, type, spacing, offset).</source>
+        <translation>„%1“ ist von keiner bekannten Art; wenn die Datei Abtastwerte ohne Kopf enthält, angeben, wie sie gespeichert sind (Größe, Typ, Abstand, Versatz).</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is read by this project and would be written over by its result; choose another folder.</source>
+        <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; lies among the intermediate results of &apos;%2&apos;, which come and go; copy it to a place of its own or choose another folder.</source>
+        <translation>„%1“ liegt unter den Zwischenergebnissen von „%2“, die kommen und gehen; kopieren Sie die Datei an einen eigenen Ort oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of the plugin &apos;%2&apos; did not come to its end (%3); please report it with what you did.</source>
+        <translation>„%1“ der Erweiterung „%2“ kam nicht zu Ende (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of the plugin &apos;%2&apos; stopped unexpectedly (%3); please report it with what you did.</source>
+        <translation>„%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.</source>
+        <translation>„%1“ nennt 1 × 1 × 1 mm ohne Ort und Drehung, wie es Konverter schreiben, die es nicht wissen; den Abstand in mm angeben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; with &apos;%2&apos;, which was said already</source>
+        <translation>„%1“ mit „%2“, was schon gesagt wurde</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; with &apos;%2&apos;: %3, and the other pairs contradict it. %4</source>
+        <translation>„%1“ mit „%2“: %3, und die anderen Paare widersprechen. %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; with &apos;%2&apos;: %3. %4</source>
+        <translation>„%1“ mit „%2“: %3. %4</translation>
+    </message>
+    <message>
+        <source>&apos;start_pose&apos; in case.json lies %1 mm beside the volume, where a probe sees nothing; put the probe on the body above the volume and take that pose.</source>
+        <translation>„start_pose“ in case.json liegt %1 mm neben dem Volumen, wo ein Schallkopf nichts sieht; den Schallkopf über dem Volumen auf den Körper setzen und diese Lage nehmen.</translation>
+    </message>
+    <message>
+        <source>&apos;volume.labels&apos; in case.json stands beside a recipe, which makes its own labels; take one of them out.</source>
+        <translation>„volume.labels“ in case.json steht neben einem Rezept, das seine Labels selbst macht; eines von beiden entfernen.</translation>
+    </message>
+    <message>
+        <source>(correlation %1 before, %2 after, %3 by chance)</source>
+        <translation>(Korrelation %1 vorher, %2 nachher, %3 durch Zufall)</translation>
+    </message>
+    <message>
+        <source>(correlation %1 over %2 overlap, %3 deviations above chance)</source>
+        <translation>(Korrelation %1 über %2 Überlappung, %3 Standardabweichungen über dem Zufall)</translation>
+    </message>
+    <message>
+        <source>(none named)</source>
+        <translation>(keine genannt)</translation>
+    </message>
+    <message>
+        <source>--prune keeps what a finished volume was made of and does not go with --until.</source>
+        <translation>--prune behält, woraus ein fertiges Volumen gemacht wurde, und verträgt sich nicht mit --until.</translation>
+    </message>
+    <message>
+        <source>--threads is &apos;%1&apos; and must be a whole number from 0 to 9999.</source>
+        <translation>--threads ist „%1“ und muss eine ganze Zahl von 0 bis 9999 sein.</translation>
+    </message>
+    <message>
+        <source>0 (absent), 1 (interpolated) or 2 (measured)</source>
+        <translation>0 (fehlt), 1 (interpoliert) oder 2 (gemessen)</translation>
+    </message>
+    <message>
+        <source>0 for the probe&apos;s own</source>
+        <translation>0 für die des Schallkopfs</translation>
+    </message>
+    <message>
+        <source>0 is neutral</source>
+        <translation>0 ist neutral</translation>
+    </message>
+    <message>
+        <source>0 or at least 1</source>
+        <translation>0 oder mindestens 1</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 oder mehr</translation>
+    </message>
+    <message>
+        <source>1 as physics has it</source>
+        <translation>1 wie in der Physik</translation>
+    </message>
+    <message>
+        <source>1 missed beat was put in evenly between those around.</source>
+        <translation>1 fehlender Schlag wurde gleichmäßig zwischen denen ringsum ergänzt.</translation>
+    </message>
+    <message>
+        <source>1 or more</source>
+        <translation>1 oder mehr</translation>
+    </message>
+    <message>
+        <source>1 private field of the maker left out.</source>
+        <translation>1 privates Feld des Herstellers weggelassen.</translation>
+    </message>
+    <message>
+        <source>16 bit signed</source>
+        <translation>16 Bit mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>16 bit unsigned</source>
+        <translation>16 Bit ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>16 finite numbers (4 x 4, row by row)</source>
+        <translation>16 endliche Zahlen (4 × 4, Zeile für Zeile)</translation>
+    </message>
+    <message>
+        <source>16 numbers (4 x 4, row by row)</source>
+        <translation>16 Zahlen (4 × 4, Zeile für Zeile)</translation>
+    </message>
+    <message>
+        <source>16 numbers, a rigid 4 x 4 matrix row by row, in mm</source>
+        <translation>16 Zahlen, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm</translation>
+    </message>
+    <message>
+        <source>16 numbers, probe to world, a rigid 4 x 4 matrix row by row, in mm</source>
+        <translation>16 Zahlen, Schallkopf zu Welt, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm</translation>
+    </message>
+    <message>
+        <source>16 numbers, probe to world, a rigid 4 x 4 matrix row by row, in mm, of a plane; without it the patient&apos;s plane of that name</source>
+        <translation>16 Zahlen, Schallkopf zu Welt, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm, bei einer Ebene; ohne sie gilt die Ebene dieses Namens beim Patienten</translation>
+    </message>
+    <message>
+        <source>16 numbers, probe to world, a rigid 4 x 4 matrix row by row, in mm: where an expert has the finding in the picture</source>
+        <translation>16 Zahlen, Schallkopf zu Welt, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm: wo ein Experte den Befund im Bild hat</translation>
+    </message>
+    <message>
+        <source>16 numbers, row by row</source>
+        <translation>16 Zahlen, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>16 numbers, row by row, or the name of a file that holds them</source>
+        <translation>16 Zahlen, Zeile für Zeile, oder der Name einer Datei, die sie enthält</translation>
+    </message>
+    <message>
+        <source>16 numbers, row by row, when the method is &quot;by hand&quot;</source>
+        <translation>16 Zahlen, Zeile für Zeile, wenn das Verfahren „by hand“ ist</translation>
+    </message>
+    <message>
+        <source>2 or 3</source>
+        <translation>2 oder 3</translation>
+    </message>
+    <message>
+        <source>32 bit floating point</source>
+        <translation>32 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>32 bit signed</source>
+        <translation>32 Bit mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>32 bit unsigned</source>
+        <translation>32 Bit ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>32 or 64 bit floating point</source>
+        <translation>32 oder 64 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>64 bit floating point</source>
+        <translation>64 Bit Gleitkomma</translation>
+    </message>
+    <message>
+        <source>64 bit signed</source>
+        <translation>64 Bit mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>64 bit unsigned</source>
+        <translation>64 Bit ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>8 bit signed</source>
+        <translation>8 Bit mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>8 bit unsigned</source>
+        <translation>8 Bit ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>8 bit unsigned (0 absent, 1 interpolated, 2 measured)</source>
+        <translation>8 Bit ohne Vorzeichen (0 fehlt, 1 interpoliert, 2 gemessen)</translation>
+    </message>
+    <message>
+        <source>8 bit unsigned (0 to 255 for 0 to 1)</source>
+        <translation>8 Bit ohne Vorzeichen (0 bis 255 für 0 bis 1)</translation>
+    </message>
+    <message>
+        <source>A case cannot be saved inside its own folder; choose a folder beside it.</source>
+        <translation>Ein Fall lässt sich nicht in seinem eigenen Ordner speichern; einen Ordner daneben wählen.</translation>
+    </message>
+    <message>
+        <source>A confidence map needs at least 2 scan lines of 2 samples; this frame has %1 x %2.</source>
+        <translation>Eine Verlässlichkeitskarte braucht mindestens 2 Bildzeilen mit 2 Abtastwerten; dieses Bild hat %1 x %2.</translation>
+    </message>
+    <message>
+        <source>A delay that is not a finite number cannot be used; give seconds.</source>
+        <translation>Eine Verzögerung, die keine endliche Zahl ist, ist nicht zu gebrauchen; Sekunden angeben.</translation>
+    </message>
+    <message>
+        <source>A factor is the distance of nodes in pixels and must be at least 2.</source>
+        <translation>Ein Faktor ist der Abstand der Knoten in Pixeln und muss mindestens 2 sein.</translation>
+    </message>
+    <message>
+        <source>A field of two components lies in one slice; %1 was not written.</source>
+        <translation>Ein Feld mit zwei Komponenten liegt in einer Schicht; %1 wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>A film of %1 x %2 pixels cannot be made; give at least 2x2.</source>
+        <translation>Ein Film von %1 × %2 Pixeln ist nicht möglich; mindestens 2 × 2 angeben.</translation>
+    </message>
+    <message>
+        <source>A hole filling reach of %1 mm cannot be used; give 0 mm or more.</source>
+        <translation>Eine Füllweite von %1 mm ist nicht zu gebrauchen; 0 mm oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>A hole filling reach of %1 mm is %2 voxels here, more than the %3 that can be bridged; give a shorter reach or a coarser spacing.</source>
+        <translation>Eine Füllweite von %1 mm entspricht hier %2 Voxeln, mehr als den %3, die überbrückt werden können; eine kürzere Füllweite oder einen gröberen Voxelabstand angeben.</translation>
+    </message>
+    <message>
+        <source>A mannequin is a recipe (.json) or a mesh (.stl, .ply, .obj), and %1 is neither.</source>
+        <translation>Ein Übungskörper ist ein Rezept (.json) oder ein Netz (.stl, .ply, .obj), und %1 ist keines von beiden.</translation>
+    </message>
+    <message>
+        <source>A part of the case in the cache could not be used and was made again. %1</source>
+        <translation>Ein Teil des Falls im Zwischenspeicher war nicht zu gebrauchen und wurde neu gemacht. %1</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4, or write .mha.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln ist zu klein für die Worte, die es tragen muss; mindestens %3x%4 angeben oder .mha schreiben.</translation>
+    </message>
+    <message>
+        <source>A prepared volume in the cache was damaged; it is made again.</source>
+        <translation>Ein vorbereitetes Volumen im Zwischenspeicher war beschädigt; es wird neu gemacht.</translation>
+    </message>
+    <message>
+        <source>A recording is shown; close it before the settings are changed.</source>
+        <translation>Eine Aufnahme wird gezeigt; sie schließen, bevor die Einstellungen geändert werden.</translation>
+    </message>
+    <message>
+        <source>A stroke of the seam editor names a volume that is not there, or has no place or radius.</source>
+        <translation>Ein Strich des Nahteditors nennt ein Volumen, das es nicht gibt, oder hat keinen Ort oder Radius.</translation>
+    </message>
+    <message>
+        <source>A text of &apos;%1&apos; in %2 is too long to be checked; shorten it to at most %3 bytes.</source>
+        <translation>Ein Text von „%1“ in %2 ist zum Prüfen zu lang; auf höchstens %3 Byte kürzen.</translation>
+    </message>
+    <message>
+        <source>A text of the case is not valid UTF-8 and cannot be saved; type it again.</source>
+        <translation>Ein Text des Falls ist kein gültiges UTF-8 und lässt sich nicht speichern; neu eingeben.</translation>
+    </message>
+    <message>
+        <source>A value is missing after %1.</source>
+        <translation>Nach %1 fehlt ein Wert.</translation>
+    </message>
+    <message>
+        <source>A volume is missing: name two.</source>
+        <translation>Ein Volumen fehlt: nennen Sie zwei.</translation>
+    </message>
+    <message>
+        <source>A volume needs a name; type one.</source>
+        <translation>Ein Volumen braucht einen Namen; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>A volume of this sweep needs more memory than allowed; use a coarser spacing or allow more memory.</source>
+        <translation>Ein Volumen dieses Schwenks braucht mehr Speicher als erlaubt; einen gröberen Abstand wählen oder mehr Speicher erlauben.</translation>
+    </message>
+    <message>
+        <source>A voxel spacing of %1 mm cannot be used; give a positive number of millimetres.</source>
+        <translation>Ein Voxelabstand von %1 mm ist nicht zu gebrauchen; eine positive Zahl von Millimetern angeben.</translation>
+    </message>
+    <message>
+        <source>An image is flat where the other one shows something: there is nothing to go by, and the displacement is left at zero.</source>
+        <translation>Ein Bild ist flach, wo das andere etwas zeigt: Es gibt keinen Anhaltspunkt, und die Verschiebung bleibt null.</translation>
+    </message>
+    <message>
+        <source>Another plugin named &apos;%1&apos; was found before this one and is used instead; remove one of them.</source>
+        <translation>Eine andere Erweiterung mit dem Namen „%1“ wurde vor dieser gefunden und wird an ihrer Stelle verwendet; eine von beiden entfernen.</translation>
+    </message>
+    <message>
+        <source>Another run is at work in &apos;%1&apos;; wait until it has ended, or choose another folder.</source>
+        <translation>In „%1“ arbeitet schon ein anderer Lauf; warten, bis er zu Ende ist, oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Another volume is called &apos;%1&apos; already; choose another name.</source>
+        <translation>Ein anderes Volumen heißt schon „%1“; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Arranging voxels in bricks</source>
+        <translation>Voxel werden in Blöcken angeordnet</translation>
+    </message>
+    <message>
+        <source>Assessing the registration was cancelled.</source>
+        <translation>Das Bewerten der Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>At %1 mm the volume of %2 would need %3 bytes of memory, but the limit is %4; choose a coarser spacing.</source>
+        <translation>Mit %1 mm bräuchte das Volumen von %2 %3 Byte Speicher, die Grenze ist aber %4; einen gröberen Voxelabstand wählen.</translation>
+    </message>
+    <message>
+        <source>At least one iteration is needed.</source>
+        <translation>Mindestens ein Durchgang ist nötig.</translation>
+    </message>
+    <message>
+        <source>At most %1 volumes can be stitched at once; stitch them in groups.</source>
+        <translation>Höchstens %1 Volumen können auf einmal verbunden werden; verbinden Sie sie in Gruppen.</translation>
+    </message>
+    <message>
+        <source>Bent, the volumes agree.</source>
+        <translation>Verformt stimmen die Volumen überein.</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Mischen</translation>
+    </message>
+    <message>
+        <source>Building the virtual patient</source>
+        <translation>Der virtuelle Patient wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Building the virtual patient was stopped.</source>
+        <translation>Das Erzeugen des virtuellen Patienten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>By how much the poses lag behind the images cannot be told. %1</source>
+        <translation>Um wie viel die Lagen den Bildern nachlaufen, ist nicht zu erkennen. %1</translation>
+    </message>
+    <message>
+        <source>Checking for residual motion</source>
+        <translation>Restbewegung wird gesucht</translation>
+    </message>
+    <message>
+        <source>Combining deformations</source>
+        <translation>Verformungen werden zusammengeführt</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Comparing images</source>
+        <translation>Bilder werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing movements</source>
+        <translation>Bewegungen werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing sweeps</source>
+        <translation>Schwenks werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing views</source>
+        <translation>Ansichten werden verglichen</translation>
+    </message>
+    <message>
+        <source>Computing the exact slices</source>
+        <translation>Die genauen Schnitte werden berechnet</translation>
+    </message>
+    <message>
+        <source>Converting beams</source>
+        <translation>Strahlen werden umgewandelt</translation>
+    </message>
+    <message>
+        <source>Converting scan lines</source>
+        <translation>Bildzeilen werden umgewandelt</translation>
+    </message>
+    <message>
+        <source>Converting the scan lines was stopped.</source>
+        <translation>Das Umwandeln der Bildzeilen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Coordinates are those of the file&apos;s own volume frame of reference, in mm; where it lies in the patient is not in the file.</source>
+        <translation>Die Koordinaten sind die des eigenen Bezugssystems der Datei (Volume Frame of Reference), in mm; wo es im Patienten liegt, steht nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>Copying</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Cutting seams</source>
+        <translation>Nähte werden geschnitten</translation>
+    </message>
+    <message>
+        <source>Deforming %1 and %2</source>
+        <translation>%1 und %2 werden verformt</translation>
+    </message>
+    <message>
+        <source>Descending from the start led nowhere; a search about it found a pose %1 and %2 degrees from it.</source>
+        <translation>Der Abstieg vom Anfang führte nirgendwohin; eine Suche um ihn herum fand eine Lage %1 und %2° davon entfernt.</translation>
+    </message>
+    <message>
+        <source>Drawing views</source>
+        <translation>Ansichten werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>ECG</source>
+        <translation>EKG</translation>
+    </message>
+    <message>
+        <source>ECHOWEAVE_RESOURCES is &apos;%1&apos;, which is not a folder; correct it or unset it.</source>
+        <translation>ECHOWEAVE_RESOURCES ist „%1“, aber das ist kein Ordner; berichtigen oder aufheben.</translation>
+    </message>
+    <message>
+        <source>Estimating confidence</source>
+        <translation>Verlässlichkeit wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Estimating the confidence was stopped.</source>
+        <translation>Das Schätzen der Verlässlichkeit wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Filling holes</source>
+        <translation>Lücken werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Filling holes along the sweep</source>
+        <translation>Lücken entlang des Schwenks werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Films cannot be written, because a part of the program is missing; install EchoWeave again.</source>
+        <translation>Filme können nicht geschrieben werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has &quot;%2&quot; for its field %3; gating needs numbers and the frames&apos; times.</source>
+        <translation>Bild %1 hat „%2“ in seinem Feld %3; Gating braucht Zahlen und die Zeiten der Bilder.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has %2 x %3 pixels and frame 0 has %4 x %5; reconstruct frames of one size at a time.</source>
+        <translation>Bild %1 hat %2 x %3 Pixel und Bild 0 hat %4 x %5; Bilder einer Größe auf einmal rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has another size than frame 0; gate frames of one size.</source>
+        <translation>Bild %1 hat eine andere Größe als Bild 0; Gating braucht Bilder einer Größe.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no pixels; reconstruct a sweep with images.</source>
+        <translation>Bild %1 hat keine Pixel; einen Schwenk mit Bildern rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no time for its field %2; gating needs numbers and the frames&apos; times.</source>
+        <translation>Bild %1 hat keine Zeit zu seinem Feld %2; Gating braucht Zahlen und die Zeiten der Bilder.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no time, so poses cannot be shifted in time; choose a recording whose frames all have one.</source>
+        <translation>Bild %1 hat keine Zeit, deshalb lassen sich Lagen nicht in der Zeit verschieben; eine Aufnahme wählen, deren Bilder alle eine haben.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no time; gate a recording whose frames all have one.</source>
+        <translation>Bild %1 hat keine Zeit; zum Gating eine Aufnahme verwenden, deren Bilder alle eine haben.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2 is damaged: its %3 stream cannot be unpacked into the size the file gives; get the file again.</source>
+        <translation>Bild %1 von %2 ist beschädigt: Der Datenstrom (%3) lässt sich nicht in die Größe entpacken, die die Datei nennt; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>Frames of this sweep would be %1 x %2 pixels, but a side may have %3 at most; use a larger pixel_mm.</source>
+        <translation>Die Bilder dieses Schwenks hätten %1 x %2 Pixel, eine Seite darf aber höchstens %3 haben; ein größeres pixel_mm nehmen.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap registered apart agree to %1%2.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung stimmen auf %1 überein%2.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap registered apart contradict each other by %1%2.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung widersprechen sich um %1%2.</translation>
+    </message>
+    <message>
+        <source>Halves of the overlap registered apart contradict each other by %1%2: the start may be too far off.</source>
+        <translation>Getrennt zugeordnete Hälften der Überlappung widersprechen sich um %1%2: Vielleicht liegt der Anfang zu weit daneben.</translation>
+    </message>
+    <message>
+        <source>Image Orientation (Volume) of frame %1</source>
+        <translation>Image Orientation (Volume) von Bild %1</translation>
+    </message>
+    <message>
+        <source>Image Position (Volume) of frame %1</source>
+        <translation>Image Position (Volume) von Bild %1</translation>
+    </message>
+    <message>
+        <source>Imaging the tissue was stopped.</source>
+        <translation>Das Abbilden des Gewebes wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Imaging tissue</source>
+        <translation>Das Gewebe wird abgebildet</translation>
+    </message>
+    <message>
+        <source>In %1 %2 of the pixels are coloured, as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.</source>
+        <translation>In %1 sind %2 der Pixel farbig, wie durch Doppler, und Echopegel können das nicht zeigen; angeben, ob sie als Grau bleiben oder wegfallen.</translation>
+    </message>
+    <message>
+        <source>In %1 %2 of the pixels are coloured, in a colour flow region, as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.</source>
+        <translation>In %1 sind %2 der Pixel farbig, in einer Region mit Farbdoppler, wie durch Doppler, und Echopegel können das nicht zeigen; angeben, ob sie als Grau bleiben oder wegfallen.</translation>
+    </message>
+    <message>
+        <source>In %1, %2 is &quot;%3&quot;, but %4 is needed; correct the header or export the file again.</source>
+        <translation>In %1 ist %2 „%3“ (nötig: %4); den Kopf berichtigen oder die Datei neu exportieren.</translation>
+    </message>
+    <message>
+        <source>In %1, Transform is &quot;%2 to %3&quot;, but two frame names (From and To) is needed; correct the header or export the file again.</source>
+        <translation>In %1 ist Transform „%2 zu %3“ (nötig: zwei Namen von Rahmen, From und To); den Kopf berichtigen oder die Datei neu exportieren.</translation>
+    </message>
+    <message>
+        <source>Inspecting %1</source>
+        <translation>%1 wird untersucht</translation>
+    </message>
+    <message>
+        <source>Inverting the deformation</source>
+        <translation>Die Verformung wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>Inverting the deformation was cancelled.</source>
+        <translation>Das Umkehren der Verformung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>It could as well be %1: they lie on the same loop and nothing else tells them apart. Match another pair across it.</source>
+        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife, und nichts anderes unterscheidet sie. Ordnen Sie ein weiteres Paar quer dazu zu.</translation>
+    </message>
+    <message>
+        <source>Its bend has a displacement too many, too few or without a number.</source>
+        <translation>Seine Verformung hat eine Verschiebung zu viel, zu wenig oder ohne Zahl.</translation>
+    </message>
+    <message>
+        <source>Its grey correction has a number that cannot be used.</source>
+        <translation>Seine Graukorrektur enthält eine Zahl, die nicht zu gebrauchen ist.</translation>
+    </message>
+    <message>
+        <source>Joining would need %1 MiB, and the limit is %2 MiB; choose a coarser spacing or smaller blocks.</source>
+        <translation>Das Zusammenfügen bräuchte %1 MiB, und die Grenze ist %2 MiB; wählen Sie einen gröberen Voxelabstand oder kleinere Blöcke.</translation>
+    </message>
+    <message>
+        <source>LOCAL or the name of a file</source>
+        <translation>LOCAL oder der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>Labelling the tissues</source>
+        <translation>Die Gewebe werden bezeichnet</translation>
+    </message>
+    <message>
+        <source>Labelling the tissues was stopped.</source>
+        <translation>Das Bezeichnen der Gewebe wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Left out, because they can name a person, a place or a time: %1.</source>
+        <translation>Weggelassen, weil es eine Person, einen Ort oder eine Zeit nennen kann: %1.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the poses holds %2 numbers; a pose is 16 numbers, row by row.</source>
+        <translation>Zeile %1 der Posen enthält %2 Zahlen; eine Pose sind 16 Zahlen, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the poses holds something that is not a number; a pose is 16 numbers, row by row.</source>
+        <translation>Zeile %1 der Posen enthält etwas, das keine Zahl ist; eine Pose sind 16 Zahlen, Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Looking at overlaps</source>
+        <translation>Überlappungen werden angesehen</translation>
+    </message>
+    <message>
+        <source>Looking for a rhythm in the images</source>
+        <translation>In den Bildern wird ein Rhythmus gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for seams</source>
+        <translation>Nähte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for shadows</source>
+        <translation>Schatten werden gesucht</translation>
+    </message>
+    <message>
+        <source>M-mode</source>
+        <translation>M-Mode</translation>
+    </message>
+    <message>
+        <source>Making the body was cancelled.</source>
+        <translation>Das Erzeugen des Körpers wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Making the skin</source>
+        <translation>Die Haut wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Making the surface</source>
+        <translation>Die Oberfläche wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Making the surface was stopped.</source>
+        <translation>Das Erzeugen der Oberfläche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Measuring distances from the border</source>
+        <translation>Abstände vom Rand werden gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring the patient was stopped.</source>
+        <translation>Das Vermessen des Patienten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>More pairs contradict each other than agree.</source>
+        <translation>Mehr Paare widersprechen sich, als übereinstimmen.</translation>
+    </message>
+    <message>
+        <source>More than 268 million pixels fall into one voxel; reconstruct with a finer spacing.</source>
+        <translation>Mehr als 268 Millionen Pixel fallen in einen Voxel; mit einem feineren Voxelabstand rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean (bent, %3).</source>
+        <translation>Der Verformung entgeht Bewegung: An %1 der Stellen, die es zeigen können, liegt Gewebe im Mittel %2 daneben (verformt, %3).</translation>
+    </message>
+    <message>
+        <source>Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean.</source>
+        <translation>Der Verformung entgeht Bewegung: An %1 der Stellen, die es zeigen können, liegt Gewebe im Mittel %2 daneben.</translation>
+    </message>
+    <message>
+        <source>Movement in the images and in the poses do not agree at any delay (correlation %1, %2 is needed).</source>
+        <translation>Bewegung in den Bildern und in den Lagen stimmen bei keiner Verzögerung überein (Korrelation %1, nötig ist %2).</translation>
+    </message>
+    <message>
+        <source>Moving the probe</source>
+        <translation>Der Schallkopf wird bewegt</translation>
+    </message>
+    <message>
+        <source>Near this start the images agree no better than unrelated tissue does%1.</source>
+        <translation>Nahe diesem Anfang stimmen die Bilder nicht besser überein als fremdes Gewebe%1.</translation>
+    </message>
+    <message>
+        <source>No bending brought the volumes closer than they were; the start is kept.</source>
+        <translation>Keine Verformung brachte die Volumen näher zusammen, als sie waren; der Anfang bleibt.</translation>
+    </message>
+    <message>
+        <source>No bending brought the volumes together; the start is kept.</source>
+        <translation>Keine Verformung brachte die Volumen zusammen; der Anfang bleibt.</translation>
+    </message>
+    <message>
+        <source>No case is open; open one first.</source>
+        <translation>Kein Fall ist geöffnet; zuerst einen öffnen.</translation>
+    </message>
+    <message>
+        <source>No case is open; open one in the workstation first.</source>
+        <translation>Kein Fall ist geöffnet; zuerst einen in der Workstation öffnen.</translation>
+    </message>
+    <message>
+        <source>No frame has a valid way to %1, so it was not used.</source>
+        <translation>Kein Bild hat einen gültigen Weg zu %1; dieser Rahmen wurde deshalb nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>No frame of the motorised sweep can be used: each is marked invalid or has no motor value.</source>
+        <translation>Kein Bild des motorisierten Schwenks ist zu gebrauchen: Jedes ist als ungültig markiert oder hat keinen Wert des Motors.</translation>
+    </message>
+    <message>
+        <source>No loop checks the pair %1: were it wrong, nothing would show it.</source>
+        <translation>Keine Schleife prüft das Paar %1: Wäre es falsch, fiele es nicht auf.</translation>
+    </message>
+    <message>
+        <source>No loop checks the pairs %1: were one of them wrong, nothing would show it.</source>
+        <translation>Keine Schleife prüft die Paare %1: Wäre eines davon falsch, fiele es nicht auf.</translation>
+    </message>
+    <message>
+        <source>No pose brings the two volumes into agreement over %1 overlap.</source>
+        <translation>Keine Lage bringt die beiden Volumen über %1 Überlappung zur Übereinstimmung.</translation>
+    </message>
+    <message>
+        <source>No region of %1 tells how large a pixel is (%2); give the size of a pixel in mm, or choose a region that you know to be right.</source>
+        <translation>Keine Region von %1 sagt, wie groß ein Pixel ist (%2); die Größe eines Pixels in mm angeben oder eine Region wählen, die sicher richtig ist.</translation>
+    </message>
+    <message>
+        <source>No voxel of the %1 volume was measured; choose a volume that holds an echo.</source>
+        <translation>Kein Voxel des %1 Volumens wurde gemessen; wählen Sie ein Volumen, das ein Echo enthält.</translation>
+    </message>
+    <message>
+        <source>No warp agrees better than chance does: the displacement is left at zero %1.</source>
+        <translation>Keine Verformung stimmt besser als der Zufall: Die Verschiebung bleibt null %1.</translation>
+    </message>
+    <message>
+        <source>No warp agrees better than the images as they lie, and they agree: the displacement is left at zero %1.</source>
+        <translation>Keine Verformung stimmt besser als die Bilder, wie sie liegen, und diese stimmen überein: Die Verschiebung bleibt null %1.</translation>
+    </message>
+    <message>
+        <source>No warp agrees better where it was not fitted: the displacement is left at zero (gain of correlation there %1, its error %2).</source>
+        <translation>Keine Verformung stimmt besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
+    </message>
+    <message>
+        <source>Nobody says where pixels lie before the probe; give &quot;image&quot; with pixel_mm and face_px in the motor file, or the device set (.xml) with the calibration from Image to Probe.</source>
+        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; in der Motordatei &quot;image&quot; mit pixel_mm und face_px angeben oder die Gerätedatei (.xml) mit der Kalibrierung von Image zu Probe.</translation>
+    </message>
+    <message>
+        <source>Nobody says where pixels lie before the probe; its face was taken to be at the middle of their upper edge.</source>
+        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; die Mitte ihrer oberen Kante wurde als seine Auflage angenommen.</translation>
+    </message>
+    <message>
+        <source>Nothing is scanned; open a case in the workstation first.</source>
+        <translation>Es wird nichts geschallt; zuerst einen Fall in der Workstation öffnen.</translation>
+    </message>
+    <message>
+        <source>Nothing is scanned; open a case or a volume first.</source>
+        <translation>Es wird nichts geschallt; zuerst einen Fall oder ein Volumen öffnen.</translation>
+    </message>
+    <message>
+        <source>Nothing joins these %1 parts: %2. How they lie to each other is not known: match a pair between them.</source>
+        <translation>Diese %1 Teile verbindet nichts: %2. Wie sie zueinander liegen, ist nicht bekannt: Ordnen Sie ein Paar zwischen ihnen zu.</translation>
+    </message>
+    <message>
+        <source>Nothing that names a person was found.</source>
+        <translation>Es wurde nichts gefunden, was eine Person nennt.</translation>
+    </message>
+    <message>
+        <source>Of %1 frame, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.</source>
+        <translation>Von %1 Bild hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker die Sonde gesehen hat, oder einen anderen Zielrahmen wählen.</translation>
+    </message>
+    <message>
+        <source>Of %1 frames, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.</source>
+        <translation>Von %1 Bildern hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker die Sonde gesehen hat, oder einen anderen Zielrahmen wählen.</translation>
+    </message>
+    <message>
+        <source>Of %1 the first volume alone can be read, because of how it is stored; convert it to .nii or .mha.</source>
+        <translation>Von %1 kann nur das erste Volumen gelesen werden, weil es so gespeichert ist; in .nii oder .mha umwandeln.</translation>
+    </message>
+    <message>
+        <source>Of the beam angles (C300/0002) there is one alone, %1 degrees off; it was laid straight ahead.</source>
+        <translation>Von den Strahlwinkeln (C300/0002) gibt es nur einen, um %1 Grad versetzt; er wurde geradeaus gelegt.</translation>
+    </message>
+    <message>
+        <source>Of the plane angles (C300/0001) there is one alone, %1 degrees off; it was laid straight ahead.</source>
+        <translation>Von den Ebenenwinkeln (C300/0001) gibt es nur einen, um %1 Grad versetzt; er wurde geradeaus gelegt.</translation>
+    </message>
+    <message>
+        <source>One can read the pairs in two ways: without %1, or without %2. Add a pair or correct one.</source>
+        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Setzen Sie ein weiteres Paar oder berichtigen Sie eines.</translation>
+    </message>
+    <message>
+        <source>One of the volumes has no part that may be believed.</source>
+        <translation>Eines der Volumen hat keinen Teil, dem zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>One place is too few: a turn needs three places that are not on one line.</source>
+        <translation>Eine Stelle ist zu wenig: Eine Drehung braucht drei Stellen, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>One pose stands out by a margin of %1, and halves of the overlap registered apart agree to %2%3.</source>
+        <translation>Eine Lage ragt mit dem Abstand %1 heraus, und getrennt zugeordnete Hälften der Überlappung stimmen auf %2 überein%3.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the motion was kept: all of it would have squeezed the tissue too far.</source>
+        <translation>Nur %1 % der Bewegung wurden beibehalten: Die ganze hätte das Gewebe zu stark gestaucht.</translation>
+    </message>
+    <message>
+        <source>Only the mean has weights; ask for the mean or do not ask for weights.</source>
+        <translation>Nur das Mittel hat Gewichte; das Mittel verlangen oder auf Gewichte verzichten.</translation>
+    </message>
+    <message>
+        <source>Opening the case was stopped.</source>
+        <translation>Das Öffnen des Falls wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>PARALLEL, FAN or ROTATIONAL</source>
+        <translation>PARALLEL, FAN oder ROTATIONAL</translation>
+    </message>
+    <message>
+        <source>Pair %1 joins %2 with itself.</source>
+        <translation>Paar %1 verbindet %2 mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>Pair %1 names a subvolume that does not exist; there are %2.</source>
+        <translation>Paar %1 nennt ein Teilvolumen, das es nicht gibt; es sind %2.</translation>
+    </message>
+    <message>
+        <source>Part %1 of %2, which overlaps no other: %3.</source>
+        <translation>Teil %1 von %2, der keinen anderen überlappt: %3.</translation>
+    </message>
+    <message>
+        <source>Pasting frames</source>
+        <translation>Bilder werden eingefügt</translation>
+    </message>
+    <message>
+        <source>Phase %1 names frame %2, which the sweep does not have.</source>
+        <translation>Phase %1 nennt das Bild %2, das es im Schwenk nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Phase %1 of %2 has no frame; ask for fewer phases.</source>
+        <translation>Phase %1 von %2 hat kein Bild; weniger Phasen verlangen.</translation>
+    </message>
+    <message>
+        <source>Phases were taken from the images: which moment phase 0 is, they do not say.</source>
+        <translation>Die Phasen wurden den Bildern entnommen: Welcher Augenblick Phase 0 ist, sagen sie nicht.</translation>
+    </message>
+    <message>
+        <source>Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.</source>
+        <translation>Bilder sagen nicht, wie groß ein Pixel ist und wie weit sie auseinanderliegen; die Abstände in mm angeben.</translation>
+    </message>
+    <message>
+        <source>Pictures may have text burned in; check that they name nobody.</source>
+        <translation>In Bilder kann Text eingebrannt sein; prüfen, dass sie niemanden nennen.</translation>
+    </message>
+    <message>
+        <source>Pixel Spacing of frame %1</source>
+        <translation>Pixel Spacing von Bild %1</translation>
+    </message>
+    <message>
+        <source>Placed by hand.</source>
+        <translation>Von Hand gelegt.</translation>
+    </message>
+    <message>
+        <source>Placing subvolumes</source>
+        <translation>Teilvolumen werden platziert</translation>
+    </message>
+    <message>
+        <source>Poses lag %1 behind the images (+- %2, from the %3); they were moved in time, and %4 frames beside gaps and ends have none left.</source>
+        <translation>Die Lagen laufen den Bildern um %1 nach (± %2, gemessen an: %3); sie wurden in der Zeit verschoben. Ohne Lage sind nun an Lücken und Enden %4 Bilder.</translation>
+    </message>
+    <message>
+        <source>Poses lag %1 behind the images (+- %2, from the %3); they were moved in time.</source>
+        <translation>Die Lagen laufen den Bildern um %1 nach (± %2, gemessen an: %3); sie wurden in der Zeit verschoben.</translation>
+    </message>
+    <message>
+        <source>Poses lag %1 behind the images; they were moved in time, and %2 frames beside gaps and ends have none left.</source>
+        <translation>Die Lagen laufen den Bildern um %1 nach; sie wurden in der Zeit verschoben. Ohne Lage sind nun an Lücken und Enden %2 Bilder.</translation>
+    </message>
+    <message>
+        <source>Poses lag %1 behind the images; they were moved in time.</source>
+        <translation>Die Lagen laufen den Bildern um %1 nach; sie wurden in der Zeit verschoben.</translation>
+    </message>
+    <message>
+        <source>Preparing images</source>
+        <translation>Bilder werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Preparing the case was stopped.</source>
+        <translation>Das Vorbereiten des Falls wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Preparing the images</source>
+        <translation>Bilder werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>Read as %1, as you said; the origin is the first voxel, and which way the axes lie in the patient is not in the file.</source>
+        <translation>Wie angegeben gelesen als %1; der Ursprung ist das erste Voxel, und wie die Achsen im Patienten liegen, steht nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>Readers of this format disagree about the side of z; if left and right planes are swapped, import it mirrored.</source>
+        <translation>Leser dieses Formats sind sich über die Seite von z nicht einig; sind linke und rechte Ebenen vertauscht, gespiegelt importieren.</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading frames</source>
+        <translation>Bilder werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading frames at the voxels</source>
+        <translation>Bilder werden an den Voxeln gelesen</translation>
+    </message>
+    <message>
+        <source>Reading pictures</source>
+        <translation>Bilder werden eingelesen</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Das Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the mesh was cancelled.</source>
+        <translation>Das Lesen des Netzes wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Reading the patient</source>
+        <translation>Der Patient wird gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the patient was stopped.</source>
+        <translation>Das Lesen des Patienten wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Reading the slices</source>
+        <translation>Schichten werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading the slices was stopped.</source>
+        <translation>Das Lesen der Schichten wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Reading voxels</source>
+        <translation>Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Reconstructing the sweep &apos;%1&apos;</source>
+        <translation>Der Schwenk „%1“ wird rekonstruiert</translation>
+    </message>
+    <message>
+        <source>Recording the sweep</source>
+        <translation>Der Schwenk wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Recording the sweep &apos;%1&apos;</source>
+        <translation>Der Schwenk „%1“ wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Recording the sweep was stopped.</source>
+        <translation>Das Aufnehmen des Schwenks wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Recording this sweep takes %1 MiB, but only %2 MiB may be used; use fewer frames or a larger pixel_mm.</source>
+        <translation>Das Aufnehmen dieses Schwenks braucht %1 MiB, es dürfen aber nur %2 MiB belegt werden; weniger Bilder oder ein größeres pixel_mm nehmen.</translation>
+    </message>
+    <message>
+        <source>Reference is the file&apos;s volume frame of reference; each frame has its own place in it.</source>
+        <translation>Reference ist das Bezugssystem der Datei (Volume Frame of Reference); jedes Bild hat darin seinen Ort.</translation>
+    </message>
+    <message>
+        <source>Reference, Tracker or World</source>
+        <translation>Reference, Tracker oder World</translation>
+    </message>
+    <message>
+        <source>Region %1 of %2 cannot be used as it is; give the size of a pixel in mm, or choose another region.</source>
+        <translation>Region %1 von %2 ist so nicht zu gebrauchen; die Größe eines Pixels in mm angeben oder eine andere Region wählen.</translation>
+    </message>
+    <message>
+        <source>Region %1 of %2 cannot be used; take the whole picture and give the size of a pixel in mm.</source>
+        <translation>Region %1 von %2 ist nicht zu gebrauchen; das ganze Bild nehmen und die Größe eines Pixels in mm angeben.</translation>
+    </message>
+    <message>
+        <source>Regions and windows need a side above 0 mm.</source>
+        <translation>Gebiete und Fenster brauchen eine Seite über 0 mm.</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Zuordnen</translation>
+    </message>
+    <message>
+        <source>Registering %1 and %2</source>
+        <translation>%1 und %2 werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>Registration was cancelled.</source>
+        <translation>Das Zuordnen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Saving was cancelled.</source>
+        <translation>Das Speichern wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Searching for large motion</source>
+        <translation>Große Bewegungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Searching poses</source>
+        <translation>Lagen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Shadows and other streaks were taken out, which drew the volumes %1 and %2 degrees elsewhere.</source>
+        <translation>Schatten und andere Streifen wurden herausgenommen; sie hatten die Volumen um %1 und %2° anderswohin gezogen.</translation>
+    </message>
+    <message>
+        <source>Shaping the body</source>
+        <translation>Der Körper wird geformt</translation>
+    </message>
+    <message>
+        <source>Shaping the body was stopped.</source>
+        <translation>Das Formen des Körpers wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Slices of %1 samples are too large for a preview; check the dimensions.</source>
+        <translation>Schichten von %1 Abtastwerten sind für eine Vorschau zu groß; die Größe prüfen.</translation>
+    </message>
+    <message>
+        <source>Some pixels are coloured; their luminance became the echo level.</source>
+        <translation>Einige Pixel sind farbig; ihre Helligkeit wurde zum Echopegel.</translation>
+    </message>
+    <message>
+        <source>Sources can be kept for at most %1 frames, the sweep has %2; reconstruct it in parts or without sources.</source>
+        <translation>Quellbilder lassen sich für höchstens %1 Bilder festhalten, der Schwenk hat %2; in Teilen oder ohne Quellbilder rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>Spacing is 1 x 1 x 1 mm with the origin at 0 and no rotation: the true spacing is probably unknown.</source>
+        <translation>Der Voxelabstand ist 1 × 1 × 1 mm mit dem Ursprung bei 0 und ohne Drehung: Der wahre Abstand ist vermutlich unbekannt.</translation>
+    </message>
+    <message>
+        <source>Spacing, origin and directions are the file&apos;s own, in LPS.</source>
+        <translation>Abstand, Ursprung und Richtungen sind die der Datei, in LPS.</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Stitching would need %1, and the limit is %2; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
+        <translation>Das Verbinden bräuchte %1, und die Grenze ist %2; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+    </message>
+    <message>
+        <source>Stitching would need more memory than there is, and the limit is %1; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
+        <translation>Das Verbinden bräuchte mehr Speicher, als es gibt, und die Grenze ist %1; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+    </message>
+    <message>
+        <source>Stopped as asked.</source>
+        <translation>Wie gewünscht abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Stopped as asked; nothing was changed.</source>
+        <translation>Wie gewünscht abgebrochen; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Surfaces are written as .stl or .ply, not as %1; change its ending.</source>
+        <translation>Oberflächen werden als .stl oder .ply geschrieben, nicht als %1; die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>Text is burned into the pictures; check that what is left names nobody.</source>
+        <translation>In die Bilder ist Text eingebrannt; prüfen, dass der verbliebene niemanden nennt.</translation>
+    </message>
+    <message>
+        <source>The %1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The %1 has %2 times and %3 values; give one value for each time.</source>
+        <translation>Das %1 hat %2 Zeiten und %3 Werte; zu jeder Zeit einen Wert angeben.</translation>
+    </message>
+    <message>
+        <source>The %1 has fewer than four samples at different times; gate by another signal or by the images.</source>
+        <translation>Das %1 hat weniger als vier Abtastwerte zu verschiedenen Zeiten; zum Gating ein anderes Signal oder die Bilder verwenden.</translation>
+    </message>
+    <message>
+        <source>The %1 image has no pixels.</source>
+        <translation>Im %1 Bild sind keine Pixel.</translation>
+    </message>
+    <message>
+        <source>The %1 image&apos;s rows overlap.</source>
+        <translation>Die Zeilen des %1 Bildes überlappen sich.</translation>
+    </message>
+    <message>
+        <source>The %1 is the same throughout, as of an electrode or a belt that is not connected; gate by another signal or by the images.</source>
+        <translation>Das %1 ist durchgehend gleich, wie von einer Elektrode oder einem Gurt ohne Anschluss; zum Gating ein anderes Signal oder die Bilder verwenden.</translation>
+    </message>
+    <message>
+        <source>The %1 volume has %2 echo values for %3 voxels.</source>
+        <translation>Im %1 Volumen sind %2 Echowerte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The %1 volume has more than 2^30 voxels; resample it to a coarser spacing first.</source>
+        <translation>Im %1 Volumen sind mehr als 2^30 Voxel; rechnen Sie es erst auf einen gröberen Voxelabstand um.</translation>
+    </message>
+    <message>
+        <source>The %1 volume has no voxels.</source>
+        <translation>Im %1 Volumen sind keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The %1 volume holds another number of voxels than its grid says; write it anew.</source>
+        <translation>Im %1 Volumen ist eine andere Zahl von Voxeln, als sein Gitter sagt; bitte neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The %1 volume&apos;s confidence has another size than the volume.</source>
+        <translation>Die Verlässlichkeit des %1 Volumens hat eine andere Größe als das Volumen.</translation>
+    </message>
+    <message>
+        <source>The ECG cannot gate: %1; gate by the images.</source>
+        <translation>Das EKG eignet sich nicht zum Gating: %1; stattdessen die Bilder verwenden.</translation>
+    </message>
+    <message>
+        <source>The ECG is inverted: its R peaks point downwards.</source>
+        <translation>Das EKG ist invertiert: Seine R-Zacken zeigen nach unten.</translation>
+    </message>
+    <message>
+        <source>The ECG is saturated: %1 % of it lie at its highest or lowest value; R peaks are timed by the middle of their tops.</source>
+        <translation>Das EKG ist übersteuert: %1 % davon liegen am höchsten oder tiefsten Wert; als Zeit der R-Zacken gilt die Mitte ihrer Spitzen.</translation>
+    </message>
+    <message>
+        <source>The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size yourself (--spacing).</source>
+        <translation>OutputSpacing der Gerätedatei ist je Achse verschieden (%1, %2, %3 mm), Voxel sind aber Würfel; ihre Größe selbst wählen (--spacing).</translation>
+    </message>
+    <message>
+        <source>The apex of the beams of the %1 volume is no place.</source>
+        <translation>Der Scheitel der Strahlen des %1 Volumens ist kein Ort.</translation>
+    </message>
+    <message>
+        <source>The axes are not at right angles to each other; they were kept as they are.</source>
+        <translation>Die Achsen stehen nicht im rechten Winkel zueinander; sie blieben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The beam angles (C300/0002) are not the same on both sides (%1 degrees off); straight ahead is pi / 2 here, other readers take the middle of the table.</source>
+        <translation>Die Strahlwinkel (C300/0002) sind auf beiden Seiten nicht gleich (um %1 Grad versetzt); geradeaus ist hier pi / 2, andere Leser nehmen die Mitte der Tabelle.</translation>
+    </message>
+    <message>
+        <source>The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z against x cross y, from the centre of the beams&apos; arc.</source>
+        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y von der Sonde weg, z gegen x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
+    </message>
+    <message>
+        <source>The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z along x cross y, from the centre of the beams&apos; arc.</source>
+        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y von der Sonde weg, z entlang x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
+    </message>
+    <message>
+        <source>The best delay lies at the end of the range; try a larger one.</source>
+        <translation>Die beste Verzögerung liegt am Ende des Bereichs; einen größeren versuchen.</translation>
+    </message>
+    <message>
+        <source>The best of %1 turns with all shifts agrees no better than unrelated tissue does%2.</source>
+        <translation>Auch die beste von %1 Drehungen mit allen Verschiebungen stimmt nicht besser überein als fremdes Gewebe%2.</translation>
+    </message>
+    <message>
+        <source>The best pose agrees hardly better than unrelated tissue does%1.</source>
+        <translation>Die beste Lage stimmt kaum besser überein als fremdes Gewebe%1.</translation>
+    </message>
+    <message>
+        <source>The blend beside the seam must be 0 or a positive number of mm.</source>
+        <translation>Die Breite des Mischens neben der Naht muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The blend of levels beside the seam must be 0 or a positive number of mm.</source>
+        <translation>Die Breite, auf der die Pegel neben der Naht übergehen, muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The blocks of a join must be at least 8 voxels wide.</source>
+        <translation>Die Blöcke müssen mindestens 8 Voxel breit sein.</translation>
+    </message>
+    <message>
+        <source>The body has no surface inside its bounds; check the parts of its recipe.</source>
+        <translation>Der Körper hat in seinen Grenzen keine Oberfläche; die Teile seines Rezepts prüfen.</translation>
+    </message>
+    <message>
+        <source>The body would be sampled at more than 500 million places; choose a larger cell size.</source>
+        <translation>Der Körper würde an mehr als 500 Millionen Stellen abgetastet; eine größere Zellengröße wählen.</translation>
+    </message>
+    <message>
+        <source>The body&apos;s bounds are empty or larger than 5 m; give the recipe parts in millimetres.</source>
+        <translation>Die Grenzen des Körpers sind leer oder größer als 5 m; die Teile des Rezepts in Millimetern angeben.</translation>
+    </message>
+    <message>
+        <source>The calibration is mirrored (a left-handed frame); it was used as it is.</source>
+        <translation>Die Kalibrierung ist gespiegelt (ein linkshändiges System); sie wurde verwendet, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s axes are up to %1 % off the right angle; they were used as they are.</source>
+        <translation>Die Achsen der Kalibrierung weichen bis zu %1 % vom rechten Winkel ab; sie wurden verwendet, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; holds something the program did not foresee (%2); check its files, and please report it.</source>
+        <translation>Der Fall „%1“ enthält etwas, das das Programm nicht vorgesehen hat (%2); seine Dateien prüfen und es bitte melden.</translation>
+    </message>
+    <message>
+        <source>The case &apos;%1&apos; needs more memory than there is; close other programs or take a smaller one.</source>
+        <translation>Der Fall „%1“ braucht mehr Speicher, als es gibt; andere Programme schließen oder einen kleineren nehmen.</translation>
+    </message>
+    <message>
+        <source>The case cannot be saved to &apos;%1&apos; (%2); choose a folder you may write to, with enough space.</source>
+        <translation>Der Fall lässt sich nicht in „%1“ speichern (%2); einen Ordner mit Schreibrecht und genug Platz wählen.</translation>
+    </message>
+    <message>
+        <source>The case folder &apos;%1&apos; cannot be made (%2); choose a folder you may write to.</source>
+        <translation>Der Fallordner „%1“ lässt sich nicht anlegen (%2); einen Ordner mit Schreibrecht wählen.</translation>
+    </message>
+    <message>
+        <source>The case in &apos;%1&apos; was saved by another program since it was opened here; save it with File, Save case, which asks what to keep.</source>
+        <translation>Der Fall in „%1“ wurde von einem anderen Programm gespeichert, seit er hier geöffnet wurde; mit Datei, Fall speichern sichern, das fragt, was bleiben soll.</translation>
+    </message>
+    <message>
+        <source>The case in the folder &apos;%1&apos; is left out: %2</source>
+        <translation>Der Fall im Ordner „%1“ wird ausgelassen: %2</translation>
+    </message>
+    <message>
+        <source>The case is not saved.</source>
+        <translation>Der Fall ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The case library &apos;%1&apos; cannot be opened (%2); choose another folder.</source>
+        <translation>Die Fallsammlung „%1“ lässt sich nicht öffnen (%2); einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>The cells of the seam must be wider than 0 mm.</source>
+        <translation>Die Zellen der Naht müssen breiter als 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The centre of the tracker&apos;s covariance of %1 is not a number.</source>
+        <translation>Die Mitte der Tracker-Kovarianz von %1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The clip fan contains a value that is not a number; give origin, angles and radii in full.</source>
+        <translation>Der Fächer der Bilder enthält einen Wert, der keine Zahl ist; Spitze, Winkel und Radien vollständig angeben.</translation>
+    </message>
+    <message>
+        <source>The clip fan ends at radius %1 px before it begins at %2 px; give a stop radius larger than the start radius.</source>
+        <translation>Der Fächer der Bilder endet beim Radius %1 px, bevor er bei %2 px beginnt; einen Endradius angeben, der größer als der Anfangsradius ist.</translation>
+    </message>
+    <message>
+        <source>The clip leaves no pixel of the frame; check the rectangle and the fan against the frame&apos;s size.</source>
+        <translation>Rechteck und Fächer lassen kein Pixel des Bildes übrig; beide mit der Größe des Bildes vergleichen.</translation>
+    </message>
+    <message>
+        <source>The clip rectangle begins at (%1, %2) px, outside the %3 x %4 px frame; give an origin inside the frame.</source>
+        <translation>Das Rechteck der Bilder beginnt bei (%1, %2) px, außerhalb des Bildes von %3 x %4 px; einen Ursprung im Bild angeben.</translation>
+    </message>
+    <message>
+        <source>The clip rectangle contains a value that is not a number; give origin and size in pixels.</source>
+        <translation>Das Rechteck der Bilder enthält einen Wert, der keine Zahl ist; Ursprung und Größe in Pixeln angeben.</translation>
+    </message>
+    <message>
+        <source>The clip rectangle has a negative size; give its width and height in pixels.</source>
+        <translation>Das Rechteck der Bilder hat eine negative Größe; Breite und Höhe in Pixeln angeben.</translation>
+    </message>
+    <message>
+        <source>The command &apos;%1&apos; of the plugin &apos;%2&apos; stopped unexpectedly (%3); please report it with the command you gave.</source>
+        <translation>Der Befehl „%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden Sie es mit dem Befehl, den Sie gegeben haben.</translation>
+    </message>
+    <message>
+        <source>The compressed samples of %1 are damaged; get the file again.</source>
+        <translation>Die gepackten Abtastwerte von %1 sind beschädigt; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The compressed samples of %1 break off after %2 of the %3 bytes the header promises; get the file again.</source>
+        <translation>Die gepackten Abtastwerte von %1 brechen nach %2 der %3 Byte ab, die der Kopf verspricht; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The compressed samples of %1 break off after %2 unpacked bytes; get the file again.</source>
+        <translation>Die gepackten Abtastwerte von %1 brechen nach %2 ausgepackten Byte ab; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The compressor could not be started; free some memory and try again.</source>
+        <translation>Das Packen ließ sich nicht beginnen; Speicher freigeben und noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The confidence in %1 lies on another grid than its volume; give the confidence made with this volume.</source>
+        <translation>Die Verlässlichkeit in %1 liegt auf einem anderen Gitter als ihr Volumen; die zu diesem Volumen gemachte Verlässlichkeit angeben.</translation>
+    </message>
+    <message>
+        <source>The confidence of a frame could not be computed; use the beam-wise estimate.</source>
+        <translation>Die Verlässlichkeit eines Bildes konnte nicht berechnet werden; die strahlweise Schätzung verwenden.</translation>
+    </message>
+    <message>
+        <source>The confidence of the %1 volume has %2 values for %3 voxels.</source>
+        <translation>Die Verlässlichkeit des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The confidence of the %1 volume has values outside 0 to 1.</source>
+        <translation>Die Verlässlichkeit des %1 Volumens hat Werte außerhalb von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The confidence option %1 is %2; choose %3 to %4.</source>
+        <translation>Die Verlässlichkeits-Einstellung %1 ist %2; einen Wert von %3 bis %4 wählen.</translation>
+    </message>
+    <message>
+        <source>The control grid has %1 displacements for %2 nodes; write it anew.</source>
+        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; schreiben Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.</source>
+        <translation>Das umgewandelte Bild soll Pixel von %1 x %2 mm haben; eine ScanConversion mit quadratischen Pixeln angeben.</translation>
+    </message>
+    <message>
+        <source>The converted pictures need %1 MiB of memory; convert them to fewer pixels.</source>
+        <translation>Die umgewandelten Bilder brauchen %1 MiB Speicher; in weniger Pixel umwandeln.</translation>
+    </message>
+    <message>
+        <source>The covariance of %1 %2; a covariance is symmetric and no variance is negative.</source>
+        <translation>Die Kovarianz %2 (%1); eine Kovarianz ist symmetrisch, und keine Varianz ist negativ.</translation>
+    </message>
+    <message>
+        <source>The coverage in %1 lies on another grid than its volume; give the coverage made with this volume.</source>
+        <translation>Die Abdeckung in %1 liegt auf einem anderen Gitter als ihr Volumen; die zu diesem Volumen gemachte Abdeckung angeben.</translation>
+    </message>
+    <message>
+        <source>The coverage of the %1 volume has %2 values for %3 voxels.</source>
+        <translation>Die Abdeckung des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
+    </message>
+    <message>
+        <source>The decompressor could not be started; free some memory and try again.</source>
+        <translation>Das Entpacken ließ sich nicht beginnen; Speicher freigeben und noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The deflated data set of %1 cannot be unpacked whole; get the file again.</source>
+        <translation>Der gepackte Datensatz von %1 lässt sich nicht vollständig entpacken; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The deformation folds in %1 cells of its control grid and has no inverse; register again with a stiffer grid.</source>
+        <translation>Die Verformung faltet sich in %1 Zellen ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
+    </message>
+    <message>
+        <source>The deformation folds in 1 cell of its control grid and has no inverse; register again with a stiffer grid.</source>
+        <translation>Die Verformung faltet sich in 1 Zelle ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
+    </message>
+    <message>
+        <source>The deformation has another number of vectors than its lattice has nodes.</source>
+        <translation>Die Verformung hat eine andere Zahl von Vektoren, als ihr Gitter Knoten hat.</translation>
+    </message>
+    <message>
+        <source>The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself (--compounding).</source>
+        <translation>Die Gerätedatei verlangt das Compounding %1; erwartet wird MEAN, MAXIMUM oder LATEST. Dort berichtigen oder das Compounding selbst wählen (--compounding).</translation>
+    </message>
+    <message>
+        <source>The device set asks for the interpolation %1; expected NEAREST_NEIGHBOR or LINEAR.</source>
+        <translation>Die Gerätedatei verlangt die Interpolation %1; erwartet wird NEAREST_NEIGHBOR oder LINEAR.</translation>
+    </message>
+    <message>
+        <source>The device set says Compounding &quot;%1&quot;, as old ones do; that was taken as the latest view.</source>
+        <translation>Die Gerätedatei sagt Compounding „%1“, wie alte es tun; das wurde als neueste Ansicht verstanden.</translation>
+    </message>
+    <message>
+        <source>The device set says Compounding &quot;%1&quot;, as old ones do; that was taken as the mean of all views.</source>
+        <translation>Die Gerätedatei sagt Compounding „%1“, wie alte es tun; das wurde als Mittel aller Ansichten verstanden.</translation>
+    </message>
+    <message>
+        <source>The direction of axis %1 is not of unit length; check the file&apos;s orientation matrix.</source>
+        <translation>Die Richtung der Achse %1 hat nicht die Länge 1; prüfen Sie die Orientierungsmatrix in der Datei.</translation>
+    </message>
+    <message>
+        <source>The direction of the beam of the %1 volume is no direction.</source>
+        <translation>Die Strahlrichtung des %1 Volumens ist keine Richtung.</translation>
+    </message>
+    <message>
+        <source>The directions of the volume&apos;s axes lie in one plane; check the file&apos;s orientation matrix.</source>
+        <translation>Die Richtungen der Volumenachsen liegen in einer Ebene; prüfen Sie die Orientierungsmatrix in der Datei.</translation>
+    </message>
+    <message>
+        <source>The distance of pixels must be above 0 mm in x and in y.</source>
+        <translation>Der Abstand der Pixel muss in x und in y über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The edge of the surface&apos;s cells is %1 mm; choose one from 0.01 to 100 mm.</source>
+        <translation>Die Kantenlänge der Zellen der Oberfläche ist %1 mm; eine von 0,01 bis 100 mm wählen.</translation>
+    </message>
+    <message>
+        <source>The elastic registration was cancelled.</source>
+        <translation>Die elastische Registrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The end of %1 is missing; the %2 frames before it were read.</source>
+        <translation>Das Ende von %1 fehlt; die %2 Bilder davor wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The equalisation was stopped before it was complete.</source>
+        <translation>Das Angleichen wurde abgebrochen, bevor es vollständig war.</translation>
+    </message>
+    <message>
+        <source>The estimate was stopped before it was complete.</source>
+        <translation>Das Schätzen wurde abgebrochen, bevor es vollständig war.</translation>
+    </message>
+    <message>
+        <source>The fall-off was lengthened from %1 to %2 mm, 2.5 times the largest motion.</source>
+        <translation>Das Auslaufen wurde von %1 auf %2 mm verlängert, das 2,5-Fache der größten Bewegung.</translation>
+    </message>
+    <message>
+        <source>The feather width must be 0 or a positive number of mm.</source>
+        <translation>Die Breite des Auslaufens muss 0 oder eine positive Zahl in mm sein.</translation>
+    </message>
+    <message>
+        <source>The file %1 is too large to be a probe; a probe is a small JSON text.</source>
+        <translation>Die Datei %1 ist für einen Schallkopf zu groß; ein Schallkopf ist ein kurzer JSON-Text.</translation>
+    </message>
+    <message>
+        <source>The file also holds %1 volumes over time; its still one was read.</source>
+        <translation>Die Datei enthält auch %1 Volumen über die Zeit; ihr stehendes wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>The file also holds a colour or power Doppler volume, which was left out.</source>
+        <translation>Die Datei enthält auch ein Farb- oder Powerdoppler-Volumen, das weggelassen wurde.</translation>
+    </message>
+    <message>
+        <source>The file does not rule out text burned into the pictures; check that they name nobody.</source>
+        <translation>Die Datei schließt Text in den Bildern nicht aus; prüfen, dass sie niemanden nennen.</translation>
+    </message>
+    <message>
+        <source>The file does not say that it is a recording; each slice was taken for a frame.</source>
+        <translation>Die Datei sagt nicht, dass sie eine Aufnahme ist; jede Schicht wurde für ein Bild genommen.</translation>
+    </message>
+    <message>
+        <source>The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.</source>
+        <translation>Die Datei nennt keine brauchbaren Zeiten ihrer Bilder (Frame Time, Frame Time Vector); sie haben deshalb keine.</translation>
+    </message>
+    <message>
+        <source>The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.</source>
+        <translation>Die Datei nennt Voxelgrößen, aber keine Ausrichtung; ihre Achsen wurden für rechts, anterior und superior genommen.</translation>
+    </message>
+    <message>
+        <source>The file that keeps unsaved work (&apos;%1&apos;) is damaged; it is left where it is and nothing was reopened.</source>
+        <translation>Die Datei mit ungespeicherter Arbeit („%1“) ist beschädigt; sie bleibt, wo sie ist, und nichts wurde wieder geöffnet.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s space is &quot;%1&quot;; its axes were taken for left, posterior and superior.</source>
+        <translation>Der Raum der Datei (space) ist „%1“; ihre Achsen wurden für links, posterior und superior genommen.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s space is not named; its axes were taken for left, posterior and superior.</source>
+        <translation>Der Raum der Datei (space) ist nicht genannt; ihre Achsen wurden für links, posterior und superior genommen.</translation>
+    </message>
+    <message>
+        <source>The filling of holes was stopped before it was complete.</source>
+        <translation>Das Füllen der Lücken wurde abgebrochen, bevor es vollständig war.</translation>
+    </message>
+    <message>
+        <source>The fixed volume covers nothing as thick as three voxels of %1 mm. Where no coverage is given, black that reaches the border counts as outside: give the coverage that reconstruct wrote.</source>
+        <translation>Das feste Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb: Geben Sie die Abdeckung an, die beim Rekonstruieren geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The fixed volume holds no echo.</source>
+        <translation>Das feste Volumen enthält kein Echo.</translation>
+    </message>
+    <message>
+        <source>The fixed volume is too thin to be registered in three dimensions: it takes three voxels of %1 mm in every direction.</source>
+        <translation>Das feste Volumen ist zu dünn: In jeder Richtung braucht es drei Voxel zu %1 mm.</translation>
+    </message>
+    <message>
+        <source>The fixed volume shows no structure: it is the same grey nearly everywhere.</source>
+        <translation>Das feste Volumen zeigt keine Struktur: Es ist fast überall gleich grau.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; cannot be written (%2); choose one you may write to.</source>
+        <translation>In den Ordner „%1“ kann nicht geschrieben werden (%2); einen mit Schreibrecht wählen.</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; holds no case.json, so it is not a case; choose a case folder.</source>
+        <translation>Der Ordner „%1“ enthält keine case.json und ist damit kein Fall; einen Fallordner wählen.</translation>
+    </message>
+    <message>
+        <source>The folder of probes %1 cannot be opened: %2.</source>
+        <translation>Der Ordner mit Schallköpfen %1 kann nicht geöffnet werden: %2.</translation>
+    </message>
+    <message>
+        <source>The folder of probes %1 cannot be read: %2.</source>
+        <translation>Der Ordner mit Schallköpfen %1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The frames differ in size; estimate the delay of frames of one size.</source>
+        <translation>Die Bilder haben verschiedene Größen; die Verzögerung an Bildern einer Größe schätzen.</translation>
+    </message>
+    <message>
+        <source>The gating was stopped before it was complete.</source>
+        <translation>Das Gating wurde abgebrochen, bevor es vollständig war.</translation>
+    </message>
+    <message>
+        <source>The grid asked for does not hold every frame at a spacing of %1 mm; use the grid of all frames together.</source>
+        <translation>Das verlangte Gitter fasst mit einem Voxelabstand von %1 mm nicht jedes Bild; das Gitter aller Bilder zusammen verwenden.</translation>
+    </message>
+    <message>
+        <source>The header has %1 field about frames after the last image, number %2; they were kept but not used.</source>
+        <translation>Der Kopf hat %1 Feld über Bilder nach dem letzten, Nummer %2; es wurde behalten, aber nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The header has %1 fields about frames after the last image, number %2; they were kept but not used.</source>
+        <translation>Der Kopf hat %1 Felder über Bilder nach dem letzten, Nummer %2; sie wurden behalten, aber nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>The header of %1 breaks off before its samples; get the file again.</source>
+        <translation>Der Kopf von %1 bricht vor den Abtastwerten ab; die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The header of %1 ends before it says where the samples are (ElementDataFile); get the file again.</source>
+        <translation>Der Kopf von %1 endet, bevor er sagt, wo die Abtastwerte sind (ElementDataFile); die Datei neu besorgen.</translation>
+    </message>
+    <message>
+        <source>The header of %1 promises %2 bytes of samples, but %3 are there; correct the header&apos;s sizes or export the file again.</source>
+        <translation>Der Kopf von %1 verspricht %2 Byte an Abtastwerten, es sind aber %3; die Größen im Kopf berichtigen oder die Datei neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The header of %1 promises %2 frames without pixels, but describes far fewer in its %3 bytes of fields; check that the file is undamaged.</source>
+        <translation>Der Kopf von %1 verspricht %2 Bilder ohne Pixel, beschreibt in seinen %3 Byte an Feldern aber weit weniger; prüfen, ob die Datei unbeschädigt ist.</translation>
+    </message>
+    <message>
+        <source>The header of %1 promises %2 frames, but only %3 fit the memory limit; cut the recording into parts.</source>
+        <translation>Der Kopf von %1 verspricht %2 Bilder, aber nur %3 passen in die Grenze des Speichers; die Aufnahme in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>The header of %1 promises %2 samples, but an axis may have %3 at most; check that the file is undamaged.</source>
+        <translation>Der Kopf von %1 verspricht %2 Abtastwerte, eine Achse darf aber höchstens %3 haben; prüfen, ob die Datei unbeschädigt ist.</translation>
+    </message>
+    <message>
+        <source>The header of %1 promises %2 samples, for which %3 bytes of memory would be needed, but the limit is %4; check that the file is undamaged, or cut it into parts.</source>
+        <translation>Der Kopf von %1 verspricht %2 Abtastwerte, für die %3 Byte Speicher nötig wären, die Grenze ist aber %4; prüfen, ob die Datei unbeschädigt ist, oder sie in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>The header says nothing about %1 of %2 frames; their poses and times count as missing.</source>
+        <translation>Der Kopf sagt nichts über %1 von %2 Bildern; ihre Lagen und Zeiten gelten als fehlend.</translation>
+    </message>
+    <message>
+        <source>The header&apos;s rescaling (slope and intercept) was left out: the 8 bit levels are used as stored.</source>
+        <translation>Die Umrechnung im Kopf (slope und intercept) wurde weggelassen: Die 8-Bit-Pegel gelten, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>The image does not hold one 8-bit grey value per voxel; convert it to unsigned char first.</source>
+        <translation>Das Bild hat nicht einen Grauwert von 8 Bit je Voxel; es erst in unsigned char umwandeln.</translation>
+    </message>
+    <message>
+        <source>The image has no voxels; give one that has.</source>
+        <translation>Das Bild hat keine Voxel; eines mit Voxeln angeben.</translation>
+    </message>
+    <message>
+        <source>The image holds another number of voxels than its dimensions say; make it again.</source>
+        <translation>Das Bild enthält eine andere Zahl von Voxeln, als seine Größe sagt; es neu erzeugen.</translation>
+    </message>
+    <message>
+        <source>The image orientation %1 is not known; expected two of the letters M or U and F or N, as in MF.</source>
+        <translation>Die Bildausrichtung %1 ist nicht bekannt; erwartet werden zwei der Buchstaben M oder U und F oder N, wie in MF.</translation>
+    </message>
+    <message>
+        <source>The images agree as they lie, and no warp agrees better where it was not fitted: the displacement is left at zero (gain of correlation there %1, its error %2).</source>
+        <translation>Die Bilder stimmen überein, wie sie liegen, und keine Verformung stimmt besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
+    </message>
+    <message>
+        <source>The images agree hardly better than unrelated tissue does%1.</source>
+        <translation>Die Bilder stimmen kaum besser überein als fremdes Gewebe%1.</translation>
+    </message>
+    <message>
+        <source>The images are stored in orientation %1 and were turned to MF.</source>
+        <translation>Die Bilder sind in der Ausrichtung %1 gespeichert und wurden nach MF gedreht.</translation>
+    </message>
+    <message>
+        <source>The images at voxels of %1 mm are too large to register; ask for a coarser finest level.</source>
+        <translation>Die Bilder mit Voxeln zu %1 mm sind zu groß zum Zuordnen; verlangen Sie eine gröbere feinste Stufe.</translation>
+    </message>
+    <message>
+        <source>The images cannot gate: %1; use a recorded signal or do without gating.</source>
+        <translation>Die Bilder eignen sich nicht zum Gating: %1; ein aufgezeichnetes Signal verwenden oder auf Gating verzichten.</translation>
+    </message>
+    <message>
+        <source>The images were clipped to the fan of the device set.</source>
+        <translation>Die Bilder wurden auf den Fächer der Gerätedatei beschnitten.</translation>
+    </message>
+    <message>
+        <source>The images were clipped to the fan of the recording.</source>
+        <translation>Die Bilder wurden auf den Fächer der Aufnahme beschnitten.</translation>
+    </message>
+    <message>
+        <source>The images were clipped to the rectangle of the device set.</source>
+        <translation>Die Bilder wurden auf das Rechteck der Gerätedatei beschnitten.</translation>
+    </message>
+    <message>
+        <source>The images were clipped to the rectangle of the recording.</source>
+        <translation>Die Bilder wurden auf das Rechteck der Aufnahme beschnitten.</translation>
+    </message>
+    <message>
+        <source>The import was stopped before it was complete.</source>
+        <translation>Der Import wurde abgebrochen, bevor er vollständig war.</translation>
+    </message>
+    <message>
+        <source>The labels of %1 voxels need more memory than is allowed; choose a coarser spacing.</source>
+        <translation>Die Gewebekarte von %1 Voxeln braucht mehr Speicher als erlaubt; einen gröberen Voxelabstand wählen.</translation>
+    </message>
+    <message>
+        <source>The landmark %1 has a coordinate that is not a number; correct or remove it.</source>
+        <translation>Die Landmarke %1 hat eine Koordinate, die keine Zahl ist; berichtigen oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The largest motion must be 0 mm (no search) or above.</source>
+        <translation>Die größte Bewegung muss 0 mm (keine Suche) oder größer sein.</translation>
+    </message>
+    <message>
+        <source>The layout of Kretz files is not published by its maker; distances are as good as what is known of it.</source>
+        <translation>Der Aufbau von Kretz-Dateien ist vom Hersteller nicht veröffentlicht; Abstände sind so gut wie das, was davon bekannt ist.</translation>
+    </message>
+    <message>
+        <source>The least Jacobian must lie between 0 and 1.</source>
+        <translation>Die kleinste Jacobi-Determinante muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The library of the plugin &apos;%1&apos; cannot be loaded (%2); install the plugin again.</source>
+        <translation>Die Bibliothek der Erweiterung „%1“ lässt sich nicht laden (%2); die Erweiterung neu installieren.</translation>
+    </message>
+    <message>
+        <source>The library of the plugin &apos;%1&apos; cannot be loaded: %2; install the plugin again.</source>
+        <translation>Die Bibliothek der Erweiterung „%1“ lässt sich nicht laden: %2; die Erweiterung neu installieren.</translation>
+    </message>
+    <message>
+        <source>The library of the plugin &apos;%1&apos; has no function %2, so it is not an EchoWeave plugin; install the plugin again or remove its folder.</source>
+        <translation>Die Bibliothek der Erweiterung „%1“ hat keine Funktion %2 und ist damit keine Erweiterung von EchoWeave; die Erweiterung neu installieren oder ihren Ordner entfernen.</translation>
+    </message>
+    <message>
+        <source>The mannequin &apos;%1&apos; is neither in the case folder nor among the program&apos;s own; put the file into the case folder or leave the field empty.</source>
+        <translation>Der Übungskörper „%1“ ist weder im Fallordner noch unter denen des Programms; die Datei in den Fallordner legen oder das Feld leer lassen.</translation>
+    </message>
+    <message>
+        <source>The matching option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 des Zuordnens ist %2; erforderlich ist %3.</translation>
+    </message>
+    <message>
+        <source>The matrix of frame %1 from image to world contains a value that is not a finite number; check the calibration and the pose of this frame.</source>
+        <translation>Die Matrix von Bild %1 vom Bild in die Welt enthält einen Wert, der keine endliche Zahl ist; die Kalibrierung und die Lage dieses Bildes prüfen.</translation>
+    </message>
+    <message>
+        <source>The matrix of frame %1 from image to world does not end with the row 0 0 0 1; check the calibration and the pose of this frame.</source>
+        <translation>Die Matrix von Bild %1 vom Bild in die Welt endet nicht mit der Zeile 0 0 0 1; die Kalibrierung und die Lage dieses Bildes prüfen.</translation>
+    </message>
+    <message>
+        <source>The matrix of frame %1 from image to world maps the image onto a line or a point; check the calibration and the pose of this frame.</source>
+        <translation>Die Matrix von Bild %1 vom Bild in die Welt bildet das Bild auf eine Linie oder einen Punkt ab; die Kalibrierung und die Lage dieses Bildes prüfen.</translation>
+    </message>
+    <message>
+        <source>The measurement &quot;%1&quot; cannot be taken: %2; move its places or change the anatomy.</source>
+        <translation>Die Messung „%1“ ist nicht möglich: %2; ihre Orte verschieben oder die Anatomie ändern.</translation>
+    </message>
+    <message>
+        <source>The measurement was cancelled.</source>
+        <translation>Die Messung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The mesh measures %1 units, so it was taken to be in metres and scaled to millimetres.</source>
+        <translation>Das Netz misst %1 Einheiten; es wurde als in Metern verstanden und in Millimeter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The mesh measures %1 units, which is no body in millimetres or metres; scale it so that its height in millimetres is right.</source>
+        <translation>Das Netz misst %1 Einheiten, was weder in Millimetern noch in Metern ein Körper ist; es so skalieren, dass seine Höhe in Millimetern stimmt.</translation>
+    </message>
+    <message>
+        <source>The motor does not move from frame to frame; check its step or its recorded values.</source>
+        <translation>Der Motor bewegt sich nicht von Bild zu Bild; seine Schrittweite oder seine aufgezeichneten Werte prüfen.</translation>
+    </message>
+    <message>
+        <source>The motor file %1 has format %2 and this program reads up to %3; use a newer version of the program.</source>
+        <translation>Die Motordatei %1 hat das Format %2, und dieses Programm liest Formate bis %3; eine neuere Version des Programms verwenden.</translation>
+    </message>
+    <message>
+        <source>The motor has %1 values and the recording %2 frames; give one value for each frame, or a step.</source>
+        <translation>Der Motor hat %1 Werte und die Aufnahme %2 Bilder; zu jedem Bild einen Wert oder eine Schrittweite angeben.</translation>
+    </message>
+    <message>
+        <source>The moving volume covers nothing as thick as three voxels of %1 mm. Where no coverage is given, black that reaches the border counts as outside: give the coverage that reconstruct wrote.</source>
+        <translation>Das bewegte Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb: Geben Sie die Abdeckung an, die beim Rekonstruieren geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>The moving volume holds another number of voxels than its grid says; write it anew.</source>
+        <translation>Das bewegte Volumen enthält eine andere Zahl von Voxeln, als sein Gitter sagt; schreiben Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The moving volume holds no echo.</source>
+        <translation>Das bewegte Volumen enthält kein Echo.</translation>
+    </message>
+    <message>
+        <source>The moving volume is too thin to be registered in three dimensions: it takes three voxels of %1 mm in every direction.</source>
+        <translation>Das bewegte Volumen ist zu dünn: In jeder Richtung braucht es drei Voxel zu %1 mm.</translation>
+    </message>
+    <message>
+        <source>The moving volume shows no structure: it is the same grey nearly everywhere.</source>
+        <translation>Das bewegte Volumen zeigt keine Struktur: Es ist fast überall gleich grau.</translation>
+    </message>
+    <message>
+        <source>The name of an output is empty; give a file name.</source>
+        <translation>Der Name einer Ausgabe ist leer; geben Sie einen Dateinamen an.</translation>
+    </message>
+    <message>
+        <source>The number of threads is negative; give 0 for all cores or a positive number.</source>
+        <translation>Die Zahl der Threads ist negativ; 0 für alle Kerne oder eine positive Zahl angeben.</translation>
+    </message>
+    <message>
+        <source>The option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 ist %2; erforderlich ist %3.</translation>
+    </message>
+    <message>
+        <source>The option %1 must be above 0.</source>
+        <translation>Die Einstellung %1 muss über 0 sein.</translation>
+    </message>
+    <message>
+        <source>The options of the equalisation are out of range; use cells and knots above 0.</source>
+        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; nehmen Sie Zellen und Knoten über 0.</translation>
+    </message>
+    <message>
+        <source>The options of the equalisation are out of range; use cells, knots and steps above 0.</source>
+        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; Zellen, Knoten und Schritte über 0 nehmen.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is a link to &apos;%2&apos;, a file of another kind; name that file instead.</source>
+        <translation>Die Ausgabe „%1“ ist eine Verknüpfung mit „%2“, einer Datei anderer Art; nennen Sie stattdessen diese.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is also an input; give it another name.</source>
+        <translation>Die Ausgabe „%1“ ist zugleich Eingabe; geben Sie ihr einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is named twice; give each output its own name.</source>
+        <translation>Die Ausgabe „%1“ ist zweimal genannt; geben Sie jeder Ausgabe einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; must end in %2 or %3.</source>
+        <translation>Die Ausgabe „%1“ muss auf %2 oder %3 enden.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; must end in %2.</source>
+        <translation>Die Ausgabe „%1“ muss auf %2 enden.</translation>
+    </message>
+    <message>
+        <source>The output folder is missing.</source>
+        <translation>Der Ausgabeordner fehlt.</translation>
+    </message>
+    <message>
+        <source>The overlap does not hold the pose: moved by %1 along or about what holds it least, the images still agree %2 as well.</source>
+        <translation>Die Überlappung hält die Lage nicht fest: Um %1 bewegt, wohin sie am wenigsten gehalten ist, stimmen die Bilder noch zu %2 so gut überein.</translation>
+    </message>
+    <message>
+        <source>The overlap does not hold the pose: the normal equations are singular.</source>
+        <translation>Die Überlappung hält die Lage nicht fest: Die Normalgleichungen sind singulär.</translation>
+    </message>
+    <message>
+        <source>The overlap found is too small to tell it from chance%1.</source>
+        <translation>Die gefundene Überlappung ist zu klein, um Zufall auszuschließen%1.</translation>
+    </message>
+    <message>
+        <source>The overlap is too small to register: fewer than 50 voxels are covered by both volumes.</source>
+        <translation>Die Überlappung ist zu klein: Beide Volumen erfassen gemeinsam weniger als 50 Voxel.</translation>
+    </message>
+    <message>
+        <source>The overlap is too small to tell%1.</source>
+        <translation>Die Überlappung ist zu klein für ein Urteil%1.</translation>
+    </message>
+    <message>
+        <source>The overlap shows no structure that could be followed: the normal equations are singular.</source>
+        <translation>Die Überlappung zeigt keine Struktur, der sich folgen ließe: Die Normalgleichungen sind singulär.</translation>
+    </message>
+    <message>
+        <source>The pair %1 has a centre that is not a number or a trust outside 0..1.</source>
+        <translation>Das Paar %1 hat eine Mitte, die keine Zahl ist, oder ein Vertrauen außerhalb von 0..1.</translation>
+    </message>
+    <message>
+        <source>The pairs contradict each other: no rigid transform brings more than %1 of %2 together. Pick them again.</source>
+        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The pairs leave %1 free to slide or turn.</source>
+        <translation>Die Paare lassen %1 gleiten oder sich drehen.</translation>
+    </message>
+    <message>
+        <source>The panel &apos;%1&apos; of the plugin &apos;%2&apos; could not be opened (%3); the rest of the program is not affected.</source>
+        <translation>Der Bereich „%1“ der Erweiterung „%2“ ließ sich nicht öffnen (%3); das übrige Programm ist davon nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The patient has no organ %1; its organs are %2.</source>
+        <translation>Der Patient hat kein Organ %1; seine Organe sind %2.</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s truth in the cache was damaged and has been taken away; open the case again.</source>
+        <translation>Die wahren Werte des Patienten im Zwischenspeicher waren beschädigt und wurden entfernt; den Fall noch einmal öffnen.</translation>
+    </message>
+    <message>
+        <source>The pick error of landmarks must be a length above 0 mm.</source>
+        <translation>Der Klickfehler der Landmarken muss eine Länge über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The picture has no pixels, so %1 was not written.</source>
+        <translation>Das Bild hat keine Pixel; %1 wurde deshalb nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.</source>
+        <translation>In den Bildern ist Schwarz der höchste Wert (MONOCHROME1); sie wurden umgekehrt.</translation>
+    </message>
+    <message>
+        <source>The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 mm a pixel; the file does not say on which side the probe&apos;s marker is.</source>
+        <translation>Die Bilder haben keinen Ort im Raum: Picture zählt mm von der Mitte des linken oberen Pixels, x nach rechts, y nach unten, %1 × %2 mm je Pixel; die Datei sagt nicht, auf welcher Seite die Markierung der Sonde ist.</translation>
+    </message>
+    <message>
+        <source>The pictures of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.</source>
+        <translation>Die Bilder von %1 sind so gepackt, wie es nicht gelesen wird (Transfersyntax %2); unkomprimiert, als JPEG, JPEG-LS, JPEG 2000 oder RLE exportieren.</translation>
+    </message>
+    <message>
+        <source>The pictures of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make black, or say that the text may stay.</source>
+        <translation>In die Bilder von %1 ist Text eingebrannt, der den Patienten nennen kann; eine Region wählen, die zu schwärzenden Rechtecke nennen oder angeben, dass der Text bleiben darf.</translation>
+    </message>
+    <message>
+        <source>The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file does.</source>
+        <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort der Sonde; angeben, wie sie sich bewegt hat, wie es eine Motordatei tut.</translation>
+    </message>
+    <message>
+        <source>The pictures were cut to region %1.</source>
+        <translation>Die Bilder wurden auf Region %1 zugeschnitten.</translation>
+    </message>
+    <message>
+        <source>The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.</source>
+        <translation>Die Bilder bräuchten %1 Byte Speicher, die Grenze ist aber %2; weniger oder kleinere nehmen.</translation>
+    </message>
+    <message>
+        <source>The places in one volume are the mirror image of those in the other: left and right were confused when they were picked, or one file is mirrored.</source>
+        <translation>Die Stellen im einen Volumen sind das Spiegelbild derer im anderen: Links und rechts wurden beim Setzen verwechselt, oder eine Datei ist gespiegelt.</translation>
+    </message>
+    <message>
+        <source>The places lie on one line, so that the turn about it is free: add a pair beside the line.</source>
+        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt: Setzen Sie ein Paar neben der Geraden.</translation>
+    </message>
+    <message>
+        <source>The plane angles (C300/0001) are not the same on both sides (%1 degrees off); straight ahead is pi / 2 here, other readers take the middle of the table.</source>
+        <translation>Die Ebenenwinkel (C300/0001) sind auf beiden Seiten nicht gleich (um %1 Grad versetzt); geradeaus ist hier pi / 2, andere Leser nehmen die Mitte der Tabelle.</translation>
+    </message>
+    <message>
+        <source>The planes are shifted against each other evenly: the axes are not at right angles and were kept as they are.</source>
+        <translation>Die Ebenen sind gleichmäßig gegeneinander verschoben: Die Achsen stehen nicht im rechten Winkel und blieben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The planes lie unevenly, %1 mm apart at the closest; they were resampled linearly to %2 even ones.</source>
+        <translation>Die Ebenen liegen ungleichmäßig, am engsten %1 mm auseinander; sie wurden linear auf %2 gleichmäßige umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The planes of %1 are not parallel or differ in size, so that they are no regular grid; import them as a sequence, which keeps the place of each, and reconstruct it.</source>
+        <translation>Die Ebenen von %1 sind nicht parallel oder verschieden groß und bilden deshalb kein regelmäßiges Gitter; als Bildfolge importieren, die den Ort jeder Ebene behält, und rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>The planes of %1 are shifted sideways against each other unevenly, so that they are no regular grid; import them as a sequence, which keeps the place of each, and reconstruct it.</source>
+        <translation>Die Ebenen von %1 sind ungleichmäßig seitlich gegeneinander verschoben und bilden deshalb kein regelmäßiges Gitter; als Bildfolge importieren, die den Ort jeder Ebene behält, und rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>The planes of %1 lie in one plane, so that there is no volume; export it again.</source>
+        <translation>Die Ebenen von %1 liegen alle in einer Ebene, sodass es kein Volumen gibt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The planes of %1 lie so unevenly that a regular grid would be too large; import them as a sequence and reconstruct it.</source>
+        <translation>Die Ebenen von %1 liegen so ungleichmäßig, dass ein regelmäßiges Gitter zu groß würde; als Bildfolge importieren und rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; %2 was built for ABI %3, and this program has ABI %4; install the version of the plugin that belongs to this EchoWeave, or build it again.</source>
+        <translation>Die Erweiterung „%1“ %2 wurde für ABI %3 gebaut, und dieses Programm hat ABI %4; die Version installieren, die zu diesem EchoWeave gehört, oder die Erweiterung neu bauen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not follow a change of the case (%2); what its panel shows may be out of date.</source>
+        <translation>Die Erweiterung „%1“ konnte einer Änderung des Falls nicht folgen (%2); was ihr Bereich zeigt, kann veraltet sein.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not follow the scan (%2); what it shows may be out of date.</source>
+        <translation>Die Erweiterung „%1“ konnte dem Scan nicht folgen (%2); was sie zeigt, kann veraltet sein.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not move the probe (%2); press Escape to take the probe back.</source>
+        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%2); mit Esc nehmen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not redo the step (%2); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not save (%2); try another name or folder.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht speichern (%2); versuchen Sie es mit einem anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not say what it still holds (%2); save your work before you close the window.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%2); speichern Sie Ihre Arbeit, bevor Sie das Fenster schließen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not say what its panel holds (%2); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not start (%2); the rest of the program is not affected.</source>
+        <translation>Die Erweiterung „%1“ ließ sich nicht starten (%2); das übrige Programm ist davon nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not start and gave no reason; the log may say more.</source>
+        <translation>Die Erweiterung „%1“ ließ sich nicht starten und nannte keinen Grund; das Protokoll sagt vielleicht mehr.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not take over the result of &apos;%2&apos; (%3); please report it with what you did.</source>
+        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; could not undo the last step (%2); save under another name before you go on.</source>
+        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; did not end in order (%2); nothing of your work is affected.</source>
+        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%2); Ihre Arbeit ist davon nicht betroffen.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; failed (%2).</source>
+        <translation>Die Erweiterung „%1“ ist fehlgeschlagen (%2).</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; is not running any more; start the program again.</source>
+        <translation>Die Erweiterung „%1“ läuft nicht mehr; das Programm neu starten.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; met a problem that it did not foresee (%2); save your work, and please report it with what you did.</source>
+        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%2); speichern Sie Ihre Arbeit, und bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>The plugin &apos;%1&apos; names the library &apos;%2&apos;, which is not in its folder; install the plugin again.</source>
+        <translation>Die Erweiterung „%1“ nennt die Bibliothek „%2“, die nicht in ihrem Ordner ist; die Erweiterung neu installieren.</translation>
+    </message>
+    <message>
+        <source>The plugin folder &apos;%1&apos; holds no %2; install the plugin again or remove the folder.</source>
+        <translation>Der Ordner „%1“ einer Erweiterung enthält keine %2; die Erweiterung neu installieren oder den Ordner entfernen.</translation>
+    </message>
+    <message>
+        <source>The plugin of this work is not running any more.</source>
+        <translation>Die Erweiterung dieser Arbeit läuft nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The pose is not a rotation with a translation: %1. Give 16 numbers, row by row, with orthonormal axes and a last row of 0 0 0 1.</source>
+        <translation>Die Pose ist keine Drehung mit Verschiebung: %1. Geben Sie 16 Zahlen an, Zeile für Zeile, mit orthonormalen Achsen und der letzten Zeile 0 0 0 1.</translation>
+    </message>
+    <message>
+        <source>The pose of %1 cannot be used: %2</source>
+        <translation>Die Lage von %1 ist nicht zu gebrauchen: %2</translation>
+    </message>
+    <message>
+        <source>The poses were not solved, as asked.</source>
+        <translation>Das Lösen der Lagen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The poses were worked out from the motor&apos;s values, not from a tracker.</source>
+        <translation>Die Lagen wurden aus den Werten des Motors berechnet, nicht von einem Tracker gemessen.</translation>
+    </message>
+    <message>
+        <source>The prepared volume could not be kept for the next start; set ECHOWEAVE_CACHE to a folder you may write to. %1</source>
+        <translation>Das vorbereitete Volumen ließ sich nicht für den nächsten Start aufheben; ECHOWEAVE_CACHE auf einen Ordner mit Schreibrecht setzen. %1</translation>
+    </message>
+    <message>
+        <source>The prepared volume in the cache could not be used and was made again. %1</source>
+        <translation>Das vorbereitete Volumen im Zwischenspeicher war nicht zu gebrauchen und wurde neu gemacht. %1</translation>
+    </message>
+    <message>
+        <source>The prepared volume in the cache was damaged and was made again.</source>
+        <translation>Das vorbereitete Volumen im Zwischenspeicher war beschädigt und wurde neu gemacht.</translation>
+    </message>
+    <message>
+        <source>The probe &apos;%1&apos; is none of this case; choose one that it names.</source>
+        <translation>Der Schallkopf „%1“ gehört nicht zu diesem Fall; einen wählen, den er nennt.</translation>
+    </message>
+    <message>
+        <source>The probe file %1 cannot be read: %2.</source>
+        <translation>Die Schallkopfdatei %1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The probe file %1 cannot be read; check its permissions.</source>
+        <translation>Die Schallkopfdatei %1 kann nicht gelesen werden; ihre Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+        <source>The probe file %1 has format %2, this program reads up to %3; update EchoWeave.</source>
+        <translation>Die Schallkopfdatei %1 hat das Format %2, dieses Programm liest Formate bis %3; EchoWeave aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The probe file %1 is not a JSON object; compare it with a shipped probe.</source>
+        <translation>Die Schallkopfdatei %1 ist kein JSON-Objekt; sie mit einem mitgelieferten Schallkopf vergleichen.</translation>
+    </message>
+    <message>
+        <source>The probe has no place; hold it on the body and measure again.</source>
+        <translation>Der Schallkopf hat keine Lage; ihn an den Körper halten und erneut messen.</translation>
+    </message>
+    <message>
+        <source>The probe moves to and fro so regularly that several delays fit; use a sweep with uneven movement.</source>
+        <translation>Der Schallkopf bewegt sich so regelmäßig hin und her, dass mehrere Verzögerungen passen; einen Schwenk mit ungleichmäßiger Bewegung verwenden.</translation>
+    </message>
+    <message>
+        <source>The probe moves too evenly, or has too few poses: no change of speed can be found again in the images.</source>
+        <translation>Der Schallkopf bewegt sich zu gleichmäßig oder hat zu wenige Lagen: Keine Änderung der Geschwindigkeit ist in den Bildern wiederzufinden.</translation>
+    </message>
+    <message>
+        <source>The probe sees too little of the volume to compare; slide it over the volume and measure again.</source>
+        <translation>Der Schallkopf sieht zu wenig vom Volumen, um zu vergleichen; ihn über das Volumen schieben und erneut messen.</translation>
+    </message>
+    <message>
+        <source>The program&apos;s folder &apos;%1&apos; was not found beside the program; install EchoWeave again or set ECHOWEAVE_RESOURCES to its resources folder.</source>
+        <translation>Der Ordner „%1“ des Programms wurde neben dem Programm nicht gefunden; EchoWeave neu installieren oder ECHOWEAVE_RESOURCES auf seinen Ordner resources setzen.</translation>
+    </message>
+    <message>
+        <source>The project file is missing.</source>
+        <translation>Die Projektdatei fehlt.</translation>
+    </message>
+    <message>
+        <source>The project has no volume yet; add one before it is saved.</source>
+        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor es gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>The reconstruction of &apos;%1&apos; is not there.</source>
+        <translation>Die Rekonstruktion von „%1“ ist nicht da.</translation>
+    </message>
+    <message>
+        <source>The reconstruction of &apos;%1&apos; was damaged.</source>
+        <translation>Die Rekonstruktion von „%1“ war beschädigt.</translation>
+    </message>
+    <message>
+        <source>The reconstruction was stopped before it was complete.</source>
+        <translation>Die Rekonstruktion wurde abgebrochen, bevor sie vollständig war.</translation>
+    </message>
+    <message>
+        <source>The recorded places were taken as they are.</source>
+        <translation>Die aufgezeichneten Lagen wurden übernommen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; has format %2, this program reads up to %3; update EchoWeave.</source>
+        <translation>Die Aufzeichnung „%1“ hat das Format %2, dieses Programm liest Formate bis %3; EchoWeave aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; has something else in %2 than %3.</source>
+        <translation>Die Aufzeichnung „%1“ hat in %2 etwas anderes als %3.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; holds no image; record the scan again.</source>
+        <translation>Die Aufzeichnung „%1“ enthält kein Bild; die Untersuchung neu aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; is no longer the one that the volume was made from; make the volume again to see its frames.</source>
+        <translation>Die Aufnahme „%1“ ist nicht mehr die, aus der das Volumen gemacht wurde; das Volumen neu machen, um seine Bilder zu sehen.</translation>
+    </message>
+    <message>
+        <source>The recording and the device set both say %1 to %2; the device set was used.</source>
+        <translation>Aufnahme und Gerätedatei nennen beide %1 zu %2; verwendet wurde die Gerätedatei.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written to &apos;%1&apos; (%2); choose another folder.</source>
+        <translation>Die Aufnahme lässt sich nicht in „%1“ schreiben (%2); einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>The recording carries no field %1; gate by another signal or by the images.</source>
+        <translation>Die Aufnahme enthält kein Feld %1; zum Gating ein anderes Signal oder die Bilder verwenden.</translation>
+    </message>
+    <message>
+        <source>The recording does not name its image orientation; MF (marker side first, far side last) was assumed.</source>
+        <translation>Die Aufnahme nennt die Ausrichtung ihrer Bilder nicht; MF (Markenseite zuerst, ferne Seite zuletzt) wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>The recording has &quot;%1&quot; for its field %2; expected %3, or describe the motor in a file.</source>
+        <translation>Die Aufnahme hat „%1“ im Feld %2; erwartet: %3. Sonst den Motor in einer Datei beschreiben.</translation>
+    </message>
+    <message>
+        <source>The recording has %1 scan lines of %2 samples; a picture needs at least 2 of each.</source>
+        <translation>Die Aufnahme hat %1 Bildzeilen mit %2 Abtastwerten; ein Bild braucht von beiden mindestens 2.</translation>
+    </message>
+    <message>
+        <source>The recording has no frames, so %1 was not written; record or open one first.</source>
+        <translation>Die Aufnahme hat keine Bilder; %1 wurde deshalb nicht geschrieben; erst eine aufnehmen oder öffnen.</translation>
+    </message>
+    <message>
+        <source>The recording has nothing for its field %1; expected %2, or describe the motor in a file.</source>
+        <translation>Die Aufnahme hat nichts im Feld %1; erwartet: %2. Sonst den Motor in einer Datei beschreiben.</translation>
+    </message>
+    <message>
+        <source>The recording has poses but no images.</source>
+        <translation>Die Aufnahme hat Lagen, aber keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The recording holds %1 data, no brightness. EchoWeave does not read radio frequency lines: record again with B-mode images, or have the program that recorded it make them (in PLUS the RfProcessing of the device set).</source>
+        <translation>Die Aufnahme enthält %1-Daten statt Helligkeit. EchoWeave liest keine Hochfrequenzzeilen: erneut mit B-Bildern aufnehmen oder sie von dem Programm erzeugen lassen, das aufgenommen hat (in PLUS mit RfProcessing in der Gerätedatei).</translation>
+    </message>
+    <message>
+        <source>The recording holds images of orientation &quot;%1&quot;, no scan lines.</source>
+        <translation>Die Aufnahme enthält Bilder der Ausrichtung „%1“, keine Bildzeilen.</translation>
+    </message>
+    <message>
+        <source>The recording holds no image, so &apos;%1&apos; was not written; scan while it runs.</source>
+        <translation>Die Aufzeichnung enthält kein Bild, deshalb wurde „%1“ nicht geschrieben; schallen, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>The recording holds poses but no images, so there is nothing to reconstruct; choose the recording with the images.</source>
+        <translation>Die Aufnahme enthält Lagen, aber keine Bilder, es gibt also nichts zu rekonstruieren; die Aufnahme mit den Bildern wählen.</translation>
+    </message>
+    <message>
+        <source>The recording holds scan lines and does not say their %1; give a device set whose ScanConversion says it with %2.</source>
+        <translation>Die Aufnahme enthält Bildzeilen und sagt %1 nicht; eine Gerätedatei angeben, deren ScanConversion dafür %2 nennt.</translation>
+    </message>
+    <message>
+        <source>The recording holds scan lines and does not say where they lie; give a device set whose ScanConversion has TransducerGeometry=&quot;CURVILINEAR&quot; or &quot;LINEAR&quot;.</source>
+        <translation>Die Aufnahme enthält Bildzeilen und sagt nicht, wo sie liegen; eine Gerätedatei angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
+    </message>
+    <message>
+        <source>The recording holds scan lines; they were converted to images of %1 x %2 pixels of %3 mm.</source>
+        <translation>Die Aufnahme enthält Bildzeilen; sie wurden in Bilder von %1 x %2 Pixeln zu %3 mm umgewandelt.</translation>
+    </message>
+    <message>
+        <source>The recording&apos;s %1 is &quot;%2&quot;; expected %3 numbers.</source>
+        <translation>%1 der Aufnahme ist „%2“; erwartet werden %3 Zahlen.</translation>
+    </message>
+    <message>
+        <source>The recording&apos;s %1 is &quot;%2&quot;; expected 1 number.</source>
+        <translation>%1 der Aufnahme ist „%2“; erwartet wird 1 Zahl.</translation>
+    </message>
+    <message>
+        <source>The recording&apos;s pixels do not match its size, so %1 was not written.</source>
+        <translation>Die Pixel der Aufnahme passen nicht zu ihrer Größe; %1 wurde deshalb nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.</source>
+        <translation>Die Region zählt eigene mm ab Pixel (%1, %2) des zugeschnittenen Bildes, wo x gleich %3 und y gleich %4 ist.</translation>
+    </message>
+    <message>
+        <source>The registration option %1 is %2; it must be %3.</source>
+        <translation>Die Einstellung %1 der Registrierung ist %2; erforderlich ist %3.</translation>
+    </message>
+    <message>
+        <source>The registration was cancelled.</source>
+        <translation>Das Zuordnen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The respiration signal cannot gate: %1; gate by the images.</source>
+        <translation>Das Atemsignal eignet sich nicht zum Gating: %1; stattdessen die Bilder verwenden.</translation>
+    </message>
+    <message>
+        <source>The result of &apos;%1&apos; could not be taken over (%2); please report it with what you did.</source>
+        <translation>Das Ergebnis von „%1“ ließ sich nicht übernehmen (%2); bitte melden und dazu, was getan wurde.</translation>
+    </message>
+    <message>
+        <source>The samples are %1 and all have the value %2; they became 0.</source>
+        <translation>Die Abtastwerte haben %1 und alle den Wert %2; sie wurden 0.</translation>
+    </message>
+    <message>
+        <source>The samples are %1: values from %2 to %3 were mapped to 0 to 255.</source>
+        <translation>Die Abtastwerte haben %1: Werte von %2 bis %3 wurden auf 0 bis 255 abgebildet.</translation>
+    </message>
+    <message>
+        <source>The samples are colours; their luminance became the echo level.</source>
+        <translation>Die Abtastwerte sind Farben; ihre Helligkeit wurde zum Echopegel.</translation>
+    </message>
+    <message>
+        <source>The samples have %1 bits with sign: values from %2 to %3 were mapped to 0 to 255.</source>
+        <translation>Die Abtastwerte haben %1 Bit mit Vorzeichen: Werte von %2 bis %3 wurden auf 0 bis 255 abgebildet.</translation>
+    </message>
+    <message>
+        <source>The samples have %1 bits: values from %2 to %3 were mapped to 0 to 255.</source>
+        <translation>Die Abtastwerte haben %1 Bit: Werte von %2 bis %3 wurden auf 0 bis 255 abgebildet.</translation>
+    </message>
+    <message>
+        <source>The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels made of them are no brightness: export the B-mode volume instead.</source>
+        <translation>Die Abtastwerte reichen so weit unter 0 wie darüber, wie die hochfrequenter Linien (RF); wenn sie das sind, sind die Grauwerte daraus keine Helligkeit: stattdessen das B-Mode-Volumen exportieren.</translation>
+    </message>
+    <message>
+        <source>The scan lines are %1, no brightness; convert them to B-mode brightness first.</source>
+        <translation>Die Bildzeilen sind %1 statt Helligkeit; sie erst in B-Bild-Helligkeit umwandeln.</translation>
+    </message>
+    <message>
+        <source>The scan lines run from %1 to %2 degrees; only sectors as wide to the left as to the right, from minus to plus, are converted.</source>
+        <translation>Die Bildzeilen reichen von %1 bis %2 Grad; umgewandelt werden nur Sektoren, die nach links so weit reichen wie nach rechts, von Minus nach Plus.</translation>
+    </message>
+    <message>
+        <source>The scan lines&apos; %1 is &quot;%2&quot;; give a device set whose ScanConversion says it with %3.</source>
+        <translation>%1 der Bildzeilen ist „%2“; eine Gerätedatei angeben, deren ScanConversion dafür %3 nennt.</translation>
+    </message>
+    <message>
+        <source>The scan lines&apos; TransducerGeometry is &quot;%1&quot;; give a device set whose ScanConversion has TransducerGeometry=&quot;CURVILINEAR&quot; or &quot;LINEAR&quot;.</source>
+        <translation>TransducerGeometry der Bildzeilen ist „%1“; eine Gerätedatei angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
+    </message>
+    <message>
+        <source>The seams have levels of other volumes; find them again.</source>
+        <translation>Die Nähte haben Pegel anderer Volumen; suchen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The seams name more volumes than there are; find them again.</source>
+        <translation>Die Nähte nennen mehr Volumen, als es gibt; suchen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The seams were found for another grid; find them again for this one.</source>
+        <translation>Die Nähte wurden für ein anderes Gitter gefunden; suchen Sie sie für dieses neu.</translation>
+    </message>
+    <message>
+        <source>The section &apos;%1&apos; of a case belongs to another plugin; take another name.</source>
+        <translation>Der Abschnitt „%1“ eines Falls gehört zu einer anderen Erweiterung; einen anderen Namen nehmen.</translation>
+    </message>
+    <message>
+        <source>The section &apos;%1&apos; of a case has no schema; add it first.</source>
+        <translation>Der Abschnitt „%1“ eines Falls hat kein Schema; es zuerst hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The size of a pixel must be above 0 mm in both directions.</source>
+        <translation>Die Größe eines Pixels muss in beiden Richtungen über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The size of a pixel was given: %1 x %2 mm instead of the %3 x %4 mm of the region.</source>
+        <translation>Die Größe eines Pixels wurde angegeben: %1 × %2 mm statt der %3 × %4 mm der Region.</translation>
+    </message>
+    <message>
+        <source>The solution did not settle; allow more iterations.</source>
+        <translation>Die Optimierung der Lagen konvergierte nicht; mehr Durchgänge zulassen.</translation>
+    </message>
+    <message>
+        <source>The solver of poses failed (%1).</source>
+        <translation>Das Lösen der Lagen ist fehlgeschlagen (%1).</translation>
+    </message>
+    <message>
+        <source>The sources of the voxels do not fit the grid; give one for each voxel.</source>
+        <translation>Die Quellbilder der Voxel passen nicht zum Gitter; für jeden Voxel eines angeben.</translation>
+    </message>
+    <message>
+        <source>The spacing must be above 0 mm along every axis.</source>
+        <translation>Der Abstand muss entlang jeder Achse über 0 mm sein.</translation>
+    </message>
+    <message>
+        <source>The spacing must lie between 0.001 and 1000 mm.</source>
+        <translation>Der Abstand muss zwischen 0,001 und 1000 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The spacing of raw samples is not in the file; give it in mm, above 0.</source>
+        <translation>Der Abstand roher Abtastwerte steht nicht in der Datei; ihn in mm angeben, über 0.</translation>
+    </message>
+    <message>
+        <source>The spacing of the result must be a positive number of mm, or 0 for the finest of the inputs.</source>
+        <translation>Der Voxelabstand des Ergebnisses muss eine positive Zahl in mm sein, oder 0 für den feinsten der Eingaben.</translation>
+    </message>
+    <message>
+        <source>The spacing was given and replaces that of the file; origin and directions are the file&apos;s.</source>
+        <translation>Der Abstand wurde angegeben und ersetzt den der Datei; Ursprung und Richtungen sind die der Datei.</translation>
+    </message>
+    <message>
+        <source>The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at a time.</source>
+        <translation>Der Schritt „%1“ bräuchte %2 MiB Speicher, mehr als die erlaubten %3 MiB; nehmen Sie einen gröberen Voxelabstand oder weniger Volumen auf einmal.</translation>
+    </message>
+    <message>
+        <source>The stiffness must be 0 (automatic) or above.</source>
+        <translation>Die Steifigkeit muss 0 (automatisch) oder größer sein.</translation>
+    </message>
+    <message>
+        <source>The stitch project</source>
+        <translation>Das Stitching-Projekt</translation>
+    </message>
+    <message>
+        <source>The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.</source>
+        <translation>Das Stitching-Projekt hat das Format %1, und dieses Programm liest Formate bis %2; öffnen Sie es mit einem neueren EchoWeave.</translation>
+    </message>
+    <message>
+        <source>The stitch project has no volumes; add some.</source>
+        <translation>Das Stitching-Projekt hat keine Volumen; fügen Sie welche hinzu.</translation>
+    </message>
+    <message>
+        <source>The stitching was cancelled.</source>
+        <translation>Das Verbinden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The stitching was cancelled; what was finished is kept.</source>
+        <translation>Das Verbinden wurde abgebrochen; was fertig war, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>The surface of %1 has too many parts with edges of %2 mm; choose longer ones.</source>
+        <translation>Die Oberfläche von %1 hat bei Kanten von %2 mm zu viele Teile; längere wählen.</translation>
+    </message>
+    <message>
+        <source>The sweep &apos;%1&apos; asks for the probe &apos;%2&apos;, which the program does not have; name one of resources/probes.</source>
+        <translation>Der Schwenk „%1“ verlangt den Schallkopf „%2“, den das Programm nicht hat; einen aus resources/probes nennen.</translation>
+    </message>
+    <message>
+        <source>The sweep asks for a depth of %1 mm, but %2 sees from %3 to %4 mm; change machine.depth_mm or the probe.</source>
+        <translation>Der Schwenk verlangt eine Tiefe von %1 mm, %2 sieht aber von %3 bis %4 mm; machine.depth_mm oder den Schallkopf ändern.</translation>
+    </message>
+    <message>
+        <source>The sweep asks for breath, pulse or their signals, but this patient&apos;s recipe describes no motion; switch breathing, pulsating, ecg and respiration off or describe the motion.</source>
+        <translation>Der Schwenk verlangt Atmung, Puls oder deren Signale, das Rezept dieses Patienten beschreibt aber keine Bewegung; breathing, pulsating, ecg und respiration ausschalten oder die Bewegung beschreiben.</translation>
+    </message>
+    <message>
+        <source>The sweep has %1 stations, but a motor starts from one; give one station, or make the sweep freehand.</source>
+        <translation>Der Schwenk hat %1 Stationen, ein Motor geht aber von einer aus; eine Station angeben oder den Schwenk freihändig führen.</translation>
+    </message>
+    <message>
+        <source>The sweep has no frame with a usable pose; check the tracking of the recording.</source>
+        <translation>Der Schwenk hat kein Bild mit brauchbarer Lage; den Tracker der Aufnahme prüfen.</translation>
+    </message>
+    <message>
+        <source>The sweep has no frames or no frame rate; give at least one frame and a rate above 0.</source>
+        <translation>Der Schwenk hat keine Bilder oder keine Bildrate; mindestens ein Bild und eine Rate über 0 angeben.</translation>
+    </message>
+    <message>
+        <source>The sweep has no station; say at least one point near the skin where the probe is put.</source>
+        <translation>Der Schwenk hat keine Station; mindestens einen Punkt nahe der Haut angeben, auf den der Schallkopf gesetzt wird.</translation>
+    </message>
+    <message>
+        <source>The sweep has too few frames at different times to compare movements.</source>
+        <translation>Der Schwenk hat zu wenige Bilder zu verschiedenen Zeiten, um Bewegungen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The sweep presses the probe %1 mm into the skin, but %2 can press %3 mm at most; use a smaller indentation_mm.</source>
+        <translation>Der Schwenk drückt den Schallkopf %1 mm in die Haut, %2 kann aber höchstens %3 mm drücken; ein kleineres indentation_mm nehmen.</translation>
+    </message>
+    <message>
+        <source>The sweep would become %1 x %2 x %3 voxels and need %4 MiB, more than the %5 MiB allowed; give a coarser spacing_mm.</source>
+        <translation>Aus dem Schwenk würden %1 x %2 x %3 Voxel, und er bräuchte %4 MiB, mehr als die erlaubten %5 MiB; ein gröberes spacing_mm angeben.</translation>
+    </message>
+    <message>
+        <source>The sweep&apos;s %1 %2; %3.</source>
+        <translation>%1 des Schwenks %2; %3.</translation>
+    </message>
+    <message>
+        <source>The system has no room for another thread; close other programs and try again.</source>
+        <translation>Das System hat keinen Platz für einen weiteren Thread; andere Programme schließen und noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The tangent plane cuts nothing that both volumes cover: move it into their overlap.</source>
+        <translation>Die Tangentialebene schneidet nichts, was beide Volumen erfassen: Bitte in ihre Überlappung verschieben.</translation>
+    </message>
+    <message>
+        <source>The tangent plane needs a normal with a direction; this one has none.</source>
+        <translation>Die Tangentialebene braucht eine Normale mit einer Richtung; diese hat keine.</translation>
+    </message>
+    <message>
+        <source>The tangent plane&apos;s point is not a number.</source>
+        <translation>Der Punkt der Tangentialebene ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The three pairs contradict each other by %1, and three cannot say which of them is wrong: correct one or add a fourth.</source>
+        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist: Berichtigen Sie eines oder setzen Sie ein viertes.</translation>
+    </message>
+    <message>
+        <source>The times of the %1 go from %2 s to %3 s, which is longer than a day; correct the recording&apos;s times.</source>
+        <translation>Die Zeiten im %1 reichen von %2 s bis %3 s, länger als einen Tag; die Zeiten der Aufnahme berichtigen.</translation>
+    </message>
+    <message>
+        <source>The transform in &apos;%1&apos; cannot be used. %2</source>
+        <translation>Die Transformation in „%1“ ist nicht zu gebrauchen. %2</translation>
+    </message>
+    <message>
+        <source>The transform of the pair %1 cannot be used: %2</source>
+        <translation>Die Transformation des Paares %1 ist nicht zu gebrauchen: %2</translation>
+    </message>
+    <message>
+        <source>The triangles faced inwards and were turned.</source>
+        <translation>Die Dreiecke zeigten nach innen und wurden umgedreht.</translation>
+    </message>
+    <message>
+        <source>The two images show almost nothing in common places: check how they lie to each other.</source>
+        <translation>Die beiden Bilder zeigen an gemeinsamen Stellen fast nichts: Bitte prüfen, wie sie zueinander liegen.</translation>
+    </message>
+    <message>
+        <source>The two volumes do not overlap at the start: bring them closer, or match without a start.</source>
+        <translation>Am Anfang überlappen sich die beiden Volumen nicht: Bringen Sie sie näher zusammen oder suchen Sie ohne Anfangslage.</translation>
+    </message>
+    <message>
+        <source>The virtual scanner&apos;s %1 is %2; choose one from %3 to %4.</source>
+        <translation>%1 des virtuellen Geräts ist %2; einen Wert von %3 bis %4 wählen.</translation>
+    </message>
+    <message>
+        <source>The volume cannot be kept in bricks: %1 MiB of memory are not to be had.</source>
+        <translation>Das Volumen lässt sich nicht in Blöcken halten: %1 MiB Speicher sind nicht zu bekommen.</translation>
+    </message>
+    <message>
+        <source>The volume has %1 bytes of voxels, but its grid %2; it was not written.</source>
+        <translation>Das Volumen hat %1 Byte an Voxeln, sein Gitter aber %2; es wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>The volume has more voxels than can be handled; use a coarser spacing.</source>
+        <translation>Das Volumen hat mehr Voxel, als sich verarbeiten lassen; nehmen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>The volume has no voxels along axis %1; check the file&apos;s dimensions.</source>
+        <translation>Das Volumen hat entlang der Achse %1 keine Voxel; prüfen Sie die Abmessungen in der Datei.</translation>
+    </message>
+    <message>
+        <source>The volume is Cartesian already, %1 mm in every direction; its origin is its first voxel, and which way it lies in the patient is not in the file.</source>
+        <translation>Das Volumen ist schon kartesisch, %1 mm in jeder Richtung; sein Ursprung ist sein erstes Voxel, und wie es im Patienten liegt, steht nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>The volume is placed in the recording&apos;s frame %1.</source>
+        <translation>Das Volumen liegt im Rahmen %1 der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The volume needs at least one sample along each axis; give its dimensions.</source>
+        <translation>Das Volumen braucht mindestens einen Abtastwert entlang jeder Achse; die Größe angeben.</translation>
+    </message>
+    <message>
+        <source>The volume would have %1 voxels and need %2 of memory, more than the %3 that a volume may take; use a coarser spacing.</source>
+        <translation>Das Volumen hätte %1 Voxel und bräuchte %2 Speicher, mehr als die %3, die ein Volumen belegen darf; einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>The volume would have %1 voxels and need more than 2048 GiB of memory; use a coarser spacing.</source>
+        <translation>Das Volumen hätte %1 Voxel und bräuchte mehr als 2048 GiB Speicher; einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>The volume would have %1 voxels, more than %2 along one axis; use a coarser spacing, or check the calibration and poses for a wrong scale.</source>
+        <translation>Das Volumen hätte %1 Voxel, mehr als %2 entlang einer Achse; einen gröberen Voxelabstand nehmen oder Kalibrierung und Lagen auf einen falschen Maßstab prüfen.</translation>
+    </message>
+    <message>
+        <source>The volume would have %1 x %2 x %3 voxels and need %4 of memory with the frames, more than the %5 that a volume may take; use a coarser spacing.</source>
+        <translation>Das Volumen hätte %1 x %2 x %3 Voxel und bräuchte mit den Bildern %4 Speicher, mehr als die %5, die ein Volumen belegen darf; einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s origin is not finite; check the file&apos;s offset.</source>
+        <translation>Der Ursprung des Volumens ist nicht endlich; prüfen Sie den Offset in der Datei.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s place is not 16 numbers, row by row; correct &apos;volume.file_to_world&apos; in case.json.</source>
+        <translation>Die Lage des Volumens sind nicht 16 Zahlen, Zeile für Zeile; bitte „volume.file_to_world“ in case.json berichtigen.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s voxels do not fit its grid; read it again.</source>
+        <translation>Die Voxel des Volumens passen nicht zu seinem Gitter; das Volumen neu lesen.</translation>
+    </message>
+    <message>
+        <source>The volumes agree: %1, %2 before.</source>
+        <translation>Die Volumen stimmen überein: %1, vorher %2.</translation>
+    </message>
+    <message>
+        <source>The volumes contradict each other: bent, they agree no better than unrelated tissue does.</source>
+        <translation>Die Volumen widersprechen sich: Auch verformt stimmen sie nicht besser überein als fremdes Gewebe.</translation>
+    </message>
+    <message>
+        <source>The volumes contradict each other: bent, they reach %1, which unrelated tissue reaches as well.</source>
+        <translation>Die Volumen widersprechen sich: Verformt erreichen sie %1, was fremdes Gewebe ebenso erreicht.</translation>
+    </message>
+    <message>
+        <source>The volumes do not overlap anywhere, so nothing was blended; check their places if they should.</source>
+        <translation>Die Volumen überlappen sich nirgends, daher wurde nichts gemischt; bitte ihre Lagen prüfen, falls sie es sollten.</translation>
+    </message>
+    <message>
+        <source>The volumes do not overlap where they were placed; place them, or match them first.</source>
+        <translation>Wo die Volumen liegen, überlappen sie sich nicht; platzieren Sie sie oder ordnen Sie sie erst zu.</translation>
+    </message>
+    <message>
+        <source>The voxel spacing along axis %1 is not a positive number; check the file&apos;s spacing.</source>
+        <translation>Der Voxelabstand entlang der Achse %1 ist keine positive Zahl; prüfen Sie den Abstand in der Datei.</translation>
+    </message>
+    <message>
+        <source>The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.</source>
+        <translation>Der Voxelabstand ist %1 mm; einen von 0,01 bis 1000 mm wählen.</translation>
+    </message>
+    <message>
+        <source>The warp must fall off over more than 0 mm.</source>
+        <translation>Die Verformung muss über mehr als 0 mm auslaufen.</translation>
+    </message>
+    <message>
+        <source>The warped image agrees with the fixed one %1.</source>
+        <translation>Das verformte Bild stimmt mit dem festen überein %1.</translation>
+    </message>
+    <message>
+        <source>The weight of interpolated voxels must be above 0 and at most 1.</source>
+        <translation>Das Gewicht interpolierter Voxel muss über 0 und höchstens 1 sein.</translation>
+    </message>
+    <message>
+        <source>The weights of a seam must be 0 or positive.</source>
+        <translation>Die Gewichte einer Naht müssen 0 oder positiv sein.</translation>
+    </message>
+    <message>
+        <source>The weights of frame %1 have %2 x %3 values for %4 x %5 pixels; give one weight for each pixel.</source>
+        <translation>Die Gewichte von Bild %1 haben %2 x %3 Werte für %4 x %5 Pixel; zu jedem Pixel ein Gewicht angeben.</translation>
+    </message>
+    <message>
+        <source>The whole picture of %1 has no size of a pixel of its own; give it in mm.</source>
+        <translation>Das ganze Bild von %1 nennt keine eigene Größe eines Pixels; sie in mm angeben.</translation>
+    </message>
+    <message>
+        <source>The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.</source>
+        <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden Sie es und was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>There are %1 frames and %2 poses; give one pose for each frame.</source>
+        <translation>Es gibt %1 Bilder und %2 Lagen; zu jedem Bild eine Lage angeben.</translation>
+    </message>
+    <message>
+        <source>There are %1 frames and %2 times; give one time for each frame.</source>
+        <translation>Es gibt %1 Bilder und %2 Zeiten; zu jedem Bild eine Zeit angeben.</translation>
+    </message>
+    <message>
+        <source>There are %1 times and %2 poses; give one time for each frame.</source>
+        <translation>Es gibt %1 Zeiten und %2 Lagen; zu jedem Bild eine Zeit angeben.</translation>
+    </message>
+    <message>
+        <source>There are fewer than two sweeps to compare; give all sweeps that are to be stitched.</source>
+        <translation>Es sind weniger als zwei Schwenks zu vergleichen; alle Schwenks angeben, die verbunden werden sollen.</translation>
+    </message>
+    <message>
+        <source>There are no threads left to keep watch over %1; close other programs.</source>
+        <translation>Es gibt keine Threads mehr, um %1 zu überwachen; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There are two projects, &apos;%1&apos; and &apos;%2&apos;, and only one can be stitched.</source>
+        <translation>Es sind zwei Projekte, „%1“ und „%2“, und nur eines kann verbunden werden.</translation>
+    </message>
+    <message>
+        <source>There is no %1 at %2; check the path.</source>
+        <translation>Unter %2 liegt keine Datei (%1); den Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no file %1; check its name and folder.</source>
+        <translation>Es gibt keine Datei %1; Namen und Ordner prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no file %1; choose a mannequin recipe or a mesh.</source>
+        <translation>Es gibt keine Datei %1; ein Rezept eines Übungskörpers oder ein Netz wählen.</translation>
+    </message>
+    <message>
+        <source>There is no file or folder &apos;%1&apos;; check the name.</source>
+        <translation>Es gibt keine Datei und keinen Ordner „%1“; bitte den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no pair of landmarks: a turn needs three places that are not on one line.</source>
+        <translation>Es gibt kein Landmarkenpaar: Eine Drehung braucht drei Stellen, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>There is no pose; give 16 numbers, row by row, or a file with one pose a line.</source>
+        <translation>Es gibt keine Pose; geben Sie 16 Zahlen an, Zeile für Zeile, oder eine Datei mit einer Pose je Zeile.</translation>
+    </message>
+    <message>
+        <source>There is no probe file %1; check the name.</source>
+        <translation>Es gibt keine Schallkopfdatei %1; den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no subvolume to place; add at least one.</source>
+        <translation>Es gibt kein Teilvolumen zu platzieren; fügen Sie mindestens eines hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no volume to measure with; open one first.</source>
+        <translation>Es gibt kein Volumen, an dem sich messen ließe; erst eines öffnen.</translation>
+    </message>
+    <message>
+        <source>There is no volume to stitch; add at least one.</source>
+        <translation>Es gibt kein Volumen zu verbinden; fügen Sie mindestens eines hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached, and %3 stand apart; %4.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen, und abseits stehen %3; %4.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached; %3.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen; %3.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image, and %2 stand apart; %3.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen, und abseits stehen %2; %3.</translation>
+    </message>
+    <message>
+        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image; %2.</source>
+        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen; %2.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for %1; close other programs.</source>
+        <translation>Für %1 reicht der Speicher nicht; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for %1; use a mesh with fewer triangles.</source>
+        <translation>Für %1 reicht der Speicher nicht; ein Netz mit weniger Dreiecken verwenden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;%1&apos; of the plugin &apos;%2&apos;; close other programs or choose a coarser spacing.</source>
+        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;%1&apos; of the plugin &apos;%2&apos;; use a coarser spacing or a smaller input.</source>
+        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; nehmen Sie einen gröberen Abstand oder eine kleinere Eingabe.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of %1; close other programs.</source>
+        <translation>Für ein Bild von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a volume of %1; use a coarser spacing.</source>
+        <translation>Für ein Volumen von %1 reicht der Speicher nicht; einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the %1 samples of %2; close other programs, or cut the file into parts.</source>
+        <translation>Für die %1 Abtastwerte von %2 reicht der Speicher nicht; andere Programme schließen oder die Datei in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the frames of %1; close other programs.</source>
+        <translation>Für die Bilder von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the frames of this sweep; use fewer or a larger pixel_mm.</source>
+        <translation>Für die Bilder dieses Schwenks reicht der Speicher nicht; weniger Bilder oder ein größeres pixel_mm nehmen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the pictures of %1; close other programs.</source>
+        <translation>Für die Bilder von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the planes of %1; close other programs.</source>
+        <translation>Für die Ebenen von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the recording %1; close other programs, or cut it into parts.</source>
+        <translation>Für die Aufnahme %1 reicht der Speicher nicht; andere Programme schließen oder sie in Teile zerlegen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the sums of the reconstruction; use fewer threads.</source>
+        <translation>Für die Summen der Rekonstruktion reicht der Speicher nicht; weniger Threads nehmen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; close other programs or choose a coarser spacing.</source>
+        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to fill holes; use fewer threads or a coarser spacing.</source>
+        <translation>Zum Füllen der Lücken reicht der Speicher nicht; weniger Threads oder einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read frames at the voxels; use fewer threads or a coarser spacing.</source>
+        <translation>Zum Lesen der Bilder an den Voxeln reicht der Speicher nicht; weniger Threads oder einen gröberen Voxelabstand nehmen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to sample the body at this spacing; use a coarser one.</source>
+        <translation>Um den Körper mit diesem Abstand abzutasten, reicht der Speicher nicht; einen gröberen nehmen.</translation>
+    </message>
+    <message>
+        <source>There is one subvolume; it stays where it is.</source>
+        <translation>Es gibt ein Teilvolumen; es bleibt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>There is one volume alone.</source>
+        <translation>Es gibt nur ein Volumen.</translation>
+    </message>
+    <message>
+        <source>This patient at %1 mm needs %2 of memory, %3 are allowed; choose a coarser spacing.</source>
+        <translation>Dieser Patient braucht bei %1 mm %2 Speicher, erlaubt sind %3; einen gröberen Voxelabstand wählen.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards at %1 frame; the order in the file was kept.</source>
+        <translation>Die Zeit läuft bei %1 Bild rückwärts; die Reihenfolge der Datei blieb.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards at %1 frames; the order in the file was kept.</source>
+        <translation>Die Zeit läuft bei %1 Bildern rückwärts; die Reihenfolge der Datei blieb.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards at frame %1; put the recording in order of time.</source>
+        <translation>Bei Bild %1 läuft die Zeit rückwärts; die Aufnahme nach der Zeit ordnen.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards in the %1 at sample %2; put the recording in order of time.</source>
+        <translation>Im %1 läuft die Zeit beim Abtastwert %2 rückwärts; die Aufnahme nach der Zeit ordnen.</translation>
+    </message>
+    <message>
+        <source>Timing the qualities</source>
+        <translation>Die Zeiten der Qualitäten werden gemessen</translation>
+    </message>
+    <message>
+        <source>Timing the slice thickness</source>
+        <translation>Die Zeiten der Schichtdicke werden gemessen</translation>
+    </message>
+    <message>
+        <source>Too little structure is shared to tell whether the bend is right.</source>
+        <translation>Die Volumen haben zu wenig Struktur gemeinsam, um die Verformung zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Too little structure is shared to tell: bent, the volumes reach %1.</source>
+        <translation>Die Volumen haben zu wenig Struktur gemeinsam für ein Urteil: Verformt erreichen sie %1.</translation>
+    </message>
+    <message>
+        <source>True or False</source>
+        <translation>True oder False</translation>
+    </message>
+    <message>
+        <source>Two different poses agree almost equally (margin %1): the structure repeats, a close start or landmarks must choose%2.</source>
+        <translation>Zwei verschiedene Lagen stimmen fast gleich gut überein (Abstand %1): Die Struktur wiederholt sich, ein naher Anfang oder Landmarken müssen entscheiden%2.</translation>
+    </message>
+    <message>
+        <source>Two places are too few: a turn needs three places that are not on one line.</source>
+        <translation>Zwei Stellen sind zu wenig: Eine Drehung braucht drei Stellen, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>Two planes of %1 lie in the same place; export the volume again.</source>
+        <translation>Zwei Ebenen von %1 liegen am selben Ort; das Volumen neu exportieren.</translation>
+    </message>
+    <message>
+        <source>Two sweeps of the case are called &apos;%1&apos;; give each a name of its own.</source>
+        <translation>Zwei Schwenks des Falls heißen „%1“; jedem einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Unfolding</source>
+        <translation>Faltungen werden entfernt</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of the case cannot be kept in &apos;%1&apos; (%2), so a crash would lose them; save the case often.</source>
+        <translation>Ungespeicherte Änderungen des Falls lassen sich nicht in „%1“ aufheben (%2), ein Absturz würde sie also verlieren; den Fall oft speichern.</translation>
+    </message>
+    <message>
+        <source>Volume %1 of %2 was read, %3 s after the first.</source>
+        <translation>Volumen %1 von %2 wurde gelesen, %3 s nach dem ersten.</translation>
+    </message>
+    <message>
+        <source>Volume %1 of %2 was read.</source>
+        <translation>Volumen %1 von %2 wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; cannot be stitched. %2</source>
+        <translation>Das Volumen „%1“ kann nicht verbunden werden. %2</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; contributed nothing: none of its voxels are covered.</source>
+        <translation>Das Volumen „%1“ trug nichts bei: Keines seiner Voxel ist erfasst.</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; contributed nothing: other volumes show all that it covers better.</source>
+        <translation>Das Volumen „%1“ trug nichts bei: Andere Volumen zeigen alles besser, was es erfasst.</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; has no coverage, so its black voxels count as measured and darken the blend; give its coverage file if there is one.</source>
+        <translation>Das Volumen „%1“ hat keine Abdeckung, sodass seine schwarzen Voxel als gemessen gelten und die Mischung abdunkeln; bitte die Abdeckungsdatei angeben, falls es eine gibt.</translation>
+    </message>
+    <message>
+        <source>Volume &apos;%1&apos; is not in the result: no pair that can be believed holds it to the others.</source>
+        <translation>Das Volumen „%1“ ist nicht im Ergebnis: Kein Paar, dem zu trauen ist, hält es an den anderen.</translation>
+    </message>
+    <message>
+        <source>Waiting for another EchoWeave that prepares the same case</source>
+        <translation>Es wird auf ein anderes EchoWeave gewartet, das denselben Fall vorbereitet</translation>
+    </message>
+    <message>
+        <source>Waiting for another program was cancelled.</source>
+        <translation>Das Warten auf ein anderes Programm wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Warping the moving volume</source>
+        <translation>Das bewegte Volumen wird verformt</translation>
+    </message>
+    <message>
+        <source>Warping the moving volume was cancelled.</source>
+        <translation>Das Verformen des bewegten Volumens wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Watching the images move</source>
+        <translation>Die Bewegung der Bilder wird verfolgt</translation>
+    </message>
+    <message>
+        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies %1 and %2 degrees elsewhere. A tracker, landmarks or the direction of the beams can decide.</source>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie liegt die Lage %1 und %2° anderswo. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
+    </message>
+    <message>
+        <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes agree hardly better than unrelated tissue does%1.</source>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe%1.</translation>
+    </message>
+    <message>
+        <source>What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.</source>
+        <translation>Was sich bewegt, ändert sich entlang des Schwenks; wo ein Teil endet und der nächste beginnt, kann die Phase springen.</translation>
+    </message>
+    <message>
+        <source>What was there before could not be put back and lies in &apos;%1&apos;.</source>
+        <translation>Was vorher dort war, ließ sich nicht zurücklegen und liegt in „%1“.</translation>
+    </message>
+    <message>
+        <source>With %1 samples a second R peaks are timed to about %2 ms.</source>
+        <translation>Bei %1 Abtastwerten je Sekunde ist die Zeit der R-Zacken auf etwa %2 ms genau.</translation>
+    </message>
+    <message>
+        <source>With this delay no frame has a pose; check the delay, it is in seconds.</source>
+        <translation>Mit dieser Verzögerung hat kein Bild eine Lage; die Verzögerung prüfen, sie ist in Sekunden.</translation>
+    </message>
+    <message>
+        <source>With voxels of %1 mm the whole recording would be one voxel; use a finer spacing, or check the calibration for a wrong scale.</source>
+        <translation>Mit Voxeln von %1 mm wäre die ganze Aufnahme ein einziger Voxel; einen feineren Voxelabstand nehmen oder die Kalibrierung auf einen falschen Maßstab prüfen.</translation>
+    </message>
+    <message>
+        <source>Without information, and left out: %1.</source>
+        <translation>Ohne Information und weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Work on %1 was stopped as you asked; nothing was changed.</source>
+        <translation>Die Arbeit an %1 wurde wie gewünscht angehalten; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Writing %1 was stopped; nothing was left of it.</source>
+        <translation>Das Schreiben von %1 wurde angehalten; nichts davon blieb zurück.</translation>
+    </message>
+    <message>
+        <source>Writing confidence</source>
+        <translation>Verlässlichkeit wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing coverage</source>
+        <translation>Abdeckung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing frames</source>
+        <translation>Bilder werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing out the displacements</source>
+        <translation>Verschiebungen werden ausgeschrieben</translation>
+    </message>
+    <message>
+        <source>Writing out the displacements was cancelled.</source>
+        <translation>Das Ausschreiben der Verschiebungen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Writing picture</source>
+        <translation>Bild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing sources</source>
+        <translation>Quellen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing vectors</source>
+        <translation>Vektoren werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing voxels</source>
+        <translation>Voxel werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrong, and left out, are %1.</source>
+        <translation>Falsch und weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>Wrong, and left out, is %1.</source>
+        <translation>Falsch und weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>a ProbeToWorldTransform and a Timestamp</source>
+        <translation>eine ProbeToWorldTransform und ein Timestamp</translation>
+    </message>
+    <message>
+        <source>a UUID or a short name of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;, starting with a letter or digit, at most 100 characters</source>
+        <translation>eine UUID oder ein kurzer Name aus Buchstaben, Ziffern, „-“, „_“ und „.“, mit einem Buchstaben oder einer Ziffer am Anfang und höchstens 100 Zeichen</translation>
+    </message>
+    <message>
+        <source>a closing parenthesis</source>
+        <translation>eine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>a comma or a closing parenthesis</source>
+        <translation>ein Komma oder eine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>a correlation of %1 over %2 of the smaller volume</source>
+        <translation>eine Korrelation von %1 über %2 des kleineren Volumens</translation>
+    </message>
+    <message>
+        <source>a coverage value</source>
+        <translation>ein Wert der Abdeckung</translation>
+    </message>
+    <message>
+        <source>a depth below held_depth_mm</source>
+        <translation>eine Tiefe unter held_depth_mm</translation>
+    </message>
+    <message>
+        <source>a depth in mm, 0 for half of the depth, or a list of up to %1 depths</source>
+        <translation>eine Tiefe in mm, 0 für die halbe Tiefe oder eine Liste von bis zu %1 Tiefen</translation>
+    </message>
+    <message>
+        <source>a dimension is no count</source>
+        <translation>eine Dimension ist keine Anzahl</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>a direction across the beam</source>
+        <translation>eine Richtung quer zum Strahl</translation>
+    </message>
+    <message>
+        <source>a distance along a line of %1 mm</source>
+        <translation>ein Abstand entlang einer Linie von %1 mm</translation>
+    </message>
+    <message>
+        <source>a distance without a line</source>
+        <translation>ein Abstand ohne Linie</translation>
+    </message>
+    <message>
+        <source>a divisor that is not 0</source>
+        <translation>ein Divisor, der nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>a factor; 1 is neutral</source>
+        <translation>ein Faktor; 1 ist neutral</translation>
+    </message>
+    <message>
+        <source>a field without a name</source>
+        <translation>ein Feld ohne Namen</translation>
+    </message>
+    <message>
+        <source>a file name</source>
+        <translation>ein Dateiname</translation>
+    </message>
+    <message>
+        <source>a file of resources/mannequin or of the case folder, or &quot;&quot; for the default</source>
+        <translation>eine Datei aus resources/mannequin oder aus dem Fallordner, oder &quot;&quot; für den üblichen</translation>
+    </message>
+    <message>
+        <source>a frame described before this one</source>
+        <translation>ein davor beschriebenes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>a label that no other tissue of the list has</source>
+        <translation>ein label, das kein anderes Gewebe der Liste hat</translation>
+    </message>
+    <message>
+        <source>a larger depth than from_depth_mm</source>
+        <translation>eine größere Tiefe als from_depth_mm</translation>
+    </message>
+    <message>
+        <source>a length above 0</source>
+        <translation>eine Länge über 0</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>a list of %1 entries</source>
+        <translation>eine Liste von %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>a list of %1 factors of at least 0, near to far (1 is neutral)</source>
+        <translation>eine Liste von %1 Faktoren von mindestens 0, von nah nach fern (1 ist neutral)</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers from %2 to %3</source>
+        <translation>eine Liste von %1 Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 rising numbers from %2 to %3, %4 among them</source>
+        <translation>eine Liste von 1 bis %1 steigenden Zahlen von %2 bis %3, darunter %4</translation>
+    </message>
+    <message>
+        <source>a list of 1 to %1 volumes</source>
+        <translation>eine Liste von 1 bis %1 Volumen</translation>
+    </message>
+    <message>
+        <source>a list of 1 to 20 virtual sweeps of the recipe inside the case folder, as relative paths such as &quot;sweeps/subcostal.json&quot;</source>
+        <translation>eine Liste von 1 bis 20 virtuellen Schwenks des Rezepts im Fallordner, als relative Pfade wie &quot;sweeps/subcostal.json&quot;</translation>
+    </message>
+    <message>
+        <source>a list of at least three when the method is &quot;landmarks&quot;</source>
+        <translation>eine Liste von mindestens drei, wenn das Verfahren „landmarks“ ist</translation>
+    </message>
+    <message>
+        <source>a list of at most %1 entries</source>
+        <translation>eine Liste von höchstens %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>a list of events</source>
+        <translation>eine Liste von Ereignissen</translation>
+    </message>
+    <message>
+        <source>a list of objects with fixed_mm and moving_mm</source>
+        <translation>eine Liste von Objekten mit fixed_mm und moving_mm</translation>
+    </message>
+    <message>
+        <source>a list of objects with kind and name: what is to be found</source>
+        <translation>eine Liste von Objekten mit kind und name: was zu finden ist</translation>
+    </message>
+    <message>
+        <source>a list of objects with name and tolerance: what is to be measured</source>
+        <translation>eine Liste von Objekten mit name und tolerance: was zu messen ist</translation>
+    </message>
+    <message>
+        <source>a list of objects with view, at_mm and radius_mm</source>
+        <translation>eine Liste von Objekten mit view, at_mm und radius_mm</translation>
+    </message>
+    <message>
+        <source>a list of objects with when, kind and findings</source>
+        <translation>eine Liste von Objekten mit when, kind und findings</translation>
+    </message>
+    <message>
+        <source>a list of objects, each with its own label</source>
+        <translation>eine Liste von Objekten, jedes mit eigenem label</translation>
+    </message>
+    <message>
+        <source>a list of pairs</source>
+        <translation>eine Liste von Paaren</translation>
+    </message>
+    <message>
+        <source>a list of probe ids</source>
+        <translation>eine Liste von Kennungen von Schallköpfen</translation>
+    </message>
+    <message>
+        <source>a list of texts: what a good report of this examination says</source>
+        <translation>eine Liste von Texten: was ein guter Befundbericht dieser Untersuchung sagt</translation>
+    </message>
+    <message>
+        <source>a list of words such as &quot;panel&quot; or &quot;command:stitch&quot;</source>
+        <translation>eine Liste von Wörtern wie &quot;panel&quot; oder &quot;command:stitch&quot;</translation>
+    </message>
+    <message>
+        <source>a magnification</source>
+        <translation>eine Vergrößerung</translation>
+    </message>
+    <message>
+        <source>a marker stands where an element was expected</source>
+        <translation>eine Marke steht, wo ein Element erwartet wurde</translation>
+    </message>
+    <message>
+        <source>a multiple of %1</source>
+        <translation>ein Vielfaches von %1</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a name of %1 bytes</source>
+        <translation>ein Name von %1 Byte</translation>
+    </message>
+    <message>
+        <source>a name of 1 to 200 characters</source>
+        <translation>ein Name mit 1 bis 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>a name that is not taken yet</source>
+        <translation>ein Name, der noch nicht vergeben ist</translation>
+    </message>
+    <message>
+        <source>a name that no other volume has</source>
+        <translation>ein Name, den kein anderes Volumen hat</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a number above 0, in the measurement&apos;s unit</source>
+        <translation>eine Zahl über 0, in der Einheit der Messung</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number from -150 to 0 (below full white)</source>
+        <translation>eine Zahl von -150 bis 0 (unter vollem Weiß)</translation>
+    </message>
+    <message>
+        <source>a number from -150 to 0 (where the compensation ends)</source>
+        <translation>eine Zahl von -150 bis 0 (wo der Ausgleich endet)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100</source>
+        <translation>eine Zahl von 0 bis 100</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100 (lost on entering)</source>
+        <translation>eine Zahl von 0 bis 100 (Verlust beim Eintritt)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100 (one way)</source>
+        <translation>eine Zahl von 0 bis 100 (einfacher Weg)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 100, in mm</source>
+        <translation>eine Zahl von 0 bis 100, in mm</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1000, in mm</source>
+        <translation>eine Zahl von 0 bis 1000, in mm</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 180, in degrees</source>
+        <translation>eine Zahl von 0 bis 180, in Grad</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 255 (grey levels up to here take nothing)</source>
+        <translation>eine Zahl von 0 bis 255 (Grauwerte bis hierher schwächen nicht)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 3 (1 as physics has it)</source>
+        <translation>eine Zahl von 0 bis 3 (1 wie in der Physik)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 3 (what the machine compensates)</source>
+        <translation>eine Zahl von 0 bis 3 (was das Gerät ausgleicht)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 3 (with depth)</source>
+        <translation>eine Zahl von 0 bis 3 (mit der Tiefe)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 30</source>
+        <translation>eine Zahl von 0 bis 30</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 50 (gaps that gel fills)</source>
+        <translation>eine Zahl von 0 bis 50 (Spalte, die das Gel füllt)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 60 (lost in them)</source>
+        <translation>eine Zahl von 0 bis 60 (Verlust darin)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 60 (of mirror images)</source>
+        <translation>eine Zahl von 0 bis 60 (von Spiegelbildern)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 60 (there and back)</source>
+        <translation>eine Zahl von 0 bis 60 (hin und zurück)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 60 (where the amplifier ends)</source>
+        <translation>eine Zahl von 0 bis 60 (wo der Verstärker endet)</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 100, in mm</source>
+        <translation>eine Zahl von 0,1 bis 100, in mm</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 1000, in mm</source>
+        <translation>eine Zahl von 0,1 bis 1000, in mm</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 180, of a plane</source>
+        <translation>eine Zahl von 0,1 bis 180, bei einer Ebene</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 200, of a plane</source>
+        <translation>eine Zahl von 0,1 bis 200, bei einer Ebene</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 200, of a point</source>
+        <translation>eine Zahl von 0,1 bis 200, bei einem Punkt</translation>
+    </message>
+    <message>
+        <source>a number from 0.1 to 4 (of the probe&apos;s own thickness)</source>
+        <translation>eine Zahl von 0,1 bis 4 (bezogen auf die Schichtdicke des Schallkopfs)</translation>
+    </message>
+    <message>
+        <source>a number from 0.5 to 100 (length of the lines under air)</source>
+        <translation>eine Zahl von 0,5 bis 100 (Länge der Linien unter Luft)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 10</source>
+        <translation>eine Zahl von 1 bis 10</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 1000, in mm</source>
+        <translation>eine Zahl von 1 bis 1000, in mm</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 16</source>
+        <translation>eine Zahl von 1 bis 16</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 256 (grey levels from here on are strong interfaces)</source>
+        <translation>eine Zahl von 1 bis 256 (Grauwerte ab hier sind starke Grenzflächen)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 256 (grey levels from here on reflect)</source>
+        <translation>eine Zahl von 1 bis 256 (Grauwerte ab hier reflektieren)</translation>
+    </message>
+    <message>
+        <source>a number from 20 to 120 (what grey 0 to 255 spans)</source>
+        <translation>eine Zahl von 20 bis 120 (was Grau 0 bis 255 umspannt)</translation>
+    </message>
+    <message>
+        <source>a number of axes from 1 to 7</source>
+        <translation>eine Zahl der Achsen von 1 bis 7</translation>
+    </message>
+    <message>
+        <source>a number of bytes</source>
+        <translation>eine Zahl von Byte</translation>
+    </message>
+    <message>
+        <source>a number of bytes or -1</source>
+        <translation>eine Zahl von Byte oder -1</translation>
+    </message>
+    <message>
+        <source>a number of millimetres</source>
+        <translation>eine Zahl von Millimetern</translation>
+    </message>
+    <message>
+        <source>a number or an expression</source>
+        <translation>eine Zahl oder ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>a number or an expression that begins with =</source>
+        <translation>eine Zahl oder ein Ausdruck, der mit = beginnt</translation>
+    </message>
+    <message>
+        <source>a number other than 0</source>
+        <translation>eine andere Zahl als 0</translation>
+    </message>
+    <message>
+        <source>a number that fits %1 samples</source>
+        <translation>eine Zahl, die in einen Abtastwert passt (%1)</translation>
+    </message>
+    <message>
+        <source>a number up to 100, in mm, or 0 for the finest of the volumes</source>
+        <translation>eine Zahl bis 100, in mm, oder 0 für den feinsten Abstand der Volumen</translation>
+    </message>
+    <message>
+        <source>a number up to 100, in mm, or 0 to choose it from the sweep</source>
+        <translation>eine Zahl bis 100, in mm, oder 0, um sie aus dem Schwenk zu wählen</translation>
+    </message>
+    <message>
+        <source>a number, a name or an opening parenthesis</source>
+        <translation>eine Zahl, ein Name oder eine öffnende Klammer</translation>
+    </message>
+    <message>
+        <source>a place at least 1 mm away from it</source>
+        <translation>ein mindestens 1 mm davon entfernter Ort</translation>
+    </message>
+    <message>
+        <source>a place inside the section</source>
+        <translation>ein Ort im Querschnitt</translation>
+    </message>
+    <message>
+        <source>a place near the skin</source>
+        <translation>ein Ort nahe der Haut</translation>
+    </message>
+    <message>
+        <source>a place, or &quot;place&quot;: &quot;largest&quot; or &quot;smallest&quot; of a tube</source>
+        <translation>ein Ort oder &quot;place&quot;: &quot;largest&quot; oder &quot;smallest&quot; eines Rohrs</translation>
+    </message>
+    <message>
+        <source>a plane of a patient, and the case has no recipe</source>
+        <translation>eine Ebene eines Patienten, und der Fall hat kein Rezept</translation>
+    </message>
+    <message>
+        <source>a plane with probe_to_world</source>
+        <translation>eine Ebene mit probe_to_world</translation>
+    </message>
+    <message>
+        <source>a point or a plane</source>
+        <translation>ein Punkt oder eine Ebene</translation>
+    </message>
+    <message>
+        <source>a point to look at, as the probe is not on the skin</source>
+        <translation>ein Punkt, auf den zu blicken ist, da der Schallkopf nicht auf der Haut liegt</translation>
+    </message>
+    <message>
+        <source>a probe id such as &quot;convex-3.5&quot;</source>
+        <translation>die Kennung eines Schallkopfs wie &quot;convex-3.5&quot;</translation>
+    </message>
+    <message>
+        <source>a probe that is not on the skin needs it</source>
+        <translation>ein Schallkopf, der nicht auf der Haut liegt, braucht es</translation>
+    </message>
+    <message>
+        <source>a recipe that does not extend this one in turn</source>
+        <translation>ein Rezept, das nicht seinerseits dieses erweitert</translation>
+    </message>
+    <message>
+        <source>a relative path such as &quot;sweeps/subcostal.json&quot;</source>
+        <translation>ein relativer Pfad wie &quot;sweeps/subcostal.json&quot;</translation>
+    </message>
+    <message>
+        <source>a result that is finite</source>
+        <translation>ein endliches Ergebnis</translation>
+    </message>
+    <message>
+        <source>a sample</source>
+        <translation>ein Abtastwert</translation>
+    </message>
+    <message>
+        <source>a sentence saying what the plugin does</source>
+        <translation>ein Satz, der sagt, was die Erweiterung tut</translation>
+    </message>
+    <message>
+        <source>a sequence holds something that is no item</source>
+        <translation>eine Sequenz enthält etwas, das kein Item ist</translation>
+    </message>
+    <message>
+        <source>a shape</source>
+        <translation>eine Form</translation>
+    </message>
+    <message>
+        <source>a shape described before this one</source>
+        <translation>eine vor dieser beschriebene Form</translation>
+    </message>
+    <message>
+        <source>a short name of letters, digits, &apos;-&apos; and &apos;_&apos;, starting with a letter</source>
+        <translation>ein kurzer Name aus Buchstaben, Ziffern, „-“ und „_“, mit einem Buchstaben am Anfang</translation>
+    </message>
+    <message>
+        <source>a shorter one</source>
+        <translation>eine kürzere</translation>
+    </message>
+    <message>
+        <source>a shorter one, or a wider way from held to free</source>
+        <translation>eine kürzere oder ein breiterer Übergang von gehalten zu frei</translation>
+    </message>
+    <message>
+        <source>a spacing is not above 0 mm</source>
+        <translation>ein Abstand ist nicht über 0 mm</translation>
+    </message>
+    <message>
+        <source>a structure of a patient, and the case has no recipe</source>
+        <translation>eine Struktur eines Patienten, und der Fall hat kein Rezept</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a text of %1 bytes</source>
+        <translation>ein Text von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>a text of at most %1 bytes</source>
+        <translation>ein Text von höchstens %1 Byte</translation>
+    </message>
+    <message>
+        <source>a text of at most 200 bytes</source>
+        <translation>ein Text von höchstens 200 Byte</translation>
+    </message>
+    <message>
+        <source>a time in seconds</source>
+        <translation>eine Zeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>a title of 1 to 200 characters</source>
+        <translation>ein Titel mit 1 bis 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>a title of 1 to 200 characters that gives no finding away; without it a trainee reads the title</source>
+        <translation>ein Titel mit 1 bis 200 Zeichen, der keinen Befund verrät; ohne ihn lesen Lernende den Titel</translation>
+    </message>
+    <message>
+        <source>a transform&apos;s name</source>
+        <translation>der Name einer Transformation</translation>
+    </message>
+    <message>
+        <source>a tube that runs up or down all along, never turning back or running level</source>
+        <translation>ein Rohr, das durchgehend auf- oder absteigt, ohne umzukehren oder waagerecht zu verlaufen</translation>
+    </message>
+    <message>
+        <source>a tube, or at_mm in place of %1</source>
+        <translation>ein Rohr oder at_mm anstelle von %1</translation>
+    </message>
+    <message>
+        <source>a type from MET_UCHAR to MET_DOUBLE</source>
+        <translation>ein Typ von MET_UCHAR bis MET_DOUBLE</translation>
+    </message>
+    <message>
+        <source>a type from uchar to double</source>
+        <translation>ein Typ von uchar bis double</translation>
+    </message>
+    <message>
+        <source>a version such as &quot;1.2.0&quot;</source>
+        <translation>eine Version wie &quot;1.2.0&quot;</translation>
+    </message>
+    <message>
+        <source>a virtual patient inside the case folder, as a relative path such as &quot;patient.json&quot;</source>
+        <translation>ein virtueller Patient im Fallordner, als relativer Pfad wie &quot;patient.json&quot;</translation>
+    </message>
+    <message>
+        <source>a volume file inside the case folder, as a relative path such as &quot;volumes/abdomen.mha&quot;</source>
+        <translation>eine Volumendatei im Fallordner, als relativer Pfad wie &quot;volumes/abdomen.mha&quot;</translation>
+    </message>
+    <message>
+        <source>a volume file of labels (one 8 bit unsigned number a voxel) inside the case folder, as a relative path; beside a file alone, for a recipe makes its own</source>
+        <translation>eine Volumendatei mit Labels (je Voxel eine vorzeichenlose 8-Bit-Zahl) im Fallordner, als relativer Pfad; nur neben einer Datei, denn ein Rezept macht seine eigenen</translation>
+    </message>
+    <message>
+        <source>a voxel spacing from 0.1 to 10 mm</source>
+        <translation>ein Voxelabstand von 0,1 bis 10 mm</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number above 0</source>
+        <translation>eine ganze Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a whole number from %1</source>
+        <translation>eine ganze Zahl ab %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 130</source>
+        <translation>eine ganze Zahl von 0 bis 130</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 255</source>
+        <translation>eine ganze Zahl von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>a whole number from 1</source>
+        <translation>eine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 6</source>
+        <translation>eine ganze Zahl von 1 bis 6</translation>
+    </message>
+    <message>
+        <source>a word</source>
+        <translation>ein Wort</translation>
+    </message>
+    <message>
+        <source>above 0</source>
+        <translation>ein Wert über 0</translation>
+    </message>
+    <message>
+        <source>above 0 and at most 1</source>
+        <translation>über 0 und höchstens 1</translation>
+    </message>
+    <message>
+        <source>above 0 and at most 100</source>
+        <translation>ein Wert über 0 und höchstens 100</translation>
+    </message>
+    <message>
+        <source>above 0 and below 0.9</source>
+        <translation>ein Wert über 0 und unter 0,9</translation>
+    </message>
+    <message>
+        <source>above 0, or 0 together with the other one when recorded places are exact</source>
+        <translation>über 0, oder 0 zusammen mit dem anderen, wenn aufgezeichnete Lagen genau sind</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>ausgerichtet</translation>
+    </message>
+    <message>
+        <source>along the beam</source>
+        <translation>entlang des Strahls</translation>
+    </message>
+    <message>
+        <source>an axis of the planes that lies behind the first samples</source>
+        <translation>eine Achse der Ebenen, die hinter den ersten Abtastwerten liegt</translation>
+    </message>
+    <message>
+        <source>an element has no value representation</source>
+        <translation>ein Element hat keine Value Representation</translation>
+    </message>
+    <message>
+        <source>an event that this program knows</source>
+        <translation>ein Ereignis, das dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>an expression of at most %1 characters</source>
+        <translation>ein Ausdruck von höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>an invented name of at most 200 characters</source>
+        <translation>ein erfundener Name mit höchstens 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an object that names either a file or a recipe, and where the volume lies (file_to_world)</source>
+        <translation>ein Objekt, das entweder eine Datei oder ein Rezept nennt und sagt, wo das Volumen liegt (file_to_world)</translation>
+    </message>
+    <message>
+        <source>an object that says how the sweeps become the volume</source>
+        <translation>ein Objekt, das sagt, wie die Schwenks zum Volumen werden</translation>
+    </message>
+    <message>
+        <source>an object with %1 fields</source>
+        <translation>ein Objekt mit %1 Feldern</translation>
+    </message>
+    <message>
+        <source>an object with a label</source>
+        <translation>ein Objekt mit label</translation>
+    </message>
+    <message>
+        <source>an object with a section of each plugin that keeps something in the case</source>
+        <translation>ein Objekt mit einem Abschnitt jeder Erweiterung, die etwas im Fall aufhebt</translation>
+    </message>
+    <message>
+        <source>an object with default, lowest, highest and unit</source>
+        <translation>ein Objekt mit default, lowest, highest und unit</translation>
+    </message>
+    <message>
+        <source>an object with kind and name</source>
+        <translation>ein Objekt mit kind und name</translation>
+    </message>
+    <message>
+        <source>an object with lowest_mm and highest_mm</source>
+        <translation>ein Objekt mit lowest_mm und highest_mm</translation>
+    </message>
+    <message>
+        <source>an object with name, sex and age_years</source>
+        <translation>ein Objekt mit name, sex und age_years</translation>
+    </message>
+    <message>
+        <source>an object with one entry for each name, of at most %1 entries</source>
+        <translation>ein Objekt mit einem Eintrag je Name und höchstens %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>an object with the effects the scene calls for</source>
+        <translation>ein Objekt mit den Effekten, die die Szene verlangt</translation>
+    </message>
+    <message>
+        <source>an object with the fields of a case</source>
+        <translation>ein Objekt mit den Feldern eines Falls</translation>
+    </message>
+    <message>
+        <source>an object with the fields of a plugin manifest</source>
+        <translation>ein Objekt mit den Feldern der Beschreibung einer Erweiterung</translation>
+    </message>
+    <message>
+        <source>an object with the name of a measurement of the patient</source>
+        <translation>ein Objekt mit dem Namen einer Messung des Patienten</translation>
+    </message>
+    <message>
+        <source>an object with when, kind and findings, each a text</source>
+        <translation>ein Objekt mit when, kind und findings, jeweils als Text</translation>
+    </message>
+    <message>
+        <source>an odd number from %1 to %2</source>
+        <translation>eine ungerade Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>an operator in place of &quot;%1&quot;</source>
+        <translation>ein Operator anstelle von „%1“</translation>
+    </message>
+    <message>
+        <source>an organ of the patient, of a structure</source>
+        <translation>ein Organ des Patienten, bei einer Struktur</translation>
+    </message>
+    <message>
+        <source>angles that go to and fro</source>
+        <translation>Winkel, die hin und her gehen</translation>
+    </message>
+    <message>
+        <source>angles that rise or fall throughout</source>
+        <translation>Winkel, die durchweg steigen oder fallen</translation>
+    </message>
+    <message>
+        <source>angles within 89 degrees of pi / 2</source>
+        <translation>Winkel höchstens 89 Grad von pi / 2</translation>
+    </message>
+    <message>
+        <source>another kind of picture</source>
+        <translation>eine andere Art Bild</translation>
+    </message>
+    <message>
+        <source>another volume than fixed</source>
+        <translation>ein anderes Volumen als fixed</translation>
+    </message>
+    <message>
+        <source>any amount</source>
+        <translation>beliebig viel</translation>
+    </message>
+    <message>
+        <source>any distance</source>
+        <translation>beliebig viel</translation>
+    </message>
+    <message>
+        <source>at %1 has no skin within %2 mm</source>
+        <translation>hat bei %1 keine Haut innerhalb von %2 mm</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at least one frame</source>
+        <translation>mindestens ein Bild</translation>
+    </message>
+    <message>
+        <source>at least one value per sample</source>
+        <translation>mindestens ein Wert je Abtastwert</translation>
+    </message>
+    <message>
+        <source>at most %1 in all organs, a shared one counted at every use</source>
+        <translation>höchstens %1 in allen Organen, ein gemeinsamer bei jeder Verwendung gezählt</translation>
+    </message>
+    <message>
+        <source>at most %1 nested parentheses</source>
+        <translation>höchstens %1 geschachtelte Klammern</translation>
+    </message>
+    <message>
+        <source>at most %1 shapes inside one another</source>
+        <translation>höchstens %1 ineinander geschachtelte Formen</translation>
+    </message>
+    <message>
+        <source>at most %1 solids and %2 shapes inside one another</source>
+        <translation>höchstens %1 Volumenkörper und %2 ineinander geschachtelte Formen</translation>
+    </message>
+    <message>
+        <source>at most 50; place the volumes first</source>
+        <translation>höchstens 50 (größere Abstände vorher durch Platzieren beheben)</translation>
+    </message>
+    <message>
+        <source>at most 60 mm</source>
+        <translation>höchstens 60 mm</translation>
+    </message>
+    <message>
+        <source>at near_mm</source>
+        <translation>bei near_mm</translation>
+    </message>
+    <message>
+        <source>away from the body</source>
+        <translation>vom Körper entfernt</translation>
+    </message>
+    <message>
+        <source>beam angles (C300/0002)</source>
+        <translation>Strahlwinkel (C300/0002)</translation>
+    </message>
+    <message>
+        <source>beams (C000/0002)</source>
+        <translation>Strahlen (C000/0002)</translation>
+    </message>
+    <message>
+        <source>below full white</source>
+        <translation>unter vollem Weiß</translation>
+    </message>
+    <message>
+        <source>between 0 and 1</source>
+        <translation>ein Wert zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>both %1 and %2</source>
+        <translation>sowohl %1 als auch %2</translation>
+    </message>
+    <message>
+        <source>both before and after another</source>
+        <translation>sowohl vor als auch nach einem anderen</translation>
+    </message>
+    <message>
+        <source>by hand, not checked</source>
+        <translation>von Hand, nicht geprüft</translation>
+    </message>
+    <message>
+        <source>by landmarks, %1</source>
+        <translation>nach Landmarken, %1</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>unklar</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Veränderung</translation>
+    </message>
+    <message>
+        <source>choose a smaller probe or another place</source>
+        <translation>einen kleineren Schallkopf oder eine andere Stelle wählen</translation>
+    </message>
+    <message>
+        <source>choose one of those frames, or give the device set (.xml) that leads on</source>
+        <translation>einen dieser Rahmen wählen oder die Gerätedatei (.xml) angeben, die weiterführt</translation>
+    </message>
+    <message>
+        <source>colour bar</source>
+        <translation>Farbbalken</translation>
+    </message>
+    <message>
+        <source>colour flow</source>
+        <translation>Farbdoppler</translation>
+    </message>
+    <message>
+        <source>compressed</source>
+        <translation>komprimiert</translation>
+    </message>
+    <message>
+        <source>correlates what does not vary</source>
+        <translation>korreliert, was nicht variiert</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>distance of samples (C100/0001)</source>
+        <translation>Abstand der Abtastwerte (C100/0001)</translation>
+    </message>
+    <message>
+        <source>distances in mm</source>
+        <translation>Abstände in mm</translation>
+    </message>
+    <message>
+        <source>does not say where it looks (towards_mm)</source>
+        <translation>sagt nicht, wohin sie blickt (towards_mm)</translation>
+    </message>
+    <message>
+        <source>entries, first value and 8 or 16 bits</source>
+        <translation>Zahl der Einträge, erster Wert und 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>fewer than two cycles can be seen</source>
+        <translation>es sind weniger als zwei Zyklen zu sehen</translation>
+    </message>
+    <message>
+        <source>finite vectors of 2 or 3 numbers</source>
+        <translation>endliche Vektoren mit 2 oder 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>finite voxel sizes</source>
+        <translation>endliche Voxelgrößen</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>festen</translation>
+    </message>
+    <message>
+        <source>four numbers, [x, y, z, radius] in mm, with a radius from %1 to %2</source>
+        <translation>vier Zahlen, [x, y, z, Radius] in mm, mit einem Radius von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>from 0 to 180</source>
+        <translation>ein Wert von 0 bis 180</translation>
+    </message>
+    <message>
+        <source>from 0.1 to 10 mm</source>
+        <translation>von 0,1 bis 10 mm</translation>
+    </message>
+    <message>
+        <source>from 1 to 1000</source>
+        <translation>ein Wert von 1 bis 1000</translation>
+    </message>
+    <message>
+        <source>from 2 to 90</source>
+        <translation>ein Wert von 2 bis 90</translation>
+    </message>
+    <message>
+        <source>from_mm and to_mm, two places</source>
+        <translation>from_mm und to_mm, zwei Orte</translation>
+    </message>
+    <message>
+        <source>gaps that gel fills</source>
+        <translation>Spalte, die das Gel füllt</translation>
+    </message>
+    <message>
+        <source>give a point near the skin, or say &quot;on_skin&quot;: false to place the probe freely</source>
+        <translation>einen Punkt nahe der Haut angeben oder &quot;on_skin&quot;: false, um den Schallkopf frei zu platzieren</translation>
+    </message>
+    <message>
+        <source>give the device set (.xml) with the calibration from Image to Probe</source>
+        <translation>die Gerätedatei (.xml) mit der Kalibrierung von Image zu Probe angeben</translation>
+    </message>
+    <message>
+        <source>give the device set (.xml) with the calibration from Image to the tracked probe</source>
+        <translation>die Gerätedatei (.xml) mit der Kalibrierung von Image zur verfolgten Sonde angeben</translation>
+    </message>
+    <message>
+        <source>give the direction of the image&apos;s x axis, square to the beam</source>
+        <translation>die Richtung der x-Achse des Bildes angeben, senkrecht zum Strahl</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>given without a recipe</source>
+        <translation>ohne Rezept angegeben</translation>
+    </message>
+    <message>
+        <source>given without sweeps</source>
+        <translation>ohne Schwenks angegeben</translation>
+    </message>
+    <message>
+        <source>given, and the case has no recipe whose patient could know their values</source>
+        <translation>angegeben, und der Fall hat kein Rezept, dessen Patient die Werte kennen könnte</translation>
+    </message>
+    <message>
+        <source>grey bar</source>
+        <translation>Graukeil</translation>
+    </message>
+    <message>
+        <source>grey levels from here on are strong interfaces</source>
+        <translation>Graustufen von hier an sind starke Grenzflächen</translation>
+    </message>
+    <message>
+        <source>grey levels from here on reflect</source>
+        <translation>Graustufen von hier an reflektieren</translation>
+    </message>
+    <message>
+        <source>grey levels up to here take nothing</source>
+        <translation>Graustufen bis hierher dämpfen nicht</translation>
+    </message>
+    <message>
+        <source>has a lateral direction along its beam</source>
+        <translation>hat eine laterale Richtung entlang ihres Strahls</translation>
+    </message>
+    <message>
+        <source>has a negative variance</source>
+        <translation>hat eine negative Varianz</translation>
+    </message>
+    <message>
+        <source>has an entry that is not a number</source>
+        <translation>hat einen Eintrag, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>has correlations that cannot be together</source>
+        <translation>hat Korrelationen, die nicht zusammen bestehen können</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>is in a fold of the skin that the probe %1 does not fit into</source>
+        <translation>liegt in einer Hautfalte, in die der Schallkopf %1 nicht passt</translation>
+    </message>
+    <message>
+        <source>is not symmetric</source>
+        <translation>ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>sie lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>it ends early</source>
+        <translation>sie endet zu früh</translation>
+    </message>
+    <message>
+        <source>it ends inside a sequence</source>
+        <translation>sie endet mitten in einer Sequenz</translation>
+    </message>
+    <message>
+        <source>it ends inside an element of %1 bytes</source>
+        <translation>sie endet mitten in einem Element von %1 Byte</translation>
+    </message>
+    <message>
+        <source>it ends inside an element&apos;s head</source>
+        <translation>sie endet mitten im Kopf eines Elements</translation>
+    </message>
+    <message>
+        <source>it ends inside an item of a sequence</source>
+        <translation>sie endet mitten im Item einer Sequenz</translation>
+    </message>
+    <message>
+        <source>it ends inside an item&apos;s end</source>
+        <translation>sie endet vor dem Ende eines Items</translation>
+    </message>
+    <message>
+        <source>it ends inside the pixels</source>
+        <translation>sie endet mitten in den Pixeln</translation>
+    </message>
+    <message>
+        <source>it gives no size of a pixel</source>
+        <translation>sie nennt keine Größe eines Pixels</translation>
+    </message>
+    <message>
+        <source>it has a single R peak, which does not say how long a beat lasts</source>
+        <translation>es hat eine einzige R-Zacke, die nicht sagt, wie lang ein Schlag dauert</translation>
+    </message>
+    <message>
+        <source>it has no R peak</source>
+        <translation>es hat keine R-Zacke</translation>
+    </message>
+    <message>
+        <source>it has too few samples a second</source>
+        <translation>es hat zu wenige Abtastwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>it has too many elements</source>
+        <translation>sie hat zu viele Elemente</translation>
+    </message>
+    <message>
+        <source>it has too many fragments</source>
+        <translation>sie hat zu viele Fragmente</translation>
+    </message>
+    <message>
+        <source>it holds fewer than two full inspirations</source>
+        <translation>es enthält weniger als zwei volle Einatmungen</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a library of another kind of machine</source>
+        <translation>sie ist eine Bibliothek für eine andere Art von Rechner</translation>
+    </message>
+    <message>
+        <source>it is cut off</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is mirrored (left-handed)</source>
+        <translation>sie ist gespiegelt (linkshändig)</translation>
+    </message>
+    <message>
+        <source>it is no two-dimensional picture</source>
+        <translation>sie ist kein zweidimensionales Bild</translation>
+    </message>
+    <message>
+        <source>it is not a folder</source>
+        <translation>es ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>it is not a library</source>
+        <translation>sie ist keine Bibliothek</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is shorter than one heart beat</source>
+        <translation>es ist kürzer als ein Herzschlag</translation>
+    </message>
+    <message>
+        <source>it is shorter than two breaths</source>
+        <translation>es ist kürzer als zwei Atemzüge</translation>
+    </message>
+    <message>
+        <source>it names no file</source>
+        <translation>es nennt keine Datei</translation>
+    </message>
+    <message>
+        <source>it reaches beyond the picture of %1 x %2 pixels, so that it was made for another size</source>
+        <translation>sie reicht über das Bild von %1 × %2 Pixeln hinaus, wurde also für eine andere Größe gemacht</translation>
+    </message>
+    <message>
+        <source>its %1 and %2 axes are not orthogonal</source>
+        <translation>ihre Achsen %1 und %2 stehen nicht senkrecht aufeinander</translation>
+    </message>
+    <message>
+        <source>its %1 axis has length %2 instead of 1</source>
+        <translation>ihre %1-Achse hat die Länge %2 statt 1</translation>
+    </message>
+    <message>
+        <source>its beats are %1 s apart, too far for a heart</source>
+        <translation>seine Schläge liegen %1 s auseinander, zu weit für ein Herz</translation>
+    </message>
+    <message>
+        <source>its corners are missing or crossed</source>
+        <translation>ihre Ecken fehlen oder sind vertauscht</translation>
+    </message>
+    <message>
+        <source>its folder &apos;%1&apos; does not exist</source>
+        <translation>den Ordner „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>its last row is not 0 0 0 1</source>
+        <translation>ihre letzte Zeile ist nicht 0 0 0 1</translation>
+    </message>
+    <message>
+        <source>its line does not cross the two surfaces one after the other</source>
+        <translation>ihre Linie kreuzt die beiden Oberflächen nicht nacheinander</translation>
+    </message>
+    <message>
+        <source>its line does not enter %1</source>
+        <translation>ihre Linie tritt nicht in %1 ein</translation>
+    </message>
+    <message>
+        <source>its line does not leave %1 before it enters the other</source>
+        <translation>ihre Linie verlässt %1 nicht, bevor sie in das andere eintritt</translation>
+    </message>
+    <message>
+        <source>its neighbour could not be opened</source>
+        <translation>die Datei daneben ließ sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>its place does not lie inside %1</source>
+        <translation>ihr Ort liegt nicht in %1</translation>
+    </message>
+    <message>
+        <source>its units are not cm</source>
+        <translation>ihre Einheiten sind nicht cm</translation>
+    </message>
+    <message>
+        <source>larger than a cubic metre</source>
+        <translation>größer als ein Kubikmeter</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>left out, as at most %1 recipes extend one another</source>
+        <translation>weggelassen, denn höchstens %1 Rezepte erweitern einander</translation>
+    </message>
+    <message>
+        <source>left out, because a probe of the kind %1 has no such field</source>
+        <translation>weggelassen, denn ein Schallkopf der Art %1 hat kein solches Feld</translation>
+    </message>
+    <message>
+        <source>left out, or beside the recipe whose patient is swept</source>
+        <translation>weggelassen oder neben dem Rezept, dessen Patient geschallt wird, angegeben</translation>
+    </message>
+    <message>
+        <source>left out, or beside the sweeps it is about</source>
+        <translation>weggelassen oder neben den Schwenks, um die es geht, angegeben</translation>
+    </message>
+    <message>
+        <source>left out: only a fan motor has it</source>
+        <translation>weggelassen: Nur ein Fächermotor hat es</translation>
+    </message>
+    <message>
+        <source>left out: only a fan or a rotational motor has it</source>
+        <translation>weggelassen: Nur ein Fächer- oder ein Drehmotor hat es</translation>
+    </message>
+    <message>
+        <source>left out: only a hand has it</source>
+        <translation>weggelassen: Nur eine Hand hat es</translation>
+    </message>
+    <message>
+        <source>left out: only a parallel motor has it</source>
+        <translation>weggelassen: Nur ein paralleler Motor hat es</translation>
+    </message>
+    <message>
+        <source>length of the lines under air</source>
+        <translation>Länge der Linien unter Luft</translation>
+    </message>
+    <message>
+        <source>less growth, or a longer reach, so that no tissue is folded</source>
+        <translation>weniger Wachstum oder eine größere Reichweite, damit sich kein Gewebe faltet</translation>
+    </message>
+    <message>
+        <source>little or big</source>
+        <translation>little oder big</translation>
+    </message>
+    <message>
+        <source>look at a point inside the body</source>
+        <translation>auf einen Punkt im Körper blicken</translation>
+    </message>
+    <message>
+        <source>look at a point inside the body, less than 80 degrees from straight in</source>
+        <translation>auf einen Punkt im Körper blicken, weniger als 80 Grad von senkrecht nach innen</translation>
+    </message>
+    <message>
+        <source>looks along the skin or out of the body</source>
+        <translation>blickt entlang der Haut oder aus dem Körper heraus</translation>
+    </message>
+    <message>
+        <source>looks towards the very point where it stands</source>
+        <translation>blickt auf eben den Punkt, an dem sie steht</translation>
+    </message>
+    <message>
+        <source>lost in them</source>
+        <translation>Verlust darin</translation>
+    </message>
+    <message>
+        <source>lost on entering</source>
+        <translation>Verlust beim Eintritt</translation>
+    </message>
+    <message>
+        <source>made of too many solids, a shared one counted at every use, or of shapes that use one another too deeply</source>
+        <translation>aus zu vielen Volumenkörpern, ein gemeinsamer bei jeder Verwendung gezählt, oder aus Formen, die einander zu tief verwenden</translation>
+    </message>
+    <message>
+        <source>mannequin recipe</source>
+        <translation>Rezept des Übungskörpers</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>more than 10^19</source>
+        <translation>mehr als 10^19</translation>
+    </message>
+    <message>
+        <source>more than the depth before</source>
+        <translation>mehr als die Tiefe davor</translation>
+    </message>
+    <message>
+        <source>move it to where there is anatomy</source>
+        <translation>dorthin verschieben, wo Anatomie ist</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>bewegten</translation>
+    </message>
+    <message>
+        <source>name one of those frames as the target, or give the device set (.xml) that leads on</source>
+        <translation>einen dieser Rahmen als Ziel nennen oder die Gerätedatei (.xml) angeben, die weiterführt</translation>
+    </message>
+    <message>
+        <source>names from the %1 of the recipe that this one extends</source>
+        <translation>Namen aus %1 des Rezepts, das dieses erweitert</translation>
+    </message>
+    <message>
+        <source>nested too deeply</source>
+        <translation>zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>keine Art</translation>
+    </message>
+    <message>
+        <source>no 8 bit PGM</source>
+        <translation>kein PGM mit 8 Bit</translation>
+    </message>
+    <message>
+        <source>no R peaks stand out of the noise (%1 times its spread, %2 are needed)</source>
+        <translation>keine R-Zacken ragen aus dem Rauschen (das %1-fache seiner Streuung, nötig ist das %2-fache)</translation>
+    </message>
+    <message>
+        <source>no binary PGM</source>
+        <translation>kein binäres PGM</translation>
+    </message>
+    <message>
+        <source>no free name beside it</source>
+        <translation>kein freier Name daneben</translation>
+    </message>
+    <message>
+        <source>no parameter at all: this recipe has none</source>
+        <translation>gar kein Parameter: Dieses Rezept hat keinen</translation>
+    </message>
+    <message>
+        <source>no part of the centre line lies inside</source>
+        <translation>kein Teil der Mittellinie liegt innen</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>no reason was given</source>
+        <translation>ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>no such measurement</source>
+        <translation>keine solche Messung</translation>
+    </message>
+    <message>
+        <source>no such organ</source>
+        <translation>kein solches Organ</translation>
+    </message>
+    <message>
+        <source>no such standard plane</source>
+        <translation>keine solche Standardebene</translation>
+    </message>
+    <message>
+        <source>no whole number</source>
+        <translation>keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>not 1 to 3000 mm above lowest_mm</source>
+        <translation>nicht 1 bis 3000 mm über lowest_mm</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>not a usable name</source>
+        <translation>kein brauchbarer Name</translation>
+    </message>
+    <message>
+        <source>not above the section before it</source>
+        <translation>nicht über dem Querschnitt davor</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>nicht ausgerichtet</translation>
+    </message>
+    <message>
+        <source>not below from_depth_mm</source>
+        <translation>nicht unter from_depth_mm</translation>
+    </message>
+    <message>
+        <source>not known here</source>
+        <translation>hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not positive</source>
+        <translation>nicht positiv</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>nothing in it repeats (correlation %1 after one period, %2 is needed)</source>
+        <translation>nichts darin wiederholt sich (Korrelation %1 nach einer Periode, nötig ist %2)</translation>
+    </message>
+    <message>
+        <source>nothing in them repeats at %1 to %2 times a minute (confidence %3, %4 is needed)</source>
+        <translation>nichts in ihnen wiederholt sich %1- bis %2-mal je Minute (Verlässlichkeit %3, nötig ist %4)</translation>
+    </message>
+    <message>
+        <source>nothing of %1 is found</source>
+        <translation>von %1 ist nichts zu finden</translation>
+    </message>
+    <message>
+        <source>nothing usable</source>
+        <translation>nichts Brauchbares</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>of mirror images</source>
+        <translation>von Spiegelbildern</translation>
+    </message>
+    <message>
+        <source>of the probe&apos;s own thickness</source>
+        <translation>als Vielfaches der Dicke des Schallkopfs</translation>
+    </message>
+    <message>
+        <source>one entry for each pair of volumes</source>
+        <translation>ein Eintrag je Volumenpaar</translation>
+    </message>
+    <message>
+        <source>one finite vector</source>
+        <translation>ein endlicher Vektor</translation>
+    </message>
+    <message>
+        <source>one number per axis</source>
+        <translation>eine Zahl je Achse</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>one of at most %1</source>
+        <translation>einer von höchstens %1</translation>
+    </message>
+    <message>
+        <source>one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union</source>
+        <translation>eines von capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union</translation>
+    </message>
+    <message>
+        <source>one of its numbers is not finite</source>
+        <translation>eine ihrer Zahlen ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>one of the tissues (%1)</source>
+        <translation>eines der Gewebe (%1)</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>eines davon</translation>
+    </message>
+    <message>
+        <source>one or three spacings are needed</source>
+        <translation>ein oder drei Abstände sind nötig</translation>
+    </message>
+    <message>
+        <source>one shape</source>
+        <translation>eine einzige Form</translation>
+    </message>
+    <message>
+        <source>one solid too many with those of the organs before it</source>
+        <translation>ein Volumenkörper zu viel mit denen der Organe davor</translation>
+    </message>
+    <message>
+        <source>one station, from which the motor starts</source>
+        <translation>eine einzige Station, von der der Motor ausgeht</translation>
+    </message>
+    <message>
+        <source>one surface without the other</source>
+        <translation>eine Oberfläche ohne die andere</translation>
+    </message>
+    <message>
+        <source>one vector or none per axis</source>
+        <translation>ein Vektor oder none je Achse</translation>
+    </message>
+    <message>
+        <source>one way</source>
+        <translation>einfacher Weg</translation>
+    </message>
+    <message>
+        <source>one whole number per axis</source>
+        <translation>eine ganze Zahl je Achse</translation>
+    </message>
+    <message>
+        <source>one whole number per axis, none negative,</source>
+        <translation>eine ganze Zahl je Achse, keine negativ</translation>
+    </message>
+    <message>
+        <source>one whole number per dimension</source>
+        <translation>eine ganze Zahl je Dimension</translation>
+    </message>
+    <message>
+        <source>one whole number per dimension, none negative,</source>
+        <translation>eine ganze Zahl je Dimension, keine negativ</translation>
+    </message>
+    <message>
+        <source>only in a recipe that extends another</source>
+        <translation>nur in einem Rezept, das ein anderes erweitert</translation>
+    </message>
+    <message>
+        <source>other bits</source>
+        <translation>eine andere Zahl von Bit</translation>
+    </message>
+    <message>
+        <source>other lengths or angles</source>
+        <translation>andere Längen oder Winkel</translation>
+    </message>
+    <message>
+        <source>parameters of which at most %1 rest on one another in a row</source>
+        <translation>Parameter, von denen höchstens %1 der Reihe nach aufeinander beruhen</translation>
+    </message>
+    <message>
+        <source>parameters that do not depend on one another in a circle, as %1 does</source>
+        <translation>Parameter, die nicht im Kreis voneinander abhängen, wie %1 es tut</translation>
+    </message>
+    <message>
+        <source>patient field</source>
+        <translation>Patientenfeld</translation>
+    </message>
+    <message>
+        <source>plane angles (C300/0001)</source>
+        <translation>Ebenenwinkel (C300/0001)</translation>
+    </message>
+    <message>
+        <source>planes (C000/0003)</source>
+        <translation>Ebenen (C000/0003)</translation>
+    </message>
+    <message>
+        <source>put a station between the two, or swap the sign of lateral</source>
+        <translation>eine Station dazwischen setzen oder das Vorzeichen von lateral umkehren</translation>
+    </message>
+    <message>
+        <source>puts the probe at %1, outside the patient&apos;s box from %2 to %3</source>
+        <translation>setzt den Schallkopf auf %1, außerhalb des Patientenquaders von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>radius of the first sample (C200/0001)</source>
+        <translation>Radius des ersten Abtastwerts (C200/0001)</translation>
+    </message>
+    <message>
+        <source>radius of the planes (C200/0002)</source>
+        <translation>Radius der Ebenen (C200/0002)</translation>
+    </message>
+    <message>
+        <source>rescaled with a slope that is not positive</source>
+        <translation>umgerechnet mit einer Steigung, die nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>respiration signal</source>
+        <translation>Atemsignal</translation>
+    </message>
+    <message>
+        <source>samples along a beam (C000/0001)</source>
+        <translation>Abtastwerte je Strahl (C000/0001)</translation>
+    </message>
+    <message>
+        <source>seconds across the strip</source>
+        <translation>Sekunden über den Streifen</translation>
+    </message>
+    <message>
+        <source>sections by rising z_mm</source>
+        <translation>Querschnitte mit steigendem z_mm</translation>
+    </message>
+    <message>
+        <source>segments that do not fit together</source>
+        <translation>Segmente, die nicht zusammenpassen</translation>
+    </message>
+    <message>
+        <source>sequences are nested too deeply</source>
+        <translation>Sequenzen sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>set but not there</source>
+        <translation>gesetzt, aber nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>shift across the beam</source>
+        <translation>Verschiebung quer zum Strahl</translation>
+    </message>
+    <message>
+        <source>shift along the beam</source>
+        <translation>Verschiebung längs des Strahls</translation>
+    </message>
+    <message>
+        <source>six direction cosines</source>
+        <translation>sechs Richtungskosinus</translation>
+    </message>
+    <message>
+        <source>small letters, digits and _, and neither min nor max</source>
+        <translation>kleine Buchstaben, Ziffern und _, und weder min noch max</translation>
+    </message>
+    <message>
+        <source>so long that it would fold the tissue where it fades</source>
+        <translation>so lang, dass sich das Gewebe falten würde, wo die Bewegung ausläuft</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>subvolume %1</source>
+        <translation>Teilvolumen %1</translation>
+    </message>
+    <message>
+        <source>sweep file</source>
+        <translation>Schwenkdatei</translation>
+    </message>
+    <message>
+        <source>tables of different lengths</source>
+        <translation>Tabellen verschiedener Länge</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>text on one line, without blanks around it,</source>
+        <translation>Text in einer Zeile, ohne Leerzeichen außen</translation>
+    </message>
+    <message>
+        <source>text, such as &quot;two years ago&quot;</source>
+        <translation>Text, etwa &quot;two years ago&quot;</translation>
+    </message>
+    <message>
+        <source>text, such as &quot;ultrasound&quot;</source>
+        <translation>Text, etwa &quot;ultrasound&quot;</translation>
+    </message>
+    <message>
+        <source>the ABI number of the SDK, a whole number from 0 to 4294967295</source>
+        <translation>die ABI-Nummer des SDK, eine ganze Zahl von 0 bis 4294967295</translation>
+    </message>
+    <message>
+        <source>the Matrix of %1 to %2</source>
+        <translation>die Matrix von %1 zu %2</translation>
+    </message>
+    <message>
+        <source>the body region in words, at most 200 characters</source>
+        <translation>die Körperregion in Worten, höchstens 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>the centre line is not inside there, or runs along the direction</source>
+        <translation>die Mittellinie liegt dort nicht innen oder verläuft entlang der Richtung</translation>
+    </message>
+    <message>
+        <source>the device set given has no transform from or to Image, give the one this sweep was recorded with</source>
+        <translation>die angegebene Gerätedatei hat keine Transformation von oder zu Image; die angeben, mit der dieser Schwenk aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>the face&apos;s -x end to its +x end</source>
+        <translation>vom Ende der Auflage bei -x bis zu dem bei +x</translation>
+    </message>
+    <message>
+        <source>the file name of the library in the same folder</source>
+        <translation>der Dateiname der Bibliothek im selben Ordner</translation>
+    </message>
+    <message>
+        <source>the film could not be begun</source>
+        <translation>der Film ließ sich nicht beginnen</translation>
+    </message>
+    <message>
+        <source>the format number, a whole number from 1</source>
+        <translation>die Formatnummer, eine ganze Zahl ab 1</translation>
+    </message>
+    <message>
+        <source>the licence of the recording, such as &quot;CC BY 4.0&quot;, at most 200 characters</source>
+        <translation>die Lizenz der Aufnahme, etwa &quot;CC BY 4.0&quot;, höchstens 200 Zeichen</translation>
+    </message>
+    <message>
+        <source>the medium is full or gone</source>
+        <translation>der Datenträger ist voll oder weg</translation>
+    </message>
+    <message>
+        <source>the motor file %1</source>
+        <translation>Motordatei %1</translation>
+    </message>
+    <message>
+        <source>the name of a file beside this one or in resources/anatomy, without a folder</source>
+        <translation>der Name einer Datei neben dieser oder in resources/anatomy, ohne Ordner</translation>
+    </message>
+    <message>
+        <source>the name of a file in resources/mannequin, without a folder</source>
+        <translation>der Name einer Datei in resources/mannequin, ohne Ordner</translation>
+    </message>
+    <message>
+        <source>the name of a parameter in place of &quot;%1&quot;</source>
+        <translation>der Name eines Parameters anstelle von „%1“</translation>
+    </message>
+    <message>
+        <source>the name of a shape or organ</source>
+        <translation>der Name einer Form oder eines Organs</translation>
+    </message>
+    <message>
+        <source>the name of a shape or organ that is a tube</source>
+        <translation>der Name einer Form oder eines Organs, die ein Rohr sind</translation>
+    </message>
+    <message>
+        <source>the name of a shipped probe, such as convex-3.5, without folder and ending</source>
+        <translation>der Name eines mitgelieferten Schallkopfs, etwa convex-3.5, ohne Ordner und Endung</translation>
+    </message>
+    <message>
+        <source>the name of a volume or sweep file</source>
+        <translation>der Name einer Volumen- oder Schwenkdatei</translation>
+    </message>
+    <message>
+        <source>the name of an organ of the patient</source>
+        <translation>der Name eines Organs des Patienten</translation>
+    </message>
+    <message>
+        <source>the name of another of the %1</source>
+        <translation>der Name eines anderen von %1</translation>
+    </message>
+    <message>
+        <source>the name of one of the planes</source>
+        <translation>der Name einer der Ebenen</translation>
+    </message>
+    <message>
+        <source>the name of one of the project&apos;s volumes</source>
+        <translation>der Name eines der Volumen des Projekts</translation>
+    </message>
+    <message>
+        <source>the number of components</source>
+        <translation>die Zahl der Komponenten</translation>
+    </message>
+    <message>
+        <source>the number of frames</source>
+        <translation>die Zahl der Bilder</translation>
+    </message>
+    <message>
+        <source>the offset is no count of bytes</source>
+        <translation>der Versatz ist keine Zahl von Byte</translation>
+    </message>
+    <message>
+        <source>the pair %1</source>
+        <translation>das Paar %1</translation>
+    </message>
+    <message>
+        <source>the part of the body that is drawn</source>
+        <translation>der Teil des Körpers, der gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>the pixels hold something that is no fragment</source>
+        <translation>die Pixel enthalten etwas, das kein Fragment ist</translation>
+    </message>
+    <message>
+        <source>the probe file %1</source>
+        <translation>Schallkopfdatei %1</translation>
+    </message>
+    <message>
+        <source>the probe&apos;s own</source>
+        <translation>die des Schallkopfs</translation>
+    </message>
+    <message>
+        <source>the range the volume was recorded with</source>
+        <translation>den Umfang, mit dem das Volumen aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved the probe</source>
+        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: eine wählen, die mit einem Tracker aufgenommen wurde, oder angeben, wie ein Motor die Sonde bewegt hat</translation>
+    </message>
+    <message>
+        <source>the recording is shorter than three cycles or has gaps of many times its length</source>
+        <translation>die Aufnahme ist kürzer als drei Zyklen oder hat Lücken von einem Vielfachen ihrer Länge</translation>
+    </message>
+    <message>
+        <source>the sample type</source>
+        <translation>die Art der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>the scene of case.json</source>
+        <translation>die Szene von case.json</translation>
+    </message>
+    <message>
+        <source>the schema of the section &apos;%1&apos;</source>
+        <translation>das Schema des Abschnitts „%1“</translation>
+    </message>
+    <message>
+        <source>the stitch project</source>
+        <translation>Stitching-Projekt</translation>
+    </message>
+    <message>
+        <source>the tracker&apos;s pose of %1</source>
+        <translation>die Lage von %1 nach dem Tracker</translation>
+    </message>
+    <message>
+        <source>the type is not known</source>
+        <translation>der Typ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the upper corner of the box</source>
+        <translation>die obere Ecke des Quaders</translation>
+    </message>
+    <message>
+        <source>the voxel size along axis %1</source>
+        <translation>die Voxelgröße entlang der Achse %1</translation>
+    </message>
+    <message>
+        <source>there and back</source>
+        <translation>hin und zurück</translation>
+    </message>
+    <message>
+        <source>there are fewer than eight frames at different times</source>
+        <translation>es sind weniger als acht Bilder zu verschiedenen Zeiten</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>there is something of that name</source>
+        <translation>den Namen gibt es dort schon</translation>
+    </message>
+    <message>
+        <source>there unless &quot;%1&quot; is, and not beside it: one of the two says where the frames lie</source>
+        <translation>angegeben, wenn „%1“ fehlt, und nicht neben ihm: eines von beiden sagt, wo die Bilder liegen</translation>
+    </message>
+    <message>
+        <source>they do not change</source>
+        <translation>sie ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>three dimensions are needed</source>
+        <translation>drei Dimensionen sind nötig</translation>
+    </message>
+    <message>
+        <source>three numbers above 0 (mm)</source>
+        <translation>drei Zahlen über 0 (mm)</translation>
+    </message>
+    <message>
+        <source>three numbers from %1 to %2</source>
+        <translation>drei Zahlen von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>three numbers in mm</source>
+        <translation>drei Zahlen in mm</translation>
+    </message>
+    <message>
+        <source>three numbers within 1000 m</source>
+        <translation>drei Zahlen innerhalb von 1000 m</translation>
+    </message>
+    <message>
+        <source>three numbers, in mm</source>
+        <translation>drei Zahlen, in mm</translation>
+    </message>
+    <message>
+        <source>three numbers, mm in the world</source>
+        <translation>drei Zahlen, mm in der Welt</translation>
+    </message>
+    <message>
+        <source>three numbers, mm in the world, of a point</source>
+        <translation>drei Zahlen, mm in der Welt, bei einem Punkt</translation>
+    </message>
+    <message>
+        <source>three of one length</source>
+        <translation>drei gleich lange</translation>
+    </message>
+    <message>
+        <source>three or four parts are needed</source>
+        <translation>drei oder vier Teile sind nötig</translation>
+    </message>
+    <message>
+        <source>three radii of at least 0.01 mm</source>
+        <translation>drei Radien von mindestens 0,01 mm</translation>
+    </message>
+    <message>
+        <source>three sizes of at least 0.1 mm</source>
+        <translation>drei Größen von mindestens 0,1 mm</translation>
+    </message>
+    <message>
+        <source>tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>zu wenige</translation>
+    </message>
+    <message>
+        <source>too long</source>
+        <translation>zu lang</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>true or false: whether the name gives a finding away, so that a trainee sees it with the findings</source>
+        <translation>true oder false: ob der Name einen Befund verrät, sodass Lernende ihn erst mit den Befunden sehen</translation>
+    </message>
+    <message>
+        <source>true, false or an object of its parameters</source>
+        <translation>true, false oder ein Objekt mit den Parametern</translation>
+    </message>
+    <message>
+        <source>turns the image by more than a hand can on the way from the station before</source>
+        <translation>dreht das Bild auf dem Weg von der Station davor um mehr, als eine Hand es kann</translation>
+    </message>
+    <message>
+        <source>two frame names that &quot;To&quot; joins in one way only</source>
+        <translation>zwei Namen von Rahmen, die „To“ auf nur eine Weise verbindet</translation>
+    </message>
+    <message>
+        <source>two heights at least 1 mm apart</source>
+        <translation>zwei Höhen mit mindestens 1 mm Abstand</translation>
+    </message>
+    <message>
+        <source>two lengths above 0 mm</source>
+        <translation>zwei Längen über 0 mm</translation>
+    </message>
+    <message>
+        <source>two numbers from 0.0001 to 100, a pixel&apos;s width and height in mm</source>
+        <translation>zwei Zahlen von 0,0001 bis 100, Breite und Höhe eines Pixels in mm</translation>
+    </message>
+    <message>
+        <source>two numbers within a million, the pixel at the middle of the face</source>
+        <translation>zwei Zahlen innerhalb einer Million, das Pixel in der Mitte der Auflage</translation>
+    </message>
+    <message>
+        <source>two places at most %1 mm apart</source>
+        <translation>zwei höchstens %1 mm voneinander entfernte Orte</translation>
+    </message>
+    <message>
+        <source>two sizes from %1 to %2</source>
+        <translation>zwei Größen von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>two surfaces</source>
+        <translation>zwei Oberflächen</translation>
+    </message>
+    <message>
+        <source>two unit vectors at right angles</source>
+        <translation>zwei Einheitsvektoren im rechten Winkel</translation>
+    </message>
+    <message>
+        <source>two-dimensional, neither tissue nor flow</source>
+        <translation>zweidimensional, weder Gewebe noch Fluss</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>eine unbekannte Art</translation>
+    </message>
+    <message>
+        <source>vectors longer than 0</source>
+        <translation>Vektoren länger als 0</translation>
+    </message>
+    <message>
+        <source>virtual patient</source>
+        <translation>Rezept des virtuellen Patienten</translation>
+    </message>
+    <message>
+        <source>what grey 0 to 255 spans</source>
+        <translation>was die Graustufen 0 bis 255 umfassen</translation>
+    </message>
+    <message>
+        <source>what the machine compensates</source>
+        <translation>was das Gerät ausgleicht</translation>
+    </message>
+    <message>
+        <source>what was just written cannot be read</source>
+        <translation>das eben Geschriebene lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>what was just written is gone</source>
+        <translation>was eben geschrieben wurde, ist verschwunden</translation>
+    </message>
+    <message>
+        <source>where the amplifier ends</source>
+        <translation>wo der Verstärker am Ende ist</translation>
+    </message>
+    <message>
+        <source>where the compensation ends</source>
+        <translation>wo der Ausgleich endet</translation>
+    </message>
+    <message>
+        <source>whom to name for the recording, in words, at most 1000 characters</source>
+        <translation>wer für die Aufnahme zu nennen ist, in Worten, höchstens 1000 Zeichen</translation>
+    </message>
+    <message>
+        <source>with %1 frames a second the rhythm falls between them</source>
+        <translation>bei %1 Bildern je Sekunde fällt der Rhythmus dazwischen</translation>
+    </message>
+    <message>
+        <source>with %1 samples a second R peaks fall between them</source>
+        <translation>bei %1 Abtastwerten je Sekunde fallen die R-Zacken dazwischen</translation>
+    </message>
+    <message>
+        <source>with all it extends a list of more than %1 entries</source>
+        <translation>mit allem, was es erweitert, eine Liste von mehr als %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>with depth</source>
+        <translation>mit der Tiefe</translation>
+    </message>
+    <message>
+        <source>without a shape</source>
+        <translation>ohne Form</translation>
+    </message>
+    <message>
+        <source>written as text</source>
+        <translation>als Text geschrieben</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>null</translation>
+    </message>
+</context>
+<context>
     <name>ew::EffectInfo</name>
     <message>
         <source>Gain and TGC</source>
@@ -1048,673 +6819,6 @@
     <message>
         <source>By the clock, as deforming went here; %1 of it are work of the processor.</source>
         <translation>Nach der Uhr, wie das Verformen hier lief; %1 davon arbeitet der Prozessor.</translation>
-    </message>
-</context>
-<context>
-    <name>ew::stitching::Phrases</name>
-    <message>
-        <source>Inspecting %1</source>
-        <translation>%1 wird untersucht</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>%1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>Registering %1 and %2</source>
-        <translation>%1 und %2 werden zugeordnet</translation>
-    </message>
-    <message>
-        <source>Deforming %1 and %2</source>
-        <translation>%1 und %2 werden verformt</translation>
-    </message>
-    <message>
-        <source>Registering</source>
-        <translation>Zuordnen</translation>
-    </message>
-    <message>
-        <source>Preparing images</source>
-        <translation>Bilder werden vorbereitet</translation>
-    </message>
-    <message>
-        <source>Preparing the images</source>
-        <translation>Bilder werden vorbereitet</translation>
-    </message>
-    <message>
-        <source>Comparing images</source>
-        <translation>Bilder werden verglichen</translation>
-    </message>
-    <message>
-        <source>Comparing</source>
-        <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>Looking for shadows</source>
-        <translation>Schatten werden gesucht</translation>
-    </message>
-    <message>
-        <source>Searching for large motion</source>
-        <translation>Große Bewegungen werden gesucht</translation>
-    </message>
-    <message>
-        <source>Writing out the displacements</source>
-        <translation>Verschiebungen werden ausgeschrieben</translation>
-    </message>
-    <message>
-        <source>Warping the moving volume</source>
-        <translation>Das bewegte Volumen wird verformt</translation>
-    </message>
-    <message>
-        <source>Inverting the deformation</source>
-        <translation>Die Verformung wird umgekehrt</translation>
-    </message>
-    <message>
-        <source>Placing subvolumes</source>
-        <translation>Teilvolumen werden platziert</translation>
-    </message>
-    <message>
-        <source>Looking at overlaps</source>
-        <translation>Überlappungen werden angesehen</translation>
-    </message>
-    <message>
-        <source>Combining deformations</source>
-        <translation>Verformungen werden zusammengeführt</translation>
-    </message>
-    <message>
-        <source>Unfolding</source>
-        <translation>Faltungen werden entfernt</translation>
-    </message>
-    <message>
-        <source>Comparing views</source>
-        <translation>Ansichten werden verglichen</translation>
-    </message>
-    <message>
-        <source>Looking for seams</source>
-        <translation>Nähte werden gesucht</translation>
-    </message>
-    <message>
-        <source>Cutting seams</source>
-        <translation>Nähte werden geschnitten</translation>
-    </message>
-    <message>
-        <source>Measuring distances from the border</source>
-        <translation>Abstände vom Rand werden gemessen</translation>
-    </message>
-    <message>
-        <source>Blending</source>
-        <translation>Mischen</translation>
-    </message>
-    <message>
-        <source>Copying</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Reading frames</source>
-        <translation>Bilder werden gelesen</translation>
-    </message>
-    <message>
-        <source>Reading voxels</source>
-        <translation>Voxel werden gelesen</translation>
-    </message>
-    <message>
-        <source>Writing voxels</source>
-        <translation>Voxel werden geschrieben</translation>
-    </message>
-    <message>
-        <source>Writing vectors</source>
-        <translation>Vektoren werden geschrieben</translation>
-    </message>
-    <message>
-        <source>Pasting frames</source>
-        <translation>Bilder werden eingefügt</translation>
-    </message>
-    <message>
-        <source>Estimating confidence</source>
-        <translation>Verlässlichkeit wird geschätzt</translation>
-    </message>
-    <message>
-        <source>Filling holes</source>
-        <translation>Lücken werden gefüllt</translation>
-    </message>
-    <message>
-        <source>Filling holes along the sweep</source>
-        <translation>Lücken entlang des Schwenks werden gefüllt</translation>
-    </message>
-    <message>
-        <source>Reading frames at the voxels</source>
-        <translation>Bilder werden an den Voxeln gelesen</translation>
-    </message>
-    <message>
-        <source>Comparing sweeps</source>
-        <translation>Schwenks werden verglichen</translation>
-    </message>
-    <message>
-        <source>Converting scan lines</source>
-        <translation>Bildzeilen werden umgewandelt</translation>
-    </message>
-    <message>
-        <source>The stitch project has no volumes; add some.</source>
-        <translation>Das Stitching-Projekt hat keine Volumen; fügen Sie welche hinzu.</translation>
-    </message>
-    <message>
-        <source>The project has no volume yet; add one before it is saved.</source>
-        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor es gespeichert wird.</translation>
-    </message>
-    <message>
-        <source>The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at a time.</source>
-        <translation>Der Schritt „%1“ bräuchte %2 MiB Speicher, mehr als die erlaubten %3 MiB; nehmen Sie einen gröberen Voxelabstand oder weniger Volumen auf einmal.</translation>
-    </message>
-    <message>
-        <source>The reconstruction of &apos;%1&apos; is not there.</source>
-        <translation>Die Rekonstruktion von „%1“ ist nicht da.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; cannot be written (%2); choose another folder.</source>
-        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; gave no volume; check what kind of file it is.</source>
-        <translation>„%1“ ergab kein Volumen; prüfen Sie, was für eine Datei es ist.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; in the stitch project is %2; it must be %3.</source>
-        <translation>„%1“ im Stitching-Projekt ist %2; es muss %3 sein.</translation>
-    </message>
-    <message>
-        <source>not known here</source>
-        <translation>hier nicht bekannt</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>nicht vorhanden</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>eines von %1</translation>
-    </message>
-    <message>
-        <source>The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.</source>
-        <translation>Das Stitching-Projekt hat das Format %1, und dieses Programm liest Formate bis %2; öffnen Sie es mit einem neueren EchoWeave.</translation>
-    </message>
-    <message>
-        <source>The transform in &apos;%1&apos; cannot be used. %2</source>
-        <translation>Die Transformation in „%1“ ist nicht zu gebrauchen. %2</translation>
-    </message>
-    <message>
-        <source>The stitch project nests deeper than %1 levels, which no file of this program does; check that it is the right file.</source>
-        <translation>Das Stitching-Projekt ist tiefer als %1 Ebenen geschachtelt, wie keine Datei dieses Programms; prüfen Sie, ob es die richtige Datei ist.</translation>
-    </message>
-    <message>
-        <source>The stitch project is not valid JSON: it breaks at line %1, column %2; correct it there or restore an earlier copy.</source>
-        <translation>Das Stitching-Projekt ist kein gültiges JSON: Es bricht in Zeile %1, Spalte %2 ab; berichtigen Sie es dort oder nehmen Sie eine frühere Kopie.</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; cannot be written (%2); choose one you may write to.</source>
-        <translation>In den Ordner „%1“ kann nicht geschrieben werden (%2); wählen Sie einen, in den Sie schreiben dürfen.</translation>
-    </message>
-    <message>
-        <source>Another run is at work in &apos;%1&apos;; wait until it has ended, or choose another folder.</source>
-        <translation>In „%1“ arbeitet schon ein anderer Lauf; warten Sie, bis er zu Ende ist, oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be read; check the medium it is on.</source>
-        <translation>„%1“ kann nicht gelesen werden; prüfen Sie den Datenträger.</translation>
-    </message>
-    <message>
-        <source>The file that keeps unsaved work (&apos;%1&apos;) is damaged; it is left where it is and nothing was reopened.</source>
-        <translation>Die Datei mit ungespeicherter Arbeit („%1“) ist beschädigt; sie bleibt, wo sie ist, und nichts wurde wieder geöffnet.</translation>
-    </message>
-    <message>
-        <source>A volume needs a name; type one.</source>
-        <translation>Ein Volumen braucht einen Namen; geben Sie einen ein.</translation>
-    </message>
-    <message>
-        <source>Another volume is called &apos;%1&apos; already; choose another name.</source>
-        <translation>Ein anderes Volumen heißt schon „%1“; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>There is one volume alone.</source>
-        <translation>Es gibt nur ein Volumen.</translation>
-    </message>
-    <message>
-        <source>The recorded places were taken as they are.</source>
-        <translation>Die aufgezeichneten Lagen wurden übernommen, wie sie sind.</translation>
-    </message>
-    <message>
-        <source>There is no volume to stitch; add at least one.</source>
-        <translation>Es gibt kein Volumen zu verbinden; fügen Sie mindestens eines hinzu.</translation>
-    </message>
-    <message>
-        <source>At most %1 volumes can be stitched at once; stitch them in groups.</source>
-        <translation>Höchstens %1 Volumen können auf einmal verbunden werden; verbinden Sie sie in Gruppen.</translation>
-    </message>
-    <message>
-        <source>Stitching would need more memory than there is, and the limit is %1; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
-        <translation>Das Verbinden bräuchte mehr Speicher, als es gibt, und die Grenze ist %1; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
-    </message>
-    <message>
-        <source>Stitching would need %1, and the limit is %2; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
-        <translation>Das Verbinden bräuchte %1, und die Grenze ist %2; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
-    </message>
-    <message>
-        <source>Joining would need %1 MiB, and the limit is %2 MiB; choose a coarser spacing or smaller blocks.</source>
-        <translation>Das Zusammenfügen bräuchte %1 MiB, und die Grenze ist %2 MiB; wählen Sie einen gröberen Voxelabstand oder kleinere Blöcke.</translation>
-    </message>
-    <message>
-        <source>Volume &apos;%1&apos; cannot be stitched. %2</source>
-        <translation>Das Volumen „%1“ kann nicht verbunden werden. %2</translation>
-    </message>
-    <message>
-        <source>The spacing of the result must be a positive number of mm, or 0 for the finest of the inputs.</source>
-        <translation>Der Voxelabstand des Ergebnisses muss eine positive Zahl in mm sein, oder 0 für den feinsten der Eingaben.</translation>
-    </message>
-    <message>
-        <source>The feather width must be 0 or a positive number of mm.</source>
-        <translation>Die Breite des Auslaufens muss 0 oder eine positive Zahl in mm sein.</translation>
-    </message>
-    <message>
-        <source>The weight of interpolated voxels must be above 0 and at most 1.</source>
-        <translation>Das Gewicht interpolierter Voxel muss über 0 und höchstens 1 sein.</translation>
-    </message>
-    <message>
-        <source>The options of the equalisation are out of range; use cells and knots above 0.</source>
-        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; nehmen Sie Zellen und Knoten über 0.</translation>
-    </message>
-    <message>
-        <source>The blocks of a join must be at least 8 voxels wide.</source>
-        <translation>Die Blöcke müssen mindestens 8 Voxel breit sein.</translation>
-    </message>
-    <message>
-        <source>The seams were found for another grid; find them again for this one.</source>
-        <translation>Die Nähte wurden für ein anderes Gitter gefunden; suchen Sie sie für dieses neu.</translation>
-    </message>
-    <message>
-        <source>The seams have levels of other volumes; find them again.</source>
-        <translation>Die Nähte haben Pegel anderer Volumen; suchen Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>The seams name more volumes than there are; find them again.</source>
-        <translation>Die Nähte nennen mehr Volumen, als es gibt; suchen Sie sie neu.</translation>
-    </message>
-    <message>
-        <source>Its grey correction has a number that cannot be used.</source>
-        <translation>Seine Graukorrektur enthält eine Zahl, die nicht zu gebrauchen ist.</translation>
-    </message>
-    <message>
-        <source>Its bend has a displacement too many, too few or without a number.</source>
-        <translation>Seine Verformung hat eine Verschiebung zu viel, zu wenig oder ohne Zahl.</translation>
-    </message>
-    <message>
-        <source>The cells of the seam must be wider than 0 mm.</source>
-        <translation>Die Zellen der Naht müssen breiter als 0 mm sein.</translation>
-    </message>
-    <message>
-        <source>The blend beside the seam must be 0 or a positive number of mm.</source>
-        <translation>Die Breite des Mischens neben der Naht muss 0 oder eine positive Zahl in mm sein.</translation>
-    </message>
-    <message>
-        <source>The blend of levels beside the seam must be 0 or a positive number of mm.</source>
-        <translation>Die Breite, auf der die Pegel neben der Naht übergehen, muss 0 oder eine positive Zahl in mm sein.</translation>
-    </message>
-    <message>
-        <source>The weights of a seam must be 0 or positive.</source>
-        <translation>Die Gewichte einer Naht müssen 0 oder positiv sein.</translation>
-    </message>
-    <message>
-        <source>A stroke of the seam editor names a volume that is not there, or has no place or radius.</source>
-        <translation>Ein Strich des Nahteditors nennt ein Volumen, das es nicht gibt, oder hat keinen Ort oder Radius.</translation>
-    </message>
-    <message>
-        <source>The %1 volume has %2 echo values for %3 voxels.</source>
-        <translation>Im %1 Volumen sind %2 Echowerte für %3 Voxel.</translation>
-    </message>
-    <message>
-        <source>The coverage of the %1 volume has %2 values for %3 voxels.</source>
-        <translation>Die Abdeckung des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
-    </message>
-    <message>
-        <source>The direction of the beam of the %1 volume is no direction.</source>
-        <translation>Die Strahlrichtung des %1 Volumens ist keine Richtung.</translation>
-    </message>
-    <message>
-        <source>The apex of the beams of the %1 volume is no place.</source>
-        <translation>Der Scheitel der Strahlen des %1 Volumens ist kein Ort.</translation>
-    </message>
-    <message>
-        <source>The confidence of the %1 volume has %2 values for %3 voxels.</source>
-        <translation>Die Verlässlichkeit des %1 Volumens hat %2 Werte für %3 Voxel.</translation>
-    </message>
-    <message>
-        <source>The confidence of the %1 volume has values outside 0 to 1.</source>
-        <translation>Die Verlässlichkeit des %1 Volumens hat Werte außerhalb von 0 bis 1.</translation>
-    </message>
-    <message>
-        <source>No voxel of the %1 volume was measured; choose a volume that holds an echo.</source>
-        <translation>Kein Voxel des %1 Volumens wurde gemessen; wählen Sie ein Volumen, das ein Echo enthält.</translation>
-    </message>
-    <message>
-        <source>The control grid has %1 displacements for %2 nodes; write it anew.</source>
-        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; schreiben Sie es neu.</translation>
-    </message>
-    <message>
-        <source>The deformation folds in %1 of its control grid and has no inverse; register again with a stiffer grid.</source>
-        <translation>Die Verformung faltet sich in %1 ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
-    </message>
-    <message>
-        <source>The moving volume holds another number of voxels than its grid says; write it anew.</source>
-        <translation>Das bewegte Volumen enthält eine andere Zahl von Voxeln, als sein Gitter sagt; schreiben Sie es neu.</translation>
-    </message>
-    <message>
-        <source>The %1 volume has more than 2^30 voxels; resample it to a coarser spacing first.</source>
-        <translation>Im %1 Volumen sind mehr als 2^30 Voxel; rechnen Sie es erst auf einen gröberen Voxelabstand um.</translation>
-    </message>
-    <message>
-        <source>The option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 ist %2; sie muss %3 sein.</translation>
-    </message>
-    <message>
-        <source>The covariance of %1 %2; a covariance is symmetric and no variance is negative.</source>
-        <translation>Die Kovarianz von %1 %2; eine Kovarianz ist symmetrisch, und keine Varianz ist negativ.</translation>
-    </message>
-    <message>
-        <source>There is no subvolume to place; add at least one.</source>
-        <translation>Es gibt kein Teilvolumen zu platzieren; fügen Sie mindestens eines hinzu.</translation>
-    </message>
-    <message>
-        <source>The option %1 must be above 0.</source>
-        <translation>Die Einstellung %1 muss über 0 sein.</translation>
-    </message>
-    <message>
-        <source>At least one iteration is needed.</source>
-        <translation>Mindestens ein Durchgang ist nötig.</translation>
-    </message>
-    <message>
-        <source>The pose of %1 cannot be used: %2</source>
-        <translation>Die Lage von %1 ist nicht zu gebrauchen: %2</translation>
-    </message>
-    <message>
-        <source>The centre of the tracker&apos;s covariance of %1 is not a number.</source>
-        <translation>Die Mitte der Tracker-Kovarianz von %1 ist keine Zahl.</translation>
-    </message>
-    <message>
-        <source>%1 names a subvolume that does not exist; there are %2.</source>
-        <translation>%1 nennt ein Teilvolumen, das es nicht gibt; es sind %2.</translation>
-    </message>
-    <message>
-        <source>%1 joins %2 with itself.</source>
-        <translation>%1 verbindet %2 mit sich selbst.</translation>
-    </message>
-    <message>
-        <source>The transform of the pair %1 cannot be used: %2</source>
-        <translation>Die Transformation des Paares %1 ist nicht zu gebrauchen: %2</translation>
-    </message>
-    <message>
-        <source>The pair %1 has a centre that is not a number or a trust outside 0..1.</source>
-        <translation>Das Paar %1 hat eine Mitte, die keine Zahl ist, oder ein Vertrauen außerhalb von 0..1.</translation>
-    </message>
-    <message>
-        <source>The solver of poses failed (%1).</source>
-        <translation>Das Lösen der Lagen ist fehlgeschlagen (%1).</translation>
-    </message>
-    <message>
-        <source>The pick error of landmarks must be a length above 0 mm.</source>
-        <translation>Der Klickfehler der Landmarken muss eine Länge über 0 mm sein.</translation>
-    </message>
-    <message>
-        <source>The landmark %1 has a coordinate that is not a number; correct or remove it.</source>
-        <translation>Die Landmarke %1 hat eine Koordinate, die keine Zahl ist; berichtigen oder entfernen Sie sie.</translation>
-    </message>
-    <message>
-        <source>A volume is missing: name two.</source>
-        <translation>Ein Volumen fehlt: nennen Sie zwei.</translation>
-    </message>
-    <message>
-        <source>Regions and windows need a side above 0 mm.</source>
-        <translation>Gebiete und Fenster brauchen eine Seite über 0 mm.</translation>
-    </message>
-    <message>
-        <source>The deformation has another number of vectors than its lattice has nodes.</source>
-        <translation>Die Verformung hat eine andere Zahl von Vektoren, als ihr Gitter Knoten hat.</translation>
-    </message>
-    <message>
-        <source>The matching option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 des Zuordnens ist %2; sie muss %3 sein.</translation>
-    </message>
-    <message>
-        <source>The registration option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 des Zuordnens ist %2; sie muss %3 sein.</translation>
-    </message>
-    <message>
-        <source>The images at voxels of %1 mm are too large to register; ask for a coarser finest level.</source>
-        <translation>Die Bilder mit Voxeln zu %1 mm sind zu groß zum Zuordnen; verlangen Sie eine gröbere feinste Stufe.</translation>
-    </message>
-    <message>
-        <source>fixed</source>
-        <translation>festen</translation>
-    </message>
-    <message>
-        <source>moving</source>
-        <translation>bewegten</translation>
-    </message>
-    <message>
-        <source>There is no file &quot;%1&quot;; check its name and folder.</source>
-        <translation>Es gibt keine Datei „%1“; prüfen Sie Namen und Ordner.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be read (%2); check its permissions.</source>
-        <translation>„%1“ kann nicht gelesen werden (%2); prüfen Sie die Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be opened; check its permissions.</source>
-        <translation>„%1“ kann nicht geöffnet werden; prüfen Sie die Zugriffsrechte.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a regular file; choose a file.</source>
-        <translation>„%1“ ist keine gewöhnliche Datei; wählen Sie eine Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.</source>
-        <translation>„%1“ hat eine Endung, die nicht gelesen wird; geben Sie eine Datei .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a MetaImage: a header line has no &quot;=&quot;; check what kind of file it is.</source>
-        <translation>„%1“ ist kein MetaImage: Eine Kopfzeile hat kein „=“; prüfen Sie, was für eine Datei es ist.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a NRRD file; check what kind of file it is.</source>
-        <translation>„%1“ ist keine NRRD-Datei; prüfen Sie, was für eine Datei es ist.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a text header followed by samples; check what kind of file it is.</source>
-        <translation>„%1“ ist kein Textkopf mit Abtastwerten danach; prüfen Sie, was für eine Datei es ist.</translation>
-    </message>
-    <message>
-        <source>The header of &quot;%1&quot; ends before it says where the samples are (ElementDataFile); get the file again.</source>
-        <translation>Der Kopf von „%1“ endet, bevor er sagt, wo die Abtastwerte sind (ElementDataFile); besorgen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is too short: its header promises %2 bytes of samples, the file has %3; get the file again.</source>
-        <translation>„%1“ ist zu kurz: Ihr Kopf verspricht %2 Byte, die Datei hat %3; besorgen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is too short: its header promises %2 compressed bytes, the file has %3; get the file again.</source>
-        <translation>„%1“ ist zu kurz: Ihr Kopf verspricht %2 gepackte Byte, die Datei hat %3; besorgen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>The compressed samples of &quot;%1&quot; are damaged; get the file again.</source>
-        <translation>Die gepackten Abtastwerte von „%1“ sind beschädigt; besorgen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>The compressed samples of &quot;%1&quot; break off after %2 unpacked bytes; get the file again.</source>
-        <translation>Die gepackten Abtastwerte von „%1“ brechen nach %2 ausgepackten Byte ab; besorgen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>In &quot;%1&quot;, %2 is &quot;%3&quot;, but %4 is needed; correct the header or export the file again.</source>
-        <translation>In „%1“ ist %2 „%3“, nötig ist aber %4; berichtigen Sie den Kopf oder exportieren Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; keeps its samples in &quot;%2&quot;, which is not there; put both files into one folder.</source>
-        <translation>„%1“ hat seine Abtastwerte in „%2“, das nicht da ist; legen Sie beide Dateien in einen Ordner.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; holds no voxels (%2); choose a file with samples in it.</source>
-        <translation>„%1“ enthält keine Voxel (%2); wählen Sie eine Datei mit Inhalt.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has %2 values per sample, but one value or a colour is needed; export the echo levels alone.</source>
-        <translation>„%1“ hat %2 Werte je Punkt, nötig ist einer oder eine Farbe; exportieren Sie nur die Echopegel.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is a recorded sweep, not a volume; reconstruct it first.</source>
-        <translation>„%1“ ist ein aufgezeichneter Schwenk, kein Volumen; rekonstruieren Sie ihn zuerst.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is a volume, not a recorded sweep; open it as a volume.</source>
-        <translation>„%1“ ist ein Volumen, kein aufgezeichneter Schwenk; öffnen Sie es als Volumen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be written (%2); choose another place or free some room.</source>
-        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ort oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>The sweep would become %1 x %2 x %3 voxels and need %4 MiB, more than the %5 MiB allowed; give a coarser spacing_mm.</source>
-        <translation>Aus dem Schwenk würden %1 × %2 × %3 Voxel, und er bräuchte %4 MiB, mehr als die erlaubten %5 MiB; geben Sie einen gröberen Voxelabstand an.</translation>
-    </message>
-    <message>
-        <source>The sweep has no frame with a usable pose; check the tracking of the recording.</source>
-        <translation>Der Schwenk hat kein Bild mit brauchbarer Lage; prüfen Sie den Tracker der Aufnahme.</translation>
-    </message>
-    <message>
-        <source>The volume has no voxels along axis %1; check the file&apos;s dimensions.</source>
-        <translation>Das Volumen hat keine Voxel entlang der Achse %1; prüfen Sie die Größe in der Datei.</translation>
-    </message>
-    <message>
-        <source>The voxel spacing along axis %1 is not a positive number; check the file&apos;s spacing.</source>
-        <translation>Der Voxelabstand entlang der Achse %1 ist keine positive Zahl; prüfen Sie den Abstand in der Datei.</translation>
-    </message>
-    <message>
-        <source>The volume&apos;s origin is not finite; check the file&apos;s offset.</source>
-        <translation>Der Ursprung des Volumens ist nicht endlich; prüfen Sie den Versatz in der Datei.</translation>
-    </message>
-    <message>
-        <source>The volume has more voxels than can be handled; use a coarser spacing.</source>
-        <translation>Das Volumen hat mehr Voxel, als zu bewältigen sind; nehmen Sie einen gröberen Abstand.</translation>
-    </message>
-    <message>
-        <source>The direction of axis %1 is not of unit length; check the file&apos;s orientation matrix.</source>
-        <translation>Die Richtung der Achse %1 hat nicht die Länge eins; prüfen Sie die Ausrichtung in der Datei.</translation>
-    </message>
-    <message>
-        <source>The directions of the volume&apos;s axes lie in one plane; check the file&apos;s orientation matrix.</source>
-        <translation>Die Richtungen der Achsen liegen in einer Ebene; prüfen Sie die Ausrichtung in der Datei.</translation>
-    </message>
-    <message>
-        <source>The pose is not a rotation with a translation: %1. Give 16 numbers, row by row, with orthonormal axes and a last row of 0 0 0 1.</source>
-        <translation>Die Lage ist keine Drehung mit Verschiebung: %1. Geben Sie 16 Zahlen, Zeile für Zeile, mit orthonormalen Achsen und 0 0 0 1 als letzter Zeile.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this; close other programs or choose a coarser spacing.</source>
-        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for a volume of %1; use a coarser spacing.</source>
-        <translation>Für ein Volumen von %1 reicht der Speicher nicht; nehmen Sie einen gröberen Abstand.</translation>
-    </message>
-    <message>
-        <source>The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.</source>
-        <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden Sie es und was Sie getan haben.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; close other programs or choose a coarser spacing.</source>
-        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
-    </message>
-    <message>
-        <source>&apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with what you did.</source>
-        <translation>„%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; in the stitch project cannot be used. %2</source>
-        <translation>„%1“ im Stitching-Projekt ist nicht zu gebrauchen. %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; could not be bent together. %3</source>
-        <translation>„%1“ und „%2“ konnten nicht miteinander verformt werden. %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; could not be registered. %3</source>
-        <translation>„%1“ und „%2“ konnten nicht zugeordnet werden. %3</translation>
-    </message>
-    <message>
-        <source>Searching poses</source>
-        <translation>Lagen werden gesucht</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; holds %2; a transform is 16 numbers, row by row.</source>
-        <translation>„%1“ enthält %2; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
-    </message>
-    <message>
-        <source>something that is not a number</source>
-        <translation>etwas, das keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>%1 numbers</source>
-        <translation>%1 Zahlen</translation>
-    </message>
-    <message>
-        <source>Checking for residual motion</source>
-        <translation>Restbewegung wird gesucht</translation>
-    </message>
-    <message>
-        <source>'%1' is not a result that was written here before, and would be lost; move it away or choose another folder.</source>
-        <translation>„%1“ ist kein Ergebnis, das hier früher geschrieben wurde, und ginge verloren; verschieben Sie die Datei oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>'%1' is read by this project and would be written over by its result; choose another folder.</source>
-        <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>'%1' lies among the intermediate results of '%2', which come and go; copy it to a place of its own or choose another folder.</source>
-        <translation>„%1“ liegt unter den Zwischenergebnissen von „%2“, die kommen und gehen; kopieren Sie die Datei an einen eigenen Ort oder wählen Sie einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>The reconstruction of '%1' was damaged.</source>
-        <translation>Die Rekonstruktion von „%1“ war beschädigt.</translation>
-    </message>
-    <message>
-        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image; %2.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen; %2.</translation>
-    </message>
-    <message>
-        <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image, and %2 stand apart; %3.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen, und %2 stehen für sich; %3.</translation>
-    </message>
-    <message>
-        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached; %3.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen; %3.</translation>
-    </message>
-    <message>
-        <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached, and %3 stand apart; %4.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen, und %3 stehen für sich; %4.</translation>
-    </message>
-    <message>
-        <source>give the device set (.xml) with the calibration from Image to %1</source>
-        <translation>geben Sie die Gerätedatei (.xml) mit der Kalibrierung von Image zu %1 an</translation>
-    </message>
-    <message>
-        <source>the device set given has no transform from or to Image, give the one this sweep was recorded with</source>
-        <translation>die angegebene Gerätedatei hat keine Transformation von oder zu Image; geben Sie die an, mit der dieser Schwenk aufgenommen wurde</translation>
-    </message>
-    <message>
-        <source>name one of those frames as the target, or give the device set (.xml) that leads on</source>
-        <translation>geben Sie die Gerätedatei (.xml) an, die weiterführt</translation>
-    </message>
-    <message>
-        <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker</source>
-        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: Wählen Sie eine, die mit einem Tracker aufgenommen wurde</translation>
-    </message>
-    <message>
-        <source>"%1" was made by somebody else in the meantime and is left as it is; choose another name.</source>
-        <translation>„%1“ wurde inzwischen von jemand anderem angelegt und bleibt, wie es ist; wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
