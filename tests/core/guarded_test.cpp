@@ -18,7 +18,7 @@ struct Silent final : std::exception {
 TEST(Guarded, WhatIsReturnedComesThroughAndAResultStaysOne) {
   EXPECT_EQ(guarded([] { return 7; }, named), Result<int>(7));
   EXPECT_EQ(guarded([]() -> Result<int> { return 7; }, named), Result<int>(7));
-  const auto refused = guarded([]() -> Result<int> { return failure(ErrorCode::notFound, "Not here."); }, named);
+  const auto refused = guarded([]() -> Result<int> { return failure(ErrorCode::notFound, verbatim("Not here.")); }, named);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::notFound);
   bool called = false;

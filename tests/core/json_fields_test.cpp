@@ -22,7 +22,7 @@ constexpr std::array<std::pair<std::string_view, Colour>, 3> kColours{
 /// The sentence with which `read` is refused; empty when it is not.
 template <class Read>
 std::string refusal(const json& document, const Read& read) {
-  JsonReading reading("a.json");
+  JsonReading reading(verbatim("a.json"));
   read(JsonFields(document, reading));
   return reading.problem() ? reading.problem()->sentence() : std::string();
 }
@@ -39,7 +39,7 @@ TEST(JsonFields, GivesWhatStandsThere) {
                          {"in", {{"x", 7}}},
                          {"list", {{{"x", 1}}, {{"x", 2}}}},
                          {"pose", rowsOf(glm::dmat4(1.0))}};
-  JsonReading reading("a.json");
+  JsonReading reading(verbatim("a.json"));
   const JsonFields fields(document, reading);
   EXPECT_EQ(fields.number("width_mm", 0.0, 10.0), 4.5);
   EXPECT_EQ(fields.whole("count", 1, 10), 3) << "3.0 is a whole number, as JSON schemas have it";
@@ -60,7 +60,7 @@ TEST(JsonFields, GivesWhatStandsThere) {
 
 TEST(JsonFields, GivesTheFallbackOfWhatIsNotThere) {
   const json document = json::object();
-  JsonReading reading("a.json");
+  JsonReading reading(verbatim("a.json"));
   const JsonFields fields(document, reading);
   EXPECT_EQ(fields.number("a", 0.0, 1.0, 0.5), 0.5);
   EXPECT_EQ(fields.whole("a", 0, 1, 7), 7);
@@ -82,7 +82,7 @@ TEST(JsonFields, NamesThePlaceWhatWasFoundAndWhatIsExpected) {
             "'a' in a.json is \"wide\"; it must be a number from 0 to 1.");
   EXPECT_EQ(of(json::object(), [](const JsonFields& f) { f.number("a", 0.0, 1.0); }),
             "'a' in a.json is missing; it must be a number from 0 to 1.");
-  EXPECT_EQ(of({{"a", 1e300}}, [](const JsonFields& f) { f.number("a", 0.0, 1.0, 0.5, "a share"); }),
+  EXPECT_EQ(of({{"a", 1e300}}, [](const JsonFields& f) { f.number("a", 0.0, 1.0, 0.5, verbatim("a share")); }),
             "'a' in a.json is 1e+300; it must be a share.");
   EXPECT_EQ(of({{"a", 2.5}}, [](const JsonFields& f) { f.whole("a", 1, 8); }),
             "'a' in a.json is 2.5; it must be a whole number from 1 to 8.");
@@ -115,12 +115,12 @@ TEST(JsonFields, RefuseAPoseThatIsNotRigid) {
   json mirrored = rowsOf(glm::dmat4(1.0));
   mirrored[0] = -1.0;
   const json document = {{"pose", mirrored}, {"short", {1, 2}}};
-  JsonReading reading("a.json"), other("a.json");
+  JsonReading reading(verbatim("a.json")), other(verbatim("a.json"));
   EXPECT_FALSE(JsonFields(document, reading).rigid("pose"));
   ASSERT_TRUE(reading.problem());
   EXPECT_EQ(reading.problem()->code, ErrorCode::notRigid);
   EXPECT_EQ(reading.problem()->sentence().rfind("'pose' in a.json cannot be used. ", 0), 0u) << *reading.problem();
-  JsonReading endless("a.json");
+  JsonReading endless(verbatim("a.json"));
   mirrored[0] = std::nan("");
   const json unbounded = {{"pose", mirrored}};
   EXPECT_FALSE(JsonFields(unbounded, endless).rigid("pose"));
@@ -131,7 +131,7 @@ TEST(JsonFields, RefuseAPoseThatIsNotRigid) {
 
 TEST(JsonFields, KeepTheFirstProblemAndAskNothingAfterIt) {
   const json document = {{"a", "x"}, {"b", "y"}, {"c", 0.25}};
-  JsonReading reading("a.json");
+  JsonReading reading(verbatim("a.json"));
   const JsonFields fields(document, reading);
   fields.number("a", 0.0, 1.0);
   fields.number("b", 0.0, 1.0);
@@ -143,7 +143,7 @@ TEST(JsonFields, KeepTheFirstProblemAndAskNothingAfterIt) {
 TEST(JsonFields, WelcomeNotesEverywhereAsTexts) {
   const json good = {{"note", "by hand"}, {"in", {{"note", ""}, {"x", 1}}}}, bad = {{"in", {{"note", 3}}}};
   const auto read = [](const json& document) {
-    JsonReading reading("a.json", {"note"});
+    JsonReading reading(verbatim("a.json"), {"note"});
     const JsonFields fields(document, reading);
     fields.only({"in"});
     fields.object("in").only({"x"});
@@ -204,7 +204,7 @@ json anyJson(int depth) {
 RC_GTEST_PROP(JsonFieldsProperty, WhateverStandsThereTheValueIsWithinItsLimitsOrTheFieldIsNamed, ()) {
   const json document = {{"a", anyJson(3)}};
   const double lowest = *rc::gen::inRange(-100, 100), highest = lowest + *rc::gen::inRange(0, 100);
-  JsonReading reading("a.json", {"note"});
+  JsonReading reading(verbatim("a.json"), {"note"});
   const JsonFields fields(document, reading);
   switch (*rc::gen::inRange(0, 10)) {
     case 0: {
@@ -265,7 +265,7 @@ RC_GTEST_PROP(JsonFieldsProperty, WhateverStandsThereTheValueIsWithinItsLimitsOr
 
 RC_GTEST_PROP(JsonFieldsProperty, ANumberWithinItsLimitsIsReadToTheLastBit, (double value)) {
   RC_PRE(std::isfinite(value));
-  JsonReading reading("a.json");
+  JsonReading reading(verbatim("a.json"));
   const auto parsed = parseJson(json{{"a", value}}.dump(), verbatim("a.json"));
   RC_ASSERT(parsed.has_value());
   RC_ASSERT(JsonFields(*parsed, reading).number("a", -std::abs(value), std::abs(value)) == value);

@@ -251,7 +251,7 @@ TEST(OutputSet, WhenWhatBelongsToThemFailsAllIsTakenBack) {
     return outputs.commit([&]() -> Result<void> {
       EXPECT_EQ(bytesOfFile(folder / "a.txt"), "new") << "in place before";
       if (works) return {};
-      return failure(ErrorCode::notWritable, "No.");
+      return failure(ErrorCode::notWritable, verbatim("No."));
     });
   };
   EXPECT_EQ(codeOf(commit(false)), ErrorCode::notWritable);

@@ -34,7 +34,7 @@ TEST(ForEachTask, DoesEveryTaskOnceHoweverManyThreadsThereAre) {
   for (const int threads : {1, 2, 7}) {
     std::vector<std::atomic<int>> times(100);
     Listener listener;
-    EXPECT_TRUE(forEachTask(100, threads, listener, "Counting", [&](int task) { ++times[static_cast<std::size_t>(task)]; }));
+    EXPECT_TRUE(forEachTask(100, threads, listener, say<"Counting">(), [&](int task) { ++times[static_cast<std::size_t>(task)]; }));
     for (const auto& each : times) EXPECT_EQ(each, 1);
     EXPECT_EQ(listener.reports, 100);
     EXPECT_TRUE(listener.monotone);
@@ -43,7 +43,7 @@ TEST(ForEachTask, DoesEveryTaskOnceHoweverManyThreadsThereAre) {
 
 TEST(ForEachTask, NumbersItsWorkersBelowTheThreadsAskedFor) {
   std::atomic<int> highest{0};
-  forEachTask(64, 3, noProgress(), "", [&](int, int worker, const auto&) {
+  forEachTask(64, 3, noProgress(), {}, [&](int, int worker, const auto&) {
     int seen = highest;
     while (worker > seen && !highest.compare_exchange_weak(seen, worker)) {
     }
@@ -54,7 +54,7 @@ TEST(ForEachTask, NumbersItsWorkersBelowTheThreadsAskedFor) {
 TEST(ForEachTask, StopsBetweenTasksAndSaysSo) {
   Listener listener(5);
   std::atomic<int> done{0};
-  EXPECT_FALSE(forEachTask(1000, 2, listener, "Counting", [&](int) { ++done; }));
+  EXPECT_FALSE(forEachTask(1000, 2, listener, say<"Counting">(), [&](int) { ++done; }));
   EXPECT_LT(done, 10);
 }
 
@@ -62,7 +62,7 @@ TEST(ForEachTask, ThrowsWhatATaskThrewAfterAllThreadsHaveEnded) {
   for (const int threads : {1, 4}) {
     std::string said;
     try {
-      forEachTask(50, threads, noProgress(), "", [](int task) {
+      forEachTask(50, threads, noProgress(), {}, [](int task) {
         if (task == 20) throw std::runtime_error("task 20");
       });
     } catch (const std::runtime_error& thrown) {
@@ -75,9 +75,9 @@ TEST(ForEachTask, ThrowsWhatATaskThrewAfterAllThreadsHaveEnded) {
 TEST(ForEachTask, TasksMayHaveTasksAndLocksOfTheirOwn) {
   std::mutex guard;
   std::atomic<int> inner{0};
-  EXPECT_TRUE(forEachTask(16, 4, noProgress(), "", [&](int) {
+  EXPECT_TRUE(forEachTask(16, 4, noProgress(), {}, [&](int) {
     const std::lock_guard lock(guard);  // a thread that waits for its inner tasks must not take up another outer one
-    forEachTask(16, 4, noProgress(), "", [&](int) { ++inner; });
+    forEachTask(16, 4, noProgress(), {}, [&](int) { ++inner; });
   }));
   EXPECT_EQ(inner, 256);
 }
@@ -85,7 +85,7 @@ TEST(ForEachTask, TasksMayHaveTasksAndLocksOfTheirOwn) {
 TEST(ForEachTask, NoTwoTasksAtOnceHaveTheSameWorker) {
   std::vector<std::atomic<int>> busy(4);
   std::atomic<bool> collided{false};
-  forEachTask(2000, 4, noProgress(), "", [&](int, int worker, const auto&) {
+  forEachTask(2000, 4, noProgress(), {}, [&](int, int worker, const auto&) {
     auto& mine = busy[static_cast<std::size_t>(worker)];
     if (mine++ != 0) collided = true;
     --mine;
@@ -94,7 +94,7 @@ TEST(ForEachTask, NoTwoTasksAtOnceHaveTheSameWorker) {
 }
 
 TEST(ForEachTask, HasNothingToDoWithoutTasks) {
-  EXPECT_TRUE(forEachTask(0, 4, noProgress(), "", [](int) { FAIL(); }));
+  EXPECT_TRUE(forEachTask(0, 4, noProgress(), {}, [](int) { FAIL(); }));
 }
 
 TEST(ThreadCount, IsWhatWasAskedOrOnePerProcessor) {

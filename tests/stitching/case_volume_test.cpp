@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-Error about(const std::string& field) { return {ErrorCode::badField, "'" + field + "' is wrong.", {{"field", field}}}; }
+Error about(const std::string& field) { return {ErrorCode::badField, verbatim("'" + field + "' is wrong."), {{"field", field}}}; }
 
 /// As the host checks: targets without a place and measurements need a recipe.
 std::vector<Error> check(const json& manifest) {

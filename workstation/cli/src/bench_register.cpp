@@ -46,7 +46,7 @@ struct Pair {
   Volume fixed;
   Volume moving;
   Motion truth;
-  Transform<frame::Moving, frame::Fixed> start;  // what the error at the start is measured with
+  Transform<frame::Moving, frame::Fixed> start = {};  // what the error at the start is measured with
 };
 
 /// Smooth motion up to kPeak_mm, different in each direction.

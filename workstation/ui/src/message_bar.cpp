@@ -114,7 +114,7 @@ void MessageBar::add(Line message) {
 }
 
 const MessageBar::Line* MessageBar::front() const { return waiting_.empty() ? nullptr : &waiting_.back(); }
-QString MessageBar::text() const { return front() != nullptr ? front()->sentence() : QString(); }
+QString MessageBar::text() const { return front() != nullptr ? front()->sentence : QString(); }
 QString MessageBar::details() const { return front() != nullptr ? front()->details : QString(); }
 bool MessageBar::isError() const { return front() != nullptr && front()->kind == Kind::error; }
 
