@@ -304,7 +304,8 @@ TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   seams.cells.origin_mm = glm::dvec3(-17.0);
   for (int n = 0; n < 512; ++n) seams.view.push_back(static_cast<std::uint8_t>(n / 3 % 5));  // 4: a view that is not there
   const glm::dmat4 toWorld = motionOf({1, 2, 3}, {3, -4, 5}, {});
-  const std::vector<SeenView> views = {{&one, {toWorld, &bend, motionOf({-1, 0, 0}, {}, {})}}, {&other, {toWorld, nullptr, glm::dmat4(1.0)}}, {}};
+  const std::vector<SeenView> views = {
+      {&one, {toWorld, &bend, motionOf({-1, 0, 0}, {}, {})}}, {&other, {toWorld, nullptr, glm::dmat4(1.0)}}, {}};
   const Plane plane = turned(planeOf(Cut::axial, {0, 0, 1}, 0.6), {}, {20, 15, -10});
   const glm::ivec2 size{64, 57};
   const auto picture = seamPicture(seams, views, plane, size, toWorld);
