@@ -75,7 +75,7 @@ TEST(CaseScene, TheSchemaAndTheReaderAllowTheSame) {
       scene["tissues"] = {key == "label" ? json{{"label", value}} : json{{"label", 1}, {key, value}}};
     else
       scene[effect][key] = value;
-    EXPECT_EQ(sceneFromJson(scene, "scene").has_value(), isGood) << scene;
+    EXPECT_EQ(sceneFromJson(scene, verbatim("scene")).has_value(), isGood) << scene;
     EXPECT_EQ(schemaProblems(caseWith(scene), SchemaName::caseManifest, verbatim("case.json")).empty(), isGood) << scene;
   };
   int checked = 0;

@@ -102,7 +102,7 @@ TEST(Comparable, LevelsKeepThePlaceOfThingsOnAnyAxes) {
   // A bright plane tilted in the world must lie where it lay, whatever the voxels.
   Grid grid = centred({50, 30, 20}, 1.0);
   grid.spacing_mm = {0.8, 1.3, 2.0};
-  const glm::dmat3 turn(pose({}, {20.0, 30.0, -10.0}));
+  const glm::dmat3 turn(pose({}, {20.0, 30.0, -10.0}).matrix);
   grid.directions = glm::dmat3(turn[0], turn[1], -turn[2]);  // left-handed
   grid.origin_mm = {100.0, -50.0, 7.0};
   const glm::dvec3 middle(grid.voxelToWorld().matrix * glm::dvec4(24.5, 14.5, 9.5, 1.0));
@@ -147,7 +147,7 @@ double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
 TEST(Streaks, AreFoundAlongTheBeamAndNotInTissue) {
   const Grid grid = centred({52, 48, 56}, 1.5);
   Grid turned = grid;
-  turned.directions = glm::dmat3(pose({}, {25.0, -10.0, 40.0}));
+  turned.directions = glm::dmat3(pose({}, {25.0, -10.0, 40.0}).matrix);
   turned.origin_mm = turned.directions * grid.origin_mm;
   const std::vector<double> voxels{3.0};
   for (const Grid& g : {grid, turned}) {

@@ -218,7 +218,7 @@ TEST(Translations, AgreeWithAPlainSumOverEveryShift) {
   }
   EXPECT_NEAR(peaks[0].overlapCells, bestCells, 0.01);
   EXPECT_LT(glm::length(glm::dvec3(peaks[0].fixedToMoving.matrix[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6);
-  EXPECT_LT(glm::length(glm::dvec3(pair.truth[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6) << "the phantom is too plain";
+  EXPECT_LT(glm::length(glm::dvec3(pair.truth.matrix[3]) - 3.0 * glm::dvec3(bestShift)), 1e-6) << "the phantom is too plain";
 }
 
 TEST(RefineRigid, FindsAKnownPoseFromFiveMillimetresAndEightDegreesOff) {
@@ -239,7 +239,7 @@ TEST(RefineRigid, GivesTheSamePoseOnLeftHandedObliqueAndAnisotropicGrids) {
   const auto all = tissue(8, 110.0);
   Grid odd = centred({44, 44, 30}, 1.5);
   odd.spacing_mm = {1.5, 1.2, 2.2};
-  const glm::dmat3 turn(pose({}, {40.0, -20.0, 60.0}));
+  const glm::dmat3 turn(pose({}, {40.0, -20.0, 60.0}).matrix);
   odd.directions = glm::dmat3(turn[1], turn[0], turn[2]);
   odd.origin_mm = -(odd.directions * (0.5 * odd.spacing_mm * glm::dvec3(odd.dims - 1)));
   const auto truth = pose({5.0, 2.0, -4.0}, {6.0, -4.0, 5.0});

@@ -167,7 +167,7 @@ class PanelsTest final : public QObject {
     // 100 mm cube at the origin, the probe on its upper face, looking along +y.
     sdk::Cases::Scan scan;
     scan.probe = "linear-12";
-    scan.probeToWorld[3] = glm::dvec4(50.0, 0.0, 50.0, 1.0);
+    scan.probeToWorld.matrix[3] = glm::dvec4(50.0, 0.0, 50.0, 1.0);
     scan.depth_mm = 60.0;
     scan.halfFace_mm = 20.0;
     scan.volume.dims = {101, 101, 101};

@@ -56,9 +56,15 @@ registration::ControlGrid wave() {
   return bend;
 }
 
+/// One frame against another, shifted and rotated about the origin.
+template <class To, class From>
+Transform<To, From> moved(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+  return renamed<To, From>(motionOf<frame::World>(shift_mm, turn_deg, {}));
+}
+
 /// What the plane shows by the definition, point by point in double precision; none where nothing is seen.
 std::optional<double> levelBehind(const Volume& volume, const glm::dvec3& p_mm) {
-  const glm::dvec3 voxel = carried(volume.grid.worldToVoxel().matrix, p_mm);
+  const glm::dvec3 voxel = carried(volume.grid.worldToVoxel(), p_mm);
   const glm::dvec3 last(volume.grid.dims - 1);
   if (glm::any(glm::lessThan(voxel, glm::dvec3(0.0))) || glm::any(glm::greaterThan(voxel, last))) return {};
   const auto indexOf = [&](const glm::ivec3& ijk) { return volume.grid.indexOf(ijk.x, ijk.y, ijk.z); };
@@ -175,7 +181,8 @@ TEST(Slices, EveryPixelIsThatOfTheDefinitionRigidAndDeformed) {
   const registration::ControlGrid bend = wave();
   const glm::ivec2 size{73, 61};
   for (const bool deformed : {false, true}) {
-    const Mapping mapping{motionOf({2, -1, 3}, {5, 10, -8}, {}), deformed ? &bend : nullptr, motionOf({-3, 1, 0}, {0, -12, 4}, {})};
+    const Mapping mapping{moved<frame::World, frame::Fixed>({2, -1, 3}, {5, 10, -8}), deformed ? &bend : nullptr,
+                          moved<frame::View, frame::World>({-3, 1, 0}, {0, -12, 4})};
     for (int trial = 0; trial < 6; ++trial) {
       const Plane plane = turned(planeOf(Cut::coronal, {1.0 * trial, -2.0, 1.0}, 0.55), {}, {13.0 * trial, 29.0 * trial, 7.0});
       const GreyPicture picture = sliced(volume, plane, size, mapping);
@@ -303,9 +310,9 @@ TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   seams.cells.spacing_mm = glm::dvec3(5.0);
   seams.cells.origin_mm = glm::dvec3(-17.0);
   for (int n = 0; n < 512; ++n) seams.view.push_back(static_cast<std::uint8_t>(n / 3 % 5));  // 4: a view that is not there
-  const glm::dmat4 toWorld = motionOf({1, 2, 3}, {3, -4, 5}, {});
+  const auto toWorld = moved<frame::World, frame::Fixed>({1, 2, 3}, {3, -4, 5});
   const std::vector<SeenView> views = {
-      {&one, {toWorld, &bend, motionOf({-1, 0, 0}, {}, {})}}, {&other, {toWorld, nullptr, glm::dmat4(1.0)}}, {}};
+      {&one, {toWorld, &bend, moved<frame::View, frame::World>({-1, 0, 0}, {})}}, {&other, {toWorld, nullptr, {}}}, {}};
   const Plane plane = turned(planeOf(Cut::axial, {0, 0, 1}, 0.6), {}, {20, 15, -10});
   const glm::ivec2 size{64, 57};
   const auto picture = seamPicture(seams, views, plane, size, toWorld);

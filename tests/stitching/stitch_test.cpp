@@ -37,7 +37,7 @@ Volume constant(const Grid& grid, int level) {
 
 struct PlacedVolume {
   Volume volume;
-  glm::dmat4 toWorld{1.0};
+  Transform<frame::World, frame::View> toWorld = {};
   std::string name;
 };
 PlacedVolume at(Volume volume, const std::string& name = "a", const glm::dmat4& toWorld = glm::dmat4(1.0)) {
