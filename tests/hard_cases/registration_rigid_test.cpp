@@ -197,7 +197,9 @@ TEST(RigidHardCases, LeftHandedAxesAreRegisteredAndMirroredTissueIsNot) {
       const auto found = other ? matchPartial({&moving}, {&fixed}, {}, noProgress()) : matchPartial({&fixed}, {&moving}, {}, noProgress());
       ASSERT_TRUE(found);
       EXPECT_EQ(found->best.verdict, Verdict::aligned) << found->best.reason;
-      EXPECT_LT(apart_mm(other ? inverse(found->best.fixedToMoving) : found->best.fixedToMoving, kTruth, kGrid), 1.0);
+      EXPECT_LT(apart_mm(other ? renamed<frame::Moving, frame::Fixed>(inverse(found->best.fixedToMoving)) : found->best.fixedToMoving,
+                         kTruth, kGrid),
+                1.0);
     }
     Transform<frame::Fixed, frame::Moving> mirror;  // and here the header does not: what left and right confused look like
     mirror.matrix[axis][axis] = -1.0;
@@ -215,10 +217,10 @@ TEST(RigidHardCases, GeometryThatIsNoNumberIsRefusedByName) {
     const auto matched = matchPartial({&fixed}, {&moving}, {}, noProgress());
     ASSERT_FALSE(matched);
     EXPECT_EQ(matched.error().code, ErrorCode::badField);
-    EXPECT_TRUE(mentions(matched.error().sentence(), word)) << matched.error();
+    EXPECT_TRUE(mentions(matched.error().message, word)) << matched.error();
     const auto refined = refineRigid({&moving}, {&fixed}, {}, {}, noProgress());
     ASSERT_FALSE(refined);
-    EXPECT_TRUE(mentions(refined.error().sentence(), word)) << refined.error();
+    EXPECT_TRUE(mentions(refined.error().message, word)) << refined.error();
   };
   Volume bad = movingView();
   bad.grid.spacing_mm.y = nan;

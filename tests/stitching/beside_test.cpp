@@ -49,7 +49,7 @@ TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
       return {};
     });
     ASSERT_FALSE(all);
-    EXPECT_EQ(all.error().sentence(), verbatim("the fourth"));
+    EXPECT_EQ(all.error().message, verbatim("the fourth"));
     EXPECT_LT(begun, 200);
   }
 }

@@ -222,7 +222,7 @@ TEST(Join, PassesOnWhatTheSinkSays) {
   FullSink sink;
   const auto result = join(views, *seams, grid, {}, sink, noProgress());
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().sentence(), verbatim("The disk is full."));
+  EXPECT_EQ(result.error().message, verbatim("The disk is full."));
 }
 
 TEST(Join, RefusesSeamsThatBelongToAnotherGrid) {
