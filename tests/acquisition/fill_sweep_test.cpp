@@ -73,9 +73,9 @@ RC_GTEST_PROP(FillSweep, FillsNothingFurtherThanTheReachFromWhatWasMeasuredAndKe
   const int count = *rc::gen::inRange(1, 6);
   double z_mm = 0.0;
   for (int n = 0; n < count; ++n) {
-    const double turn_rad = *rc::gen::inRange(-40, 41) / 100.0;
+    const double rotation_rad = *rc::gen::inRange(-40, 41) / 100.0;
     glm::dmat4 m = glm::translate(glm::dmat4(1.0), glm::dvec3(*rc::gen::inRange(-30, 31) / 10.0, 0.0, z_mm));
-    m = glm::rotate(m, turn_rad, glm::normalize(glm::dvec3(1.0, 0.3, 0.1))) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.7, 0.4, 1.0));
+    m = glm::rotate(m, rotation_rad, glm::normalize(glm::dvec3(1.0, 0.3, 0.1))) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.7, 0.4, 1.0));
     sweep.add(imageOf(14, 17, [](int, int) { return 133; }), m);
     z_mm += *rc::gen::inRange(-20, 60) / 10.0;  // frames cross, come twice and go back
   }

@@ -14,8 +14,8 @@ namespace {
 constexpr double kPixel_mm = 0.5;
 
 /// Image to world of a probe at `face_mm`, turned about the beam.
-glm::dmat4 poseOf(const glm::dvec3& face_mm, double turn_rad = 0.0) {
-  return glm::translate(glm::dmat4(1.0), face_mm) * glm::rotate(glm::dmat4(1.0), turn_rad, glm::dvec3(0.0, 1.0, 0.0)) *
+glm::dmat4 poseOf(const glm::dvec3& face_mm, double rotation_rad = 0.0) {
+  return glm::translate(glm::dmat4(1.0), face_mm) * glm::rotate(glm::dmat4(1.0), rotation_rad, glm::dvec3(0.0, 1.0, 0.0)) *
          sweeps::matrixOf({kPixel_mm, 0, 0}, {0, kPixel_mm, 0}, {0, 0, kPixel_mm}, {-12.0, 0.0, 0.0});
 }
 

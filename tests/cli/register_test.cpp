@@ -240,11 +240,11 @@ TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds
   const SpeckledTissue tissue(9);
   TissueView view = viewOfSide(48, 0.8);
   write(tissue, view, "a.mha");
-  const auto bend = [](const glm::dvec3& p) { return 2.5 * glm::dvec3(std::sin(p.y / 12.0), std::sin(p.z / 14.0), std::sin(p.x / 13.0)); };
+  const auto warp = [](const glm::dvec3& p) { return 2.5 * glm::dvec3(std::sin(p.y / 12.0), std::sin(p.z / 14.0), std::sin(p.x / 13.0)); };
   view.view = 2;
   view.toTissue = [&](const glm::dvec3& q) {
     glm::dvec3 p = q;
-    for (int step = 0; step < 30; ++step) p = q - bend(p);
+    for (int step = 0; step < 30; ++step) p = q - warp(p);
     return p;
   };
   write(tissue, view, "b.mha");
@@ -258,7 +258,7 @@ TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds
   for (int k = 4; k < 44; k += 4)
     for (int j = 4; j < 44; j += 4)
       for (int i = 4; i < 44; i += 4) {
-        const glm::dvec3 u = bend(0.8 * glm::dvec3(i, j, k));
+        const glm::dvec3 u = warp(0.8 * glm::dvec3(i, j, k));
         const float* found = field->values.data() + 3 * field->grid.indexOf(i, j, k);
         before += glm::length(u) / 1000.0;
         after += glm::length(glm::dvec3(found[0], found[1], found[2]) - u) / 1000.0;

@@ -58,10 +58,10 @@ Probe convexProbe() {
   return probe;
 }
 
-Pose poseFor(double turn_rad) {
+Pose poseFor(double rotation_rad) {
   Pose pose;
   pose.probeToWorld.matrix =
-      glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(2, 3, 1)), turn_rad, glm::normalize(glm::dvec3(0.3, 1, 0.2)));
+      glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(2, 3, 1)), rotation_rad, glm::normalize(glm::dvec3(0.3, 1, 0.2)));
   return pose;
 }
 
@@ -69,7 +69,7 @@ struct Kept {
   const char* name;
   Probe probe;
   Knobs knobs;
-  double turn_rad = 0.0;
+  double rotation_rad = 0.0;
   Scene scene = {};
   bool isLifted = false;  ///< the last quarter of the face (its +x end) is off the skin
 };
@@ -122,7 +122,7 @@ TEST_P(GoldenFrame, IsTheKeptPicture) {
   std::fill(gaps_mm.begin() + 25, gaps_mm.end(), 30.0F);
   FrameInput input;
   input.echo = volume.view();
-  input.pose = poseFor(kept.turn_rad);
+  input.pose = poseFor(kept.rotation_rad);
   if (kept.isLifted) input.gaps_mm = gaps_mm;
   const auto actual = maker.make(input).grey;
   if (std::getenv("EW_RENEW_GOLDEN") != nullptr) {

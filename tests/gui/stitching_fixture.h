@@ -102,13 +102,13 @@ class StitchingFixture : public WindowFixture {
     return file;
   }
 
-  /// How far the tissue of a bent piece was pushed, at a point of the patient (mm).
+  /// How far the tissue of a warped piece was pushed, at a point of the patient (mm).
   static glm::dvec3 push(const glm::dvec3& p) {
     constexpr double kWave = 2.0 * M_PI / 90.0;
     return {2.5 * std::sin(kWave * p.y), 3.5 * std::sin(kWave * (p.z + 10.0)), 2.0 * std::sin(kWave * p.x)};
   }
   /// A piece as if a probe had pressed: at q it shows what lay at q + push(q).
-  [[nodiscard]] Part writeBentPart(const QString& name, const glm::ivec3& from, const glm::ivec3& dims) const {
+  [[nodiscard]] Part writeWarpedPart(const QString& name, const glm::ivec3& from, const glm::ivec3& dims) const {
     Volume piece;
     piece.grid = truth_.grid;
     piece.grid.dims = dims;

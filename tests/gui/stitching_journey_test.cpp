@@ -114,7 +114,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY(project() == painted);
     // What was found before is there again, without a run that anybody asked for.
     QCOMPARE(verdict(0, 1), QStringLiteral("aligned"));
-    QCOMPARE(ask<QString>(stitching(), "effortOfBend"), QStringLiteral("balanced"));
+    QCOMPARE(ask<QString>(stitching(), "effortOfWarp"), QStringLiteral("balanced"));
     QVERIFY(ask<int>(stitching(), "nodesOfResult") > 0);
     QVERIFY(!view("resultIsOld")->isVisible());
     click("seams");  // and nothing is left to do
@@ -270,12 +270,12 @@ class StitchingJourneyTest : public StitchingFixture {
     QCOMPARE(list->item(2)->text(), QStringLiteral("midline"));
   }
 
-  /// Two pieces of which one was pressed: a rigid pose cannot bring them together, and the bend does. On the way one pair is bent with
+  /// Two pieces of which one was pressed: a rigid pose cannot bring them together, and the warp does. On the way one pair is warped with
   /// another effort, and a stroke is drawn along the seam.
-  void piecesThatWerePressedAreBentTogether() {
+  void piecesThatWerePressedAreWarpedTogether() {
     openWindow(files_.writeCase(QStringLiteral("bent case")));
     const Part a = writePart(QStringLiteral("at rest.mha"), {36, 12, 40}, {50, 48, 44});
-    const Part b = writeBentPart(QStringLiteral("pressed.mha"), {48, 14, 44}, {50, 48, 44});
+    const Part b = writeWarpedPart(QStringLiteral("pressed.mha"), {48, 14, 44}, {50, 48, 44});
     drop({a.file, b.file});
     QVERIFY(jobsEnd());
     QVERIFY2(find<QLabel>("expectedCost")->text().contains(QStringLiteral("mm in")), qPrintable(find<QLabel>("expectedCost")->text()));
@@ -283,13 +283,13 @@ class StitchingJourneyTest : public StitchingFixture {
     click("matchAll");
     QVERIFY(jobsEnd());
     QVERIFY2(verdict(0, 1) == QLatin1String("aligned"), qPrintable(find<QLabel>("pairReason")->text()));
-    const auto errors = [&](bool bent) {
+    const auto errors = [&](bool warped) {
       std::vector<double> lengths;
       for (double x = 34.0; x <= 90.0; x += 14.0)
         for (double y = 16.0; y <= 80.0; y += 16.0)
           for (double z = 18.0; z <= 78.0; z += 15.0) {
             const auto mates =
-                ask<QList<double>>(stitching(), "matesAt", Q_ARG(double, x), Q_ARG(double, y), Q_ARG(double, z), Q_ARG(bool, bent));
+                ask<QList<double>>(stitching(), "matesAt", Q_ARG(double, x), Q_ARG(double, y), Q_ARG(double, z), Q_ARG(bool, warped));
             // What the moving volume shows at m lay in the patient at q + push(q).
             const glm::dvec3 q = glm::dvec3(mates[3], mates[4], mates[5]) + b.at_mm;
             lengths.push_back(glm::length(q + push(q) - (glm::dvec3(mates[0], mates[1], mates[2]) + a.at_mm)));
@@ -304,14 +304,14 @@ class StitchingJourneyTest : public StitchingFixture {
     click("elastic");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
-    QCOMPARE(ask<QString>(stitching(), "effortOfBend"), QStringLiteral("fast"));
+    QCOMPARE(ask<QString>(stitching(), "effortOfWarp"), QStringLiteral("fast"));
     QVERIFY2(find<QLabel>("measuredCost")->text().endsWith(QLatin1String(" s")), qPrintable(find<QLabel>("measuredCost")->text()));
     const double fast_mm = errors(true);
     QVERIFY2(rigid_mm > 1.2, qPrintable(QString::number(rigid_mm)));
     QVERIFY2(fast_mm < 0.5 * rigid_mm, qPrintable(QStringLiteral("%1 to %2 mm").arg(rigid_mm).arg(fast_mm)));
-    QVERIFY(ask<double>(stitching(), "largestBend_mm") > 1.0);
+    QVERIFY(ask<double>(stitching(), "largestWarp_mm") > 1.0);
 
-    // The same pair with another effort: chosen in the curve, and bent again.
+    // The same pair with another effort: chosen in the curve, and warped again.
     QVERIFY(!find<QPushButton>("bendAgain")->isEnabled());
     auto* curve = view("costChart");
     for (QWidget* above = curve->parentWidget(); above != nullptr; above = above->parentWidget())
@@ -323,7 +323,7 @@ class StitchingJourneyTest : public StitchingFixture {
     keepPicture("20-effort-changed");
     clickInspector("bendAgain");
     QVERIFY(jobsEnd());
-    QCOMPARE(ask<QString>(stitching(), "effortOfBend"), QStringLiteral("accurate"));
+    QCOMPARE(ask<QString>(stitching(), "effortOfWarp"), QStringLiteral("accurate"));
     const double accurate_mm = errors(true);
     QVERIFY2(accurate_mm < 0.5 * rigid_mm, qPrintable(QStringLiteral("%1 to %2 mm").arg(rigid_mm).arg(accurate_mm)));
     choose("fourthChoice", 1);

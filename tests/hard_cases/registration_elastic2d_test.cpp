@@ -44,7 +44,7 @@ GreyImage noise(unsigned seed, int side = kSide) {
 
 TEST(HardElastic2d, LeavesConstantImagesAloneAndNamesThem) {
   const Pattern pattern(31, 1.1, 30.0, 30.0);
-  const GreyImage flat(kSide, kSide, 90), shown = pairOf(kSide, kPixel_mm, pattern, pattern, bend(0.0, 60.0)).fixed;
+  const GreyImage flat(kSide, kSide, 90), shown = pairOf(kSide, kPixel_mm, pattern, pattern, warp(0.0, 60.0)).fixed;
   for (const auto& [a, b] : {std::pair{&flat, &flat}, std::pair{&flat, &shown}, std::pair{&shown, &flat}}) {
     const auto found = registered(*a, *b);
     EXPECT_EQ(found.verdict, Verdict::cannotTell);
@@ -64,7 +64,7 @@ TEST(HardElastic2d, BelievesNothingInBlackImages) {
 
 TEST(HardElastic2d, BendsASaturatedImageByWhatIsNotSaturated) {
   const Pattern pattern(32, 1.1, 30.0, 40.0);
-  const Motion truth = bend(3.0, kExtent_mm);
+  const Motion truth = warp(3.0, kExtent_mm);
   const auto saturate = [](double v, glm::dvec2) { return v + 105.0; };  // a quarter of the pixels and more end at 255
   const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, truth, saturate);
   const auto white = std::count(pair.moving.pixels.begin(), pair.moving.pixels.end(), 255);
@@ -87,7 +87,7 @@ TEST(HardElastic2d, IsNeverWorseThanNothingOnSmallMotionUnderIndependentSpeckle)
   double found_mm = 0.0, nothing_mm = 0.0;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Pattern mine(seed, 1.1, 26.0, 26.0), structure(seed, 1.1, 0.0, 26.0), grain(900 + seed, 1.1, 26.0, 0.0);
-    const Motion truth = bend(1.5, kExtent_mm);
+    const Motion truth = warp(1.5, kExtent_mm);
     Pair2d pair = pairOf(kSide, kPixel_mm, mine, mine, truth);
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
@@ -105,7 +105,7 @@ TEST(HardElastic2d, IsNeverWorseThanNothingOnSmallMotionUnderIndependentSpeckle)
 TEST(HardElastic2d, SaysThatInvertedGainAgreesWithNothing) {
   const Pattern pattern(33, 1.1, 30.0, 30.0);
   const auto inverted = [](double v, glm::dvec2) { return 240.0 - v; };
-  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, bend(1.0, kExtent_mm), inverted);
+  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, warp(1.0, kExtent_mm), inverted);
   const auto found = registered(pair.fixed, pair.moving, {.largestMotion_mm = 0.0});
   EXPECT_LT(found.before.correlation, 0.0);
   EXPECT_TRUE(everywhereFinite(found));
@@ -144,7 +144,7 @@ TEST(HardElastic2d, NamesImagesThatCoverNothingInCommon) {
 
 TEST(HardElastic2d, IsNotDrawnByAShadowOverHalfOfOneImage) {
   const Pattern pattern(34, 1.1, 30.0, 30.0);
-  const Motion truth = bend(2.5, kExtent_mm);
+  const Motion truth = warp(2.5, kExtent_mm);
   const auto shadowed = [](double v, glm::dvec2 p) {
     const double across = 1.0 / (1.0 + std::exp((std::abs(p.x - 40.0) - 16.0) / 0.8)), down = 1.0 / (1.0 + std::exp(-(p.y - 14.0) / 0.8));
     return v - 110.0 * across * down;

@@ -34,9 +34,9 @@ void expectUsable(const ElasticResult& found) {
 
 const Grid kGrid = uprightGrid({44, 40, 48}, 1.0);
 
-glm::dvec3 bend(const glm::dvec3& p) { return {2.0 * std::sin(p.y / 11.0), 1.5 * std::cos(p.z / 12.0), std::sin(p.x / 13.0)}; }
+glm::dvec3 warp(const glm::dvec3& p) { return {2.0 * std::sin(p.y / 11.0), 1.5 * std::cos(p.z / 12.0), std::sin(p.x / 13.0)}; }
 
-double errorAt(const ElasticResult& found, const glm::dvec3& p) { return glm::distance(movingPoint(found.fixedToMoving, p), p + bend(p)); }
+double errorAt(const ElasticResult& found, const glm::dvec3& p) { return glm::distance(movingPoint(found.fixedToMoving, p), p + warp(p)); }
 
 TEST(HardElastic, ConstantImagesAreNamedSingularAndMoveNothing) {
   const Volume grey = imaged(kGrid, [](const glm::dvec3&) { return 90.0; });
@@ -62,7 +62,7 @@ TEST(HardElastic, OneConstantImageIsNotCalledAligned) {
 TEST(HardElastic, SaturatedImagesFollowWhatIsLeft) {
   const Tissue tissue(2, 6.0, 70.0);
   const Volume fixed = imaged(
-      kGrid, [&](const glm::dvec3& p) { return tissue.at(p + bend(p)) + 150.0; }, 8.0, 1);
+      kGrid, [&](const glm::dvec3& p) { return tissue.at(p + warp(p)) + 150.0; }, 8.0, 1);
   const Volume moving = imaged(
       kGrid, [&](const glm::dvec3& p) { return tissue.at(p) + 150.0; }, 8.0, 2);
   ASSERT_GT(std::count(fixed.echo.begin(), fixed.echo.end(), 255), static_cast<std::ptrdiff_t>(fixed.echo.size() / 4));
@@ -115,7 +115,7 @@ TEST(HardElastic, DisjointVolumesAreNamedSo) {
 TEST(HardElastic, AShadowOverHalfOfOneImageIsFilledAndTheOtherHalfIsNotHurt) {
   const Tissue tissue(4);
   const Volume fixed = imaged(
-      kGrid, [&](const glm::dvec3& p) { return tissue.at(p + bend(p)); }, 8.0, 1);
+      kGrid, [&](const glm::dvec3& p) { return tissue.at(p + warp(p)); }, 8.0, 1);
   std::mt19937 random(9);
   Volume moving = imaged(
       kGrid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
@@ -184,7 +184,7 @@ TEST(HardElastic, ADisplacementThatFoldsIsNotFollowedIntoTheFold) {
 TEST(HardElastic, IndependentSpeckleOnASmallMotionIsNeverWorseThanNothing) {
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     const Tissue tissue(10 + seed, 6.0, 30.0);
-    const auto truth = [](const glm::dvec3& p) { return p + 0.4 * bend(p); };
+    const auto truth = [](const glm::dvec3& p) { return p + 0.4 * warp(p); };
     const Volume fixed = imaged(
         kGrid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 30.0, seed);
     const Volume moving = imaged(
@@ -239,7 +239,7 @@ TEST(HardElastic, AWaveTooShortForTheNodesIsNotCalledAlignedAndMarked) {
     expectUsable(found);
     EXPECT_EQ(found.verdict, Verdict::cannotTell) << c.length_mm << ": " << found.reason;
     ASSERT_EQ(found.remarks.size(), 1u);
-    EXPECT_EQ(found.remarks[0].what, Says::motionIsLeft) << c.length_mm << ": " << found.reason;
+    EXPECT_EQ(found.remarks[0].what, RemarkCode::motionRemains) << c.length_mm << ": " << found.reason;
     const auto unsure = std::count_if(found.uncertainty.begin(), found.uncertainty.end(), [](float u) { return u > 0.5F; });
     EXPECT_GT(static_cast<double>(unsure), 0.5 * static_cast<double>(found.uncertainty.size())) << c.length_mm;
   }
@@ -269,7 +269,7 @@ TEST(HardElastic, WavesInPartOfAVolumeAreMarkedThereAndNowhereElse) {
   }
   EXPECT_LT(marked[0], 0.1 * all[0]);
   EXPECT_GT(marked[1], 0.4 * all[1]);
-  EXPECT_GT(found.leftShare, 0.05);
+  EXPECT_GT(found.residualShare, 0.05);
 }
 
 TEST(HardElastic, AnisotropyOfTwentyToOneIsSurvived) {

@@ -304,7 +304,7 @@ TEST(RigidHardCases, FivePercentOverlapIsAlignedRightlyOrNotClaimed) {
   for (const double least : {0.08, 0.03}) {
     PartialOptions options;
     options.leastOverlap = least;
-    options.maxTurn_deg = 10.0;
+    options.maxRotation_deg = 10.0;
     const auto found = matchPartial({&fixed}, {&moving}, options, noProgress());
     ASSERT_TRUE(found);
     if (found->best.verdict == Verdict::aligned) {
@@ -357,8 +357,8 @@ TEST(RigidHardCases, HalfATurnIsFoundWhenAskedForAndNotClaimedWhenNot) {
   const auto narrow = matchPartial({&fixed}, {&moving}, options, noProgress());
   ASSERT_TRUE(narrow);
   EXPECT_NE(narrow->best.verdict, Verdict::aligned) << narrow->best.reason;
-  options.maxTurn_deg = 180.0;
-  options.stepTurn_deg = 20.0;
+  options.maxRotation_deg = 180.0;
+  options.stepRotation_deg = 20.0;
   options.cell_mm = 5.0;
   options.hypotheses = 16;
   const auto wide = matchPartial({&fixed}, {&moving}, options, noProgress());

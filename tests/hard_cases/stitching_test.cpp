@@ -190,11 +190,11 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
   view.correction.grey = {1.0, std::nan("")};
   EXPECT_NE(refusal(view).sentence().find("left lobe"), std::string::npos);
   view = viewOf(one, "left lobe");
-  registration::ControlGrid bend{gridOf({2, 2, 2}), std::vector<glm::vec3>(8, glm::vec3(0.0f))};
-  bend.displacement_mm[3].y = std::numeric_limits<float>::infinity();
-  view.bend = &bend;
+  registration::ControlGrid warp{gridOf({2, 2, 2}), std::vector<glm::vec3>(8, glm::vec3(0.0f))};
+  warp.displacement_mm[3].y = std::numeric_limits<float>::infinity();
+  view.warp = &warp;
   EXPECT_EQ(refusal(view).code, ErrorCode::badField);
-  bend.displacement_mm.resize(5);
+  warp.displacement_mm.resize(5);
   EXPECT_EQ(refusal(view).code, ErrorCode::badField);
   view = viewOf(one, "left lobe", glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
   EXPECT_EQ(refusal(view).code, ErrorCode::notRigid);
@@ -209,9 +209,9 @@ TEST(HardStitching, NumbersThatAreNoneAreRefusedByName) {
 
 TEST(HardStitching, ABendThatCarriesAViewAwayLeavesNothingOfIt) {
   const Volume one = constant(gridOf({20, 20, 20}), 9);
-  registration::ControlGrid bend{gridOf({2, 2, 2}, {0, 0, 0}, 19.0), std::vector<glm::vec3>(8, glm::vec3(1e6f, 0.0f, 0.0f))};
+  registration::ControlGrid warp{gridOf({2, 2, 2}, {0, 0, 0}, 19.0), std::vector<glm::vec3>(8, glm::vec3(1e6f, 0.0f, 0.0f))};
   View view = viewOf(one, "gone");
-  view.bend = &bend;
+  view.warp = &warp;
   for (const SeamMethod method : kMethods) {
     const auto result = joined({view}, by(method));
     ASSERT_TRUE(result);

@@ -15,9 +15,9 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFrame_s = 0.02;
 
-Pose poseAt(double x_mm, double turn_rad = 0.0) {
+Pose poseAt(double x_mm, double rotation_rad = 0.0) {
   Pose pose;
-  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), {x_mm, 0.0, 0.0}), turn_rad, {0.0, 1.0, 0.0});
+  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), {x_mm, 0.0, 0.0}), rotation_rad, {0.0, 1.0, 0.0});
   return pose;
 }
 
@@ -25,12 +25,12 @@ Pose poseAt(double x_mm, double turn_rad = 0.0) {
 struct Sweep {
   AdaptiveQuality quality;
   Knobs asked = {.elevationPlanes = 9, .quality = Quality::cubic};
-  double time_s = 0.0, x_mm = 0.0, turn_rad = 0.0;
+  double time_s = 0.0, x_mm = 0.0, rotation_rad = 0.0;
   Knobs step(double speed_mmPerS, double lastFrame_ms, double turn_radPerS = 0.0) {
     time_s += kFrame_s;
     x_mm += speed_mmPerS * kFrame_s;
-    turn_rad += turn_radPerS * kFrame_s;
-    return quality.step(asked, poseAt(x_mm, turn_rad), time_s, lastFrame_ms);
+    rotation_rad += turn_radPerS * kFrame_s;
+    return quality.step(asked, poseAt(x_mm, rotation_rad), time_s, lastFrame_ms);
   }
 };
 

@@ -158,14 +158,14 @@ TEST(Attenuation, OfSomeLinesAloneIsThatOfAllLines) {
   }));
 }
 
-/// A convex fan over a stone sphere in the plane of the probe, turned by `turn_rad` about the middle of its face: the lines it shadows.
+/// A convex fan over a stone sphere in the plane of the probe, turned by `rotation_rad` about the middle of its face: the lines it shadows.
 struct FanOverStone {
   static constexpr int kLines = 128;
   static constexpr double kRadius_mm = 60.0;
   static constexpr double kHalfAngle_rad = 0.5;
   glm::dvec2 stone_mm{12.0, 55.0};
   double stoneRadius_mm = 6.0;
-  double turn_rad = 0.0;
+  double rotation_rad = 0.0;
 
   struct Ray {
     glm::dvec2 origin_mm;
@@ -175,7 +175,7 @@ struct FanOverStone {
     const double angle_rad = kHalfAngle_rad * (2.0 * line / (kLines - 1) - 1.0);
     const glm::dvec2 direction(std::sin(angle_rad), std::cos(angle_rad));
     const glm::dvec2 origin_mm = kRadius_mm * direction - glm::dvec2(0.0, kRadius_mm);
-    const double c = std::cos(turn_rad), s = std::sin(turn_rad);
+    const double c = std::cos(rotation_rad), s = std::sin(rotation_rad);
     const auto turned = [&](glm::dvec2 p) { return glm::dvec2(c * p.x - s * p.y, s * p.x + c * p.y); };
     return {turned(origin_mm), turned(direction)};
   }
@@ -205,16 +205,16 @@ struct FanOverStone {
 
 TEST(Shadow, LiesOnExactlyTheLinesOfThePresentViewThatMeetTheObstacle) {
   std::vector<std::vector<bool>> views;
-  for (const double turn_rad : {0.0, 0.25, -0.2}) {
+  for (const double rotation_rad : {0.0, 0.25, -0.2}) {
     FanOverStone view;
-    view.turn_rad = turn_rad;
+    view.rotation_rad = rotation_rad;
     const std::vector<bool> dark = view.shadowed();
     int shadowedLines = 0;
     for (int line = 0; line < FanOverStone::kLines; ++line) {
       const double miss_mm = view.missDistance_mm(line);
       // A chord shorter than a sample may fall between two samples.
       if (std::abs(miss_mm - view.stoneRadius_mm) < 2e-3) continue;
-      EXPECT_EQ(dark[static_cast<std::size_t>(line)], miss_mm < view.stoneRadius_mm) << "turn " << turn_rad << ", line " << line;
+      EXPECT_EQ(dark[static_cast<std::size_t>(line)], miss_mm < view.stoneRadius_mm) << "turn " << rotation_rad << ", line " << line;
       shadowedLines += dark[static_cast<std::size_t>(line)] ? 1 : 0;
     }
     EXPECT_GT(shadowedLines, 5);

@@ -50,9 +50,9 @@ Volume bodyVolume() {
   return volume;
 }
 
-Pose poseAt(const glm::dvec3& origin_mm, double turn_rad = 0.0) {
+Pose poseAt(const glm::dvec3& origin_mm, double rotation_rad = 0.0) {
   Pose pose;
-  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), origin_mm), turn_rad, glm::dvec3(0.2, 1.0, 0.1));
+  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), origin_mm), rotation_rad, glm::dvec3(0.2, 1.0, 0.1));
   return pose;
 }
 

@@ -56,9 +56,9 @@ Volume labelsOf(const Volume& body) {
   return labels;
 }
 
-Pose poseAt(const glm::dvec3& origin_mm, double turn_rad = 0.0, const glm::dvec3& axis = {0.2, 1.0, 0.1}) {
+Pose poseAt(const glm::dvec3& origin_mm, double rotation_rad = 0.0, const glm::dvec3& axis = {0.2, 1.0, 0.1}) {
   Pose pose;
-  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), origin_mm), turn_rad, axis);
+  pose.probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), origin_mm), rotation_rad, axis);
   return pose;
 }
 

@@ -57,9 +57,11 @@ inline FormationOptions onlySpeckle(double depth_mm) {
 }
 
 /// The face `lift_mm` deep in the block, moved along elevation and turned about the lateral axis.
-inline Transform<frame::World, frame::Probe> held(double elevation_mm = 0.0, double turn_rad = 0.0, const glm::dvec3& at_mm = {0, 2, 0}) {
+inline Transform<frame::World, frame::Probe> held(double elevation_mm = 0.0, double rotation_rad = 0.0,
+                                                  const glm::dvec3& at_mm = {0, 2, 0}) {
   Transform<frame::World, frame::Probe> probeToWorld;
-  probeToWorld.matrix = glm::rotate(glm::translate(glm::dmat4(1.0), at_mm + glm::dvec3(0, 0, elevation_mm)), turn_rad, glm::dvec3(1, 0, 0));
+  probeToWorld.matrix =
+      glm::rotate(glm::translate(glm::dmat4(1.0), at_mm + glm::dvec3(0, 0, elevation_mm)), rotation_rad, glm::dvec3(1, 0, 0));
   return probeToWorld;
 }
 

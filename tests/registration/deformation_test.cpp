@@ -69,7 +69,7 @@ TEST(Displace, MovesEachPointByItsDisplacement) {
   EXPECT_EQ(moved, points);
 }
 
-TEST(MovingPoint, BendsFirstAndTurnsThen) {
+TEST(MovingPoint, WarpsFirstAndTurnsThen) {
   const Deformation deformation{turned(0.5, {10.0, 0.0, -4.0}),
                                 affineField(uprightGrid({3, 3, 3}, 20.0), glm::dmat3(0.0), {1.0, 2.0, 3.0})};
   const glm::dvec3 expected = carried(deformation.rigid, {6.0, 8.0, 10.0});

@@ -189,7 +189,7 @@ TEST(PlanarJacobian, IsExactForABilinearFieldAtItsWorstCorner) {
 
 TEST(RegisterElastic2d, FindsABendOfSharedSpeckleToAFifthOfAPixel) {
   const Pattern pattern(11, 1.1, 30.0, 30.0);
-  const Motion truth = bend(4.0, kExtent_mm);
+  const Motion truth = warp(4.0, kExtent_mm);
   const auto found = registered(pairOf(kSide, kPixel_mm, pattern, pattern, truth));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
@@ -201,7 +201,7 @@ TEST(RegisterElastic2d, FindsABendOfSharedSpeckleToAFifthOfAPixel) {
 
 TEST(RegisterElastic2d, IsIndifferentToGainAndDepthGain) {
   const Pattern pattern(12, 1.1, 24.0, 24.0);
-  const Motion truth = bend(3.0, kExtent_mm);
+  const Motion truth = warp(3.0, kExtent_mm);
   const auto changed = [](double v, glm::dvec2 p) { return 0.7 * v + 30.0 + 0.5 * p.y; };
   const auto found = registered(pairOf(kSide, kPixel_mm, pattern, pattern, truth, changed));
   ASSERT_TRUE(found);
@@ -210,7 +210,7 @@ TEST(RegisterElastic2d, IsIndifferentToGainAndDepthGain) {
 
 TEST(RegisterElastic2d, FailsOnALargeBendInOneResolutionWhereThePyramidSucceeds) {
   const Pattern pattern(13, 1.1, 30.0, 30.0);
-  const Motion truth = bend(6.0, kExtent_mm);
+  const Motion truth = warp(6.0, kExtent_mm);
   const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, truth);
   const auto pyramid = registered(pair);
   const auto single = registered(pair, {.singleResolution = true});
@@ -223,7 +223,7 @@ TEST(RegisterElastic2d, FailsOnALargeBendInOneResolutionWhereThePyramidSucceeds)
 TEST(RegisterElastic2d, ReportsTheCorrelationAfterEachFactorOfThePaper) {
   const Pattern pattern(14, 1.1, 30.0, 30.0);
   std::vector<Level> seen;
-  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, bend(4.0, kExtent_mm));
+  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, warp(4.0, kExtent_mm));
   const auto found = registerElastic2d(viewOf(pair.fixed), viewOf(pair.moving), glm::dvec2(kPixel_mm), {.factors = {48.0, 24.0, 6.0}},
                                        noProgress(), [&](const Level& level) { seen.push_back(level); });
   ASSERT_TRUE(found);
@@ -247,7 +247,7 @@ TEST(RegisterElastic2d, FindsACommonShiftBeyondWhatGradientsReach) {
 
 TEST(RegisterElastic2d, GivesTheSameBitsForEveryNumberOfThreads) {
   const Pattern pattern(16, 1.1, 30.0, 30.0);
-  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, bend(4.0, kExtent_mm));
+  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, warp(4.0, kExtent_mm));
   const auto one = registered(pair, {.threads = 1});
   ASSERT_TRUE(one);
   for (const int threads : {2, 8}) {
@@ -266,7 +266,7 @@ class Impatient final : public Progress {
 
 TEST(RegisterElastic2d, StopsWhenAskedTo) {
   const Pattern pattern(17, 1.1, 30.0, 30.0);
-  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, bend(2.0, kExtent_mm));
+  const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, pattern, warp(2.0, kExtent_mm));
   Impatient impatient;
   const auto found = registerElastic2d(viewOf(pair.fixed), viewOf(pair.moving), glm::dvec2(kPixel_mm), {}, impatient);
   ASSERT_FALSE(found);
@@ -276,7 +276,7 @@ TEST(RegisterElastic2d, StopsWhenAskedTo) {
 TEST(RegisterElastic2d, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
   const Pattern pattern(17, 1.1, 30.0, 30.0), other(18, 1.1, 30.0, 30.0);
   for (const Pattern* seen : {&pattern, &other}) {
-    const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, *seen, bend(2.0, kExtent_mm));
+    const Pair2d pair = pairOf(kSide, kPixel_mm, pattern, *seen, warp(2.0, kExtent_mm));
     RisingProgress progress;
     ASSERT_TRUE(registerElastic2d(viewOf(pair.fixed), viewOf(pair.moving), glm::dvec2(kPixel_mm), {}, progress));
     EXPECT_EQ(progress.backwards(), 0);

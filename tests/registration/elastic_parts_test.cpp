@@ -5,22 +5,22 @@
 #include <cmath>
 #include <vector>
 
-#include "elastic/left_motion.h"
 #include "elastic/levels.h"
-#include "registration/bent_pairs.h"
+#include "elastic/residual_motion.h"
 #include "registration/fields.h"
 #include "registration/tissue.h"
+#include "registration/warped_pairs.h"
 
 /// The inside of the three-dimensional registration, through its own headers: levels, cost, prior, solver, folds, motion that is left.
 namespace ew::elastic_parts_test {
 namespace {
 
 using namespace registration;
-using test::bentPair;
 using test::imaged;
 using test::Pair;
 using test::Tissue;
 using test::uprightGrid;
+using test::warpedPair;
 
 LevelImage levelOf(const Volume& volume, double voxel_mm) {
   LevelImage level;
@@ -98,19 +98,19 @@ TEST(ElasticLevel, CountsTheShadowOfOneViewLittleAndAllElseAsBefore) {
   }
 }
 
-LeftMotion leftOf(const Volume& fixed, const Volume& moving, int threads = 1) {
+ResidualMotion leftOf(const Volume& fixed, const Volume& moving, int threads = 1) {
   LevelImage f, m;
   EXPECT_TRUE(makeLevel({&fixed, {}}, {}, 1.0, 6.0, 1, noProgress(), f));
   EXPECT_TRUE(makeLevel({&moving, {}}, {}, 1.0, 6.0, 1, noProgress(), m));
   const NodeGrid nodes = nodesFor(fixed.grid, 8.0);
   LevelPair pair(f, m, axesTransformOf(fixed.grid, moving.grid, {}), nodes, 1);
   EXPECT_TRUE(pair.warp(NodeValues(4 * nodes.count(), 0.0F), noProgress()));
-  LeftMotion left;
-  EXPECT_TRUE(lookForLeftMotion(pair, nodes, threads, noProgress(), left));
+  ResidualMotion left;
+  EXPECT_TRUE(lookForResidualMotion(pair, nodes, threads, noProgress(), left));
   return left;
 }
 
-TEST(LeftMotion, IsNoneWhereNothingMovesAndTheShiftWhereAllDoes) {
+TEST(ResidualMotion, IsNoneWhereNothingMovesAndTheShiftWhereAllDoes) {
   const Grid grid = uprightGrid({42, 40, 38}, 1.0);
   const Tissue tissue(5);
   const auto shifted = [&](const glm::dvec3& by, unsigned seed) {
@@ -118,14 +118,14 @@ TEST(LeftMotion, IsNoneWhereNothingMovesAndTheShiftWhereAllDoes) {
         grid, [&](const glm::dvec3& p) { return tissue.at(p + by); }, 8.0, seed);
   };
   const Volume fixed = shifted({0, 0, 0}, 1);
-  const LeftMotion still = leftOf(fixed, shifted({0.3, 0.2, -0.3}, 2));
+  const ResidualMotion still = leftOf(fixed, shifted({0.3, 0.2, -0.3}, 2));
   EXPECT_GT(still.blocks, 50.0);
   EXPECT_LT(still.share, 0.2);
-  const LeftMotion moved = leftOf(fixed, shifted({2.0, 0.0, 0.0}, 2));
+  const ResidualMotion moved = leftOf(fixed, shifted({2.0, 0.0, 0.0}, 2));
   EXPECT_GT(moved.blocks, 50.0);
   EXPECT_GT(moved.share, 0.9);
   EXPECT_NEAR(moved.length_mm, 2.0, 0.2);
-  const LeftMotion further = leftOf(fixed, shifted({2.0, -4.0, 2.0}, 2));
+  const ResidualMotion further = leftOf(fixed, shifted({2.0, -4.0, 2.0}, 2));
   EXPECT_GT(further.share, 0.9);
   EXPECT_NEAR(further.length_mm, std::sqrt(24.0), 0.3);
   // Halves that know nothing agree by chance: once in 125 shifts, once in 25 of a single layer, which is taken off.
@@ -135,18 +135,18 @@ TEST(LeftMotion, IsNoneWhereNothingMovesAndTheShiftWhereAllDoes) {
   };
   EXPECT_LT(leftOf(noise(grid, 3), noise(grid, 4)).blocks, 0.1 * moved.blocks);
   const Grid layer = uprightGrid({240, 240, 1}, 1.0);
-  const LeftMotion chance = leftOf(noise(layer, 5), noise(layer, 6));
+  const ResidualMotion chance = leftOf(noise(layer, 5), noise(layer, 6));
   EXPECT_LT(chance.share * chance.blocks, 0.02 * 800.0);  // every second of 1600 is looked at
 }
 
-TEST(LeftMotion, IsTheSameForAnyNumberOfThreadsAndNamesWhereItIs) {
+TEST(ResidualMotion, IsTheSameForAnyNumberOfThreadsAndNamesWhereItIs) {
   const Grid grid = uprightGrid({60, 36, 36}, 1.0);
   const Tissue tissue(7);
   const Volume fixed = imaged(
       grid, [&](const glm::dvec3& p) { return tissue.at(p.x < 30.0 ? p : p + glm::dvec3(0.0, 2.0, 2.0)); }, 8.0, 1);
   const Volume moving = imaged(
       grid, [&](const glm::dvec3& p) { return tissue.at(p); }, 8.0, 2);
-  const LeftMotion one = leftOf(fixed, moving, 1), four = leftOf(fixed, moving, 4);
+  const ResidualMotion one = leftOf(fixed, moving, 1), four = leftOf(fixed, moving, 4);
   EXPECT_EQ(one.nodeShare, four.nodeShare);
   EXPECT_EQ(one.share, four.share);
   const NodeGrid nodes = nodesFor(grid, 8.0);
@@ -161,7 +161,7 @@ TEST(LeftMotion, IsTheSameForAnyNumberOfThreadsAndNamesWhereItIs) {
 
 TEST(ElasticCost, HasTheDerivativeThatDifferencesShow) {
   const Grid grid = uprightGrid({30, 26, 28}, 1.0);
-  const Pair pair = bentPair(grid, 1.5, 0.0);
+  const Pair pair = warpedPair(grid, 1.5, 0.0);
   const LevelImage fixed = levelOf(pair.fixed, 1.0), moving = levelOf(pair.moving, 1.0);
   const NodeGrid nodes = nodesFor(grid, 9.0);
   LevelPair level(fixed, moving, axesTransformOf(grid, grid, {}), nodes, 1);
@@ -259,7 +259,7 @@ TEST(ElasticPrior, KnowsNoShiftAndItsBendingNoAffineField) {
 
 TEST(ElasticSolver, SolvesItsSystemAndNamesOneWithoutStiffness) {
   const Grid grid = uprightGrid({40, 40, 40}, 1.0);
-  const Pair pair = bentPair(grid, 2.0, 5.0);
+  const Pair pair = warpedPair(grid, 2.0, 5.0);
   const LevelImage fixed = levelOf(pair.fixed, 2.0), moving = levelOf(pair.moving, 2.0);
   const NodeGrid nodes = nodesFor(grid, 8.0);
   LevelPair level(fixed, moving, axesTransformOf(grid, grid, {}), nodes, 1);

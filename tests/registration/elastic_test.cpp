@@ -7,24 +7,24 @@
 #include <cmath>
 
 #include "counted_stop.h"
-#include "registration/bent_pairs.h"
 #include "registration/fields.h"
 #include "registration/rising_progress.h"
 #include "registration/shadows.h"
 #include "registration/tissue.h"
+#include "registration/warped_pairs.h"
 
 namespace ew::elastic_test {
 namespace {
 
 using namespace registration;
-using test::bend;
-using test::bentPair;
 using test::imaged;
 using test::kTurn;
 using test::Pair;
 using test::shadowed;
 using test::Tissue;
 using test::uprightGrid;
+using test::warp;
+using test::warpedPair;
 
 struct Errors {
   double mean = 0.0;
@@ -55,11 +55,11 @@ Errors errorsOf(const Deformation& found, const Grid& fixed, const Grid& moving,
 
 TEST(RegisterElastic, RecoversAKnownBendAndSaysThatTheVolumesAgree) {
   const Grid grid = uprightGrid({48, 48, 48}, 1.0);
-  const Pair pair = bentPair(grid, 4.0, 6.0);
+  const Pair pair = warpedPair(grid, 4.0, 6.0);
   int levels = 0;
   const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, {}, noProgress(), [&](const Level&) { ++levels; });
   ASSERT_TRUE(found) << found.error();
-  const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + bend(p, 4.0); });
+  const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + warp(p, 4.0); });
   EXPECT_LT(errors.mean, 0.35);  // 2.6 with nothing done
   EXPECT_LT(errors.p95, 0.9);
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;
@@ -90,7 +90,7 @@ TEST(RegisterElastic, ReachesMotionLargerThanItsStructuresByTheWideSearch) {
   const Grid grid = uprightGrid({44, 44, 44}, 1.25);
   const Tissue tissue(8, 3.0);
   const glm::dvec3 shift(15.0, -6.0, 4.0);
-  const auto truth = [&](const glm::dvec3& p) { return p + shift + bend(p, 2.0); };
+  const auto truth = [&](const glm::dvec3& p) { return p + shift + warp(p, 2.0); };
   const Volume fixed = imaged(
       grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 1);
   const Volume moving = imaged(
@@ -118,7 +118,7 @@ TEST(RegisterElastic, FollowsARigidStartBetweenObliqueAndLeftHandedGrids) {
   // The middle of the fixed volume goes to that of the moving one.
   const glm::dvec3 middle = (fixedGrid.voxelToWorld() * Point<frame::Voxel>{0.5 * glm::dvec3(fixedGrid.dims)}).at;
   start.matrix[3] = glm::dvec4(glm::dvec3(32.0, 35.0, 30.0) - glm::dmat3(start.matrix) * middle, 1.0);
-  const auto truth = [&](const glm::dvec3& p) { return carried(start, p + bend(p, 3.0)); };
+  const auto truth = [&](const glm::dvec3& p) { return carried(start, p + warp(p, 3.0)); };
   const Volume fixed = imaged(
       fixedGrid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 8.0, 1);
   const Volume moving = imaged(
@@ -132,7 +132,7 @@ TEST(RegisterElastic, FollowsARigidStartBetweenObliqueAndLeftHandedGrids) {
 
 TEST(RegisterElastic, IsBitEqualForOneTwoAndEightThreads) {
   const Grid grid = uprightGrid({40, 36, 44}, 1.0);
-  const Pair pair = bentPair(grid, 3.0, 15.0);
+  const Pair pair = warpedPair(grid, 3.0, 15.0);
   ElasticOptions options;
   options.threads = 1;
   const auto one = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, noProgress());
@@ -150,7 +150,7 @@ TEST(RegisterElastic, IsStifferTheNoisierTheImages) {
   const Grid grid = uprightGrid({40, 40, 40}, 1.0);
   double before = 0.0;
   for (const double noise : {4.0, 40.0}) {
-    const Pair pair = bentPair(grid, 2.0, noise);
+    const Pair pair = warpedPair(grid, 2.0, noise);
     const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, {}, noProgress());
     ASSERT_TRUE(found);
     // Noise lets the images decide less: every node is more of a guess.
@@ -158,14 +158,14 @@ TEST(RegisterElastic, IsStifferTheNoisierTheImages) {
     for (const float u : found->uncertainty) uncertain += static_cast<double>(u);
     EXPECT_GT(uncertain, before);
     before = uncertain;
-    const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + bend(p, 2.0); });
+    const Errors errors = errorsOf(found->fixedToMoving, grid, grid, [](const glm::dvec3& p) { return p + warp(p, 2.0); });
     EXPECT_LT(errors.mean, noise > 10.0 ? 0.9 : 0.3);
   }
 }
 
 TEST(RegisterElastic, FillsAHoleFromItsSurroundingsAndMarksIt) {
   const Grid grid = uprightGrid({64, 64, 64}, 1.0);
-  Pair pair = bentPair(grid, 3.0, 8.0);
+  Pair pair = warpedPair(grid, 3.0, 8.0);
   std::vector<float> confidence(grid.voxelCount(), 1.0F);
   const glm::dvec3 middle(32.0);
   std::mt19937 random(1);
@@ -180,7 +180,7 @@ TEST(RegisterElastic, FillsAHoleFromItsSurroundingsAndMarksIt) {
   }
   const auto found = registerElastic({&pair.fixed, confidence}, {&pair.moving, {}}, {}, {}, noProgress());
   ASSERT_TRUE(found);
-  EXPECT_LT(glm::distance(movingPoint(found->fixedToMoving, middle), middle + bend(middle, 3.0)), 0.8);
+  EXPECT_LT(glm::distance(movingPoint(found->fixedToMoving, middle), middle + warp(middle, 3.0)), 0.8);
   const Grid& nodes = found->fixedToMoving.control.nodes;
   const glm::ivec3 centre(glm::round((nodes.worldToVoxel() * Point<frame::World>{middle}).at));
   EXPECT_GT(found->uncertainty[nodes.indexOf(centre.x, centre.y, centre.z)], 0.5F);
@@ -188,7 +188,7 @@ TEST(RegisterElastic, FillsAHoleFromItsSurroundingsAndMarksIt) {
 }
 
 TEST(RegisterElastic, FollowsTissueAndNotTheShadowsThatTurnWithTheProbe) {
-  // Soft tissue at rest and bent, each view with shadows along its own beams: 1.8 mm off at rest and 1.4 mm bent when they are left in.
+  // Soft tissue at rest and warped, each view with shadows along its own beams: 1.8 mm off at rest and 1.4 mm warped when they are left in.
   const Grid grid = uprightGrid({64, 64, 64}, 1.2);
   const glm::dvec3 beamFixed(0.05, 1.0, -0.1), beamMoving(0.0, 1.0, 0.25);
   struct Case {
@@ -196,7 +196,7 @@ TEST(RegisterElastic, FollowsTissueAndNotTheShadowsThatTurnWithTheProbe) {
   };
   for (const auto& [structure_mm, amplitude_mm, mean_mm, p95_mm] : {Case{9.0, 0.0, 0.4, 0.7}, Case{5.0, 4.0, 1.0, 2.0}}) {
     const Tissue tissue(8, structure_mm, 60.0);
-    const auto truth = [amplitude = amplitude_mm](const glm::dvec3& p) { return p + bend(p, amplitude); };
+    const auto truth = [amplitude = amplitude_mm](const glm::dvec3& p) { return p + warp(p, amplitude); };
     const Volume fixed = shadowed(imaged(
                                       grid, [&](const glm::dvec3& p) { return tissue.at(truth(p)); }, 10.0, 1),
                                   beamFixed, 0.5);
@@ -231,7 +231,7 @@ TEST(RegisterElastic, KeepsTheStartForUnrelatedTissueAndSaysNotAligned) {
 
 TEST(RegisterElastic, StopsInTimeAndReturnsWhatItHas) {
   const Grid grid = uprightGrid({64, 64, 64}, 0.75);
-  const Pair pair = bentPair(grid, 3.0, 10.0);
+  const Pair pair = warpedPair(grid, 3.0, 10.0);
   ElasticOptions options;
   options.maxTime_s = 1e-6;
   const auto found = registerElastic({&pair.fixed, {}}, {&pair.moving, {}}, {}, options, noProgress());
@@ -241,7 +241,7 @@ TEST(RegisterElastic, StopsInTimeAndReturnsWhatItHas) {
 
 TEST(RegisterElastic, IsCancelledAtItsNextQuestionWhereverItIs) {
   const Grid grid = uprightGrid({80, 80, 80}, 0.6);
-  const Pair pair = bentPair(grid, 3.0, 10.0);
+  const Pair pair = warpedPair(grid, 3.0, 10.0);
   for (const int question : {1, 40, 200, 1000, 2500}) {
     auto progress = test::CountedStop::atQuestion(question);
     ElasticOptions options;
@@ -256,7 +256,7 @@ TEST(RegisterElastic, IsCancelledAtItsNextQuestionWhereverItIs) {
 
 TEST(RegisterElastic, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
   const Grid grid = uprightGrid({40, 40, 40}, 1.0);
-  const Pair pair = bentPair(grid, 3.0, 8.0);
+  const Pair pair = warpedPair(grid, 3.0, 8.0);
   for (const int threads : {1, 2}) {
     test::RisingProgress progress;
     ElasticOptions options;
@@ -271,7 +271,7 @@ TEST(RegisterElastic, ReportsProgressThatNeverMovesBackwardsAndEndsAtTheWhole) {
 
 TEST(RegisterElastic, NamesWhatIsWrongWithItsArguments) {
   const Grid grid = uprightGrid({16, 16, 16}, 1.0);
-  const Pair pair = bentPair(grid, 1.0, 0.0);
+  const Pair pair = warpedPair(grid, 1.0, 0.0);
   const auto errorOf = [&](const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
                            const ElasticOptions& options) {
     const auto found = registerElastic(fixed, moving, start, options, noProgress());

@@ -86,12 +86,12 @@ inline Volume seen(const Tissue& tissue, const Grid& grid, const Transform<frame
   return out;
 }
 
-/// Turn by |turn_deg| about turn_deg, then shift.
-inline Transform<frame::Moving, frame::Fixed> pose(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
-  const double angle = glm::length(turn_deg) * 0.017453292519943295;
+/// Turn by |rotation_deg| about rotation_deg, then shift.
+inline Transform<frame::Moving, frame::Fixed> pose(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
+  const double angle = glm::length(rotation_deg) * 0.017453292519943295;
   glm::dmat4 out(1.0);
   if (angle > 0.0) {
-    const glm::dvec3 n = glm::normalize(turn_deg);
+    const glm::dvec3 n = glm::normalize(rotation_deg);
     const glm::dmat3 k(glm::dvec3(0.0, n.z, -n.y), glm::dvec3(-n.z, 0.0, n.x), glm::dvec3(n.y, -n.x, 0.0));
     out = glm::dmat4(glm::dmat3(1.0) + std::sin(angle) * k + (1.0 - std::cos(angle)) * (k * k));
   }
@@ -99,8 +99,8 @@ inline Transform<frame::Moving, frame::Fixed> pose(const glm::dvec3& shift_mm, c
   return {out};
 }
 /// The same as a motion within the fixed frame.
-inline Transform<frame::Fixed, frame::Fixed> motion(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
-  return renamed<frame::Fixed, frame::Fixed>(pose(shift_mm, turn_deg));
+inline Transform<frame::Fixed, frame::Fixed> motion(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
+  return renamed<frame::Fixed, frame::Fixed>(pose(shift_mm, rotation_deg));
 }
 
 /// Largest distance between where two transforms take the corners of a grid.

@@ -133,7 +133,7 @@ inline PlacedViews placedWith(std::size_t gauge, const GraphResult& found, const
     const auto pose = back * found.toWorld[n];
     placed.worst.mm =
         std::max(placed.worst.mm, glm::length(carried(pose, views.middle_mm[n]) - carried(views.truth[n], views.middle_mm[n])));
-    placed.worst.deg = std::max(placed.worst.deg, turn_deg(pose, views.truth[n]));
+    placed.worst.deg = std::max(placed.worst.deg, rotation_deg(pose, views.truth[n]));
   }
   return placed;
 }

@@ -38,9 +38,9 @@ class Draw {
 
 /// p -> R (p - about) + about + shift, R the turn by a vector (axis times angle).
 template <class Frame>
-Transform<Frame, Frame> moved(const glm::dvec3& about, const glm::dvec3& shift_mm, const glm::dvec3& turn_rad) {
-  const double angle = glm::length(turn_rad);
-  const glm::dmat4 turn = angle > 0.0 ? glm::rotate(glm::dmat4(1.0), angle, turn_rad / angle) : glm::dmat4(1.0);
+Transform<Frame, Frame> moved(const glm::dvec3& about, const glm::dvec3& shift_mm, const glm::dvec3& rotation_rad) {
+  const double angle = glm::length(rotation_rad);
+  const glm::dmat4 turn = angle > 0.0 ? glm::rotate(glm::dmat4(1.0), angle, rotation_rad / angle) : glm::dmat4(1.0);
   return {glm::translate(glm::dmat4(1.0), about + shift_mm) * turn * glm::translate(glm::dmat4(1.0), -about)};
 }
 
@@ -73,18 +73,18 @@ struct KnownGraph {
     return edges.back();
   }
   /// Spoils a pair: another place found for it.
-  void spoil(std::size_t edge, double shift_mm, double turn_deg) {
+  void spoil(std::size_t edge, double shift_mm, double rotation_deg) {
     const glm::dvec3 along = glm::normalize(draw.vector(1.0));
     const glm::dvec3 about = glm::normalize(draw.vector(1.0));
     edges[edge].fixedToMoving =
-        edges[edge].fixedToMoving * moved<frame::Fixed>(edges[edge].centre_mm, shift_mm * along, glm::radians(turn_deg) * about);
+        edges[edge].fixedToMoving * moved<frame::Fixed>(edges[edge].centre_mm, shift_mm * along, glm::radians(rotation_deg) * about);
   }
 
   Draw draw;
 };
 
 template <class To, class From>
-double turn_deg(const Transform<To, From>& a, const Transform<To, From>& b) {
+double rotation_deg(const Transform<To, From>& a, const Transform<To, From>& b) {
   const glm::dmat3 between = glm::transpose(glm::dmat3(a.matrix)) * glm::dmat3(b.matrix);
   const glm::dvec3 axial(between[1][2] - between[2][1], between[2][0] - between[0][2], between[0][1] - between[1][0]);
   return glm::degrees(std::atan2(0.5 * glm::length(axial), 0.5 * (between[0][0] + between[1][1] + between[2][2] - 1.0)));
@@ -101,7 +101,7 @@ inline PoseError worstError(const std::vector<Transform<frame::World, frame::Vie
   PoseError worst;
   for (std::size_t i = 0; i < found.size(); ++i) {
     worst.mm = std::max(worst.mm, glm::length(carried(found[i], middle) - carried(truth[i], middle)));
-    worst.deg = std::max(worst.deg, turn_deg(found[i], truth[i]));
+    worst.deg = std::max(worst.deg, rotation_deg(found[i], truth[i]));
   }
   return worst;
 }

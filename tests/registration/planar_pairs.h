@@ -81,7 +81,7 @@ inline Pair2d pairOf(
 }
 
 /// A swirl and a squeeze that fade towards nothing in particular: smooth, of the given peak.
-inline Motion bend(double peak_mm, double extent_mm) {
+inline Motion warp(double peak_mm, double extent_mm) {
   return [=](glm::dvec2 p) {
     const double k = 2.0 * 3.141592653589793 / extent_mm;
     return peak_mm * glm::dvec2(0.8 * std::sin(k * p.y + 0.4) * std::cos(0.5 * k * p.x),

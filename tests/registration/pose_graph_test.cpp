@@ -214,7 +214,7 @@ TEST(PoseGraph, CovariancesAreWhatManyDrawsScatter) {
     expected_rad2 += (covariance[21] + covariance[28] + covariance[35]) / kRuns;
     const glm::dvec3 centre = found->centre_mm[4];
     seen_mm2 += std::pow(glm::length(carried(found->toWorld[4], centre) - carried(known.truth[4], centre)), 2) / kRuns;
-    seen_rad2 += std::pow(glm::radians(test::turn_deg(found->toWorld[4], known.truth[4])), 2) / kRuns;
+    seen_rad2 += std::pow(glm::radians(test::rotation_deg(found->toWorld[4], known.truth[4])), 2) / kRuns;
     for (const double entry : found->covariance[0]) EXPECT_EQ(entry, 0.0) << "the gauge does not move";
   }
   // On the careful side: the loss takes some weight from good pairs too, and no draw makes covariances smaller.

@@ -71,8 +71,8 @@ TEST_P(PressedViews, TwelveAreAllPlacedWithoutATrackerAndTheWrongPairsNamed) {
     std::printf(
         "%zu-%zu: %.2f mm and %.2f degrees from the rigid part of the true motion, which leaves %.2f mm; stated %.2f mm, %.2f degrees\n", a,
         b, apart_mm(best.fixedToMoving, {ideal->matrix}, best.centre_mm),
-        turn_deg(best.fixedToMoving, Transform<frame::Moving, frame::Fixed>{ideal->matrix}), ideal->rms_mm, std::sqrt(c[0] + c[7] + c[14]),
-        glm::degrees(std::sqrt(c[21] + c[28] + c[35])));
+        rotation_deg(best.fixedToMoving, Transform<frame::Moving, frame::Fixed>{ideal->matrix}), ideal->rms_mm,
+        std::sqrt(c[0] + c[7] + c[14]), glm::degrees(std::sqrt(c[21] + c[28] + c[35])));
     std::fflush(stdout);
     EXPECT_LT(apart_mm(best.fixedToMoving, {ideal->matrix}, best.centre_mm), 3.0) << "called aligned, and wrong";
     found.edges.push_back(

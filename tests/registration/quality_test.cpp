@@ -160,10 +160,10 @@ TEST(AssessQuality, ExpectsAboutTheErrorThatNoiseReallyMakes) {
 
 TEST(AssessQuality, SaysTheSameForEveryNumberOfThreads) {
   const Volume fixed = blobs(32, 8), moving = blobs(32, 9);
-  const Deformation bent{shifted(1.0), wavyField(uprightGrid(glm::ivec3(6), 7.0), 1.0, 30.0)};
-  const Quality one = assessed(fixed, moving, {}, bent, nullptr, {15.0, 12.0, 1});
+  const Deformation warped{shifted(1.0), wavyField(uprightGrid(glm::ivec3(6), 7.0), 1.0, 30.0)};
+  const Quality one = assessed(fixed, moving, {}, warped, nullptr, {15.0, 12.0, 1});
   for (const int threads : {2, 8}) {
-    const Quality more = assessed(fixed, moving, {}, bent, nullptr, {15.0, 12.0, threads});
+    const Quality more = assessed(fixed, moving, {}, warped, nullptr, {15.0, 12.0, threads});
     EXPECT_EQ(one.after, more.after);
     EXPECT_EQ(one.localCorrelationAfter, more.localCorrelationAfter);
     EXPECT_EQ(one.residualHistogram, more.residualHistogram);

@@ -10,8 +10,8 @@
 #include "ew/registration/quality.h"
 #include "recordings.h"
 
-/// Two overlapping halves of a real liver, one bent by a field that is known. The speckle is the same in both, so this is the easy half of
-/// reality: real anatomy, real sector, changed gain and depth gain.
+/// Two overlapping halves of a real liver, one warped by a field that is known. The speckle is the same in both, so this is the easy half
+/// of reality: real anatomy, real sector, changed gain and depth gain.
 namespace real_liver_test {
 namespace {
 
@@ -32,7 +32,7 @@ Volume columns(const Volume& whole, int first, int last) {
   return part;
 }
 
-ControlGrid bendOf(const Grid& grid, double peak_mm) {
+ControlGrid warpOf(const Grid& grid, double peak_mm) {
   ControlGrid control;
   control.nodes = grid;
   control.nodes.dims = grid.dims / 4 + 2;
@@ -57,10 +57,10 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
   ASSERT_TRUE(loaded) << loaded.error().sentence();
   const Volume& whole = loaded->volume;
   for (const double peak_mm : {3.0, 5.0}) {
-    const ControlGrid bend = bendOf(whole.grid, peak_mm);
-    auto bent = warped(whole, {{}, bend}, whole.grid, 1, noProgress());
-    ASSERT_TRUE(bent);
-    Volume fixed = columns(*bent, 0, 160), moving = columns(whole, 80, whole.grid.dims.x);
+    const ControlGrid warp = warpOf(whole.grid, peak_mm);
+    auto warped = warped(whole, {{}, warp}, whole.grid, 1, noProgress());
+    ASSERT_TRUE(warped);
+    Volume fixed = columns(*warped, 0, 160), moving = columns(whole, 80, whole.grid.dims.x);
     fixed.coverage.clear();
     for (int k = 0; k < moving.grid.dims.z; ++k)
       for (int j = 0; j < moving.grid.dims.y; ++j)
@@ -82,7 +82,7 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
         for (int i = 82; i < fixed.grid.dims.x; i += 3) {  // the overlap, where both show something
           if (fixed.echo[fixed.grid.indexOf(i, j, k)] == 0 || moving.echo[moving.grid.indexOf(i - 80, j, k)] == 0) continue;
           const glm::dvec3 p = (fixed.grid.voxelToWorld() * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at;
-          const glm::dvec3 truth = displacementAt(bend, p);
+          const glm::dvec3 truth = displacementAt(warp, p);
           errors.push_back(glm::length(movingPoint(there->fixedToMoving, p) - p - truth));
           before.push_back(glm::length(truth));
         }

@@ -212,7 +212,7 @@ TEST(RealPairs, WiresAreFoundAgainFromWrongPosesAndWithoutAny) {
     const Wrong wrong = wrongPose(n, middle);
     const Volume moving = b.volume(wrong.off, 0.4);
     const auto from = refineRigid({&fixed}, {&moving}, {}, {.threads = 1}, noProgress());
-    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
+    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchRotation_deg = 20.0, .threads = 1}, noProgress());
     const auto without = matchPartial({&fixed}, {&moving}, oneThread(), noProgress());
     ASSERT_TRUE(from && about && without);
     count("descending", wrong, *from, places, 1.0, alone);
@@ -258,7 +258,7 @@ TEST(RealPairs, SimulatedLiverSweepsAreFoundAgainThoughTheirShadowsTurn) {
   for (int n = 0; n < kWrong; ++n) {
     const Wrong wrong = wrongPose(n, middle);
     const Volume moving = b.volume(wrong.off, 0.8);
-    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchTurn_deg = 20.0, .threads = 1}, noProgress());
+    const auto about = refineRigid({&fixed}, {&moving}, {}, {.searchRotation_deg = 20.0, .threads = 1}, noProgress());
     const auto without = matchPartial({&fixed}, {&moving}, oneThread(), noProgress());
     ASSERT_TRUE(about && without);
     count("descending, then searching", wrong, *about, places, 1.0, refined);
@@ -282,16 +282,16 @@ TEST(RealPairs, SimulatedLiverSweepsAreHardlyBentThoughTheirShadowsTurn) {
   const Volume moving = recordingOf(folder / "liver_sim_r2.igs.mha").volume({}, 0.8);
   const auto found = registerElastic({&fixed}, {&moving}, {}, {.threads = 2}, noProgress());
   ASSERT_TRUE(found);
-  std::vector<double> bent_mm;
+  std::vector<double> warped_mm;
   for (std::size_t n = 0; n < fixed.echo.size(); n += 7) {
     if (fixed.coverageAt(n) == Coverage::absent) continue;
     const int row = fixed.grid.dims.x, slice = row * fixed.grid.dims.y, at = static_cast<int>(n);
     const glm::dvec3 p = (fixed.grid.voxelToWorld() * Point<frame::Voxel>{glm::dvec3(at % row, at % slice / row, at / slice)}).at;
-    bent_mm.push_back(glm::distance(movingPoint(found->fixedToMoving, p), p));
+    warped_mm.push_back(glm::distance(movingPoint(found->fixedToMoving, p), p));
   }
-  std::sort(bent_mm.begin(), bent_mm.end());
-  const double mean_mm = std::accumulate(bent_mm.begin(), bent_mm.end(), 0.0) / static_cast<double>(bent_mm.size());
-  const double p95_mm = bent_mm[bent_mm.size() * 95 / 100];
+  std::sort(warped_mm.begin(), warped_mm.end());
+  const double mean_mm = std::accumulate(warped_mm.begin(), warped_mm.end(), 0.0) / static_cast<double>(warped_mm.size());
+  const double p95_mm = warped_mm[warped_mm.size() * 95 / 100];
   std::printf("simulated liver at its exact poses: bent by %.2f mm in the mean, %.2f mm at 95 %%; %s\n", mean_mm, p95_mm,
               found->reason.english().c_str());
   EXPECT_EQ(found->verdict, Verdict::aligned) << found->reason;

@@ -10,14 +10,14 @@
 namespace ew::registration::remark_test {
 namespace {
 
-constexpr int kCount = static_cast<int>(Says::count_);
+constexpr int kCount = static_cast<int>(RemarkCode::count_);
 
 std::string said(const Remark& remark, Wording wording = Wording::full) { return messageOf(remark, wording).english(); }
 
 TEST(Remark, HasAWordOfItsOwnThatIsReadBack) {
   std::set<std::string> words;
   for (int n = 0; n < kCount; ++n) {
-    const auto what = static_cast<Says>(n);
+    const auto what = static_cast<RemarkCode>(n);
     ASSERT_NE(nameOf(what), nullptr) << n;
     EXPECT_FALSE(std::string(nameOf(what)).empty()) << n;
     EXPECT_TRUE(words.insert(nameOf(what)).second) << nameOf(what);
@@ -28,7 +28,7 @@ TEST(Remark, HasAWordOfItsOwnThatIsReadBack) {
 
 TEST(Remark, IsASentenceWhateverFiguresItHas) {
   for (int n = 0; n < kCount; ++n) {
-    const Remark bare{static_cast<Says>(n)};
+    const Remark bare{static_cast<RemarkCode>(n)};
     for (const Wording wording : {Wording::full, Wording::brief}) {
       const std::string sentence = said(bare, wording);
       ASSERT_FALSE(sentence.empty()) << nameOf(bare.what);
@@ -40,28 +40,28 @@ TEST(Remark, IsASentenceWhateverFiguresItHas) {
 }
 
 TEST(Remark, LeavesAgreementAndAllButEightNamesOutWhenBrief) {
-  EXPECT_EQ(said({Says::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}, Wording::brief),
+  EXPECT_EQ(said({RemarkCode::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}, Wording::brief),
             "One pose stands out by a margin of 3.1, and halves of the overlap registered apart agree to 0.3 mm.");
-  EXPECT_EQ(said({Says::startMayBeFar, {4.0, 0.82, 0.12, 33.06}}, Wording::brief),
+  EXPECT_EQ(said({RemarkCode::startMayBeFar, {4.0, 0.82, 0.12, 33.06}}, Wording::brief),
             "Halves of the overlap registered apart contradict each other by 4.0 mm: the start may be too far off.");
-  EXPECT_EQ(said({Says::bendAgrees, {0.82, 0.88, 0.5}}, Wording::brief), "Bent, the volumes agree.");
-  const Remark many{Says::placesRepeat, {}, {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}};
+  EXPECT_EQ(said({RemarkCode::warpAgrees, {0.82, 0.88, 0.5}}, Wording::brief), "Bent, the volumes agree.");
+  const Remark many{RemarkCode::placesRepeat, {}, {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}};
   EXPECT_EQ(said(many, Wording::brief), "'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h' and 2 more repeat the place of an earlier pair.");
   EXPECT_EQ(said(many), "'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i' and 'j' repeat the place of an earlier pair.");
 }
 
 TEST(Remark, SaysItsFiguresInTheirPlaces) {
-  EXPECT_EQ(said({Says::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}),
+  EXPECT_EQ(said({RemarkCode::onePoseStandsOut, {3.14, 0.26, 0.82, 0.12, 33.06}}),
             "One pose stands out by a margin of 3.1, and halves of the overlap registered apart agree to 0.3 mm (correlation 0.82 over "
             "12 % overlap, 33.1 deviations above chance).");
-  EXPECT_EQ(said({Says::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
+  EXPECT_EQ(said({RemarkCode::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
             "4 pairs agree within 0.8 mm (rms); 'stone' and number 3 do not fit, by 6 mm.");
-  EXPECT_EQ(said({Says::motionIsLeft, {0.93, 2.44, 0.82, 0.88}}),
+  EXPECT_EQ(said({RemarkCode::motionRemains, {0.93, 2.44, 0.82, 0.88}}),
             "Motion is left that the bend does not follow: at 93 % of the places that can tell, tissue lies elsewhere, by 2.4 mm in the "
             "mean (bent, a correlation of 0.82 over 88 % of the smaller volume).");
-  EXPECT_EQ(said({Says::twoReadings, {1, 1, 4}, {"fork", ""}}),
+  EXPECT_EQ(said({RemarkCode::twoReadings, {1, 1, 4}, {"fork", ""}}),
             "One can read the pairs in two ways: without 'fork', or without number 4. Add a pair or correct one.");
-  EXPECT_EQ(messageOf(std::vector<Remark>{{Says::streaksTakenOut, {9.0, 13.2}}, {Says::placedByHand}}).english(),
+  EXPECT_EQ(messageOf(std::vector<Remark>{{RemarkCode::streaksTakenOut, {9.0, 13.2}}, {RemarkCode::placedByHand}}).english(),
             "Shadows and other streaks were taken out, which drew the volumes 9.0 mm and 13.2 degrees elsewhere. Placed by hand.");
 }
 
@@ -74,9 +74,9 @@ TEST(Remark, OfAResultIsWhatItsReasonSays) {
   const auto found = registerLandmarks(pairs);
   ASSERT_TRUE(found) << found.error();
   ASSERT_EQ(found->remarks.size(), 2u) << found->reason;
-  EXPECT_EQ(found->remarks[0].what, Says::placesAgreeBut);
+  EXPECT_EQ(found->remarks[0].what, RemarkCode::placesAgreeBut);
   EXPECT_EQ(found->remarks[0].names, std::vector<std::string>{"p2"});
-  EXPECT_EQ(found->remarks[1].what, Says::placesRepeat);
+  EXPECT_EQ(found->remarks[1].what, RemarkCode::placesRepeat);
   EXPECT_EQ(found->reason, messageOf(found->remarks));
 }
 

@@ -175,7 +175,7 @@ TEST(Turns, EveryTurnWithinReachHasANeighbourOnTheLattice) {
       const Transform<frame::Moving, frame::Fixed> wanted{
           glm::dmat4(rotationBy(glm::normalize(axis) * most_deg * 0.0174532925 * (static_cast<double>(random()) / 4294967296.0)))};
       double nearest = 1e9;
-      for (const auto& turn : turns) nearest = std::min(nearest, turnBetween_rad(wanted, {glm::dmat4(rotationBy(turn))}));
+      for (const auto& turn : turns) nearest = std::min(nearest, rotationBetween_rad(wanted, {glm::dmat4(rotationBy(turn))}));
       worst = std::max(worst, nearest);
     }
     EXPECT_LT(worst * 57.2957795, 0.95 * step_deg) << most_deg;
@@ -304,14 +304,14 @@ TEST(RefineRigid, SearchesAboutAStartFromWhichDescendingLeadsNowhere) {
   const auto descended = refineRigid({&pair.fixed}, {&pair.moving}, start, {}, noProgress());
   ASSERT_TRUE(descended);
   EXPECT_NE(descended->verdict, Verdict::aligned) << "the start is too easy: " << descended->reason;
-  const auto searched = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchTurn_deg = 20.0}, noProgress());
+  const auto searched = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchRotation_deg = 20.0}, noProgress());
   ASSERT_TRUE(searched);
   EXPECT_EQ(searched->verdict, Verdict::aligned) << searched->reason;
   EXPECT_LT(apart_mm(searched->fixedToMoving, pair.truth, pair.fixed.grid), 0.5);
   EXPECT_NE(searched->reason.english().find("search about it"), std::string::npos) << searched->reason;
   EXPECT_EQ(searched->before, descended->before);
   // A start that is believed to a few millimetres rules that pose out.
-  const auto narrow = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchTurn_deg = 20.0, .searchShift_mm = 5.0}, noProgress());
+  const auto narrow = refineRigid({&pair.fixed}, {&pair.moving}, start, {.searchRotation_deg = 20.0, .searchShift_mm = 5.0}, noProgress());
   ASSERT_TRUE(narrow);
   EXPECT_EQ(narrow->verdict, descended->verdict);
   EXPECT_EQ(narrow->reason, descended->reason);
@@ -322,7 +322,7 @@ TEST(RefineRigid, SearchingAboutAStartAlignsNoUnrelatedTissue) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Volume fixed = seen(tissue(10 * seed + 1, 110.0), grid, {}, 1);
     const Volume moving = seen(tissue(10 * seed + 2, 110.0), grid, {}, 2);
-    const auto found = refineRigid({&fixed}, {&moving}, pose({3.0, 0.0, 2.0}, {4.0, 0.0, 0.0}), {.searchTurn_deg = 20.0}, noProgress());
+    const auto found = refineRigid({&fixed}, {&moving}, pose({3.0, 0.0, 2.0}, {4.0, 0.0, 0.0}), {.searchRotation_deg = 20.0}, noProgress());
     ASSERT_TRUE(found);
     EXPECT_NE(found->verdict, Verdict::aligned) << found->reason;
   }
@@ -391,7 +391,7 @@ TEST(MatchPartial, AndRefinementAreBitEqualForOneTwoAndEightThreads) {
 TEST(MatchPartial, StopsAtItsNextQuestionWhereverItIs) {
   const Pair pair = pairOf(pose({10.0, -8.0, 4.0}, {6.0, -8.0, 5.0}), 5, 64);
   PartialOptions options;
-  options.maxTurn_deg = 10.0;
+  options.maxRotation_deg = 10.0;
   for (const double after : {0.01, 0.1, 0.3, 0.6, 0.72, 0.9}) {
     auto progress = ew::test::CountedStop::atFraction(after);
     const auto found = matchPartial({&pair.fixed}, {&pair.moving}, options, progress);
@@ -407,7 +407,7 @@ TEST(MatchPartial, ForecastsTheMemoryItTakes) {
   for (const int side : {40, 96}) {
     Volume volume = seen(tissue(2, 60.0, 0.1), centred({side, side, side / 2}, 0.8), {}, 3);
     PartialOptions options;
-    options.maxTurn_deg = 5.0;
+    options.maxRotation_deg = 5.0;
     options.threads = 1;
     const std::int64_t before = held;
     mostHeld = before;
@@ -469,11 +469,11 @@ TEST(RefineRigid, RefusesWhatItCannotUseInASentence) {
   unseen.coverage.assign(unseen.echo.size(), 0);
   EXPECT_EQ(code({&unseen}, {&pair.moving}, one), ErrorCode::emptyVolume);
   PartialOptions partial;
-  partial.maxTurn_deg = 200.0;
+  partial.maxRotation_deg = 200.0;
   const auto found = matchPartial({&pair.fixed}, {&pair.moving}, partial, noProgress());
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::badField);
-  EXPECT_NE(found.error().sentence().find("maxTurn_deg"), std::string::npos);
+  EXPECT_NE(found.error().sentence().find("maxRotation_deg"), std::string::npos);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace ew::test;
 constexpr int kSide = 140;
 constexpr double kSpacing_mm = 0.5;
 
-/// Slabs whose slices across z are all alike: the fixed one bent, the moving one as the pattern is and 100 mm to the right.
+/// Slabs whose slices across z are all alike: the fixed one warped, the moving one as the pattern is and 100 mm to the right.
 struct Slabs {
   Volume fixed;
   Volume moving;
@@ -36,7 +36,7 @@ Slabs slabs(const Motion& truth) {
 }
 
 TEST(RegisterTangentSlices, BendsInThePlaneAndLeavesAlone20MmAway) {
-  const Motion truth = bend(3.0, kSide * kSpacing_mm);
+  const Motion truth = warp(3.0, kSide * kSpacing_mm);
   const Slabs pair = slabs(truth);
   const auto found =
       registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, pair.start, {10.0, 10.0, 0.75}, {0.0, 0.0, 2.0}, {}, noProgress());
@@ -63,7 +63,7 @@ TEST(RegisterTangentSlices, BendsInThePlaneAndLeavesAlone20MmAway) {
 }
 
 TEST(RegisterTangentSlices, LengthensAFallOffThatWouldShearTheTissue) {
-  const Slabs pair = slabs(bend(3.0, kSide * kSpacing_mm));
+  const Slabs pair = slabs(warp(3.0, kSide * kSpacing_mm));
   TangentWarpOptions options;
   options.fallOff_mm = 2.0;
   const auto found =
@@ -74,7 +74,7 @@ TEST(RegisterTangentSlices, LengthensAFallOffThatWouldShearTheTissue) {
 }
 
 TEST(RegisterTangentSlices, TakesMotionBackUntilTheLeastJacobianHolds) {
-  const Slabs pair = slabs(bend(5.0, kSide * kSpacing_mm));
+  const Slabs pair = slabs(warp(5.0, kSide * kSpacing_mm));
   TangentWarpOptions options;
   options.leastJacobian = 0.9;
   const auto found =
@@ -86,7 +86,7 @@ TEST(RegisterTangentSlices, TakesMotionBackUntilTheLeastJacobianHolds) {
 }
 
 TEST(RegisterTangentSlices, CutsThePlaneAlongTheBeamWhateverItsNormal) {
-  const Slabs pair = slabs(bend(2.0, kSide * kSpacing_mm));
+  const Slabs pair = slabs(warp(2.0, kSide * kSpacing_mm));
   const auto found =
       registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, pair.start, {30.0, 30.0, 0.75}, {1.0, 0.0, 0.0}, {}, noProgress());
   ASSERT_TRUE(found) << found.error().sentence();
@@ -96,7 +96,7 @@ TEST(RegisterTangentSlices, CutsThePlaneAlongTheBeamWhateverItsNormal) {
 }
 
 TEST(RegisterTangentSlices, RefusesAPlaneOutsideTheOverlapAndANormalWithoutDirection) {
-  const Slabs pair = slabs(bend(2.0, kSide * kSpacing_mm));
+  const Slabs pair = slabs(warp(2.0, kSide * kSpacing_mm));
   const auto code = [&](const Transform<frame::Moving, frame::Fixed>& start, const glm::dvec3& point, const glm::dvec3& normal) {
     const auto found = registerTangentSlices({&pair.fixed, {}}, {&pair.moving, {}}, start, point, normal, {}, noProgress());
     return found ? ErrorCode::internal : found.error().code;

@@ -40,9 +40,9 @@ TEST(Placement, InGimbalLockCarriesTheWholeTurnInZ) {
   for (const double up : {90.0, -90.0}) {
     const FileToWorld m = transformOf({{5, 6, 7}, {25, up, 40}});
     const Placement found = placementOf(m);
-    EXPECT_NEAR(found.turn_deg.x, 0.0, 0.0);
-    EXPECT_NEAR(found.turn_deg.y, up, 1e-12);
-    EXPECT_NEAR(found.turn_deg.z, up > 0 ? 40 - 25 : 40 + 25, 1e-9);
+    EXPECT_NEAR(found.rotation_deg.x, 0.0, 0.0);
+    EXPECT_NEAR(found.rotation_deg.y, up, 1e-12);
+    EXPECT_NEAR(found.rotation_deg.z, up > 0 ? 40 - 25 : 40 + 25, 1e-9);
     EXPECT_LT(largestDifference(transformOf(found), m), 1e-12);
   }
 }
@@ -61,7 +61,7 @@ RC_GTEST_PROP(Placement, ComesBackFromItsMatrix, ()) {
                             {number(17999, 0.01), number(8999, 0.01), number(17999, 0.01)}};
   const Placement found = placementOf(transformOf(placement));
   RC_ASSERT(found.at_mm == placement.at_mm);
-  RC_ASSERT(glm::length(found.turn_deg - placement.turn_deg) < 1e-9);
+  RC_ASSERT(glm::length(found.rotation_deg - placement.rotation_deg) < 1e-9);
 }
 
 RC_GTEST_PROP(Placement, GivesBackAnyRigidMatrix, ()) {
@@ -70,8 +70,8 @@ RC_GTEST_PROP(Placement, GivesBackAnyRigidMatrix, ()) {
   RC_ASSERT(static_cast<bool>(checkRigid(m, 1e-12)));
   const Placement found = placementOf(m);
   RC_ASSERT(largestDifference(transformOf(found), m) < 1e-12);
-  RC_ASSERT(std::abs(found.turn_deg.y) <= 90.0);
-  RC_ASSERT(found.turn_deg.x > -180.0 && found.turn_deg.x <= 180.0);
+  RC_ASSERT(std::abs(found.rotation_deg.y) <= 90.0);
+  RC_ASSERT(found.rotation_deg.x > -180.0 && found.rotation_deg.x <= 180.0);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(Chain, RunAgainRedoesNothing) {
   EXPECT_EQ(ChainWorld::resultIn(into), bytes);
   EXPECT_EQ(ChainWorld::entriesIn(into), entries);
   EXPECT_EQ(second->graph->toWorld, first->graph->toWorld);
-  EXPECT_EQ(second->bends, first->bends);
+  EXPECT_EQ(second->warps, first->warps);
   EXPECT_EQ(second->seams, first->seams);
   EXPECT_EQ(second->corrections, first->corrections);
   EXPECT_EQ(second->reason, first->reason);
@@ -131,7 +131,7 @@ Transform<frame::World, frame::View> farOff(const Transform<frame::World, frame:
 
 bool wasSearched(const PairOutcome& pair) {
   return std::any_of(pair.rigid.remarks.begin(), pair.rigid.remarks.end(),
-                     [](const registration::Remark& remark) { return remark.what == registration::Says::foundAboutTheStart; });
+                     [](const registration::Remark& remark) { return remark.what == registration::RemarkCode::foundAboutTheStart; });
 }
 
 TEST(Chain, SearchesAboutAPlaceFromWhichRefiningDoesNotEndAligned) {
@@ -179,16 +179,16 @@ TEST(Chain, CountsTheSearchThatMayFollowARefinement) {
   PairTask task{.placesKnown = true, .landmarks = {}, .finest_mm = 1.5};
   const std::uint64_t refined = forecastPair_bytes(grid, grid, task);
   task.method = PairMethod::search;
-  task.maxTurn_deg = searchReach(task).turn_deg;
+  task.maxRotation_deg = searchReach(task).rotation_deg;
   EXPECT_EQ(refined, forecastPair_bytes(grid, grid, task)) << "its search has the same reach";
   task.method = PairMethod::landmarks;
   EXPECT_LT(forecastPair_bytes(grid, grid, task), refined);
-  PairTask narrow{.placesKnown = true, .landmarks = {}, .maxTurn_deg = 8.0},
-      wide{.placesKnown = true, .landmarks = {}, .maxTurn_deg = 60.0};
-  EXPECT_EQ(searchReach(narrow).turn_deg, 8.0) << "never wider than was asked";
-  EXPECT_EQ(searchReach(wide).turn_deg, 20.0);
+  PairTask narrow{.placesKnown = true, .landmarks = {}, .maxRotation_deg = 8.0},
+      wide{.placesKnown = true, .landmarks = {}, .maxRotation_deg = 60.0};
+  EXPECT_EQ(searchReach(narrow).rotation_deg, 8.0) << "never wider than was asked";
+  EXPECT_EQ(searchReach(wide).rotation_deg, 20.0);
   wide.trackerError_mm = 20.0;
-  EXPECT_EQ(searchReach(wide).turn_deg, 60.0);
+  EXPECT_EQ(searchReach(wide).rotation_deg, 60.0);
   EXPECT_EQ(searchReach(wide).shift_mm, 60.0);
 }
 
@@ -214,10 +214,10 @@ TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
   const fs::path into = world.folder / "out";
   const auto made = world.run(into, busy, until);
   ASSERT_TRUE(made) << made.error();
-  ASSERT_FALSE(made->bentPairs.empty());
-  for (const BentPair& bent : made->bentPairs) {
-    EXPECT_GT(bent.processor_s, 0.0);
-    EXPECT_LT(bent.processor_s, 0.7 * bent.seconds);
+  ASSERT_FALSE(made->warpedPairs.empty());
+  for (const WarpedPair& warped : made->warpedPairs) {
+    EXPECT_GT(warped.processor_s, 0.0);
+    EXPECT_LT(warped.processor_s, 0.7 * warped.seconds);
   }
   ASSERT_FALSE(made->pairs.empty());
   for (const PairOutcome& pair : made->pairs) {
@@ -227,34 +227,34 @@ TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
   // It is kept with the rest.
   const auto again = world.run(into, noProgress(), until);
   ASSERT_TRUE(again) << again.error();
-  EXPECT_EQ(again->bentPairs[0].processor_s, made->bentPairs[0].processor_s);
+  EXPECT_EQ(again->warpedPairs[0].processor_s, made->warpedPairs[0].processor_s);
   EXPECT_EQ(again->pairs[0].processor_s, made->pairs[0].processor_s);
 }
 
 TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {
   ChainWorld world;
-  world.project.settings.trackerError_mm = world.project.settings.trackerError_deg = 0.0;  // nothing but the bends is at stake
+  world.project.settings.trackerError_mm = world.project.settings.trackerError_deg = 0.0;  // nothing but the warps is at stake
   const fs::path into = world.folder / "out";
   ChainOptions until;
   until.until = Step::elastic;
   const auto first = world.run(into, noProgress(), until);
   ASSERT_TRUE(first) << first.error();
-  ASSERT_EQ(first->bentPairs.size(), 2u) << "a with b and b with c; a and c lie apart";
-  EXPECT_EQ(std::pair(first->bentPairs[1].fixed, first->bentPairs[1].moving), std::pair(std::size_t{1}, std::size_t{2}));
-  for (const BentPair& bent : first->bentPairs) {
-    EXPECT_EQ(bent.effort, registration::ElasticEffort::fast);
-    EXPECT_FALSE(bent.levels.empty());
-    EXPECT_FALSE(bent.reason.empty());
-    EXPECT_GT(bent.seconds, 0.0);
-    EXPECT_GT(bent.after.overlapShare, 0.0);
+  ASSERT_EQ(first->warpedPairs.size(), 2u) << "a with b and b with c; a and c lie apart";
+  EXPECT_EQ(std::pair(first->warpedPairs[1].fixed, first->warpedPairs[1].moving), std::pair(std::size_t{1}, std::size_t{2}));
+  for (const WarpedPair& warped : first->warpedPairs) {
+    EXPECT_EQ(warped.effort, registration::ElasticEffort::fast);
+    EXPECT_FALSE(warped.levels.empty());
+    EXPECT_FALSE(warped.reason.empty());
+    EXPECT_GT(warped.seconds, 0.0);
+    EXPECT_GT(warped.after.overlapShare, 0.0);
   }
-  const auto bendsIn = [&] {
+  const auto warpsIn = [&] {
     std::size_t count = 0;
     for (const auto& each : fs::directory_iterator(into / "steps/bends"))
       count += each.path().extension() == ".json" && each.path().filename().string().find('-') == std::string::npos ? 1 : 0;
     return count;
   };
-  EXPECT_EQ(bendsIn(), 2u);
+  EXPECT_EQ(warpsIn(), 2u);
   ProjectPair pair;
   pair.fixed = 1;
   pair.moving = 2;
@@ -264,18 +264,18 @@ TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {
   ASSERT_TRUE(harder) << harder.error();
   EXPECT_EQ(redone(*harder), std::vector<std::string>{"elastic"});
   EXPECT_TRUE(harder->pairs.empty()) << "an effort asks for no matching";
-  EXPECT_EQ(bendsIn(), 3u);
-  ASSERT_EQ(harder->bentPairs.size(), 2u);
-  EXPECT_EQ(harder->bentPairs[0].effort, registration::ElasticEffort::fast);
-  EXPECT_EQ(harder->bentPairs[1].effort, registration::ElasticEffort::accurate);
-  EXPECT_LT(harder->bentPairs[1].levels.back().node_mm, first->bentPairs[1].levels.back().node_mm);
+  EXPECT_EQ(warpsIn(), 3u);
+  ASSERT_EQ(harder->warpedPairs.size(), 2u);
+  EXPECT_EQ(harder->warpedPairs[0].effort, registration::ElasticEffort::fast);
+  EXPECT_EQ(harder->warpedPairs[1].effort, registration::ElasticEffort::accurate);
+  EXPECT_LT(harder->warpedPairs[1].levels.back().node_mm, first->warpedPairs[1].levels.back().node_mm);
   const auto again = world.run(into, noProgress(), until);
   ASSERT_TRUE(again) << again.error();
   EXPECT_EQ(redone(*again), std::vector<std::string>{});
-  ASSERT_EQ(again->bentPairs.size(), 2u) << "what was found about each pair is read back";
-  EXPECT_EQ(again->bentPairs[1].effort, registration::ElasticEffort::accurate);
-  EXPECT_EQ(again->bentPairs[1].levels.size(), harder->bentPairs[1].levels.size());
-  EXPECT_EQ(again->bentPairs[1].seconds, harder->bentPairs[1].seconds);
+  ASSERT_EQ(again->warpedPairs.size(), 2u) << "what was found about each pair is read back";
+  EXPECT_EQ(again->warpedPairs[1].effort, registration::ElasticEffort::accurate);
+  EXPECT_EQ(again->warpedPairs[1].levels.size(), harder->warpedPairs[1].levels.size());
+  EXPECT_EQ(again->warpedPairs[1].seconds, harder->warpedPairs[1].seconds);
   world.project.pairs[0].effort = registration::ElasticEffort::fast;
   const auto same = world.run(into, noProgress(), until);
   ASSERT_TRUE(same) << same.error();
@@ -365,7 +365,7 @@ TEST(Chain, MakesAgainWhatWasDamagedBetweenRuns) {
   }
 }
 
-TEST(Chain, FindsSeamsAndBendsAgain) {
+TEST(Chain, FindsSeamsAndWarpsAgain) {
   ChainWorld world;
   const fs::path into = world.folder / "out";
   const auto first = world.run(into);
@@ -374,7 +374,7 @@ TEST(Chain, FindsSeamsAndBendsAgain) {
   ASSERT_TRUE(second) << second.error();
   EXPECT_EQ(redone(*second), std::vector<std::string>{});
   EXPECT_EQ(second->seams, first->seams);
-  EXPECT_EQ(second->bends, first->bends);
+  EXPECT_EQ(second->warps, first->warps);
 }
 
 TEST(Chain, TakesAwayWhatEarlierRunsLeftTheLongestUnusedFirst) {
@@ -413,7 +413,7 @@ TEST(Chain, TakesAwayWhatEarlierRunsLeftTheLongestUnusedFirst) {
   EXPECT_EQ(redone(runWith(17.0, all)), std::vector<std::string>{"volume"});
   EXPECT_EQ(redone(runWith(16.0, all)), (std::vector<std::string>{"elastic", "volume"}));
 
-  // Nothing but what is used: also what nothing has to read, as bends of pairs under the bends of all.
+  // Nothing but what is used: also what nothing has to read, as warps of pairs under the warps of all.
   runWith(15.0, all);
   EXPECT_GT(runWith(15.0, 0).pruned_bytes, 0u);
   const auto left = ChainWorld::entriesIn(into);

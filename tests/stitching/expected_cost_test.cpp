@@ -15,7 +15,7 @@ Grid cube(int side, double spacing_mm) {
 }
 
 TEST(ExpectedCost, IsWhatTheBenchmarkMeasuredOnItsOwnPair) {
-  const auto costs = expectedBends(cube(96, 0.6), cube(96, 0.6));
+  const auto costs = expectedWarps(cube(96, 0.6), cube(96, 0.6));
   EXPECT_NEAR(costs[0].seconds, 0.15, 1e-9);
   EXPECT_NEAR(costs[1].seconds, 0.45, 1e-9);
   EXPECT_NEAR(costs[2].seconds, 0.68, 1e-9);
@@ -26,10 +26,10 @@ TEST(ExpectedCost, IsWhatTheBenchmarkMeasuredOnItsOwnPair) {
 }
 
 TEST(ExpectedCost, GoesWithTheVoxelsThatAreLookedAt) {
-  const auto once = expectedBends(cube(96, 0.6), cube(96, 0.6));
-  const auto larger = expectedBends(cube(192, 0.6), cube(192, 0.6));
-  const auto unlike = expectedBends(cube(96, 0.6), cube(192, 0.6));
-  const auto coarse = expectedBends(cube(96, 2.0), cube(96, 2.0));
+  const auto once = expectedWarps(cube(96, 0.6), cube(96, 0.6));
+  const auto larger = expectedWarps(cube(192, 0.6), cube(192, 0.6));
+  const auto unlike = expectedWarps(cube(96, 0.6), cube(192, 0.6));
+  const auto coarse = expectedWarps(cube(96, 2.0), cube(96, 2.0));
   for (std::size_t n = 0; n < 3; ++n) {
     EXPECT_NEAR(larger[n].seconds, 8.0 * once[n].seconds, 1e-9);
     EXPECT_NEAR(unlike[n].seconds, 4.5 * once[n].seconds, 1e-9) << "the mean of both";
@@ -44,7 +44,7 @@ TEST(ExpectedCost, GoesWithTheVoxelsThatAreLookedAt) {
 
 TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
   for (const double spacing : {0.3, 0.6, 1.0, 2.5}) {
-    const auto costs = expectedBends(cube(80, spacing), cube(80, spacing));
+    const auto costs = expectedWarps(cube(80, spacing), cube(80, spacing));
     for (std::size_t n = 0; n + 1 < 3; ++n) {
       EXPECT_EQ(costs[n].effort, kEfforts[n]);
       EXPECT_GE(costs[n].error_mm, costs[n + 1].error_mm) << spacing;
@@ -62,17 +62,17 @@ TEST(ExpectedCost, CostsMoreTheMoreItBrings) {
 
 TEST(ExpectedCost, LearnsThePaceOfThisMachineFromWhatWasBent) {
   const std::vector<std::optional<Grid>> grids = {cube(96, 0.6), cube(96, 0.6), std::nullopt};
-  EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).pairs, 0u);
-  EXPECT_EQ(paceOf(std::vector<BentPair>{}, grids).factor, 1.0);
-  std::vector<BentPair> bent(4);
-  bent[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 50.0, .processor_s = 0.9};
-  bent[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45, .processor_s = 0.45};
-  bent[2] = {.fixed = 1, .moving = 0, .effort = ElasticEffort::balanced, .seconds = 70.0, .processor_s = 1.8};
-  bent[3] = {.fixed = 1, .moving = 2, .effort = ElasticEffort::fast, .processor_s = 99.0};  // a volume that is no longer there
-  const MachinePace pace = paceOf(bent, grids);
+  EXPECT_EQ(paceOf(std::vector<WarpedPair>{}, grids).pairs, 0u);
+  EXPECT_EQ(paceOf(std::vector<WarpedPair>{}, grids).factor, 1.0);
+  std::vector<WarpedPair> warped(4);
+  warped[0] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::balanced, .seconds = 50.0, .processor_s = 0.9};
+  warped[1] = {.fixed = 0, .moving = 1, .effort = ElasticEffort::fast, .seconds = 0.45, .processor_s = 0.45};
+  warped[2] = {.fixed = 1, .moving = 0, .effort = ElasticEffort::balanced, .seconds = 70.0, .processor_s = 1.8};
+  warped[3] = {.fixed = 1, .moving = 2, .effort = ElasticEffort::fast, .processor_s = 99.0};  // a volume that is no longer there
+  const MachinePace pace = paceOf(warped, grids);
   EXPECT_EQ(pace.pairs, 3u);
   EXPECT_NEAR(pace.factor, 3.0, 1e-9) << "the middle of 2, 3 and 4; that the machine was busy says nothing about it";
-  EXPECT_NEAR(expectedBends(*grids[0], *grids[1], pace)[1].seconds, 1.35, 1e-9);
+  EXPECT_NEAR(expectedWarps(*grids[0], *grids[1], pace)[1].seconds, 1.35, 1e-9);
   EXPECT_NEAR(pace.clock, 70.0 / 1.8, 1e-9) << "but how long one waits for it is known as well";
 }
 

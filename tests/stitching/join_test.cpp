@@ -65,27 +65,27 @@ class FullSink final : public BlockSink {
   }
 };
 
-/// Three speckled views, turned, bent and corrected, one with holes: nothing about them is symmetric.
+/// Three speckled views, turned, warped and corrected, one with holes: nothing about them is symmetric.
 struct Crooked {
   Volume a = speckled(gridOf({46, 40, 36}), 1);
   Volume b = speckled(gridOf({40, 44, 30}, {3.0, -2.0, 1.0}, 1.1), 2);
   Volume c = speckled(gridOf({30, 30, 44}, {1.0, 0.0, -4.0}, 0.9), 3);
   std::vector<std::uint8_t> confidence;
-  registration::ControlGrid bend;
+  registration::ControlGrid warp;
   std::vector<View> views;
 
   Crooked() {
     b.coverage.assign(b.echo.size(), 2);
     for (std::size_t v = 0; v < b.echo.size(); v += 7) b.coverage[v] = static_cast<std::uint8_t>(v % 3);
     for (std::size_t v = 0; v < a.echo.size(); ++v) confidence.push_back(static_cast<std::uint8_t>(v * 31 % 256));
-    bend.nodes = gridOf({7, 6, 5}, {-20, -15, -12}, 14.0);
-    for (std::size_t n = 0; n < bend.nodes.voxelCount(); ++n)
-      bend.displacement_mm.emplace_back(2.0 * std::sin(1.0 * static_cast<double>(n)), 1.5 * std::cos(2.0 * static_cast<double>(n)),
+    warp.nodes = gridOf({7, 6, 5}, {-20, -15, -12}, 14.0);
+    for (std::size_t n = 0; n < warp.nodes.voxelCount(); ++n)
+      warp.displacement_mm.emplace_back(2.0 * std::sin(1.0 * static_cast<double>(n)), 1.5 * std::cos(2.0 * static_cast<double>(n)),
                                         std::sin(3.0 * static_cast<double>(n)));
     views = {viewOf(a, "a"), viewOf(b, "b", moved(19.3, 7.1, -2.7) * glm::rotate(glm::dmat4(1.0), 0.4, glm::dvec3(0, 0.6, 0.8))),
              viewOf(c, "c", moved(9.0, 22.0, 5.0) * glm::rotate(glm::dmat4(1.0), -0.3, glm::dvec3(1, 0, 0)))};
     views[0].confidence = confidence;
-    views[1].bend = &bend;
+    views[1].warp = &warp;
     views[2].correction = {Beams{{0.0, 0.0, 1.0}}, -5.0, 10.0, {-12.0, 3.0, 20.0}};
   }
 };
@@ -150,15 +150,15 @@ TEST(Join, PassesOneViewUnchangedOnItsOwnGrid) {
 }
 
 TEST(Join, BendsAViewAsItsControlGridSays) {
-  // The view is a ramp of 2 levels a mm along x; the bend asks, at world point p, for the view's point p + u(p).
+  // The view is a ramp of 2 levels a mm along x; the warp asks, at world point p, for the view's point p + u(p).
   const Volume ramp = volumeOf(gridOf({60, 20, 20}), [](const glm::dvec3& p) { return 2.0 * p.x; });
-  registration::ControlGrid bend;
-  bend.nodes = gridOf({4, 3, 3}, {0, 0, 0}, 20.0);
+  registration::ControlGrid warp;
+  warp.nodes = gridOf({4, 3, 3}, {0, 0, 0}, 20.0);
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 4; ++i) bend.displacement_mm.emplace_back(1.5 * i - 2.0 * j + 1.0, 0.0f, 0.0f);
+      for (int i = 0; i < 4; ++i) warp.displacement_mm.emplace_back(1.5 * i - 2.0 * j + 1.0, 0.0f, 0.0f);
   View view = viewOf(ramp, "a");
-  view.bend = &bend;
+  view.warp = &warp;
   JoinOptions options;
   options.seam.method = SeamMethod::nearest;
   const auto result = joined({view}, options);

@@ -54,7 +54,7 @@ StitchProject fullProject() {
   pair.decision = Decision::accepted;
   pair.start = renamed<frame::Moving, frame::Fixed>(oddPlace());
   pair.landmarks = {{"gall bladder", {1, 2, 3}, {4, 5, 1.0 / 7.0}}, {"2", {0, 0, 1}, {1e-3, 0, 0}}};
-  pair.maxTurn_deg = 60.0;
+  pair.maxRotation_deg = 60.0;
   pair.effort = registration::ElasticEffort::fast;
   ProjectPair other;
   other.fixed = 1;
@@ -62,7 +62,7 @@ StitchProject fullProject() {
   other.decision = Decision::rejected;
   project.pairs = {pair, other};
   ProjectSettings& settings = project.settings;
-  settings.maxTurn_deg = 45.0;
+  settings.maxRotation_deg = 45.0;
   settings.trackerError_mm = 5.5;
   settings.trackerError_deg = 4.0;
   settings.equalise = false;

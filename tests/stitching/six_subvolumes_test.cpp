@@ -130,7 +130,7 @@ class Judge {
   }
 
   /// How far apart the same tissue lies in two views of the result: mean and 95th percentile.
-  [[nodiscard]] std::pair<double, double> tissueApart_mm(bool bent) const {
+  [[nodiscard]] std::pair<double, double> tissueApart_mm(bool warped) const {
     Spread apart;
     const Grid& grid = state_.report->grid;
     for (int k = 0; k < grid.dims.z; k += 6)
@@ -140,8 +140,8 @@ class Judge {
           std::vector<glm::dvec3> tissue;
           for (std::size_t v = 0; v < toWorld_.size(); ++v) {
             glm::dvec3 at = p;
-            if (bent && v < state_.bends.size() && !state_.bends[v].displacement_mm.empty())
-              at += registration::displacementAt(state_.bends[v], p);
+            if (warped && v < state_.warps.size() && !state_.warps[v].displacement_mm.empty())
+              at += registration::displacementAt(state_.warps[v], p);
             const glm::dvec3 own = carried(inverse(toWorld_[v]), at);
             if (covered(v, own)) tissue.push_back(truth_.tissueAt(v, own));
           }
@@ -209,7 +209,7 @@ std::vector<View> viewsOf(const ChainState& state, const std::vector<std::vector
     view.volume = state.volumes[v].get();
     view.confidence = confidences[v];
     view.toWorld = state.graph->toWorld[v];
-    if (!state.bends[v].displacement_mm.empty()) view.bend = &state.bends[v];
+    if (!state.warps[v].displacement_mm.empty()) view.warp = &state.warps[v];
     view.correction = state.corrections[v];
     view.name = std::to_string(v);
     views.push_back(view);
@@ -237,7 +237,7 @@ Shadows shadowsOf(const std::vector<View>& views, const Grid& grid, std::span<co
           seen[v] = -1.0;
           const Volume& volume = *views[v].volume;
           glm::dvec3 at = p;
-          if (views[v].bend != nullptr) at += registration::displacementAt(*views[v].bend, p);
+          if (views[v].warp != nullptr) at += registration::displacementAt(*views[v].warp, p);
           const auto toVoxel = volume.grid.toVoxel<frame::View>() * inverse(views[v].toWorld);
           const glm::ivec3 voxel(glm::floor(carried(toVoxel, at) + 0.5));
           if (!volume.grid.contains(voxel)) continue;
@@ -355,12 +355,12 @@ void runAndJudge(const Asked& asked) {
     EXPECT_LT(fromTissue, 1.0) << view;
   }
   const auto [rigidMean, rigid95] = judge.tissueApart_mm(false);
-  const auto [bentMean, bent95] = judge.tissueApart_mm(true);
-  std::cout << "tissue apart: rigid " << rigidMean << " (95 %: " << rigid95 << ") mm, bent " << bentMean << " (95 %: " << bent95
+  const auto [warpedMean, warped95] = judge.tissueApart_mm(true);
+  std::cout << "tissue apart: rigid " << rigidMean << " (95 %: " << rigid95 << ") mm, bent " << warpedMean << " (95 %: " << warped95
             << ") mm\n";
-  std::cout << "bends: largest " << state->bendSummary.largest_mm << " mm, Jacobian " << state->bendSummary.smallestJacobian
-            << ", disagree " << state->bendSummary.disagreementMedian_mm << " / " << state->bendSummary.disagreement95_mm << " mm\n";
-  EXPECT_GT(state->bendSummary.smallestJacobian, 0.1);
+  std::cout << "bends: largest " << state->warpSummary.largest_mm << " mm, Jacobian " << state->warpSummary.smallestJacobian
+            << ", disagree " << state->warpSummary.disagreementMedian_mm << " / " << state->warpSummary.disagreement95_mm << " mm\n";
+  EXPECT_GT(state->warpSummary.smallestJacobian, 0.1);
 
   const auto joined = readVolume(state->volume, noProgress());
   ASSERT_TRUE(joined);
@@ -388,7 +388,7 @@ void runAndJudge(const Asked& asked) {
   drawPlanes(labels, middle, "views", pictures);
   for (std::size_t v = 0; v < views.size(); ++v) {
     views[v].correction = {};
-    views[v].bend = nullptr;
+    views[v].warp = nullptr;
     if (!asked.outOfFrame) views[v].toWorld = project->volumes[v].toWorld;
   }
   JoinOptions plain = project->settings.join;

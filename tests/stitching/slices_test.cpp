@@ -45,21 +45,21 @@ Volume speckledFan(unsigned seed) {
 }
 
 registration::ControlGrid wave() {
-  registration::ControlGrid bend;
-  bend.nodes.dims = {6, 5, 7};
-  bend.nodes.spacing_mm = glm::dvec3(9.0);
-  bend.nodes.origin_mm = {-20.0, -15.0, -30.0};
-  for (std::size_t n = 0; n < bend.nodes.voxelCount(); ++n) {
+  registration::ControlGrid warp;
+  warp.nodes.dims = {6, 5, 7};
+  warp.nodes.spacing_mm = glm::dvec3(9.0);
+  warp.nodes.origin_mm = {-20.0, -15.0, -30.0};
+  for (std::size_t n = 0; n < warp.nodes.voxelCount(); ++n) {
     const auto at = static_cast<float>(n);
-    bend.displacement_mm.emplace_back(3.0F * std::sin(at), 2.0F * std::cos(2.0F * at), 2.5F * std::sin(3.0F * at));
+    warp.displacement_mm.emplace_back(3.0F * std::sin(at), 2.0F * std::cos(2.0F * at), 2.5F * std::sin(3.0F * at));
   }
-  return bend;
+  return warp;
 }
 
 /// One frame against another, shifted and rotated about the origin.
 template <class To, class From>
-Transform<To, From> moved(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
-  return renamed<To, From>(motionOf<frame::World>(shift_mm, turn_deg, {}));
+Transform<To, From> moved(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
+  return renamed<To, From>(motionOf<frame::World>(shift_mm, rotation_deg, {}));
 }
 
 /// What the plane shows by the definition, point by point in double precision; none where nothing is seen.
@@ -161,15 +161,15 @@ TEST(Slices, AVolumeOfOneLayerIsSeenInItsLayer) {
 }
 
 TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
-  registration::ControlGrid bend;
-  bend.nodes.dims = {2, 2, 2};
-  bend.nodes.spacing_mm = glm::dvec3(100.0);
-  bend.nodes.origin_mm = glm::dvec3(-50.0);
-  bend.displacement_mm.assign(8, glm::vec3(1.0f, 2.0f, 3.0f));
+  registration::ControlGrid warp;
+  warp.nodes.dims = {2, 2, 2};
+  warp.nodes.spacing_mm = glm::dvec3(100.0);
+  warp.nodes.origin_mm = glm::dvec3(-50.0);
+  warp.displacement_mm.assign(8, glm::vec3(1.0f, 2.0f, 3.0f));
   Mapping mapping;
-  mapping.toBend.matrix[3] = {10, 0, 0, 1};
+  mapping.toWarp.matrix[3] = {10, 0, 0, 1};
   mapping.toGrid.matrix[3] = {0, 0, -5, 1};
-  mapping.bend = &bend;
+  mapping.warp = &warp;
   const glm::dvec3 p = mapping({1, 1, 1});
   EXPECT_NEAR(p.x, 12.0, 1e-6);
   EXPECT_NEAR(p.y, 3.0, 1e-6);
@@ -178,10 +178,10 @@ TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
 
 TEST(Slices, EveryPixelIsThatOfTheDefinitionRigidAndDeformed) {
   const Volume volume = speckledFan(3);
-  const registration::ControlGrid bend = wave();
+  const registration::ControlGrid warp = wave();
   const glm::ivec2 size{73, 61};
   for (const bool deformed : {false, true}) {
-    const Mapping mapping{moved<frame::World, frame::Fixed>({2, -1, 3}, {5, 10, -8}), deformed ? &bend : nullptr,
+    const Mapping mapping{moved<frame::World, frame::Fixed>({2, -1, 3}, {5, 10, -8}), deformed ? &warp : nullptr,
                           moved<frame::View, frame::World>({-3, 1, 0}, {0, -12, 4})};
     for (int trial = 0; trial < 6; ++trial) {
       const Plane plane = turned(planeOf(Cut::coronal, {1.0 * trial, -2.0, 1.0}, 0.55), {}, {13.0 * trial, 29.0 * trial, 7.0});
@@ -252,8 +252,8 @@ TEST(Slices, ALatticeWithoutDisplacementIsSquareAndAShiftShiftsIt) {
   EXPECT_TRUE(deformedLattice(plane, size, 0.0, [](const glm::dvec3& p) { return p; }).empty());
 }
 
-Transform<frame::Moving, frame::Fixed> movedBy(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
-  return renamed<frame::Moving, frame::Fixed>(motionOf<frame::Fixed>(shift_mm, turn_deg, {}));
+Transform<frame::Moving, frame::Fixed> movedBy(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
+  return renamed<frame::Moving, frame::Fixed>(motionOf<frame::Fixed>(shift_mm, rotation_deg, {}));
 }
 
 TEST(Slices, ANudgeMovesWhatTheMovingVolumeShowsByThatMuch) {
@@ -304,7 +304,7 @@ TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
 TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   const Volume one = speckledFan(5);
   const Volume other = speckledFan(6);
-  const registration::ControlGrid bend = wave();
+  const registration::ControlGrid warp = wave();
   SeamMap seams;
   seams.cells.dims = {8, 8, 8};
   seams.cells.spacing_mm = glm::dvec3(5.0);
@@ -312,7 +312,7 @@ TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   for (int n = 0; n < 512; ++n) seams.view.push_back(static_cast<std::uint8_t>(n / 3 % 5));  // 4: a view that is not there
   const auto toWorld = moved<frame::World, frame::Fixed>({1, 2, 3}, {3, -4, 5});
   const std::vector<SeenView> views = {
-      {&one, {toWorld, &bend, moved<frame::View, frame::World>({-1, 0, 0}, {})}}, {&other, {toWorld, nullptr, {}}}, {}};
+      {&one, {toWorld, &warp, moved<frame::View, frame::World>({-1, 0, 0}, {})}}, {&other, {toWorld, nullptr, {}}}, {}};
   const Plane plane = turned(planeOf(Cut::axial, {0, 0, 1}, 0.6), {}, {20, 15, -10});
   const glm::ivec2 size{64, 57};
   const auto picture = seamPicture(seams, views, plane, size, toWorld);

@@ -50,10 +50,10 @@ void tellQuality(const ChainState& state, sdk::Commands::Outcome& outcome) {
     quality.emplace_back("pairs_wrong", static_cast<double>(wrong));
   }
   if (state.graph) quality.emplace_back("closure_mm", state.graph->closure_mm);
-  if (state.bendSummary.pairs > 0) {
-    quality.emplace_back("largest_bend_mm", state.bendSummary.largest_mm);
-    quality.emplace_back("smallest_jacobian", state.bendSummary.smallestJacobian);
-    quality.emplace_back("bends_disagree_95_mm", state.bendSummary.disagreement95_mm);
+  if (state.warpSummary.pairs > 0) {
+    quality.emplace_back("largest_bend_mm", state.warpSummary.largest_mm);
+    quality.emplace_back("smallest_jacobian", state.warpSummary.smallestJacobian);
+    quality.emplace_back("bends_disagree_95_mm", state.warpSummary.disagreement95_mm);
   }
   if (!state.report) return;
   quality.emplace_back("overlap_share", state.report->overlapShare);

@@ -11,10 +11,10 @@
 namespace ew::stitching {
 namespace {
 
-glm::dmat4 turnAbout(const glm::dvec3& turn_deg, const glm::dvec3& pivot) {
-  const double angle = glm::length(turn_deg);
+glm::dmat4 turnAbout(const glm::dvec3& rotation_deg, const glm::dvec3& pivot) {
+  const double angle = glm::length(rotation_deg);
   if (angle == 0.0) return glm::dmat4(1.0);
-  const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle * std::numbers::pi / 180.0, turn_deg / angle);
+  const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle * std::numbers::pi / 180.0, rotation_deg / angle);
   return glm::translate(glm::dmat4(1.0), pivot) * turn * glm::translate(glm::dmat4(1.0), -pivot);
 }
 
@@ -24,18 +24,18 @@ std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(s
 class Rows {
  public:
   Rows(const Volume& volume, const Mapping& mapping)
-      : volume_(volume), mapping_(mapping), fromBend_(volume.grid.toVoxel<frame::View>() * mapping.toGrid) {}
+      : volume_(volume), mapping_(mapping), fromWarp_(volume.grid.toVoxel<frame::View>() * mapping.toGrid) {}
 
   /// The levels (levelsAt) of `count` points from `start_mm` on; they stay until the next call.
   std::span<const float> at(const glm::dvec3& start_mm, const glm::dvec3& step_mm, int count) {
     points_.resize(static_cast<std::size_t>(count));
     levels_.resize(static_cast<std::size_t>(count));
-    if (mapping_.bend != nullptr && !mapping_.bend->displacement_mm.empty()) {
-      fill(mapping_.toBend, start_mm, step_mm);
-      registration::displace(*mapping_.bend, points_);
-      for (glm::dvec3& p : points_) p = carried(fromBend_, p);
+    if (mapping_.warp != nullptr && !mapping_.warp->displacement_mm.empty()) {
+      fill(mapping_.toWarp, start_mm, step_mm);
+      registration::displace(*mapping_.warp, points_);
+      for (glm::dvec3& p : points_) p = carried(fromWarp_, p);
     } else {
-      fill(fromBend_ * mapping_.toBend, start_mm, step_mm);
+      fill(fromWarp_ * mapping_.toWarp, start_mm, step_mm);
     }
     levelsAt(volume_, points_, levels_);
     return levels_;
@@ -51,7 +51,7 @@ class Rows {
 
   const Volume& volume_;
   const Mapping& mapping_;
-  Transform<frame::Voxel, frame::World> fromBend_;
+  Transform<frame::Voxel, frame::World> fromWarp_;
   std::vector<glm::dvec3> points_;
   std::vector<float> levels_;
 };
@@ -82,12 +82,12 @@ glm::dvec2 pixelOf(const Plane& plane, const glm::ivec2& size, const glm::dvec3&
 
 double distanceTo(const Plane& plane, const glm::dvec3& p_mm) { return glm::dot(p_mm - plane.centre_mm, plane.normal()); }
 
-Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& turn_deg) {
+Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& rotation_deg) {
   Plane result = plane;
   for (const int axis : {1, 0, 2}) {
-    if (turn_deg[axis] == 0.0) continue;
+    if (rotation_deg[axis] == 0.0) continue;
     const glm::dvec3 about = axis == 0 ? result.right : axis == 1 ? result.down : result.normal();
-    result = moved(result, Transform<frame::View, frame::View>{turnAbout(turn_deg[axis] * about, about_mm)});
+    result = moved(result, Transform<frame::View, frame::View>{turnAbout(rotation_deg[axis] * about, about_mm)});
   }
   // Hundreds of small turns must not shear the picture.
   result.right = glm::normalize(result.right);
@@ -96,8 +96,8 @@ Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& t
 }
 
 glm::dvec3 Mapping::operator()(const glm::dvec3& p_mm) const {
-  glm::dvec3 p = carried(toBend, p_mm);
-  if (bend != nullptr && !bend->displacement_mm.empty()) p += registration::displacementAt(*bend, p);
+  glm::dvec3 p = carried(toWarp, p_mm);
+  if (warp != nullptr && !warp->displacement_mm.empty()) p += registration::displacementAt(*warp, p);
   return carried(toGrid, p);
 }
 
@@ -238,16 +238,16 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
 }
 
 template <class Frame>
-Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
-  return {glm::translate(glm::dmat4(1.0), shift_mm) * turnAbout(turn_deg, pivot_mm)};
+Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg, const glm::dvec3& pivot_mm) {
+  return {glm::translate(glm::dmat4(1.0), shift_mm) * turnAbout(rotation_deg, pivot_mm)};
 }
 template Transform<frame::Fixed, frame::Fixed> motionOf(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&);
 template Transform<frame::World, frame::World> motionOf(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&);
 
 Transform<frame::Moving, frame::Fixed> nudged(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const glm::dvec3& shift_mm,
-                                              const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm) {
+                                              const glm::dvec3& rotation_deg, const glm::dvec3& pivot_mm) {
   // What stood at p stands at motion(p) afterwards, so the point seen at q is the one that stood at motion^-1(q).
-  return fixedToMoving * rigidInverse(motionOf<frame::Fixed>(shift_mm, turn_deg, pivot_mm));
+  return fixedToMoving * rigidInverse(motionOf<frame::Fixed>(shift_mm, rotation_deg, pivot_mm));
 }
 
 QuickAgreement quickAgreement(const Volume& fixed, const Volume& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,

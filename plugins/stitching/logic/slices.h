@@ -38,16 +38,16 @@ template <class To, class From>
   return {carried(rigid, plane.centre_mm), turn * plane.right, turn * plane.down, plane.pixel_mm};
 }
 /// Turned about a point of it (and so still through it): first about its own `down`, then about `right`, then about the normal.
-[[nodiscard]] Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& turn_deg);
+[[nodiscard]] Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& rotation_deg);
 
 /// How a point of the plane's frame, which is that of a pair's fixed volume, goes over into a volume's own: toGrid * (b + u(b)) with
-/// b = toBend * p. Where nothing bends, the fixed volume's frame may stand for the world; as it is made, all frames are one.
+/// b = toWarp * p. Where nothing warps, the fixed volume's frame may stand for the world; as it is made, all frames are one.
 struct Mapping {
-  Transform<frame::World, frame::Fixed> toBend = {};
-  const registration::ControlGrid* bend = nullptr;  ///< null: none
+  Transform<frame::World, frame::Fixed> toWarp = {};
+  const registration::ControlGrid* warp = nullptr;  ///< null: none
   Transform<frame::View, frame::World> toGrid = {};
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p_mm) const;
-  [[nodiscard]] Transform<frame::View, frame::Fixed> withoutBend() const { return toGrid * toBend; }
+  [[nodiscard]] Transform<frame::View, frame::Fixed> withoutWarp() const { return toGrid * toWarp; }
 };
 
 struct GreyPicture {
@@ -104,11 +104,11 @@ struct SeenView {
 
 /// The moving volume moved within the fixed frame: shifted by `shift_mm`, after a turn about `pivot_mm` (axis times degrees, fixed frame).
 [[nodiscard]] Transform<frame::Moving, frame::Fixed> nudged(const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
-                                                            const glm::dvec3& shift_mm, const glm::dvec3& turn_deg,
+                                                            const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg,
                                                             const glm::dvec3& pivot_mm);
 /// The rigid motion of such a nudge, in the frame in which it happens: the fixed volume's, or the world.
 template <class Frame>
-[[nodiscard]] Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg, const glm::dvec3& pivot_mm);
+[[nodiscard]] Transform<Frame, Frame> motionOf(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg, const glm::dvec3& pivot_mm);
 
 /// Plain correlation of grey levels over what both cover, on a lattice of `step_mm` in the fixed volume; none below 200 common points.
 /// For a hand that nudges: a figure that moves at once. Not a verdict.

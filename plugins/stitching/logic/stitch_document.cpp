@@ -42,7 +42,7 @@ void renumber(StitchProject& project, const std::function<std::optional<std::siz
     if (!fixed || !moving) continue;
     pair.fixed = *fixed;
     pair.moving = *moving;
-    if (pair.fixed > pair.moving) pair = toldFromTheOtherSide(std::move(pair));
+    if (pair.fixed > pair.moving) pair = swapped(std::move(pair));
     pairs.push_back(std::move(pair));
   }
   std::sort(pairs.begin(), pairs.end(),
@@ -117,7 +117,7 @@ ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t 
   return pair;
 }
 
-ProjectPair toldFromTheOtherSide(ProjectPair pair) {
+ProjectPair swapped(ProjectPair pair) {
   std::swap(pair.fixed, pair.moving);
   for (auto& landmark : pair.landmarks) std::swap(landmark.fixed_mm, landmark.moving_mm);
   if (pair.start) pair.start = withRolesSwapped(*pair.start);

@@ -22,7 +22,7 @@ namespace ew::stitching {
 /// The pair as the project has it, or as nobody has said anything about it. @param fixed, moving different; the smaller is the fixed one
 [[nodiscard]] ProjectPair pairOf(const StitchProject& project, std::size_t fixed, std::size_t moving);
 /// The same pair with its volumes in the other roles.
-[[nodiscard]] ProjectPair toldFromTheOtherSide(ProjectPair pair);
+[[nodiscard]] ProjectPair swapped(ProjectPair pair);
 /// With this pair in place of what was said about it before; nothing said: the pair is left out of the project.
 [[nodiscard]] StitchProject withPair(StitchProject project, const ProjectPair& pair);
 [[nodiscard]] StitchProject withStroke(StitchProject project, const SeamStroke& stroke);

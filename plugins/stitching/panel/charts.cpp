@@ -47,7 +47,7 @@ QPointF LevelChart::LevelPlot::at(double level, double value) const {
 LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("levelChart"));
   const auto look = [this] {
-    const bool nothing = session_.levels().empty() && session_.bendLevels().empty();
+    const bool nothing = session_.levels().empty() && session_.warpLevels().empty();
     setFixedHeight(nothing ? 48 : 104);  // a chart of nothing takes no room from what can be done about it
     update();
   };
@@ -61,7 +61,7 @@ void LevelChart::paintEvent(QPaintEvent*) {
   paintCard(painter, *this);
   auto levels = session_.levels();
   const std::size_t matched = levels.size();
-  for (const auto& level : session_.bendLevels()) levels.push_back(level);
+  for (const auto& level : session_.warpLevels()) levels.push_back(level);
   if (levels.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,

@@ -331,9 +331,9 @@ QWidget* PairInspector::makeElastic() {
   measured_->setObjectName(QStringLiteral("measuredCost"));
   memory_ = addLine(column, tr("Memory"), tr("That the elastic step of this pair takes at its peak, the volumes themselves not counted"));
   memory_->setObjectName(QStringLiteral("elasticMemory"));
-  bentReason_ = new Paragraph;
-  bentReason_->setObjectName(QStringLiteral("bentReason"));
-  column->addWidget(bentReason_);
+  warpedReason_ = new Paragraph;
+  warpedReason_->setObjectName(QStringLiteral("bentReason"));
+  column->addWidget(warpedReason_);
   costHead_ = new Paragraph;
   costHead_->setObjectName(QStringLiteral("costHead"));
   column->addSpacing(kGap_px / 2);
@@ -341,11 +341,11 @@ QWidget* PairInspector::makeElastic() {
   cost_ = new CostChart;
   connect(cost_, &CostChart::chosen, this, chooseEffort);
   column->addWidget(cost_);
-  bendAgain_ = new QPushButton(tr("Deform this pair again"));
-  bendAgain_->setObjectName(QStringLiteral("bendAgain"));
-  bendAgain_->setToolTip(tr("Runs the elastic step; pairs that did not change keep what they have"));
-  connect(bendAgain_, &QPushButton::clicked, &session_, &StitchSession::bendAgain);
-  column->addWidget(bendAgain_);
+  warpAgain_ = new QPushButton(tr("Deform this pair again"));
+  warpAgain_->setObjectName(QStringLiteral("bendAgain"));
+  warpAgain_->setToolTip(tr("Runs the elastic step; pairs that did not change keep what they have"));
+  connect(warpAgain_, &QPushButton::clicked, &session_, &StitchSession::warpAgain);
+  column->addWidget(warpAgain_);
   return box;
 }
 
@@ -401,25 +401,26 @@ void PairInspector::showCost() {
   const QString none = QStringLiteral("-");
   const auto [fixed, moving] = *session_.pair();
   const auto effort = effortOf(session_.project(), fixed, moving);
-  const BentPair* bent = session_.bent();
-  const bool fresh = bent != nullptr && !session_.isBentStale();
-  bendAgain_->setVisible(bent != nullptr);
-  bendAgain_->setEnabled(!fresh && !session_.isRunning());
-  if (bent == nullptr) {
+  const WarpedPair* warped = session_.warped();
+  const bool fresh = warped != nullptr && !session_.isWarpedStale();
+  warpAgain_->setVisible(warped != nullptr);
+  warpAgain_->setEnabled(!fresh && !session_.isRunning());
+  if (warped == nullptr) {
     measured_->setText(none);
   } else {
-    const QString took = inSeconds(bent->seconds > 0.0 ? bent->seconds : bent->processor_s);
-    measured_->setText(bent->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(bent->effort)));
+    const QString took = inSeconds(warped->seconds > 0.0 ? warped->seconds : warped->processor_s);
+    measured_->setText(warped->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(warped->effort)));
     measured_->setToolTip(
         tr("That deforming this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
-            .arg(numberText(bent->after.correlation, 2), numberText(bent->before.correlation, 2), numberText(bent->largestMotion_mm, 1)) +
-        (bent->processor_s > 0.0
-             ? QLatin1Char('\n') + tr("By the clock; %1 of it were work of the processor.").arg(inSeconds(bent->processor_s))
+            .arg(numberText(warped->after.correlation, 2), numberText(warped->before.correlation, 2),
+                 numberText(warped->largestMotion_mm, 1)) +
+        (warped->processor_s > 0.0
+             ? QLatin1Char('\n') + tr("By the clock; %1 of it were work of the processor.").arg(inSeconds(warped->processor_s))
              : QString()));
   }
-  bentReason_->setVisible(bent != nullptr);
-  if (bent != nullptr)
-    bentReason_->say(briefly(bent->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
+  warpedReason_->setVisible(warped != nullptr);
+  if (warped != nullptr)
+    warpedReason_->say(briefly(warped->remarks) + (fresh ? QString() : QLatin1Char(' ') + tr("Changed since: deform again.")));
   const auto a = session_.volume(fixed);
   const auto b = session_.volume(moving);
   searchCost_->setText(none);
@@ -431,8 +432,8 @@ void PairInspector::showCost() {
   registration::ElasticOptions options;
   options.effort = effort;
   memory_->setText(mebibytesText(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
-  const MachinePace pace = session_.bendPace();
-  const auto costs = expectedBends(a->grid, b->grid, pace);
+  const MachinePace pace = session_.warpPace();
+  const auto costs = expectedWarps(a->grid, b->grid, pace);
   const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
   // What one waits for; the chart below compares processor times, which do not depend on what else the machine does.
   expected_->setText(tr("%1 mm in %2").arg(numberText(mine.error_mm, 2), inSeconds(pace.clock * mine.seconds)));
@@ -449,7 +450,7 @@ void PairInspector::showCost() {
   cost_->setToolTip(from);
   costHead_->say(pace.pairs > 0 ? tr("Cost of accuracy on this machine") : tr("Cost of accuracy, as measured elsewhere"));
   costHead_->setToolTip(from);
-  cost_->show(costs, effort, fresh && bent->processor_s > 0.0 ? std::optional(bent->processor_s) : std::nullopt);
+  cost_->show(costs, effort, fresh && warped->processor_s > 0.0 ? std::optional(warped->processor_s) : std::nullopt);
   showSearchCost();
 }
 
@@ -524,8 +525,8 @@ void PairInspector::refresh() {
     const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
     const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
     double smallest = 1.0;
-    for (const auto* bend : {mine.bend, other.bend})
-      if (!bend->displacement_mm.empty()) smallest = std::min(smallest, registration::jacobianOf(*bend).smallest);
+    for (const auto* warp : {mine.warp, other.warp})
+      if (!warp->displacement_mm.empty()) smallest = std::min(smallest, registration::jacobianOf(*warp).smallest);
     jacobian_->setText(numberText(smallest, 2));
   } else {
     jacobian_->setText(none);
@@ -534,7 +535,7 @@ void PairInspector::refresh() {
   pick_->setChecked(tools_.hand == Tools::Hand::pick);
   const auto method = said.method == PairMethod::landmarks ? PairMethod::automatic : said.method;
   method_->setCurrentIndex(std::max(0, method_->findData(static_cast<int>(method))));
-  turn_->setValue(said.maxTurn_deg.value_or(session_.project().settings.maxTurn_deg));
+  turn_->setValue(said.maxRotation_deg.value_or(session_.project().settings.maxRotation_deg));
   turnRow_->setVisible(method == PairMethod::search || method == PairMethod::automatic);
   effort_->setCurrentIndex(static_cast<int>(session_.project().settings.effort));
   pairEffort_->setCurrentIndex(pairEffort_->findData(said.effort ? static_cast<int>(*said.effort) : -1));

@@ -69,10 +69,10 @@ class PairInspector final : public QWidget {
   QComboBox* pairEffort_ = nullptr;
   QLabel* expected_ = nullptr;
   QLabel* measured_ = nullptr;
-  Paragraph* bentReason_ = nullptr;
+  Paragraph* warpedReason_ = nullptr;
   Paragraph* costHead_ = nullptr;
   CostChart* cost_ = nullptr;
-  QPushButton* bendAgain_ = nullptr;
+  QPushButton* warpAgain_ = nullptr;
   bool showing_ = false;
 };
 

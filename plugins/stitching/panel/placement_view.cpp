@@ -206,9 +206,9 @@ int PlacementView::volumeUnder(const QPointF& at) {
   return found;
 }
 
-void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+void PlacementView::place(std::size_t index, const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
   wayOf_ += shift_mm;
-  turnOf_ += turn_deg;
+  turnOf_ += rotation_deg;
   const auto volume = session_.volume(index);
   if (!volume) return;
   const glm::dvec3 middle = carried(heldFrom_ * volume->grid.voxelTo<frame::View>(), 0.5 * (glm::dvec3(volume->grid.dims) - 1.0));

@@ -40,7 +40,7 @@ class PlacementView final : public ViewBase {
   [[nodiscard]] const std::vector<Sheet>& sheetsOf(std::size_t volume);
   [[nodiscard]] int volumeUnder(const QPointF& at);
   [[nodiscard]] QPolygonF outline(const Sheet& sheet, const Transform<frame::World, frame::View>& toWorld) const;
-  void place(std::size_t volume, const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);
+  void place(std::size_t volume, const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg);
 
   std::map<const Volume*, std::pair<std::weak_ptr<const Volume>, std::vector<Sheet>>> sheets_;
   glm::dvec3 right_{1.0, 0.0, 0.0}, down_{0.0, 0.0, -1.0};

@@ -52,7 +52,7 @@ StitchSession::PairLine StitchSession::pairLine(std::size_t a, std::size_t b) co
   const ProjectPair said = pairOf(project(), low, high);
   if (line.outcome != nullptr) {
     ProjectPair before = pairOf(asked_, *i, *j);
-    if (*i > *j) before = toldFromTheOtherSide(before);
+    if (*i > *j) before = swapped(before);
     before.fixed = low;
     before.moving = high;
     before.decision = said.decision;
@@ -134,7 +134,7 @@ int StitchSession::pairsToLookAt() const {
   return static_cast<int>(std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.needsLook; }));
 }
 
-QString StitchSession::standOfPairs() const {
+QString StitchSession::pairSummary() const {
   const auto all = pairs();
   const auto matched = std::count_if(all.begin(), all.end(), [](const PairLine& line) { return line.outcome != nullptr; });
   const int look = pairsToLookAt();
@@ -177,14 +177,14 @@ Transform<frame::World, frame::View> StitchSession::toWorld(std::size_t index) c
 }
 
 bool StitchSession::hasElastic() const {
-  if (!found_ || !pair_ || found_->bends.empty() || !found_->graph) return false;
+  if (!found_ || !pair_ || found_->warps.empty() || !found_->graph) return false;
   const auto i = foundIndex(pair_->fixed);
   const auto j = foundIndex(pair_->moving);
-  return i && j && *i < found_->bends.size() && *j < found_->bends.size() && *i < found_->graph->toWorld.size() &&
+  return i && j && *i < found_->warps.size() && *j < found_->warps.size() && *i < found_->graph->toWorld.size() &&
          *j < found_->graph->toWorld.size() && samePlaces(pair_->fixed) && samePlaces(pair_->moving);
 }
 
-std::vector<registration::Level> StitchSession::levelsSeen(bool ofBend) const {
+std::vector<registration::Level> StitchSession::levelsSeen(bool ofWarp) const {
   std::vector<registration::Level> seen;
   const auto at = [&](std::size_t volume) {
     return std::find(runningKeys_.begin(), runningKeys_.end(), keyOf(project().volumes[volume])) - runningKeys_.begin();
@@ -192,7 +192,7 @@ std::vector<registration::Level> StitchSession::levelsSeen(bool ofBend) const {
   const auto fixed = static_cast<std::size_t>(at(pair_->fixed));
   const auto moving = static_cast<std::size_t>(at(pair_->moving));
   for (const LevelSeen& each : runningLevels_)
-    if (std::minmax(each.fixed, each.moving) == std::minmax(fixed, moving) && (each.level.node_mm > 0.0) == ofBend)
+    if (std::minmax(each.fixed, each.moving) == std::minmax(fixed, moving) && (each.level.node_mm > 0.0) == ofWarp)
       seen.push_back(each.level);
   return seen;
 }
@@ -205,25 +205,25 @@ std::vector<registration::Level> StitchSession::levels() const {
   return line.outcome != nullptr ? line.outcome->rigid.levels : seen;
 }
 
-std::vector<registration::Level> StitchSession::bendLevels() const {
+std::vector<registration::Level> StitchSession::warpLevels() const {
   if (!pair_) return {};
   auto seen = levelsSeen(true);
   if (!seen.empty()) return seen;
-  return bent() != nullptr ? bent()->levels : seen;
+  return warped() != nullptr ? warped()->levels : seen;
 }
 
-const BentPair* StitchSession::bent() const {
+const WarpedPair* StitchSession::warped() const {
   if (!found_ || !pair_) return nullptr;
   const auto i = foundIndex(pair_->fixed);
   const auto j = foundIndex(pair_->moving);
   if (!i || !j) return nullptr;
-  for (const BentPair& each : found_->bentPairs)
+  for (const WarpedPair& each : found_->warpedPairs)
     if (std::minmax(each.fixed, each.moving) == std::minmax(*i, *j)) return &each;
   return nullptr;
 }
 
-bool StitchSession::isBentStale() const {
-  const BentPair* pair = bent();
+bool StitchSession::isWarpedStale() const {
+  const WarpedPair* pair = warped();
   return pair != nullptr &&
          (pair->effort != effortOf(project(), pair_->fixed, pair_->moving) || !hasElastic() || pairLine(pair_->fixed, pair_->moving).stale);
 }
@@ -237,7 +237,7 @@ std::vector<std::optional<Grid>> StitchSession::gridsFound() const {
   return grids;
 }
 
-MachinePace StitchSession::bendPace() const { return found_ ? paceOf(found_->bentPairs, gridsFound()) : MachinePace{}; }
+MachinePace StitchSession::warpPace() const { return found_ ? paceOf(found_->warpedPairs, gridsFound()) : MachinePace{}; }
 
 MachinePace StitchSession::searchPace() const {
   if (!found_) return {};
@@ -245,8 +245,9 @@ MachinePace StitchSession::searchPace() const {
   std::vector<Timed> timed;
   for (const PairOutcome& pair : found_->pairs) {
     if (pair.used != PairMethod::search || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
-    const double turn_deg = ew::stitching::pairOf(asked_, pair.fixed, pair.moving).maxTurn_deg.value_or(asked_.settings.maxTurn_deg);
-    timed.push_back({expectedSearch_s(*grids[pair.fixed], *grids[pair.moving], turn_deg), pair.processor_s});
+    const double rotation_deg =
+        ew::stitching::pairOf(asked_, pair.fixed, pair.moving).maxRotation_deg.value_or(asked_.settings.maxRotation_deg);
+    timed.push_back({expectedSearch_s(*grids[pair.fixed], *grids[pair.moving], rotation_deg), pair.processor_s});
   }
   return paceOf(timed);
 }

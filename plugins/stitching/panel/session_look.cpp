@@ -73,7 +73,7 @@ Mapping StitchSession::fixedMapping(Stage stage) const {
   if (stage != Stage::elastic || !hasElastic()) return {};
   const std::size_t i = *foundIndex(pair_->fixed);
   const auto& world = found_->graph->toWorld[i];
-  return {renamed<frame::World, frame::Fixed>(world), &found_->bends[i], rigidInverse(world)};
+  return {renamed<frame::World, frame::Fixed>(world), &found_->warps[i], rigidInverse(world)};
 }
 
 Mapping StitchSession::movingMapping(Stage stage) const {
@@ -82,12 +82,12 @@ Mapping StitchSession::movingMapping(Stage stage) const {
     const std::size_t i = *foundIndex(pair_->fixed);
     const std::size_t j = *foundIndex(pair_->moving);
     const auto fixedToWorld = renamed<frame::World, frame::Fixed>(found_->graph->toWorld[i]);
-    return {fixedToWorld, &found_->bends[j], rigidInverse(found_->graph->toWorld[j])};
+    return {fixedToWorld, &found_->warps[j], rigidInverse(found_->graph->toWorld[j])};
   }
   return {{}, nullptr, renamed<frame::View, frame::World>(stage == Stage::start ? startTransform() : transform())};
 }
 
-Plane StitchSession::movingPlane() const { return linked_ ? moved(plane_, movingMapping(stage_).withoutBend()) : movingPlane_; }
+Plane StitchSession::movingPlane() const { return linked_ ? moved(plane_, movingMapping(stage_).withoutWarp()) : movingPlane_; }
 
 glm::dvec3 StitchSession::movingCross() const { return linked_ ? movingMapping(stage_)(cross_) : movingCross_; }
 
@@ -104,13 +104,13 @@ void StitchSession::setCross(const glm::dvec3& p_mm) {
 }
 
 void StitchSession::setMovingPlane(const Plane& plane) {
-  if (linked_) return setPlane(moved(plane, rigidInverse(movingMapping(stage_).withoutBend())));
+  if (linked_) return setPlane(moved(plane, rigidInverse(movingMapping(stage_).withoutWarp())));
   movingPlane_ = plane;
   Q_EMIT lookChanged();
 }
 
 void StitchSession::setMovingCross(const glm::dvec3& p_mm) {
-  if (linked_) return setCross(carried(rigidInverse(movingMapping(stage_).withoutBend()), p_mm));
+  if (linked_) return setCross(carried(rigidInverse(movingMapping(stage_).withoutWarp()), p_mm));
   movingCross_ = p_mm;
   const double off = distanceTo(movingPlane_, p_mm);
   if (std::abs(off) > 1e-9) movingPlane_.centre_mm += off * movingPlane_.normal();

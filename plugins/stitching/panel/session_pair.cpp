@@ -134,11 +134,11 @@ void StitchSession::setTransform(const Transform<frame::Moving, frame::Fixed>& f
       what, mergeKey);
 }
 
-void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+void StitchSession::nudge(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
   if (!pair_) return;
   const glm::dmat3 axes(plane_.right, plane_.down, plane_.normal());
   const bool shifts = shift_mm != glm::dvec3(0.0);
-  const auto next = nudged(transform(), axes * shift_mm, axes * turn_deg, cross_);
+  const auto next = nudged(transform(), axes * shift_mm, axes * rotation_deg, cross_);
   const std::string key = (shifts ? "shift " : "turn ") + std::to_string(pair_->fixed) + ' ' + std::to_string(pair_->moving);
   // The name tells the whole way since the keys began to be pressed.
   auto from = transform();
@@ -181,14 +181,14 @@ void StitchSession::setPairEffort(std::optional<registration::ElasticEffort> eff
            effort ? tr("deform %1 %2").arg(nameOfPair(), nameOfEffort(*effort)) : tr("deform %1 as all pairs").arg(nameOfPair()));
 }
 
-void StitchSession::bendAgain() { run(Step::elastic, tr("Deforming %1 again").arg(nameOfPair())); }
+void StitchSession::warpAgain() { run(Step::elastic, tr("Deforming %1 again").arg(nameOfPair())); }
 
-void StitchSession::redoPair(PairMethod method, std::optional<double> maxTurn_deg) {
+void StitchSession::redoPair(PairMethod method, std::optional<double> maxRotation_deg) {
   if (!pair_ || isBusy()) return;
   editPair(
       [&](ProjectPair& pair) {
         pair.method = method;
-        pair.maxTurn_deg = maxTurn_deg;
+        pair.maxRotation_deg = maxRotation_deg;
         pair.decision = Decision::undecided;
         if (method != PairMethod::byHand && method != PairMethod::refine) pair.start.reset();
       },

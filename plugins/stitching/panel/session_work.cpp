@@ -191,7 +191,7 @@ void StitchSession::settle(ChainState state, StitchProject asked) {
   found_ = std::make_shared<const ChainState>(std::move(state));
   asked_ = std::move(asked);
   if (stage_ == Stage::elastic && !hasElastic()) stage_ = Stage::rigid;
-  if (!found_->bends.empty() && hasElastic()) stage_ = Stage::elastic;
+  if (!found_->warps.empty() && hasElastic()) stage_ = Stage::elastic;
   afterChoice();
   fit();
   if (!found_->reason.empty() && found_->verdict != registration::Verdict::aligned) Q_EMIT said(words(found_->reason));

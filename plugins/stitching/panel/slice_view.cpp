@@ -104,7 +104,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
     }
     const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
     const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
-    // Every fourth pixel: a bend is smooth, and its colours are read in the large.
+    // Every fourth pixel: a warp is smooth, and its colours are read in the large.
     const glm::ivec2 coarse = glm::max(size / 4, glm::ivec2(1));
     Plane wide = shown;
     wide.pixel_mm *= static_cast<double>(size.x) / coarse.x;
@@ -112,8 +112,8 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
     longest_mm_ = 0.0;
     for (int y = 0; y < coarse.y; ++y) {
       for (int x = 0; x < coarse.x; ++x) {
-        const glm::dvec3 p = carried(mine.toBend, pointAt(wide, coarse, {x, y}));
-        const glm::dvec3 u = registration::displacementAt(*other.bend, p) - registration::displacementAt(*mine.bend, p);
+        const glm::dvec3 p = carried(mine.toWarp, pointAt(wide, coarse, {x, y}));
+        const glm::dvec3 u = registration::displacementAt(*other.warp, p) - registration::displacementAt(*mine.warp, p);
         lengths.push_back(glm::length(u));
         longest_mm_ = std::max(longest_mm_, lengths.back());
       }
@@ -130,8 +130,8 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
     }
     std::vector<SeenView> views;
     for (std::size_t n = 0; n < session_.project().volumes.size(); ++n) {
-      const auto* bend = n < found->bends.size() && session_.isFoundFresh() ? &found->bends[n] : nullptr;
-      views.push_back({session_.volume(n).get(), {toWorld, bend, rigidInverse(session_.toWorld(n))}});
+      const auto* warp = n < found->warps.size() && session_.isFoundFresh() ? &found->warps[n] : nullptr;
+      views.push_back({session_.volume(n).get(), {toWorld, warp, rigidInverse(session_.toWorld(n))}});
     }
     return imageOf(seamPicture(*found->seams, views, shown, size, toWorld));
   }
@@ -194,10 +194,10 @@ void SliceView::render() {
 void SliceView::drawLattice(QPainter& painter) const {
   const Mapping mine = session_.fixedMapping(StitchSession::Stage::elastic);
   const Mapping other = session_.movingMapping(StitchSession::Stage::elastic);
-  const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toBend.matrix));
+  const glm::dmat3 back = glm::transpose(glm::dmat3(mine.toWarp.matrix));
   const auto lines = deformedLattice(plane(), {width(), height()}, kLattice_mm, [&](const glm::dvec3& p) {
-    const glm::dvec3 q = carried(mine.toBend, p);
-    return p + back * (registration::displacementAt(*other.bend, q) - registration::displacementAt(*mine.bend, q));
+    const glm::dvec3 q = carried(mine.toWarp, p);
+    return p + back * (registration::displacementAt(*other.warp, q) - registration::displacementAt(*mine.warp, q));
   });
   painter.setPen(QPen(QColor(255, 255, 255, 150), 1.0));
   for (const auto& line : lines) {
@@ -220,7 +220,7 @@ void SliceView::drawLandmarks(QPainter& painter) const {
   const Plane shown = plane();
   const bool moving = kind_ == Kind::moving;
   const Mapping toMoving = session_.movingMapping(session_.stage());
-  const auto fromMoving = rigidInverse(toMoving.withoutBend());
+  const auto fromMoving = rigidInverse(toMoving.withoutWarp());
   const auto draw = [&](const glm::dvec3& own, const QString& word, const QColor& colour, bool chosen) {
     const glm::dvec3 p = moving && !isOwnMoving() ? carried(fromMoving, own) : own;
     const double off = std::abs(distanceTo(shown, p));

@@ -373,7 +373,7 @@ void StitchPanel::refresh() {
   const auto& project = session_.project();
   pages_->setCurrentIndex(project.volumes.empty() ? 0 : 1);
   list_->refresh();
-  pairWord_->setText(session_.standOfPairs());
+  pairWord_->setText(session_.pairSummary());
   pairsBox_->setVisible(project.volumes.size() >= 2);
   const bool running = session_.isRunning();
   moreRow_->setVisible(!running);  // its room is the card's on a small screen

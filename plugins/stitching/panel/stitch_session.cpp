@@ -100,7 +100,7 @@ std::string StitchSession::remark() const {
   return document_.hasUnsavedChanges() ? tr("not saved").toStdString() : tr("saved").toStdString();
 }
 
-std::string StitchSession::note() const { return standOfPairs().toStdString(); }
+std::string StitchSession::note() const { return pairSummary().toStdString(); }
 
 void StitchSession::undo() {
   document_.undo();
@@ -213,8 +213,8 @@ QList<double> StitchSession::transformNow() const {
   return numbers;
 }
 
-QList<double> StitchSession::matesAt(double x, double y, double z, bool bent) const {
-  const Stage stage = bent ? Stage::elastic : Stage::rigid;
+QList<double> StitchSession::matesAt(double x, double y, double z, bool warped) const {
+  const Stage stage = warped ? Stage::elastic : Stage::rigid;
   const glm::dvec3 fixed = fixedMapping(stage)({x, y, z});
   const glm::dvec3 moving = movingMapping(stage)({x, y, z});
   return {fixed.x, fixed.y, fixed.z, moving.x, moving.y, moving.z};

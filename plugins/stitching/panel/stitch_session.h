@@ -67,10 +67,10 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   Q_INVOKABLE QString verdictOf(int a, int b) const;  ///< "aligned", …; empty: not matched
   Q_INVOKABLE QList<double> transformNow() const;     ///< of the pair, fixed to moving, row by row
   /// Where the pair shows, at a point of the plane's frame, in the fixed volume and in the moving one: six numbers, mm.
-  Q_INVOKABLE QList<double> matesAt(double x, double y, double z, bool bent) const;
+  Q_INVOKABLE QList<double> matesAt(double x, double y, double z, bool warped) const;
   Q_INVOKABLE bool isElasticFound() const { return hasElastic(); }
-  Q_INVOKABLE QString effortOfBend() const { return bent() != nullptr ? QString::fromLatin1(nameOf(bent()->effort)) : QString(); }
-  Q_INVOKABLE double largestBend_mm() const { return found_ ? found_->bendSummary.largest_mm : 0.0; }
+  Q_INVOKABLE QString effortOfWarp() const { return warped() != nullptr ? QString::fromLatin1(nameOf(warped()->effort)) : QString(); }
+  Q_INVOKABLE double largestWarp_mm() const { return found_ ? found_->warpSummary.largest_mm : 0.0; }
   Q_INVOKABLE int nodesOfResult() const { return result_ ? static_cast<int>(result_->grid.voxelCount()) : 0; }
   void startAnew();
   /// What an earlier run left unsaved: the latest that nobody decided about.
@@ -109,7 +109,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] Mark markOf(std::size_t volume) const;  ///< the best of its pairs: what holds it
   [[nodiscard]] int pairsToLookAt() const;
   /// In a few words: how many pairs need a look, else how many were not matched, else that none does. Empty before the first run.
-  [[nodiscard]] QString standOfPairs() const;
+  [[nodiscard]] QString pairSummary() const;
   /// Every volume was in the last run, and nothing that shapes the places was edited since.
   [[nodiscard]] bool isMatchFresh() const;
   /// As found, else as placed. A volume placed anew since lies where it was put beside those that were not.
@@ -136,9 +136,9 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] Stage stage() const { return stage_; }
   void setStage(Stage stage);
   [[nodiscard]] bool hasElastic() const;
-  [[nodiscard]] const BentPair* bent() const;  ///< of the pair; null: it was not bent
-  [[nodiscard]] bool isBentStale() const;      ///< it was bent with another effort, or lay elsewhere
-  [[nodiscard]] MachinePace bendPace() const;  ///< from the pairs that were bent
+  [[nodiscard]] const WarpedPair* warped() const;  ///< of the pair; null: it was not warped
+  [[nodiscard]] bool isWarpedStale() const;        ///< it was warped with another effort, or lay elsewhere
+  [[nodiscard]] MachinePace warpPace() const;      ///< from the pairs that were warped
   [[nodiscard]] MachinePace searchPace() const;
   /// Fixed to moving as it is at present: nudged, found, by landmarks, or from the places.
   [[nodiscard]] Transform<frame::Moving, frame::Fixed> transform() const;
@@ -175,7 +175,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
 
   // Decisions and nudges.
   void setDecision(Decision decision);
-  void nudge(const glm::dvec3& shift_mm, const glm::dvec3& turn_deg);  ///< along and about the plane's right, down, normal
+  void nudge(const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg);  ///< along and about the plane's right, down, normal
   void setTransform(const Transform<frame::Moving, frame::Fixed>& fixedToMoving, const QString& what, const std::string& mergeKey);
   [[nodiscard]] QuickAgreement agreement() const;  ///< at the present transform
 
@@ -186,17 +186,17 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   void run(Step until, const QString& title);
   void takeUp();    ///< reads back what earlier runs of this project finished
   void pinStart();  ///< what is seen now becomes the start of the next refinement; a step with it
-  void redoPair(PairMethod method, std::optional<double> maxTurn_deg);
+  void redoPair(PairMethod method, std::optional<double> maxRotation_deg);
   struct LevelSeen {
     std::size_t fixed = 0;
     std::size_t moving = 0;
     registration::Level level;
   };
   [[nodiscard]] std::vector<registration::Level> levels() const;      ///< of matching the pair: growing while it runs, else of its result
-  [[nodiscard]] std::vector<registration::Level> bendLevels() const;  ///< the same of bending it
+  [[nodiscard]] std::vector<registration::Level> warpLevels() const;  ///< the same of bending it
   void setEffort(registration::ElasticEffort effort);                 ///< of bending all pairs that have none of their own
   void setPairEffort(std::optional<registration::ElasticEffort> effort);
-  void bendAgain();                                                               ///< runs the elastic step: what did not change is kept
+  void warpAgain();                                                               ///< runs the elastic step: what did not change is kept
   [[nodiscard]] std::shared_ptr<const Volume> result() const { return result_; }  ///< the whole; null: not made
   [[nodiscard]] bool isResultFresh() const { return result_ && resultAsked_ == project(); }
   void handToCase();
@@ -245,7 +245,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   [[nodiscard]] QString nameOfPair() const;
   [[nodiscard]] std::vector<std::optional<Grid>> gridsFound() const;                        ///< of the volumes as found_ numbers them
   [[nodiscard]] const PairOutcome* outcomeOf(std::size_t fixed, std::size_t moving) const;  ///< of volumes as found_ numbers them
-  [[nodiscard]] std::vector<registration::Level> levelsSeen(bool ofBend) const;             ///< of the pair, since the last run began
+  [[nodiscard]] std::vector<registration::Level> levelsSeen(bool ofWarp) const;             ///< of the pair, since the last run began
   [[nodiscard]] bool isBusy();                                                              ///< says so
 
   sdk::Host& host_;

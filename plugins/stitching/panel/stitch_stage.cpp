@@ -350,9 +350,9 @@ bool StitchStage::nudgeByKey(const QKeyEvent& event, bool act) {
   const bool ctrl = event.modifiers().testFlag(Qt::ControlModifier);
   const double mm = ctrl ? 0.1 : shift ? 2.0 : 0.5;
   const double deg = shift ? 5.0 : 1.0;
-  const auto nudge = [&](const glm::dvec3& shift_mm, const glm::dvec3& turn_deg) {
+  const auto nudge = [&](const glm::dvec3& shift_mm, const glm::dvec3& rotation_deg) {
     if (!act) return true;
-    session_.nudge(shift_mm, turn_deg);
+    session_.nudge(shift_mm, rotation_deg);
     return true;
   };
   switch (event.key()) {

@@ -175,7 +175,7 @@ template <class T>
 bool grow(std::vector<T>& values, std::size_t count, const Progress& progress) {
   constexpr std::size_t kPiece = (16u << 20) / sizeof(T);
   values.reserve(count);
-  wishForLargePages(values.data(), count * sizeof(T));
+  adviseLargePages(values.data(), count * sizeof(T));
   while (values.size() < count) {
     if (progress.cancelRequested()) return false;
     values.resize(std::min(count, values.size() + kPiece));

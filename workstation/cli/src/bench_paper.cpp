@@ -78,9 +78,9 @@ Probe wideProbe() {
 }
 
 /// Motion in the plane of the frames (y and z of the block), of the given peak.
-class InPlaneBend final : public Deformation {
+class InPlaneWarp final : public Deformation {
  public:
-  explicit InPlaneBend(double peak_mm) : peak_mm_(peak_mm) {}
+  explicit InPlaneWarp(double peak_mm) : peak_mm_(peak_mm) {}
   [[nodiscard]] glm::dvec2 at(double z, double y) const {  // along z, along y
     constexpr double k = 2.0 * std::numbers::pi / 100.0;
     const double lateral = 0.75 * std::sin(k * (y + 8.0)) * std::cos(0.6 * k * (z - 10.0)) + 0.25 * std::sin(1.3 * k * z + 1.0);
@@ -366,10 +366,10 @@ Result<void> writePages(const json& report, const PaperPlace& placeOf) {
 /// What rests at p is found at p + u(p) in the moving image: u is the truth on the fixed one.
 Result<json> figureEight(const PaperBenchOptions& options, Recorder& first, Recorder& second, const PaperPlace& placeOf,
                          Progress& progress) {
-  const InPlaneBend bend(options.peak_mm);
-  const GreyImage fixed = first.frameAt(0.0, restingBody(), 1), moving = second.frameAt(0.0, bend, 2);
+  const InPlaneWarp warp(options.peak_mm);
+  const GreyImage fixed = first.frameAt(0.0, restingBody(), 1), moving = second.frameAt(0.0, warp, 2);
   const double left_mm = -0.5 * (fixed.width - 1) * kPixel_mm;
-  const PlanarTruth truth = [&](const glm::dvec2& p) { return bend.at(p.x + left_mm, p.y + 2.0); };
+  const PlanarTruth truth = [&](const glm::dvec2& p) { return warp.at(p.x + left_mm, p.y + 2.0); };
   std::vector<GreyImage> seen;
   auto rows = paperRows(fixed, moving, kPixel_mm, truth, &seen, progress);
   if (!rows) return passOn(rows.error());
@@ -380,7 +380,7 @@ Result<json> figureEight(const PaperBenchOptions& options, Recorder& first, Reco
 }
 
 /// Mean distance between where points of the tangent plane went and where they were found, mm.
-double errorOnTangentPlane_mm(const registration::Deformation& fixedToMoving, const InPlaneBend& moved) {
+double errorOnTangentPlane_mm(const registration::Deformation& fixedToMoving, const InPlaneWarp& moved) {
   double error_mm = 0.0;
   int points = 0;
   for (double y = 12.0; y < 92.0; y += 4.0) {
@@ -432,11 +432,11 @@ GreyImage joinedAcross(const Volume& left, const Volume& right, double half_mm) 
   return out;
 }
 
-/// Figures 6 and 7: two sweeps that meet at x = 0 and overlap by 4 mm to either side, the tissue bent between them.
+/// Figures 6 and 7: two sweeps that meet at x = 0 and overlap by 4 mm to either side, the tissue warped between them.
 Result<json> figureSeven(const PaperBenchOptions& options, Recorder& first, Recorder& second, const PaperPlace& placeOf,
                          Progress& progress) {
   constexpr double kOverlap_mm = 4.0;
-  const InPlaneBend moved(options.seamPeak_mm);
+  const InPlaneWarp moved(options.seamPeak_mm);
   PartOfProgress recordingFirst(progress, 0.2, 0.5), recordingSecond(progress, 0.5, 0.8), joining(progress, 0.8, 1.0);
   const auto a = sweptVolume(first, -options.sweep_mm, kOverlap_mm, restingBody(), recordingFirst);
   if (!a) return passOn(a.error());
@@ -451,11 +451,11 @@ Result<json> figureSeven(const PaperBenchOptions& options, Recorder& first, Reco
   const auto cut = [&](const Volume& volume, const registration::Deformation& deformation) -> Result<Volume> {
     return registration::warped(volume, deformation, across, 1, noProgress());
   };
-  const auto left = cut(*a, {}), right = cut(*b, {}), bent = cut(*b, found->fixedToMoving);
-  for (const auto* each : {&left, &right, &bent})
+  const auto left = cut(*a, {}), right = cut(*b, {}), warped = cut(*b, found->fixedToMoving);
+  for (const auto* each : {&left, &right, &warped})
     if (!*each) return passOn(each->error());
   const GreyImage pasted = joinedAcross(*left, *right, 0.0), blended = joinedAcross(*left, *right, kOverlap_mm),
-                  smooth = joinedAcross(*left, *bent, kOverlap_mm);
+                  smooth = joinedAcross(*left, *warped, kOverlap_mm);
   if (auto written = writePictures({{"figure-6-first.png", pictureOfPlane(*left)},
                                     {"figure-6-second.png", pictureOfPlane(*right)},
                                     {"figure-7-pasted.png", pasted},

@@ -50,9 +50,9 @@ struct Pair {
 };
 
 /// Smooth motion up to kPeak_mm, different in each direction.
-struct Bend {
+struct Warp {
   std::array<glm::dvec3, 3> phase;
-  explicit Bend(std::uint64_t seed) {
+  explicit Warp(std::uint64_t seed) {
     std::mt19937_64 draw(seed);
     for (auto& p : phase)
       for (int axis = 0; axis < 3; ++axis) p[axis] = 2.0 * std::numbers::pi * static_cast<double>(draw() >> 11) * 0x1p-53;
@@ -173,11 +173,11 @@ Answer answerOf(Deformation deformation, Verdict verdict, std::optional<double> 
 /// The middle slice of the elastic pair's motion, in the plane.
 Result<Pair> pictures(const RegisterBenchOptions& options, Progress& progress) {
   const SpeckledTissue tissue(options.seed + 2);
-  const Bend bend(options.seed + 2);
+  const Warp warp(options.seed + 2);
   Grid grid = cubeAt(256, 0.4, {10.0, 20.0, 30.0});
   grid.dims.z = 1;
-  const auto flat = [bend](const glm::dvec3& p) {
-    glm::dvec3 u = bend.at({p.x, p.y, 30.0});
+  const auto flat = [warp](const glm::dvec3& p) {
+    glm::dvec3 u = warp.at({p.x, p.y, 30.0});
     u.z = 0.0;
     return u;
   };
@@ -207,11 +207,11 @@ Result<Pairs> makePairs(const RegisterBenchOptions& options, Progress& progress)
   };
   const SpeckledTissue tissue(options.seed);
   const SpeckledTissue other(options.seed + 77);
-  const Bend bend(options.seed);
+  const Warp warp(options.seed);
   const Grid grid = cubeAt(options.side, kVoxel_mm, {-12.0, 5.0, 40.0});
   if (auto made = take(pairs.elastic, pairOf(
-                                          "elastic", grid, tissue, tissue, [bend](const glm::dvec3& p) { return p + bend.at(p); },
-                                          [bend](const glm::dvec3& q) { return bend.before(q); }, true, progress));
+                                          "elastic", grid, tissue, tissue, [warp](const glm::dvec3& p) { return p + warp.at(p); },
+                                          [warp](const glm::dvec3& q) { return warp.before(q); }, true, progress));
       !made)
     return passOn(made.error());
   if (auto made = take(pairs.flat, pictures(options, progress)); !made) return passOn(made.error());
@@ -322,7 +322,7 @@ std::vector<Trial> partialTrials(const Pairs& pairs) {
   for (const Pair& pair : pairs.partial) {
     add(pair, "as it comes", {});
     PartialOptions turns;
-    turns.stepTurn_deg = 15.0;
+    turns.stepRotation_deg = 15.0;
     add(pair, "turns of 15 degrees", turns);
     PartialOptions cells;
     cells.cell_mm = 4.5;

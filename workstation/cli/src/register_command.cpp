@@ -36,8 +36,8 @@ struct RegisterArguments {
   int threads = 0;
   std::optional<double> pickError_mm;
   std::string effort = "balanced";
-  std::optional<double> maxTurn_deg;
-  std::optional<double> stepTurn_deg;
+  std::optional<double> maxRotation_deg;
+  std::optional<double> stepRotation_deg;
   std::optional<double> leastOverlap;
   std::optional<double> finest_mm;
   std::optional<double> node_mm;
@@ -157,7 +157,7 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   found.reason = result->reason;
   found.stop = result->stop;
   found.flat = true;
-  // Pixel (0, 0) lay on pixel (0, 0): the rigid part takes one header's place to the other's, the bend happens before it.
+  // Pixel (0, 0) lay on pixel (0, 0): the rigid part takes one header's place to the other's, the warp happens before it.
   // Across a flat picture nothing is seen, so where one header is left-handed and the other is not, that direction is turned over: the same
   // pixels on the same places, by a rotation and never by a mirror.
   glm::dmat3 across(1.0);
@@ -208,7 +208,7 @@ Result<Found> byElastic3d(const RegisterArguments& arguments, const Side& fixed,
   found.quality["residual_rms"] = result->residualRms;
   found.quality["stiffness"] = result->stiffness;
   found.quality["largest_motion_mm"] = result->largestMotion_mm;
-  found.quality["left_motion_share"] = result->leftShare;
+  found.quality["left_motion_share"] = result->residualShare;
   found.quality["unsure_node_share"] =
       result->uncertainty.empty() ? 0.0 : static_cast<double>(unsure) / static_cast<double>(result->uncertainty.size());
   found.quality["forecast_mib"] = static_cast<double>(forecast) / 1048576.0;
@@ -233,9 +233,9 @@ void rigidInto(Found& found, const RigidResult& result) {
 
 Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, const Side& moving,
                       const Transform<frame::Moving, frame::Fixed>& start, Progress& progress, const OnLevel& onLevel) {
-  constexpr double kSearchTurn_deg = 20.0;
+  constexpr double kSearchRotation_deg = 20.0;
   RefineOptions options;
-  options.searchTurn_deg = kSearchTurn_deg;
+  options.searchRotation_deg = kSearchRotation_deg;
   options.finest_mm = arguments.finest_mm.value_or(options.finest_mm);
   options.coarsest_mm = std::max(options.coarsest_mm, options.finest_mm);
   options.threads = arguments.threads;
@@ -249,14 +249,14 @@ Result<Found> byRigid(const RegisterArguments& arguments, const Side& fixed, con
 Result<Found> byPartial(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress,
                         const OnLevel& onLevel) {
   PartialOptions options;
-  options.maxTurn_deg = arguments.maxTurn_deg.value_or(options.maxTurn_deg);
-  options.stepTurn_deg = arguments.stepTurn_deg.value_or(options.stepTurn_deg);
+  options.maxRotation_deg = arguments.maxRotation_deg.value_or(options.maxRotation_deg);
+  options.stepRotation_deg = arguments.stepRotation_deg.value_or(options.stepRotation_deg);
   options.leastOverlap = arguments.leastOverlap.value_or(options.leastOverlap);
   options.refine.finest_mm = arguments.finest_mm.value_or(options.refine.finest_mm);
   options.refine.coarsest_mm = std::max(options.refine.coarsest_mm, options.refine.finest_mm);
   options.threads = options.refine.threads = arguments.threads;
-  run.report.options["max_turn_deg"] = options.maxTurn_deg;
-  run.report.options["step_turn_deg"] = options.stepTurn_deg;
+  run.report.options["max_turn_deg"] = options.maxRotation_deg;
+  run.report.options["step_turn_deg"] = options.stepRotation_deg;
   const auto forecast = forecastPartial_bytes(fixed.volume.grid, moving.volume.grid, options);
   const auto result = matchPartial(fixed.input(), moving.input(), options, progress, onLevel);
   if (!result) return passOn(result.error());
@@ -291,8 +291,8 @@ Result<void> checkUsage(const RegisterArguments& arguments) {
   for (const auto& fits :
        {only(!arguments.start.empty(), "--start", {"rigid", "elastic3d"}), only(!arguments.landmarks.empty(), "--landmarks", {"landmarks"}),
         only(arguments.pickError_mm.has_value(), "--pick-error", {"landmarks"}),
-        only(arguments.maxTurn_deg.has_value(), "--max-turn", {"partial"}),
-        only(arguments.stepTurn_deg.has_value(), "--step-turn", {"partial"}),
+        only(arguments.maxRotation_deg.has_value(), "--max-turn", {"partial"}),
+        only(arguments.stepRotation_deg.has_value(), "--step-turn", {"partial"}),
         only(arguments.leastOverlap.has_value(), "--least-overlap", {"partial"}),
         only(arguments.effort != "balanced", "--effort", {"elastic3d"}),
         only(arguments.beamFixed.has_value(), "--beam-fixed", {"rigid", "partial", "elastic3d"}),
@@ -512,8 +512,8 @@ void addRegister(CLI::App& root, Selection& selection) {
   app.add_option("--effort", arguments->effort, "elastic3d: fast, balanced or accurate (balanced)")
       ->check(CLI::IsMember({"fast", "balanced", "accurate"}))
       ->type_name("EFFORT");
-  addNumber(app, "--max-turn", arguments->maxTurn_deg, {0.0, 180.0}, "partial: turns searched, in every direction, degrees (30)");
-  addNumber(app, "--step-turn", arguments->stepTurn_deg, {2.0, 90.0}, "partial: between turns of the first search, degrees (10)");
+  addNumber(app, "--max-turn", arguments->maxRotation_deg, {0.0, 180.0}, "partial: turns searched, in every direction, degrees (30)");
+  addNumber(app, "--step-turn", arguments->stepRotation_deg, {2.0, 90.0}, "partial: between turns of the first search, degrees (10)");
   addNumber(app, "--least-overlap", arguments->leastOverlap, {0.001, 0.999}, "partial: smallest share of the smaller volume (0.08)");
   addNumber(app, "--finest", arguments->finest_mm, {0.01, 100.0},
             "Voxels of the last level, mm (rigid and partial 0.75, elastic3d by effort)");

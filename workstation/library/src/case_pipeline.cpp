@@ -103,9 +103,9 @@ double stitchWork(const CasePlan& plan, double spacing_mm) {
 double voxeliseWork(double spacing_mm) { return 6.0 / std::pow(spacing_mm, 3); }  // a trunk of about six litres, in million voxels
 
 /// Keeps the promise that fractions never move backwards where work turns out to have to be done again.
-class Onward final : public Progress {
+class MonotonicProgress final : public Progress {
  public:
-  explicit Onward(Progress& whole) : whole_(whole) {}
+  explicit MonotonicProgress(Progress& whole) : whole_(whole) {}
   void report(const Message& what, double fraction) override {
     furthest_ = std::max(furthest_, fraction);
     whole_.report(what, furthest_);
@@ -531,7 +531,7 @@ PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
 
 Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const PreparationOptions& options, Progress& whole,
                               std::vector<Message>& notes) {
-  Onward progress(whole);
+  MonotonicProgress progress(whole);
   const auto cache = StepStore::share(cacheFolder(), preparationSteps());
   const auto readOrNote = [&](const StepStore& store) -> Result<Prepared> {
     auto cached = readDone(plan, store, progress);

@@ -99,9 +99,9 @@ void readTracker(const JsonFields& part, SweepRecipe::Tracker& tracker) {
   const JsonFields error = part.object("calibration_error");
   error.only({"shift_mm", "turn_deg"});
   const glm::dvec3 shift_mm = error.point("shift_mm", phantom::kFarthest_mm, glm::dvec3(0.0));
-  const glm::dvec3 turn_rad = std::numbers::pi / 180.0 * error.point("turn_deg", phantom::kFarthest_mm, glm::dvec3(0.0));
-  if (const double angle_rad = glm::length(turn_rad); angle_rad > 0.0)
-    tracker.calibrationError = glm::mat4_cast(glm::angleAxis(angle_rad, turn_rad / angle_rad));
+  const glm::dvec3 rotation_rad = std::numbers::pi / 180.0 * error.point("turn_deg", phantom::kFarthest_mm, glm::dvec3(0.0));
+  if (const double angle_rad = glm::length(rotation_rad); angle_rad > 0.0)
+    tracker.calibrationError = glm::mat4_cast(glm::angleAxis(angle_rad, rotation_rad / angle_rad));
   tracker.calibrationError[3] = glm::dvec4(shift_mm, 1.0);
 }
 

@@ -16,7 +16,7 @@ constexpr double kDegree_rad = std::numbers::pi / 180.0;
 constexpr double kFlattestLook = 0.17;     // cosine of the angle between beam and inward normal: 80 degrees
 constexpr double kOutsideBox_mm = 5.0;     // how far from the patient's box a probe may touch
 constexpr double kDeepestFold_mm = 60.0;   // how far a probe is drawn back before it counts as stuck in a fold
-constexpr double kTurnArm_mm = 50.0;       // turning by an angle is as much way as the picture's middle makes by it
+constexpr double kRotationArm_mm = 50.0;   // turning by an angle is as much way as the picture's middle makes by it
 constexpr int kStepsBetweenStations = 32;  // where the way along the path is measured
 constexpr int kStepsOfTime = 512;
 
@@ -130,7 +130,7 @@ Result<void> Trajectory::placeStations() {
     Knot knot{contact_mm.x, contact_mm.y, contact_mm.z};
     const glm::dvec3 lateral = glm::normalize(station.lateral);
     for (int axis = 0; axis < 3; ++axis) knot[static_cast<std::size_t>(3 + axis)] = lateral[axis];
-    double turn_rad = 0.0;
+    double rotation_rad = 0.0;
     if (n > 0) {
       const Knot& before = knots_.back();
       const glm::dquat leanBefore(before[6], before[7], before[8], before[9]);
@@ -139,9 +139,9 @@ Result<void> Trajectory::placeStations() {
       if (glm::dot(lateral, lateralBefore) < -0.7 || glm::dot(lean, leanBefore) < 0.5)
         return refused(n, say<"turns the image by more than a hand can on the way from the station before">(),
                        say<"put a station between the two, or swap the sign of lateral">());
-      turn_rad = std::acos(std::clamp(glm::dot(lateral, lateralBefore), -1.0, 1.0)) +
-                 2.0 * std::acos(std::clamp(glm::dot(lean, leanBefore), -1.0, 1.0));
-      const double way_mm = glm::distance(contact_mm, glm::dvec3(before[0], before[1], before[2])) + kTurnArm_mm * turn_rad;
+      rotation_rad = std::acos(std::clamp(glm::dot(lateral, lateralBefore), -1.0, 1.0)) +
+                     2.0 * std::acos(std::clamp(glm::dot(lean, leanBefore), -1.0, 1.0));
+      const double way_mm = glm::distance(contact_mm, glm::dvec3(before[0], before[1], before[2])) + kRotationArm_mm * rotation_rad;
       // Centripetal spacing: no loops where stations lie unevenly. Equal stations stay a step apart: there the hand rests.
       knotAt_.push_back(knotAt_.back() + std::max(std::sqrt(way_mm), 1e-3));
     } else {
@@ -215,7 +215,7 @@ void Trajectory::measurePath() {
     double moved = 0.0, turned = 0.0;
     for (std::size_t c = 0; c < 3; ++c) moved += (now[c] - before[c]) * (now[c] - before[c]);
     for (std::size_t c = 3; c < 10; ++c) turned += (c < 6 ? 1.0 : 4.0) * (now[c] - before[c]) * (now[c] - before[c]);
-    wayAt_.push_back(wayAt_.back() + std::sqrt(moved + kTurnArm_mm * kTurnArm_mm * turned));
+    wayAt_.push_back(wayAt_.back() + std::sqrt(moved + kRotationArm_mm * kRotationArm_mm * turned));
     before = now;
   }
   const double whole = wayAt_.back();

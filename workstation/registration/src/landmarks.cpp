@@ -19,7 +19,7 @@ constexpr double kMedianOfNorm = 1.5382;    // of three independent unit normal 
 constexpr double kOutlyingAt = 4.03;        // standard deviations: one good pair of a thousand lies farther away (chi square, 3 degrees)
 constexpr double kTukey = 7.45;             // so that the weight falls to 1/2 at kOutlyingAt
 constexpr double kAsLikely = 3.0;           // less than this much less likely (log) is as likely
-constexpr double kLargestScale = 3.0;       // tissue bends: residuals up to so many times the pick error are still the same tissue
+constexpr double kLargestScale = 3.0;       // tissue warps: residuals up to so many times the pick error are still the same tissue
 constexpr double kFreeTurn_rad = 0.25;      // a turn that is known worse than this about the line of the places is free
 constexpr std::size_t kMostTriples = 4000;  // tried in full up to 29 pairs, by fixed draws above
 
@@ -64,7 +64,7 @@ Scatter scatterOf(std::span<const Vector> places, std::span<const double> weight
 }
 
 /// The smallest turn that takes one direction onto another.
-Matrix smallestTurn(const Vector& from, const Vector& to) { return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix(); }
+Matrix smallestRotation(const Vector& from, const Vector& to) { return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix(); }
 
 /// Arun, Huang and Blostein 1987: with H = sum w (f - F)(m - M)^T = U S V^T the turn is V diag(1, 1, det(V U^T)) U^T; the determinant is
 /// Umeyama's guard. `mirrored` asks for the best mirror instead. Places on one line leave a turn free: then the smallest turn is taken.
@@ -89,7 +89,7 @@ LandmarkRigid closedForm(const Points& points, std::span<const double> weight, b
   if (s[0] <= 0.0) {
     found.turn = Matrix::Identity();
   } else if (s[1] < 1e-9 * s[0]) {
-    found.turn = smallestTurn(svd.matrixU().col(0), svd.matrixV().col(0));
+    found.turn = smallestRotation(svd.matrixU().col(0), svd.matrixV().col(0));
   } else {
     const double sign = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
     found.turn = svd.matrixV() * Vector(1.0, 1.0, mirrored ? -sign : sign).asDiagonal() * svd.matrixU().transpose();
@@ -260,7 +260,7 @@ std::vector<std::size_t> repeated(const Points& points, double pick_mm) {
 }
 
 /// How well the turn about the line of the places is known.
-double turnError_rad(const Scatter& places, double pairs, double fle_mm) {
+double rotationError_rad(const Scatter& places, double pairs, double fle_mm) {
   return places.deviation[1] > 0.0 ? fle_mm / (places.deviation[1] * std::sqrt(pairs)) : std::numeric_limits<double>::infinity();
 }
 
@@ -269,7 +269,7 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
   const std::size_t n = pairs.size();
   const std::size_t distinct = n - result.coincident.size();
   /// A remark that names places goes by their numbers where they have no name.
-  const auto naming = [&](Says what, std::vector<double> figures, const std::vector<std::size_t>& which) {
+  const auto naming = [&](RemarkCode what, std::vector<double> figures, const std::vector<std::size_t>& which) {
     Remark remark{what, std::move(figures)};
     for (const std::size_t i : which) {
       remark.figures.push_back(static_cast<double>(i + 1));
@@ -278,14 +278,14 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     return remark;
   };
   const auto sayRepeats = [&] {
-    if (!result.coincident.empty()) result.remarks.push_back(naming(Says::placesRepeat, {}, result.coincident));
+    if (!result.coincident.empty()) result.remarks.push_back(naming(RemarkCode::placesRepeat, {}, result.coincident));
   };
   if (distinct < 3) {
-    result.remarks = {{Says::tooFewPlaces, {static_cast<double>(distinct)}}};
+    result.remarks = {{RemarkCode::tooFewPlaces, {static_cast<double>(distinct)}}};
     return sayRepeats();
   }
   if (result.collinear) {
-    result.remarks = {{Says::placesOnALine}};
+    result.remarks = {{RemarkCode::placesOnALine}};
     return sayRepeats();
   }
   const LandmarkFit& best = fits.front();
@@ -296,7 +296,7 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
     const double largest = *std::max_element(residual.begin(), residual.end());
     if (n >= 4 && largest < kOutlyingAt * std::sqrt(2.0) * options.pickError_mm) {
       result.verdict = Verdict::notAligned;
-      result.remarks = {{Says::placesMirrored}};
+      result.remarks = {{RemarkCode::placesMirrored}};
       return;
     }
   }
@@ -308,10 +308,10 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
   const bool coarse = best.scale > 1.5 * std::sqrt(2.0) * options.pickError_mm;
   if (places.size() < 3 || 2 * best.agreeing <= n || (coarse && 4 * best.agreeing < 3 * n)) {
     if (n == 3) {
-      result.remarks = {{Says::threePlacesDisagree, {*std::max_element(best.residual.begin(), best.residual.end())}}};
+      result.remarks = {{RemarkCode::threePlacesDisagree, {*std::max_element(best.residual.begin(), best.residual.end())}}};
     } else {
       result.verdict = Verdict::notAligned;
-      result.remarks = {{Says::placesDisagree, {static_cast<double>(best.agreeing), static_cast<double>(n)}}};
+      result.remarks = {{RemarkCode::placesDisagree, {static_cast<double>(best.agreeing), static_cast<double>(n)}}};
     }
     return;
   }
@@ -321,15 +321,16 @@ void judge(LandmarkResult& result, std::span<const LandmarkPair> pairs, const Po
       if (fits[1].weight[i] < 0.5) others.push_back(i);
     std::vector<std::size_t> both = result.outlying;
     both.insert(both.end(), others.begin(), others.end());
-    result.remarks = {naming(Says::twoReadings, {static_cast<double>(result.outlying.size())}, both)};
+    result.remarks = {naming(RemarkCode::twoReadings, {static_cast<double>(result.outlying.size())}, both)};
     return;
   }
   result.verdict = Verdict::aligned;
   const auto agreeing = static_cast<double>(best.agreeing);
   if (result.outlying.empty())
-    result.remarks = {{Says::placesAgree, {agreeing, result.rms_mm}}};
+    result.remarks = {{RemarkCode::placesAgree, {agreeing, result.rms_mm}}};
   else
-    result.remarks = {naming(Says::placesAgreeBut, {agreeing, result.rms_mm, best.residual[result.outlying.front()]}, result.outlying)};
+    result.remarks = {
+        naming(RemarkCode::placesAgreeBut, {agreeing, result.rms_mm, best.residual[result.outlying.front()]}, result.outlying)};
   sayRepeats();
 }
 
@@ -396,7 +397,7 @@ Result<LandmarkResult> registerLandmarks(std::span<const LandmarkPair> pairs, co
   const Scatter movingPlaces = scatterOf(points.moving, agrees);
   const Scatter& narrower = fixedPlaces.deviation[1] <= movingPlaces.deviation[1] ? fixedPlaces : movingPlaces;
   result.conditioning = narrower.deviation[0] > 0.0 ? narrower.deviation[1] / narrower.deviation[0] : 0.0;
-  result.collinear = n >= 2 && turnError_rad(narrower, used, fle_mm) > kFreeTurn_rad;
+  result.collinear = n >= 2 && rotationError_rad(narrower, used, fle_mm) > kFreeTurn_rad;
   for (std::size_t i = 0; i < n; ++i)
     if (agrees[i] > 0.0) reach_mm = std::max(reach_mm, (points.fixed[i] - fixedPlaces.centre).norm());
   // FLE from what was said, or from the residuals when they say more: E(FRE^2) = (1 - 2 / N) FLE^2.

@@ -11,47 +11,47 @@
 namespace ew::registration {
 namespace {
 
-constexpr std::array<const char*, static_cast<std::size_t>(Says::count_)> kNames = {"no echo",
-                                                                                    "too thin",
-                                                                                    "no structure",
-                                                                                    "apart at the start",
-                                                                                    "few shared voxels",
-                                                                                    "pose not held",
-                                                                                    "overlap too small",
-                                                                                    "unrelated near start",
-                                                                                    "hardly better",
-                                                                                    "start may be far",
-                                                                                    "halves agree",
-                                                                                    "found about the start",
-                                                                                    "no pose agrees",
-                                                                                    "found too small",
-                                                                                    "unrelated everywhere",
-                                                                                    "best hardly better",
-                                                                                    "two poses alike",
-                                                                                    "halves contradict",
-                                                                                    "one pose stands out",
-                                                                                    "streaks taken out",
-                                                                                    "only streaks agree",
-                                                                                    "streaks decide",
-                                                                                    "too few places",
-                                                                                    "places repeat",
-                                                                                    "places on a line",
-                                                                                    "places mirrored",
-                                                                                    "three places disagree",
-                                                                                    "places disagree",
-                                                                                    "two readings",
-                                                                                    "places agree",
-                                                                                    "places agree but",
-                                                                                    "placed by hand",
-                                                                                    "nothing believed",
-                                                                                    "apart where placed",
-                                                                                    "nothing to follow",
-                                                                                    "start kept, good",
-                                                                                    "start kept",
-                                                                                    "bend contradicts",
-                                                                                    "bend shares too little",
-                                                                                    "bend agrees",
-                                                                                    "motion is left"};
+constexpr std::array<const char*, static_cast<std::size_t>(RemarkCode::count_)> kNames = {"no echo",
+                                                                                          "too thin",
+                                                                                          "no structure",
+                                                                                          "apart at the start",
+                                                                                          "few shared voxels",
+                                                                                          "pose not held",
+                                                                                          "overlap too small",
+                                                                                          "unrelated near start",
+                                                                                          "hardly better",
+                                                                                          "start may be far",
+                                                                                          "halves agree",
+                                                                                          "found about the start",
+                                                                                          "no pose agrees",
+                                                                                          "found too small",
+                                                                                          "unrelated everywhere",
+                                                                                          "best hardly better",
+                                                                                          "two poses alike",
+                                                                                          "halves contradict",
+                                                                                          "one pose stands out",
+                                                                                          "streaks taken out",
+                                                                                          "only streaks agree",
+                                                                                          "streaks decide",
+                                                                                          "too few places",
+                                                                                          "places repeat",
+                                                                                          "places on a line",
+                                                                                          "places mirrored",
+                                                                                          "three places disagree",
+                                                                                          "places disagree",
+                                                                                          "two readings",
+                                                                                          "places agree",
+                                                                                          "places agree but",
+                                                                                          "placed by hand",
+                                                                                          "nothing believed",
+                                                                                          "apart where placed",
+                                                                                          "nothing to follow",
+                                                                                          "start kept, good",
+                                                                                          "start kept",
+                                                                                          "bend contradicts",
+                                                                                          "bend shares too little",
+                                                                                          "bend agrees",
+                                                                                          "motion is left"};
 
 std::string withDigits(double value, int digits) {
   char text[64];
@@ -87,7 +87,7 @@ Message namesOf(const Remark& remark, std::size_t numbers, Wording wording) {
   return namesOf(remark, 0, remark.names.size(), numbers, wording);
 }
 
-Message bentOver(double correlation, double share) {
+Message warpedOver(double correlation, double share) {
   return say<"a correlation of %1 over %2 of the smaller volume">(decimal(correlation, 2), percent(share));
 }
 
@@ -95,9 +95,9 @@ Message ofVolume(const Remark& remark) {
   const bool fixed = remark.figure(0) == 0.0;
   const Message voxel = decimal(remark.figure(1), 1);
   switch (remark.what) {
-    case Says::noEcho:
+    case RemarkCode::noEcho:
       return fixed ? say<"The fixed volume holds no echo.">() : say<"The moving volume holds no echo.">();
-    case Says::tooThin:
+    case RemarkCode::tooThin:
       if (remark.figure(2) != 0.0)
         return fixed ? say<"The fixed volume covers nothing as thick as three voxels of %1 mm. Where no coverage is given, black that "
                            "reaches the border counts as outside: give the coverage that reconstruct wrote.">(voxel)
@@ -107,7 +107,7 @@ Message ofVolume(const Remark& remark) {
                          "direction.">(voxel)
                    : say<"The moving volume is too thin to be registered in three dimensions: it takes three voxels of %1 mm in every "
                          "direction.">(voxel);
-    case Says::noStructure:
+    case RemarkCode::noStructure:
       return fixed ? say<"The fixed volume shows no structure: it is the same grey nearly everywhere.">()
                    : say<"The moving volume shows no structure: it is the same grey nearly everywhere.">();
     default:
@@ -118,28 +118,28 @@ Message ofVolume(const Remark& remark) {
 Message ofRefining(const Remark& remark, Wording wording) {
   const auto agreement = [&](std::size_t first) { return agreementOf(remark, first, wording); };
   switch (remark.what) {
-    case Says::apartAtTheStart:
+    case RemarkCode::apartAtTheStart:
       return say<"The two volumes do not overlap at the start: bring them closer, or match without a start.">();
-    case Says::fewSharedVoxels:
+    case RemarkCode::fewSharedVoxels:
       return say<"The overlap is too small to register: fewer than 50 voxels are covered by both volumes.">();
-    case Says::poseNotHeld:
+    case RemarkCode::poseNotHeld:
       if (remark.figure(0) > 0.0)
         return say<
             "The overlap does not hold the pose: moved by %1 along or about what holds it least, the images still agree %2 as "
             "well.">(millimetres(remark.figure(1)), percent(remark.figure(0)));
       return say<"The overlap does not hold the pose: the normal equations are singular.">();
-    case Says::overlapTooSmall:
+    case RemarkCode::overlapTooSmall:
       return say<"The overlap is too small to tell%1.">(agreement(0));
-    case Says::unrelatedNearStart:
+    case RemarkCode::unrelatedNearStart:
       return say<"Near this start the images agree no better than unrelated tissue does%1.">(agreement(0));
-    case Says::hardlyBetter:
+    case RemarkCode::hardlyBetter:
       return say<"The images agree hardly better than unrelated tissue does%1.">(agreement(0));
-    case Says::startMayBeFar:
+    case RemarkCode::startMayBeFar:
       return say<"Halves of the overlap registered apart contradict each other by %1%2: the start may be too far off.">(
           millimetres(remark.figure(0)), agreement(1));
-    case Says::halvesAgree:
+    case RemarkCode::halvesAgree:
       return say<"Halves of the overlap registered apart agree to %1%2.">(millimetres(remark.figure(0)), agreement(1));
-    case Says::foundAboutTheStart:
+    case RemarkCode::foundAboutTheStart:
       return say<"Descending from the start led nowhere; a search about it found a pose %1 and %2 degrees from it.">(
           millimetres(remark.figure(0)), decimal(remark.figure(1), 1));
     default:
@@ -150,31 +150,31 @@ Message ofRefining(const Remark& remark, Wording wording) {
 Message ofSearching(const Remark& remark, Wording wording) {
   const auto agreement = [&](std::size_t first) { return agreementOf(remark, first, wording); };
   switch (remark.what) {
-    case Says::noPoseAgrees:
+    case RemarkCode::noPoseAgrees:
       return say<"No pose brings the two volumes into agreement over %1 overlap.">(percent(remark.figure(0)));
-    case Says::foundTooSmall:
+    case RemarkCode::foundTooSmall:
       return say<"The overlap found is too small to tell it from chance%1.">(agreement(0));
-    case Says::unrelatedEverywhere:
+    case RemarkCode::unrelatedEverywhere:
       return say<"The best of %1 turns with all shifts agrees no better than unrelated tissue does%2.">(whole(remark.figure(0)),
                                                                                                         agreement(1));
-    case Says::bestHardlyBetter:
+    case RemarkCode::bestHardlyBetter:
       return say<"The best pose agrees hardly better than unrelated tissue does%1.">(agreement(0));
-    case Says::twoPosesAlike:
+    case RemarkCode::twoPosesAlike:
       return say<"Two different poses agree almost equally (margin %1): the structure repeats, a close start or landmarks must choose%2.">(
           decimal(remark.figure(0), 2), agreement(1));
-    case Says::halvesContradict:
+    case RemarkCode::halvesContradict:
       return say<"Halves of the overlap registered apart contradict each other by %1%2.">(millimetres(remark.figure(0)), agreement(1));
-    case Says::onePoseStandsOut:
+    case RemarkCode::onePoseStandsOut:
       return say<"One pose stands out by a margin of %1, and halves of the overlap registered apart agree to %2%3.">(
           decimal(remark.figure(0), 1), millimetres(remark.figure(1)), agreement(2));
-    case Says::streaksTakenOut:
+    case RemarkCode::streaksTakenOut:
       return say<"Shadows and other streaks were taken out, which drew the volumes %1 and %2 degrees elsewhere.">(
           millimetres(remark.figure(0)), decimal(remark.figure(1), 1));
-    case Says::onlyStreaksAgree:
+    case RemarkCode::onlyStreaksAgree:
       return say<
           "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes "
           "agree hardly better than unrelated tissue does%1.">(agreement(0));
-    case Says::streaksDecide:
+    case RemarkCode::streaksDecide:
       return say<
           "What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies "
           "%1 and %2 degrees elsewhere. A tracker, landmarks or the direction of the beams can decide.">(millimetres(remark.figure(0)),
@@ -186,34 +186,34 @@ Message ofSearching(const Remark& remark, Wording wording) {
 
 Message ofLandmarks(const Remark& remark, Wording wording) {
   switch (remark.what) {
-    case Says::tooFewPlaces:
+    case RemarkCode::tooFewPlaces:
       return remark.figure(0) == 0.0   ? say<"There is no pair of landmarks: a turn needs three places that are not on one line.">()
              : remark.figure(0) == 1.0 ? say<"One place is too few: a turn needs three places that are not on one line.">()
                                        : say<"Two places are too few: a turn needs three places that are not on one line.">();
-    case Says::placesRepeat:
+    case RemarkCode::placesRepeat:
       return remark.names.size() == 1 ? say<"%1 repeats the place of an earlier pair.">(namesOf(remark, 0, wording))
                                       : say<"%1 repeat the place of an earlier pair.">(namesOf(remark, 0, wording));
-    case Says::placesOnALine:
+    case RemarkCode::placesOnALine:
       return say<"The places lie on one line, so that the turn about it is free: add a pair beside the line.">();
-    case Says::placesMirrored:
+    case RemarkCode::placesMirrored:
       return say<
           "The places in one volume are the mirror image of those in the other: left and right were confused when they were "
           "picked, or one file is mirrored.">();
-    case Says::threePlacesDisagree:
+    case RemarkCode::threePlacesDisagree:
       return say<
           "The three pairs contradict each other by %1, and three cannot say which of them is wrong: correct one or add a "
           "fourth.">(plainMillimetres(remark.figure(0)));
-    case Says::placesDisagree:
+    case RemarkCode::placesDisagree:
       return say<"The pairs contradict each other: no rigid transform brings more than %1 of %2 together. Pick them again.">(
           whole(remark.figure(0)), whole(remark.figure(1)));
-    case Says::twoReadings: {
+    case RemarkCode::twoReadings: {
       const auto first = static_cast<std::size_t>(std::max(0.0, remark.figure(0)));
       return say<"One can read the pairs in two ways: without %1, or without %2. Add a pair or correct one.">(
           namesOf(remark, 0, first, 1, wording), namesOf(remark, first, remark.names.size(), 1, wording));
     }
-    case Says::placesAgree:
+    case RemarkCode::placesAgree:
       return say<"%1 pairs agree within %2 (rms).">(whole(remark.figure(0)), plainMillimetres(remark.figure(1)));
-    case Says::placesAgreeBut: {
+    case RemarkCode::placesAgreeBut: {
       const Message count = whole(remark.figure(0)), within = plainMillimetres(remark.figure(1)), off = plainMillimetres(remark.figure(2));
       const Message names = namesOf(remark, 3, wording);
       return remark.names.size() == 1 ? say<"%1 pairs agree within %2 (rms); %3 does not fit, by %4.">(count, within, names, off)
@@ -226,32 +226,32 @@ Message ofLandmarks(const Remark& remark, Wording wording) {
 
 Message ofBending(const Remark& remark, Wording wording) {
   const bool brief = wording == Wording::brief;
-  const Message reached = bentOver(remark.figure(0), remark.figure(1));
+  const Message reached = warpedOver(remark.figure(0), remark.figure(1));
   switch (remark.what) {
-    case Says::nothingBelieved:
+    case RemarkCode::nothingBelieved:
       return say<"One of the volumes has no part that may be believed.">();
-    case Says::apartWherePlaced:
+    case RemarkCode::apartWherePlaced:
       return say<"The volumes do not overlap where they were placed; place them, or match them first.">();
-    case Says::nothingToFollow:
+    case RemarkCode::nothingToFollow:
       return say<"The overlap shows no structure that could be followed: the normal equations are singular.">();
-    case Says::startKeptGood:
+    case RemarkCode::startKeptGood:
       return say<"No bending brought the volumes closer than they were; the start is kept.">();
-    case Says::startKept:
+    case RemarkCode::startKept:
       return say<"No bending brought the volumes together; the start is kept.">();
-    case Says::bendContradicts:
+    case RemarkCode::warpContradicts:
       return brief ? say<"The volumes contradict each other: bent, they agree no better than unrelated tissue does.">()
                    : say<"The volumes contradict each other: bent, they reach %1, which unrelated tissue reaches as well.">(reached);
-    case Says::bendTooLittleShared:
+    case RemarkCode::warpTooLittleShared:
       return brief ? say<"Too little structure is shared to tell whether the bend is right.">()
                    : say<"Too little structure is shared to tell: bent, the volumes reach %1.">(reached);
-    case Says::bendAgrees:
+    case RemarkCode::warpAgrees:
       return brief ? say<"Bent, the volumes agree.">() : say<"The volumes agree: %1, %2 before.">(reached, decimal(remark.figure(2), 2));
-    case Says::motionIsLeft: {
+    case RemarkCode::motionRemains: {
       const Message share = percent(remark.figure(0)), elsewhere = millimetres(remark.figure(1));
       return brief ? say<"Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in "
                          "the mean.">(share, elsewhere)
                    : say<"Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in "
-                         "the mean (bent, %3).">(share, elsewhere, bentOver(remark.figure(2), remark.figure(3)));
+                         "the mean (bent, %3).">(share, elsewhere, warpedOver(remark.figure(2), remark.figure(3)));
     }
     default:
       return {};
@@ -260,20 +260,20 @@ Message ofBending(const Remark& remark, Wording wording) {
 
 }  // namespace
 
-const char* nameOf(Says what) { return what < Says::count_ ? kNames[static_cast<std::size_t>(what)] : ""; }
+const char* nameOf(RemarkCode what) { return what < RemarkCode::count_ ? kNames[static_cast<std::size_t>(what)] : ""; }
 
-std::optional<Says> saysFrom(std::string_view name) {
+std::optional<RemarkCode> saysFrom(std::string_view name) {
   const auto at = std::find(kNames.begin(), kNames.end(), name);
   if (at == kNames.end()) return std::nullopt;
-  return static_cast<Says>(at - kNames.begin());
+  return static_cast<RemarkCode>(at - kNames.begin());
 }
 
 Message messageOf(const Remark& remark, Wording wording) {
-  if (remark.what < Says::apartAtTheStart) return ofVolume(remark);
-  if (remark.what < Says::noPoseAgrees) return ofRefining(remark, wording);
-  if (remark.what < Says::tooFewPlaces) return ofSearching(remark, wording);
-  if (remark.what < Says::placedByHand) return ofLandmarks(remark, wording);
-  if (remark.what == Says::placedByHand) return say<"Placed by hand.">();
+  if (remark.what < RemarkCode::apartAtTheStart) return ofVolume(remark);
+  if (remark.what < RemarkCode::noPoseAgrees) return ofRefining(remark, wording);
+  if (remark.what < RemarkCode::tooFewPlaces) return ofSearching(remark, wording);
+  if (remark.what < RemarkCode::placedByHand) return ofLandmarks(remark, wording);
+  if (remark.what == RemarkCode::placedByHand) return say<"Placed by hand.">();
   return ofBending(remark, wording);
 }
 

@@ -38,9 +38,9 @@ double degrees(double sine, double cosine) {
 }  // namespace
 
 Transform<frame::World, frame::File> transformOf(const Placement& placement) {
-  const Turn x = turnOf(placement.turn_deg.x);
-  const Turn y = turnOf(placement.turn_deg.y);
-  const Turn z = turnOf(placement.turn_deg.z);
+  const Turn x = turnOf(placement.rotation_deg.x);
+  const Turn y = turnOf(placement.rotation_deg.y);
+  const Turn z = turnOf(placement.rotation_deg.z);
   glm::dmat4 m(1.0);
   m[0] = {z.cosine * y.cosine, z.sine * y.cosine, -y.sine, 0.0};
   m[1] = {z.cosine * y.sine * x.sine - z.sine * x.cosine, z.sine * y.sine * x.sine + z.cosine * x.cosine, y.cosine * x.sine, 0.0};
@@ -55,14 +55,14 @@ Placement placementOf(const Transform<frame::World, frame::File>& fileToWorld) {
   placement.at_mm = glm::dvec3(rigid[3]);
   // asin(-m20) loses half its digits near 90 degrees; the length of the rest of the first column does not.
   const double cosineY = std::hypot(rigid[0][0], rigid[0][1]);
-  placement.turn_deg.y = degrees(-rigid[0][2], cosineY);
+  placement.rotation_deg.y = degrees(-rigid[0][2], cosineY);
   constexpr double gimbal = 1e-12;
   if (cosineY > gimbal) {
-    placement.turn_deg.x = degrees(rigid[1][2], rigid[2][2]);
-    placement.turn_deg.z = degrees(rigid[0][1], rigid[0][0]);
+    placement.rotation_deg.x = degrees(rigid[1][2], rigid[2][2]);
+    placement.rotation_deg.z = degrees(rigid[0][1], rigid[0][0]);
   } else {
-    placement.turn_deg.x = 0.0;
-    placement.turn_deg.z = degrees(-rigid[1][0], rigid[1][1]);
+    placement.rotation_deg.x = 0.0;
+    placement.rotation_deg.z = degrees(-rigid[1][0], rigid[1][1]);
   }
   return placement;
 }

@@ -193,10 +193,10 @@ Result<void> checkViews(std::span<const View> views) {
     for (const double grey : correction.grey) sound = sound && std::isfinite(grey);
     if (!sound)
       return about({ErrorCode::badField, say<"Its grey correction has a number that cannot be used.">(), {{"field", "correction"}}});
-    if (view.bend == nullptr || view.bend->displacement_mm.empty()) continue;
-    if (auto good = checkGrid(view.bend->nodes); !good) return about(good.error());
-    sound = view.bend->displacement_mm.size() == view.bend->nodes.voxelCount();
-    for (const glm::vec3& u : view.bend->displacement_mm) sound = sound && finite(u);
+    if (view.warp == nullptr || view.warp->displacement_mm.empty()) continue;
+    if (auto good = checkGrid(view.warp->nodes); !good) return about(good.error());
+    sound = view.warp->displacement_mm.size() == view.warp->nodes.voxelCount();
+    for (const glm::vec3& u : view.warp->displacement_mm) sound = sound && finite(u);
     if (!sound)
       return about({ErrorCode::badField, say<"Its bend has a displacement too many, too few or without a number.">(), {{"field", "bend"}}});
   }

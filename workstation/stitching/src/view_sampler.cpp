@@ -22,12 +22,12 @@ ViewSampler::ViewSampler(const View& view, const Grid& result, double interpolat
   EW_EXPECTS(view.confidence.empty() || view.confidence.size() == volume.grid.voxelCount());
   const auto worldToVoxel = placed(volume.grid, view.toWorld).worldToVoxel();
   resultToVoxel_ = (worldToVoxel * result.voxelToWorld()).matrix;
-  bendToVoxel_ = glm::dmat3(worldToVoxel.matrix);
-  if (view.bend != nullptr && !view.bend->displacement_mm.empty()) {
-    EW_EXPECTS(view.bend->displacement_mm.size() == view.bend->nodes.voxelCount());
-    resultToNode_ = (view.bend->nodes.worldToVoxel() * result.voxelToWorld()).matrix;
-    for (const glm::vec3& u : view.bend->displacement_mm)
-      farthestBend_voxel_ = glm::max(farthestBend_voxel_, glm::abs(bendToVoxel_ * glm::dvec3(u)));
+  warpToVoxel_ = glm::dmat3(worldToVoxel.matrix);
+  if (view.warp != nullptr && !view.warp->displacement_mm.empty()) {
+    EW_EXPECTS(view.warp->displacement_mm.size() == view.warp->nodes.voxelCount());
+    resultToNode_ = (view.warp->nodes.worldToVoxel() * result.voxelToWorld()).matrix;
+    for (const glm::vec3& u : view.warp->displacement_mm)
+      farthestWarp_voxel_ = glm::max(farthestWarp_voxel_, glm::abs(warpToVoxel_ * glm::dvec3(u)));
   }
   // A view's own frame is that of its file; along parallel beams depth is linear in its voxels.
   const GreyCorrection& correction = view.correction;
@@ -48,8 +48,8 @@ bool ViewSampler::mayReach(const glm::ivec3& lowest, const glm::ivec3& highest) 
     low = glm::min(low, where);
     high = glm::max(high, where);
   }
-  low -= farthestBend_voxel_ + 1e-3;
-  high += farthestBend_voxel_ + 1e-3;
+  low -= farthestWarp_voxel_ + 1e-3;
+  high += farthestWarp_voxel_ + 1e-3;
   return glm::all(glm::lessThanEqual(low, glm::dvec3(view_->volume->grid.dims - 1))) &&
          glm::all(glm::greaterThanEqual(high, glm::dvec3(0.0)));
 }
@@ -60,9 +60,9 @@ std::pair<glm::ivec3, glm::ivec3> ViewSampler::reach() const {
   glm::dvec3 high(-1e9);
   for (int corner = 0; corner < 8; ++corner) {
     glm::dvec3 ijk(0.0);
-    // A bend reads up to so far outside the place it stands for.
+    // A warp reads up to so far outside the place it stands for.
     for (int axis = 0; axis < 3; ++axis)
-      ijk[axis] = ((corner >> axis) & 1) != 0 ? view_->volume->grid.dims[axis] - 1 + farthestBend_voxel_[axis] : -farthestBend_voxel_[axis];
+      ijk[axis] = ((corner >> axis) & 1) != 0 ? view_->volume->grid.dims[axis] - 1 + farthestWarp_voxel_[axis] : -farthestWarp_voxel_[axis];
     const glm::dvec3 where(voxelToResult * glm::dvec4(ijk, 1.0));
     low = glm::min(low, where);
     high = glm::max(high, where);

@@ -23,14 +23,14 @@ struct ViewSample {
   bool measured = false;
 };
 
-/// Reads one view on the lattice of a result: rows of voxels become lines (or bent lines) of the view's voxels. The one sampler of all
+/// Reads one view on the lattice of a result: rows of voxels become lines (or warped lines) of the view's voxels. The one sampler of all
 /// ways to join. What it gives for a voxel depends on that voxel alone, never on the row's beginning or the block.
 class ViewSampler {
  public:
-  /// @param distance_mm one value per voxel of the view, or null; view, distances and bend must outlive this
+  /// @param distance_mm one value per voxel of the view, or null; view, distances and warp must outlive this
   ViewSampler(const View& view, const Grid& result, double interpolatedWeight, const std::vector<float>* distance_mm = nullptr);
 
-  /// False when no voxel of the box can lie in the view (a bend may bring less than it promises).
+  /// False when no voxel of the box can lie in the view (a warp may bring less than it promises).
   [[nodiscard]] bool mayReach(const glm::ivec3& lowest, const glm::ivec3& highest) const;
 
   /// The voxels of the result that can lie in the view: first and last, perhaps outside the result.
@@ -68,7 +68,7 @@ class ViewSampler {
     [[nodiscard]] glm::dvec3 at(int i);
 
    private:
-    const registration::ControlGrid* bend_;
+    const registration::ControlGrid* warp_;
     glm::dvec3 start_;
     glm::dvec3 step_;
     glm::ivec3 cell_{-1};
@@ -78,27 +78,27 @@ class ViewSampler {
   const View* view_;
   const std::vector<float>* distance_mm_;
   double interpolatedWeight_;
-  glm::dmat4 resultToVoxel_{1.0};  ///< without the bend
+  glm::dmat4 resultToVoxel_{1.0};  ///< without the warp
   glm::dmat4 resultToNode_{1.0};
-  glm::dmat3 bendToVoxel_{1.0};  ///< a displacement of the world in voxels of the view
-  glm::dvec3 farthestBend_voxel_{0.0};
+  glm::dmat3 warpToVoxel_{1.0};  ///< a displacement of the world in voxels of the view
+  glm::dvec3 farthestWarp_voxel_{0.0};
   glm::dmat4 voxelToFile_{1.0};
   glm::dvec3 depthPerVoxel_{0.0};  ///< along parallel beams
   double depthOfFirst_knot_ = 0.0;
 };
 
 inline ViewSampler::BendAlongRow::BendAlongRow(const ViewSampler& owner, int j, int k)
-    : bend_(owner.view_->bend), start_(owner.resultToNode_ * glm::dvec4(0.0, j, k, 1.0)), step_(owner.resultToNode_[0]) {}
+    : warp_(owner.view_->warp), start_(owner.resultToNode_ * glm::dvec4(0.0, j, k, 1.0)), step_(owner.resultToNode_[0]) {}
 
 inline glm::dvec3 ViewSampler::BendAlongRow::at(int i) {
-  const Grid& nodes = bend_->nodes;
+  const Grid& nodes = warp_->nodes;
   const glm::dvec3 where = glm::clamp(start_ + static_cast<double>(i) * step_, glm::dvec3(0.0), glm::dvec3(nodes.dims - 1));
   const glm::ivec3 cell = glm::min(glm::ivec3(where), glm::max(nodes.dims - 2, glm::ivec3(0)));
   if (cell != cell_) {
     cell_ = cell;
     for (int c = 0; c < 8; ++c) {
       const glm::ivec3 node = glm::min(cell + glm::ivec3(c & 1, (c >> 1) & 1, c >> 2), nodes.dims - 1);
-      corner_[c] = glm::dvec3(bend_->displacement_mm[nodes.indexOf(node.x, node.y, node.z)]);
+      corner_[c] = glm::dvec3(warp_->displacement_mm[nodes.indexOf(node.x, node.y, node.z)]);
     }
   }
   const glm::dvec3 part = where - glm::dvec3(cell);
@@ -112,14 +112,14 @@ template <class Take>
 void ViewSampler::alongRow(int j, int k, int begin, int end, const Take& take) const {
   const glm::dvec3 start(resultToVoxel_ * glm::dvec4(0.0, j, k, 1.0));
   const glm::dvec3 step(resultToVoxel_[0]);
-  if (view_->bend == nullptr || view_->bend->displacement_mm.empty()) {
+  if (view_->warp == nullptr || view_->warp->displacement_mm.empty()) {
     const auto [first, last] = insideOf(start, step, begin, end);
     for (int i = first; i < last; ++i) take(i, start + static_cast<double>(i) * step);
     return;
   }
-  BendAlongRow bend(*this, j, k);
+  BendAlongRow warp(*this, j, k);
   for (int i = begin; i < end; ++i) {
-    const glm::dvec3 where = start + static_cast<double>(i) * step + bendToVoxel_ * bend.at(i);
+    const glm::dvec3 where = start + static_cast<double>(i) * step + warpToVoxel_ * warp.at(i);
     if (inside(where)) take(i, where);
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSlide_mm = 2.0;
 constexpr double kFastSlide_mm = 10.0;
-constexpr double kKeyTurn_rad = glm::radians(2.0);
+constexpr double kKeyRotation_rad = glm::radians(2.0);
 constexpr double kNotchTip_rad = glm::radians(2.0);
 constexpr double kNotchTurn_rad = glm::radians(4.0);
 constexpr double kOrbitPerPixel_rad = glm::radians(0.4);
@@ -283,22 +283,22 @@ bool HandInput::handleKey(const QKeyEvent& key, const QWidget* where) {
       arrow(0.0, -1.0);
       break;
     case Qt::Key_Q:
-      change(turned(hold(), -kKeyTurn_rad, 0.0, 0.0));
+      change(turned(hold(), -kKeyRotation_rad, 0.0, 0.0));
       break;
     case Qt::Key_E:
-      change(turned(hold(), kKeyTurn_rad, 0.0, 0.0));
+      change(turned(hold(), kKeyRotation_rad, 0.0, 0.0));
       break;
     case Qt::Key_A:
-      change(turned(hold(), 0.0, -kKeyTurn_rad, 0.0));
+      change(turned(hold(), 0.0, -kKeyRotation_rad, 0.0));
       break;
     case Qt::Key_D:
-      change(turned(hold(), 0.0, kKeyTurn_rad, 0.0));
+      change(turned(hold(), 0.0, kKeyRotation_rad, 0.0));
       break;
     case Qt::Key_W:
-      change(turned(hold(), 0.0, 0.0, kKeyTurn_rad));
+      change(turned(hold(), 0.0, 0.0, kKeyRotation_rad));
       break;
     case Qt::Key_S:
-      change(turned(hold(), 0.0, 0.0, -kKeyTurn_rad));
+      change(turned(hold(), 0.0, 0.0, -kKeyRotation_rad));
       break;
     case Qt::Key_Home: {
       Hold home = state_->start;

@@ -123,7 +123,7 @@ QDoubleSpinBox* numberBox(const char* name, double lowest, double highest, doubl
   return box;
 }
 
-QHBoxLayout* besideEachOther(std::initializer_list<QWidget*> widgets) {
+QHBoxLayout* runConcurrently(std::initializer_list<QWidget*> widgets) {
   auto* row = new QHBoxLayout;
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
@@ -227,18 +227,18 @@ void ImportDialog::addPoseRows(QFormLayout& form) {
   motorFile_->setPlaceholderText(tr("motor file (.json)"));
   auto* chooseMotor = new QPushButton(tr("Choose…"));
   motorFileRow_ = new QWidget;
-  motorFileRow_->setLayout(besideEachOther({motorFile_, chooseMotor}));
+  motorFileRow_->setLayout(runConcurrently({motorFile_, chooseMotor}));
   step_ = numberBox("motorStep", -100.0, 100.0, 0.1, 3, tr(" mm"));
   step_->setValue(0.5);
   axisBehindFace_ = numberBox("axisBehindFace", -500.0, 500.0, 1.0, 1, tr(" mm"));
   axisBehindFace_->setToolTip(tr("From the face back to the axis the probe was tilted about; 0: about its face"));
   axisBehindFace_->setPrefix(tr("axis "));
   stepRow_ = new QWidget;
-  stepRow_->setLayout(besideEachOther({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
+  stepRow_->setLayout(runConcurrently({step_, new QLabel(tr("from frame to frame")), axisBehindFace_}));
   frame_ = narrowChoice();
   frame_->setObjectName(QStringLiteral("frame"));
   frame_->addItem(tr("default"), QString());
-  form.addRow(tr("Calibration"), besideEachOther({calibration_, choose}));
+  form.addRow(tr("Calibration"), runConcurrently({calibration_, choose}));
   form.addRow(tr("The probe moved"), moved_);
   form.addRow(QString(), motorFileRow_);
   form.addRow(QString(), stepRow_);

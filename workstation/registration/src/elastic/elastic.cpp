@@ -11,8 +11,8 @@
 
 #include "comparable.h"
 #include "elastic/along_beams.h"
-#include "elastic/left_motion.h"
 #include "elastic/levels.h"
+#include "elastic/residual_motion.h"
 #include "elastic/wide_start.h"
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
@@ -26,8 +26,8 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 constexpr double kAgreement_mm = 2.0;  // voxels at which agreement is stated: speckle is suppressed, structure is not
 constexpr double kCoarsest_mm = 4.0;
-constexpr double kLookedAt_mm = 0.7;       // the finest voxels, from these on, at which motion left by the bend is looked for
-constexpr double kLeftShare = 0.32;        // of the places that tell; less one deviation good bends reach 0.26, missed waves 0.33 to 0.96
+constexpr double kLookedAt_mm = 0.7;       // the finest voxels, from these on, at which motion left by the warp is looked for
+constexpr double kLeftShare = 0.32;        // of the places that tell; less one deviation good warps reach 0.26, missed waves 0.33 to 0.96
 constexpr double kLeftPlaces = 12.0;       // that must tell
 constexpr double kStreakyMembrane = 5e-2;  // weight of slopes: what is left of shadows pulls far from tissue that holds against it
 constexpr double kSearched = 3.0;          // measured on unrelated tissue, which reaches about 1.3 times the root of p / n
@@ -221,7 +221,7 @@ class ElasticRun {
   [[nodiscard]] bool stateAgreement();
   [[nodiscard]] ElasticResult keepStart();
   [[nodiscard]] ElasticResult refuse();
-  [[nodiscard]] bool findLeftMotion(LeftMotion& left);
+  [[nodiscard]] bool findResidualMotion(ResidualMotion& left);
   [[nodiscard]] Result<ElasticResult> judge();
 
   [[nodiscard]] ElasticResult finish(Verdict verdict, Remark remark, StopReason stop);
@@ -313,15 +313,15 @@ ElasticRun::End ElasticRun::doLevel(std::size_t s) {
   if (!makeLevels(step.voxel_mm, takenOut_ ? &*takenOut_ : nullptr, images.fixed, images.moving)) return cancelled();
   if (s == 0) {
     if (weightOf(images.fixed) * weightOf(images.moving) <= 0.0)
-      return finish(Verdict::cannotTell, {Says::nothingBelieved}, StopReason::noOverlap);
+      return finish(Verdict::cannotTell, {RemarkCode::nothingBelieved}, StopReason::noOverlap);
     if (!takeOutBeams(step.voxel_mm, images)) return cancelled();
   }
   LevelOutcome outcome = s == 0 && options_.largestMotion_mm > 0.0 ? searchWidely(images, step, part) : refine(images, s, part);
   if (outcome.cancelled) return cancelled();
-  if (outcome.noOverlap) return finish(Verdict::cannotTell, {Says::apartWherePlaced}, StopReason::noOverlap);
+  if (outcome.noOverlap) return finish(Verdict::cannotTell, {RemarkCode::apartWherePlaced}, StopReason::noOverlap);
   if (outcome.singular) {
     state_.values = nothing_;
-    return finish(Verdict::cannotTell, {Says::nothingToFollow}, StopReason::singular);
+    return finish(Verdict::cannotTell, {RemarkCode::nothingToFollow}, StopReason::singular);
   }
   take(outcome, s, begun);
   keep(images, s);
@@ -439,12 +439,13 @@ Result<ElasticResult> ElasticRun::judge() {
   // Where the start itself shows common tissue beyond doubt, bending only has to better it.
   const bool shared = before.correlation > 2.0 * before.chance;
   if (!shared && after.correlation <= after.chance) return refuse();
-  LeftMotion left;
-  if (!findLeftMotion(left)) return cancelled();
+  ResidualMotion left;
+  if (!findResidualMotion(left)) return cancelled();
   const StopReason stop = result_.stop;
   if (left.blocks >= kLeftPlaces && left.share - left.deviation > kLeftShare)
-    return finish(Verdict::cannotTell, {Says::motionIsLeft, {left.share, left.length_mm, after.correlation, after.overlapShare}}, stop);
-  return finish(Verdict::aligned, {Says::bendAgrees, {after.correlation, after.overlapShare, before.correlation}}, stop);
+    return finish(Verdict::cannotTell, {RemarkCode::motionRemains, {left.share, left.length_mm, after.correlation, after.overlapShare}},
+                  stop);
+  return finish(Verdict::aligned, {RemarkCode::warpAgrees, {after.correlation, after.overlapShare, before.correlation}}, stop);
 }
 
 /// No field agrees better than none.
@@ -453,7 +454,7 @@ ElasticResult ElasticRun::keepStart() {
   after_ = before_;
   std::fill(result_.uncertainty.begin(), result_.uncertainty.end(), 1.0F);
   const bool good = before_.agreement.correlation > before_.agreement.chance;
-  return finish(good ? Verdict::aligned : Verdict::cannotTell, {good ? Says::startKeptGood : Says::startKept},
+  return finish(good ? Verdict::aligned : Verdict::cannotTell, {good ? RemarkCode::startKeptGood : RemarkCode::startKept},
                 stopped_ ? result_.stop : StopReason::noImprovement);
 }
 
@@ -463,19 +464,19 @@ ElasticResult ElasticRun::refuse() {
   const bool enough = after.chance < 0.35;
   state_.values = nothing_;
   return finish(enough ? Verdict::notAligned : Verdict::cannotTell,
-                {enough ? Says::bendContradicts : Says::bendTooLittleShared, {after.correlation, after.overlapShare}},
+                {enough ? RemarkCode::warpContradicts : RemarkCode::warpTooLittleShared, {after.correlation, after.overlapShare}},
                 stopped_ ? result_.stop : StopReason::noImprovement);
 }
 
 /// Structure larger than the waves of a motion correlates well while the motion itself is missed: small places are asked.
-bool ElasticRun::findLeftMotion(LeftMotion& left) {
+bool ElasticRun::findResidualMotion(ResidualMotion& left) {
   const auto& [fixed, moving] = lookedAt_.fixed.dims.x > 0 ? lookedAt_ : statedAt_;
   LevelPair pair(fixed, moving, transform_, state_.nodes, threads_);
-  if (!pair.warp(state_.values, quiet_) || !lookForLeftMotion(pair, state_.nodes, threads_, quiet_, left)) return false;
+  if (!pair.warp(state_.values, quiet_) || !lookForResidualMotion(pair, state_.nodes, threads_, quiet_, left)) return false;
   for (std::size_t n = 0; n < left.nodeShare.size(); ++n) {
     if (left.nodeShare[n] > 0.5F) result_.uncertainty[n] = std::max(result_.uncertainty[n], left.nodeShare[n]);
   }
-  result_.leftShare = left.share;
+  result_.residualShare = left.share;
   return true;
 }
 

@@ -360,11 +360,12 @@ LevelDescent::Next LevelDescent::takeHalfTheStep() {
   return Next::iterate;
 }
 
-/// The stiffness under which the field found is as bent as the images' part of it should be.
+/// The stiffness under which the field found is as warped as the images' part of it should be.
 void LevelDescent::followEvidence() {
-  const double bent = 2.0 * priorEnergy(state_.nodes, {settings_.prior.membrane, settings_.prior.bending, 0.0, 0.0}, state_.values);
+  const double warped = 2.0 * priorEnergy(state_.nodes, {settings_.prior.membrane, settings_.prior.bending, 0.0, 0.0}, state_.values);
   outcome_.decided = decidedByData(system_, dataWeight_, prior_, settings_.solveTolerance, settings_.solveIterations);
-  if (bent > 0.0 && outcome_.decided > 1.0) state_.stiffness = std::clamp(std::sqrt(state_.stiffness * outcome_.decided / bent), 0.1, 30.0);
+  if (warped > 0.0 && outcome_.decided > 1.0)
+    state_.stiffness = std::clamp(std::sqrt(state_.stiffness * outcome_.decided / warped), 0.1, 30.0);
   prior_ = scaled(settings_.prior, state_.stiffness);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 /// Displacement and brightness on a lattice of cubic B-splines in the plane. Barber's nodes are joined by straight lines; the smoother
-/// spline follows a bent tissue with half the nodes.
+/// spline follows a warped tissue with half the nodes.
 namespace ew::registration {
 
 /// One axis: `cells` cells of the same length fill [0, extent_mm]; four splines reach into each.

@@ -63,7 +63,7 @@ Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& movi
   Side side{std::vector<float>(fixed.grid.voxelCount(), 0.0F), std::vector<float>(fixed.grid.voxelCount(), 0.0F)};
   const auto toFixed = fixed.grid.voxelTo<frame::Fixed>();
   const auto toIndex = moving.grid.toVoxel<frame::Moving>() * fixedToMoving.rigid;
-  const bool bends = !fixedToMoving.control.displacement_mm.empty();
+  const bool warps = !fixedToMoving.control.displacement_mm.empty();
   const Lattice lattice(fixedToMoving.control);
   const bool finished = forEachTask(fixed.grid.dims.z, threads, progress, say<"Comparing">(), [&](int k) {
     for (int j = 0; j < fixed.grid.dims.y; ++j) {
@@ -71,7 +71,7 @@ Result<Side> movedOnto(const ComparableImage& fixed, const ComparableImage& movi
         const std::size_t n = fixed.grid.indexOf(i, j, k);
         if (fixed.weight[n] == 0) continue;
         glm::dvec3 p = (toFixed * Point<frame::Voxel>{glm::dvec3(i, j, k)}).at;
-        if (bends) p += lattice.displacementAt(p);
+        if (warps) p += lattice.displacementAt(p);
         sample(moving, carried(toIndex, p), side.moved[n], side.weight[n]);
         side.weight[n] *= static_cast<float>(fixed.weight[n]) / 255.0F;
       }

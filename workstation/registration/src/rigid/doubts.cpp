@@ -60,7 +60,7 @@ bool doubtsAbout(const PairLevels& pair, const Transform<frame::Moving, frame::F
   double left = 0.0;
   if (!looseness(pair, found, evidence, threads, progress, left)) return false;
   if (left > kLoose) {
-    doubt = Remark{Says::poseNotHeld, {std::min(1.0, left), kSlide_mm}};
+    doubt = Remark{RemarkCode::poseNotHeld, {std::min(1.0, left), kSlide_mm}};
     return true;
   }
 
@@ -87,7 +87,7 @@ bool doubtsAbout(const PairLevels& pair, const Transform<frame::Moving, frame::F
     const double off_mm = differenceOf(start, rival.fixedToMoving, middle).shift_mm;
     if (apart_mm < kApart_mm || off_mm > kNearer * went_mm + kAnyway_mm) continue;
     if (there.agreement.correlation > kAsAlike * here.agreement.correlation && there.significance > kAsSure * here.significance) {
-      doubt = remarkWith(Says::twoPosesAlike, {here.significance / there.significance}, evidence);
+      doubt = remarkWith(RemarkCode::twoPosesAlike, {here.significance / there.significance}, evidence);
       return true;
     }
   }

@@ -54,7 +54,7 @@ void keepDifferent(std::vector<Candidate>& pool, const glm::dvec3& at_mm, double
     if (kept.size() >= most) break;
     const bool repeats = std::any_of(kept.begin(), kept.end(), [&](const Candidate& better) {
       const PoseDifference d = differenceOf(better.pose, candidate.pose, at_mm);
-      return d.turn_deg <= same_deg && d.shift_mm <= same_mm;
+      return d.rotation_deg <= same_deg && d.shift_mm <= same_mm;
     });
     if (!repeats) kept.push_back(candidate);
   }
@@ -66,10 +66,10 @@ Result<void> checkOptions(const PartialOptions& options) {
     return failure(ErrorCode::badField,
                    say<"The matching option %1 is %2; it must be %3.">(verbatim(field), numeral(std::to_string(found)), expected));
   };
-  if (!(options.maxTurn_deg >= 0.0 && options.maxTurn_deg <= 180.0))
-    return wrong("maxTurn_deg", options.maxTurn_deg, say<"from 0 to 180">());
-  if (!(options.stepTurn_deg >= 2.0 && options.stepTurn_deg <= 90.0))
-    return wrong("stepTurn_deg", options.stepTurn_deg, say<"from 2 to 90">());
+  if (!(options.maxRotation_deg >= 0.0 && options.maxRotation_deg <= 180.0))
+    return wrong("maxRotation_deg", options.maxRotation_deg, say<"from 0 to 180">());
+  if (!(options.stepRotation_deg >= 2.0 && options.stepRotation_deg <= 90.0))
+    return wrong("stepRotation_deg", options.stepRotation_deg, say<"from 2 to 90">());
   if (!(options.cell_mm > 0.0 && options.cell_mm <= 100.0)) return wrong("cell_mm", options.cell_mm, say<"above 0 and at most 100">());
   if (!(options.leastOverlap > 0.0 && options.leastOverlap < 1.0))
     return wrong("leastOverlap", options.leastOverlap, say<"between 0 and 1">());
@@ -125,7 +125,7 @@ Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optiona
   if (!descendFromAll()) return cancelled();
   if (pool_.empty() || pool_[0].evidence.significance <= 0.0) {
     result_.best.stop = StopReason::noOverlap;
-    return finish(Verdict::notAligned, {Says::noPoseAgrees, {options_.leastOverlap}});
+    return finish(Verdict::notAligned, {RemarkCode::noPoseAgrees, {options_.leastOverlap}});
   }
   rankAnswers();
   if (!refineBest(onLevel)) return cancelled();
@@ -133,7 +133,7 @@ Result<PartialResult> PairSearch::run(const glm::dmat3& base, const std::optiona
 }
 
 bool PairSearch::findPeaks(const glm::dmat3& base) {
-  const auto turns = rotationLattice(options_.maxTurn_deg * kDegree, options_.stepTurn_deg * kDegree);
+  const auto turns = rotationLattice(options_.maxRotation_deg * kDegree, options_.stepRotation_deg * kDegree);
   result_.poses = static_cast<int>(turns.size());
   PartOfProgress searching(progress_, 0.0, 0.65);
   const auto peaks = correlateOverTranslations(pair_.fixed[search_], pair_.moving[search_], turns,
@@ -213,13 +213,13 @@ bool PairSearch::refineBest(const OnLevel& onLevel) {
 PartialResult PairSearch::judge() {
   const double halves_mm = result_.best.halvesDisagree_mm;
   if (after_.significance < kChanceOfSearch) {
-    if (mostSignificance(after_) < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(Says::foundTooSmall, {}, after_));
-    return finish(Verdict::notAligned, remarkWith(Says::unrelatedEverywhere, {static_cast<double>(result_.poses)}, after_));
+    if (mostSignificance(after_) < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(RemarkCode::foundTooSmall, {}, after_));
+    return finish(Verdict::notAligned, remarkWith(RemarkCode::unrelatedEverywhere, {static_cast<double>(result_.poses)}, after_));
   }
-  if (after_.significance < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(Says::bestHardlyBetter, {}, after_));
-  if (result_.margin < kLeastMargin) return finish(Verdict::cannotTell, remarkWith(Says::twoPosesAlike, {result_.margin}, after_));
-  if (!(halves_mm <= kHalvesApart_mm)) return finish(Verdict::cannotTell, remarkWith(Says::halvesContradict, {halves_mm}, after_));
-  return finish(Verdict::aligned, remarkWith(Says::onePoseStandsOut, {result_.margin, halves_mm}, after_));
+  if (after_.significance < kSureOfSearch) return finish(Verdict::cannotTell, remarkWith(RemarkCode::bestHardlyBetter, {}, after_));
+  if (result_.margin < kLeastMargin) return finish(Verdict::cannotTell, remarkWith(RemarkCode::twoPosesAlike, {result_.margin}, after_));
+  if (!(halves_mm <= kHalvesApart_mm)) return finish(Verdict::cannotTell, remarkWith(RemarkCode::halvesContradict, {halves_mm}, after_));
+  return finish(Verdict::aligned, remarkWith(RemarkCode::onePoseStandsOut, {result_.margin, halves_mm}, after_));
 }
 
 PartialResult PairSearch::finish(Verdict verdict, Remark remark) {
@@ -233,7 +233,7 @@ PartialResult PairSearch::finish(Verdict verdict, Remark remark) {
 std::uint64_t forecastPartial_bytes(const Grid& fixed, const Grid& moving, const PartialOptions& options) {
   std::size_t search = 0;
   const auto voxels = voxelsFor(fixed, moving, options, search);
-  const auto turns = rotationLattice(options.maxTurn_deg * kDegree, options.stepTurn_deg * kDegree).size();
+  const auto turns = rotationLattice(options.maxRotation_deg * kDegree, options.stepRotation_deg * kDegree).size();
   const ComparableMemory f = forecastComparable(fixed, voxels);
   const ComparableMemory m = forecastComparable(moving, voxels);
   return std::max(forecastPair_bytes(fixed, moving, voxels),
@@ -300,7 +300,7 @@ Result<PartialResult> matchAbout(const Input& fixed, const Input& moving, const 
     const PoseDifference moved = differenceOf(result.best.fixedToMoving, again->best.fixedToMoving, again->best.centre_mm);
     if (again->best.verdict == Verdict::aligned && (!aligned || elsewhere(moved))) {
       result = std::move(*again);
-      return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.best.remarks.front()});
+      return finish(Verdict::aligned, {{RemarkCode::streaksTakenOut, {moved.shift_mm, moved.rotation_deg}}, result.best.remarks.front()});
     }
   }
   return finish(Verdict::cannotTell, aligned ? std::vector{onlyStreaks(*fare, kSureOfSearch)} : result.best.remarks);

@@ -22,7 +22,7 @@ Transform<frame::Fixed, frame::Fixed> motionAbout(const glm::dvec3& centre, cons
   return out;
 }
 
-double turnBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b) {
+double rotationBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b) {
   const glm::dmat3 r = glm::transpose(glm::dmat3(a.matrix)) * glm::dmat3(b.matrix);
   const glm::dvec3 axis(r[1][2] - r[2][1], r[2][0] - r[0][2], r[0][1] - r[1][0]);
   return std::atan2(0.5 * glm::length(axis), 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1.0));
@@ -31,7 +31,7 @@ double turnBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Tr
 PoseDifference differenceOf(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b,
                             const glm::dvec3& at) {
   const glm::dvec3 gap = carried(a, at) - carried(b, at);
-  return {turnBetween_rad(a, b) * 180.0 / std::numbers::pi, glm::length(gap)};
+  return {rotationBetween_rad(a, b) * 180.0 / std::numbers::pi, glm::length(gap)};
 }
 
 Descent descend(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& start,

@@ -11,14 +11,14 @@ namespace ew::registration {
 
 /// A small rigid motion about `centre`: t and w (rad) of exp.
 [[nodiscard]] Transform<frame::Fixed, frame::Fixed> motionAbout(const glm::dvec3& centre_mm, const glm::dvec3& shift_mm,
-                                                                const glm::dvec3& turn_rad);
+                                                                const glm::dvec3& rotation_rad);
 /// The rotation by |turn| about turn.
-[[nodiscard]] glm::dmat3 rotationBy(const glm::dvec3& turn_rad);
-[[nodiscard]] double turnBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b);
+[[nodiscard]] glm::dmat3 rotationBy(const glm::dvec3& rotation_rad);
+[[nodiscard]] double rotationBetween_rad(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b);
 
 /// How far two poses differ: the turn between them, and how far apart they take `at`.
 struct PoseDifference {
-  double turn_deg = 0.0;
+  double rotation_deg = 0.0;
   double shift_mm = 0.0;
 };
 [[nodiscard]] PoseDifference differenceOf(const Transform<frame::Moving, frame::Fixed>& a, const Transform<frame::Moving, frame::Fixed>& b,

@@ -79,7 +79,7 @@ std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const st
   return std::max({f.peak_bytes, f.result_bytes + m.peak_bytes, f.result_bytes + m.result_bytes + packedBytes});
 }
 
-Remark remarkWith(Says what, std::vector<double> figures, const Evidence& evidence) {
+Remark remarkWith(RemarkCode what, std::vector<double> figures, const Evidence& evidence) {
   figures.insert(figures.end(), {evidence.agreement.correlation, evidence.agreement.overlapShare, evidence.significance});
   return {what, std::move(figures)};
 }
@@ -87,8 +87,8 @@ Remark remarkWith(Says what, std::vector<double> figures, const Evidence& eviden
 double mostSignificance(const Evidence& evidence) { return std::atanh(0.7) * std::sqrt(evidence.samples); }
 
 Remark onlyStreaks(const WithoutStreaks& fare, double sure) {
-  if (fare.evidence.significance < sure) return remarkWith(Says::onlyStreaksAgree, {}, fare.evidence);
-  return {Says::streaksDecide, {fare.moved.shift_mm, fare.moved.turn_deg}};
+  if (fare.evidence.significance < sure) return remarkWith(RemarkCode::onlyStreaksAgree, {}, fare.evidence);
+  return {RemarkCode::streaksDecide, {fare.moved.shift_mm, fare.moved.rotation_deg}};
 }
 
 std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
@@ -97,11 +97,11 @@ std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
     const auto any = [](const std::vector<std::uint8_t>& weights) {
       return std::any_of(weights.begin(), weights.end(), [](std::uint8_t w) { return w != 0; });
     };
-    if (!any(image.weight)) return Remark{Says::noEcho, {which}};
+    if (!any(image.weight)) return Remark{RemarkCode::noEcho, {which}};
     if (!any(image.inner)) {
       const glm::ivec3 dims = image.grid.dims;
       const bool grid = std::min({dims.x, dims.y, dims.z}) < 3;  // else what is covered of it
-      return Remark{Says::tooThin, {which, image.grid.spacing_mm.x, grid ? 0.0 : 1.0}};
+      return Remark{RemarkCode::tooThin, {which, image.grid.spacing_mm.x, grid ? 0.0 : 1.0}};
     }
     double squares = 0.0;
     double count = 0.0;
@@ -110,7 +110,7 @@ std::optional<Remark> whyNothingCanBeSaid(const PairLevels& pair) {
       squares += static_cast<double>(image.value[q]) * static_cast<double>(image.value[q]);
       count += 1.0;
     }
-    if (squares < 0.01 * count) return Remark{Says::noStructure, {which}};
+    if (squares < 0.01 * count) return Remark{RemarkCode::noStructure, {which}};
   }
   return std::nullopt;
 }
@@ -124,8 +124,8 @@ Result<void> checkOptions(const RefineOptions& options) {
     return wrong("coarsest_mm", options.coarsest_mm, say<"above 0 and at most 100">());
   if (!(options.finest_mm > 0.0 && options.finest_mm <= 100.0))
     return wrong("finest_mm", options.finest_mm, say<"above 0 and at most 100">());
-  if (!(options.searchTurn_deg >= 0.0 && options.searchTurn_deg <= 180.0))
-    return wrong("searchTurn_deg", options.searchTurn_deg, say<"from 0 to 180">());
+  if (!(options.searchRotation_deg >= 0.0 && options.searchRotation_deg <= 180.0))
+    return wrong("searchRotation_deg", options.searchRotation_deg, say<"from 0 to 180">());
   if (!(options.searchShift_mm > 0.0)) return wrong("searchShift_mm", options.searchShift_mm, say<"above 0">());
   if (options.iterations < 1) return wrong("iterations", options.iterations, say<"1 or more">());
   return {};

@@ -33,8 +33,8 @@ struct Evidence {
   double samples = 0.0;       ///< independent ones in the overlap
   double significance = 0.0;  ///< Fisher z times the root of the samples
 };
-/// Says::… with the figures before, and behind them those of the agreement.
-[[nodiscard]] Remark remarkWith(Says what, std::vector<double> figures, const Evidence& evidence);
+/// RemarkCode::… with the figures before, and behind them those of the agreement.
+[[nodiscard]] Remark remarkWith(RemarkCode what, std::vector<double> figures, const Evidence& evidence);
 /// What a good agreement (correlation 0.7) over as many samples would reach.
 [[nodiscard]] double mostSignificance(const Evidence& evidence);
 /// @return false when cancelled
@@ -102,7 +102,7 @@ constexpr double kHalvesApart_mm = 3.0;
 constexpr double kStreaksMove_mm = 3.0;  ///< a pose that taking streaks out moves further rests on them
 constexpr double kStreaksTurn_deg = 3.0;
 [[nodiscard]] inline bool elsewhere(const PoseDifference& moved) {
-  return moved.shift_mm > kStreaksMove_mm || moved.turn_deg > kStreaksTurn_deg;
+  return moved.shift_mm > kStreaksMove_mm || moved.rotation_deg > kStreaksTurn_deg;
 }
 
 }  // namespace ew::registration

@@ -30,7 +30,7 @@ Result<RigidResult> refinePair(const PairLevels& pair, const Transform<frame::Mo
   result.before = before.agreement;
   if (before.agreement.overlapShare <= 0.0) {
     result.stop = StopReason::noOverlap;
-    return finish(Verdict::cannotTell, {Says::apartAtTheStart});
+    return finish(Verdict::cannotTell, {RemarkCode::apartAtTheStart});
   }
   PartOfProgress refining(progress, 0.0, 0.85);
   if (!refineThrough(pair, 0, pair.fixed.size() - 1, start, options, threads, refining, onLevel, result)) return cancelled();
@@ -38,7 +38,7 @@ Result<RigidResult> refinePair(const PairLevels& pair, const Transform<frame::Mo
     const bool lost = result.stop == StopReason::noOverlap;
     result.fixedToMoving = start;
     result.after = result.before;
-    return finish(Verdict::cannotTell, {lost ? Says::fewSharedVoxels : Says::poseNotHeld});
+    return finish(Verdict::cannotTell, {lost ? RemarkCode::fewSharedVoxels : RemarkCode::poseNotHeld});
   }
   Evidence after;
   if (!evidenceAt(pair, at, result.fixedToMoving, pair.voxelsPerSample, threads, progress, after)) return cancelled();
@@ -52,18 +52,18 @@ Result<RigidResult> refinePair(const PairLevels& pair, const Transform<frame::Mo
   result.after = after.agreement;
   if (after.significance < kChanceOfDescent) {
     if (mostSignificance(after) < kSureOfDescent) {
-      return finish(Verdict::cannotTell, remarkWith(Says::overlapTooSmall, {}, after));
+      return finish(Verdict::cannotTell, remarkWith(RemarkCode::overlapTooSmall, {}, after));
     }
-    return finish(Verdict::notAligned, remarkWith(Says::unrelatedNearStart, {}, after));
+    return finish(Verdict::notAligned, remarkWith(RemarkCode::unrelatedNearStart, {}, after));
   }
   if (after.significance < kSureOfDescent) {
-    return finish(Verdict::cannotTell, remarkWith(Says::hardlyBetter, {}, after));
+    return finish(Verdict::cannotTell, remarkWith(RemarkCode::hardlyBetter, {}, after));
   }
   if (!(result.halvesDisagree_mm <= kHalvesApart_mm)) {
-    return finish(Verdict::cannotTell, remarkWith(Says::startMayBeFar, {result.halvesDisagree_mm}, after));
+    return finish(Verdict::cannotTell, remarkWith(RemarkCode::startMayBeFar, {result.halvesDisagree_mm}, after));
   }
   if (!doubtsAbout(pair, start, result.fixedToMoving, after, threads, halves, doubt)) return cancelled();
-  return finish(Verdict::aligned, remarkWith(Says::halvesAgree, {result.halvesDisagree_mm}, after));
+  return finish(Verdict::aligned, remarkWith(RemarkCode::halvesAgree, {result.halvesDisagree_mm}, after));
 }
 
 /// Descending from the start alone, with shadows taken out where they decide.
@@ -111,7 +111,7 @@ Result<RigidResult> refineFrom(const Input& fixed, const Input& moving, const Tr
       const PoseDifference moved = differenceOf(result.fixedToMoving, again->fixedToMoving, again->centre_mm);
       if (again->verdict != Verdict::aligned || doubt || !elsewhere(moved)) continue;
       result = std::move(*again);
-      return finish(Verdict::aligned, {{Says::streaksTakenOut, {moved.shift_mm, moved.turn_deg}}, result.remarks.front()});
+      return finish(Verdict::aligned, {{RemarkCode::streaksTakenOut, {moved.shift_mm, moved.rotation_deg}}, result.remarks.front()});
     }
   }
   return finish(Verdict::cannotTell, {onlyStreaks(*fare, kSureOfDescent)});
@@ -127,13 +127,13 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const T
   if (auto checked = checkOptions(options); !checked) return passOn(checked.error());
   if (auto checked = checkRigid(start); !checked) return passOn(checked.error());
   const int threads = threadCount(options.threads);
-  const bool mayBeSearched = options.searchTurn_deg > 0.0;
+  const bool mayBeSearched = options.searchRotation_deg > 0.0;
   PartOfProgress descending(progress, 0.0, mayBeSearched ? 0.3 : 1.0);
   auto result = refineFrom(fixed, moving, start, options, threads, descending, onLevel);
   if (!result) return result;
   if (mayBeSearched && result->verdict != Verdict::aligned) {
     PartialOptions search;
-    search.maxTurn_deg = options.searchTurn_deg;
+    search.maxRotation_deg = options.searchRotation_deg;
     search.cell_mm = options.coarsest_mm;
     search.refine = options;
     search.threads = threads;
@@ -145,7 +145,7 @@ Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const T
       const Agreement before = result->before;
       *result = std::move(found->best);
       result->before = before;
-      result->remarks.insert(result->remarks.begin(), {Says::foundAboutTheStart, {moved.shift_mm, moved.turn_deg}});
+      result->remarks.insert(result->remarks.begin(), {RemarkCode::foundAboutTheStart, {moved.shift_mm, moved.rotation_deg}});
       result->reason = messageOf(result->remarks);
     }
   }

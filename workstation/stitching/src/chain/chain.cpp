@@ -110,7 +110,7 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     StepOutcome& outcome = run.state.steps[n];
     outcome.done = true;
     outcome.seconds = clock.seconds();
-    if (!outcome.reused) giveBackFreedMemory();
+    if (!outcome.reused) trimHeap();
     if (options.onStep) options.onStep(outcome);
   }
   if (run.result && options.putInPlaceLater) run.state.putInPlace = [store, result = *run.result] { return putInPlace(result, *store); };

@@ -41,32 +41,32 @@ PairOutcome pairFrom(const json& data) {
   return outcome;
 }
 
-ordered_json jsonOf(const BentPair& bent) {
+ordered_json jsonOf(const WarpedPair& warped) {
   ordered_json made;
-  made["effort"] = nameOf(bent.effort);
-  tellVerdict(made, bent);
-  made["before"] = jsonOf(bent.before);
-  made["after"] = jsonOf(bent.after);
-  made["largest_motion_mm"] = number(bent.largestMotion_mm);
-  made["smallest_jacobian"] = number(bent.smallestJacobian);
-  made["levels"] = jsonOf(bent.levels);
-  made["seconds"] = number(bent.seconds);
-  made["processor_s"] = number(bent.processor_s);
+  made["effort"] = nameOf(warped.effort);
+  tellVerdict(made, warped);
+  made["before"] = jsonOf(warped.before);
+  made["after"] = jsonOf(warped.after);
+  made["largest_motion_mm"] = number(warped.largestMotion_mm);
+  made["smallest_jacobian"] = number(warped.smallestJacobian);
+  made["levels"] = jsonOf(warped.levels);
+  made["seconds"] = number(warped.seconds);
+  made["processor_s"] = number(warped.processor_s);
   return made;
 }
-BentPair bentFrom(const json& data) {
-  BentPair bent;
+WarpedPair warpedFrom(const json& data) {
+  WarpedPair warped;
   using registration::ElasticEffort;
-  bent.effort = wordFrom(data.at("effort"), {ElasticEffort::fast, ElasticEffort::balanced, ElasticEffort::accurate});
-  readVerdict(data, bent);
-  bent.before = agreementFrom(data.at("before"));
-  bent.after = agreementFrom(data.at("after"));
-  bent.largestMotion_mm = numberFrom(data.at("largest_motion_mm"));
-  bent.smallestJacobian = numberFrom(data.at("smallest_jacobian"));
-  bent.levels = levelsFrom(data.at("levels"));
-  bent.seconds = numberFrom(data.at("seconds"));
-  if (data.contains("processor_s")) bent.processor_s = numberFrom(data.at("processor_s"));
-  return bent;
+  warped.effort = wordFrom(data.at("effort"), {ElasticEffort::fast, ElasticEffort::balanced, ElasticEffort::accurate});
+  readVerdict(data, warped);
+  warped.before = agreementFrom(data.at("before"));
+  warped.after = agreementFrom(data.at("after"));
+  warped.largestMotion_mm = numberFrom(data.at("largest_motion_mm"));
+  warped.smallestJacobian = numberFrom(data.at("smallest_jacobian"));
+  warped.levels = levelsFrom(data.at("levels"));
+  warped.seconds = numberFrom(data.at("seconds"));
+  if (data.contains("processor_s")) warped.processor_s = numberFrom(data.at("processor_s"));
+  return warped;
 }
 
 ordered_json jsonOf(const std::optional<Beams>& beams) {

@@ -9,7 +9,7 @@
 namespace ew::stitching {
 namespace {
 
-/// Voxels of the finest images of rigid pairs that are bent afterwards: places within 0.2 mm are all that bending needs.
+/// Voxels of the finest images of rigid pairs that are warped afterwards: places within 0.2 mm are all that bending needs.
 constexpr double kFinestBeforeBending_mm = 1.5;
 
 void addOptions(ContentKey& key, const StitchOptions& grid) {
@@ -33,10 +33,10 @@ std::string keyOf(const Candidate& candidate, const ChainInputs& inputs) {
   key.add(static_cast<int>(task.method)).add(static_cast<int>(first));
   if (first != PairMethod::byHand) key.add(task.finest_mm);
   if (first == PairMethod::refine || first == PairMethod::byHand) key.add(task.start);
-  if (first == PairMethod::search) key.add(task.maxTurn_deg);
+  if (first == PairMethod::search) key.add(task.maxRotation_deg);
   if (first == PairMethod::refine) {
     const SearchReach reach = searchReach(task);
-    key.add(reach.turn_deg).add(reach.shift_mm);
+    key.add(reach.rotation_deg).add(reach.shift_mm);
   }
   if (first == PairMethod::landmarks)
     for (const auto& landmark : task.landmarks) key.add(landmark.name).add(landmark.fixed_mm).add(landmark.moving_mm);
@@ -50,7 +50,7 @@ PairTask taskOf(const StitchProject& project, std::size_t f, std::size_t m, bool
   PairTask task{.placesKnown = placesKnown,
                 .start = fixedToMovingOf(project.volumes[f].toWorld, project.volumes[m].toWorld),
                 .landmarks = {},
-                .maxTurn_deg = settings.maxTurn_deg,
+                .maxRotation_deg = settings.maxRotation_deg,
                 .trackerError_mm = settings.trackerError_mm,
                 .trackerError_deg = settings.trackerError_deg};
   if (settings.elastic) task.finest_mm = kFinestBeforeBending_mm;
@@ -61,7 +61,7 @@ PairTask taskOf(const StitchProject& project, std::size_t f, std::size_t m, bool
     task.start = *entry->start;
     task.placesKnown = true;
   }
-  if (entry->maxTurn_deg) task.maxTurn_deg = *entry->maxTurn_deg;
+  if (entry->maxRotation_deg) task.maxRotation_deg = *entry->maxRotation_deg;
   return task;
 }
 
@@ -120,15 +120,15 @@ Keys keysOf(const StitchProject& project, const ChainOptions& options, const Cha
   for (const ProjectVolume& volume : project.volumes) posed.add(volume.name);  // the reason names them
   keys[Step::graph] = posed.text();
   keys[Step::equalise] = newKey("equalise", kEqualiseFormat).add(poses).add(settings.equalise).text();
-  ContentKey bent = newKey("elastic", kBendFormat);
-  bent.add(poses).add(settings.elastic);
+  ContentKey warped = newKey("elastic", kWarpFormat);
+  warped.add(poses).add(settings.elastic);
   if (settings.elastic) {
-    bent.add(static_cast<int>(settings.effort)).add(settings.fallOff_mm);
+    warped.add(static_cast<int>(settings.effort)).add(settings.fallOff_mm);
     for (const ProjectPair& pair : project.pairs)
       if (pair.effort && *pair.effort != settings.effort)
-        bent.add(static_cast<std::uint64_t>(pair.fixed)).add(static_cast<std::uint64_t>(pair.moving)).add(static_cast<int>(*pair.effort));
+        warped.add(static_cast<std::uint64_t>(pair.fixed)).add(static_cast<std::uint64_t>(pair.moving)).add(static_cast<int>(*pair.effort));
   }
-  keys[Step::elastic] = bent.text();
+  keys[Step::elastic] = warped.text();
   ContentKey cut = newKey("seam", kSeamFormat);
   cut.add(keys[Step::equalise]).add(keys[Step::elastic]);
   addOptions(cut, settings.join.grid);
@@ -143,9 +143,9 @@ Keys keysOf(const StitchProject& project, const ChainOptions& options, const Cha
   return keys;
 }
 
-std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
+std::string keyOfWarp(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
                       registration::ElasticEffort effort) {
-  ContentKey name = newKey("bend", kBendFormat);
+  ContentKey name = newKey("bend", kWarpFormat);
   name.add(fixed.key).add(moving.key).add(start).add(static_cast<int>(effort));
   return name.text();
 }

@@ -14,7 +14,7 @@ inline constexpr int kInputFormat = 2;
 inline constexpr int kPairFormat = 3;
 inline constexpr int kGraphFormat = 2;
 inline constexpr int kEqualiseFormat = 2;
-inline constexpr int kBendFormat = 2;
+inline constexpr int kWarpFormat = 2;
 inline constexpr int kSeamFormat = 2;
 inline constexpr int kVolumeFormat = 2;
 
@@ -45,9 +45,9 @@ struct Keys {
 [[nodiscard]] Keys keysOf(const StitchProject& project, const ChainOptions& options, const ChainInputs& inputs,
                           const std::vector<Candidate>& pairs);
 
-/// Of one pair that is bent from the poses of the graph.
+/// Of one pair that is warped from the poses of the graph.
 /// @param start fixedToMoving
-[[nodiscard]] std::string keyOfBend(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
+[[nodiscard]] std::string keyOfWarp(const ChainInput& fixed, const ChainInput& moving, const Transform<frame::Moving, frame::Fixed>& start,
                                     registration::ElasticEffort effort);
 
 }  // namespace ew::stitching

@@ -59,9 +59,9 @@ std::uint64_t ofElastic(const ChainRun& run) {
     for (std::size_t m = f + 1; m < grids.size(); ++m)
       if (boxesMeet(grids[f], grids[m], 0.0))
         each.push_back(
-            bendBytes(all[f].grid, all[m].grid, fixedToMovingOf(all[f].toWorld, all[m].toWorld), run.elasticOptions(number(f), number(m))));
+            warpBytes(all[f].grid, all[m].grid, fixedToMovingOf(all[f].toWorld, all[m].toWorld), run.elasticOptions(number(f), number(m))));
   return std::max(besideEachOther_bytes(run, std::move(each)).bytes,
-                  forecastBends_bytes(grids, grids.size() * (grids.size() - 1) / 2, run.bendOptions()));
+                  forecastWarps_bytes(grids, grids.size() * (grids.size() - 1) / 2, run.warpOptions()));
 }
 
 std::uint64_t ofJoining(const ChainRun& run, bool resultInMemory) {
@@ -109,7 +109,7 @@ Beside besideEachOther_bytes(const ChainRun& run, std::vector<std::uint64_t> eac
   return beside;
 }
 
-std::uint64_t bendBytes(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+std::uint64_t warpBytes(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                         const registration::ElasticOptions& options) {
   const auto [in, there] = sharedBoxes(fixed, moving, fixedToMoving, kAroundOverlap_mm);
   if (in.size() == glm::ivec3(0)) return 0;
@@ -129,7 +129,7 @@ Result<void> checkMemory(ChainRun& run, Step step) {
                  {{"step", nameOf(step)}, {"forecast_bytes", std::to_string(outcome.forecast_bytes)}});
 }
 
-void giveBackFreedMemory() {
+void trimHeap() {
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif

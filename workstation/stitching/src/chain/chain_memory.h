@@ -19,7 +19,7 @@ struct Beside {
 [[nodiscard]] Beside besideEachOther_bytes(const ChainRun& run, std::vector<std::uint64_t> each);
 
 /// Of bending a pair: its parts of both views, and registering these.
-[[nodiscard]] std::uint64_t bendBytes(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+[[nodiscard]] std::uint64_t warpBytes(const Grid& fixed, const Grid& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                                       const registration::ElasticOptions& options);
 
 /// At the peak of a step, with all inputs in memory: by what is known so far about grids and poses.
@@ -30,6 +30,6 @@ struct Beside {
 
 /// Returns to the system what was freed and the allocator still holds, so that a step does not begin on top of the peak of the one before.
 /// Takes milliseconds; does nothing where the allocator offers no way.
-void giveBackFreedMemory();
+void trimHeap();
 
 }  // namespace ew::stitching

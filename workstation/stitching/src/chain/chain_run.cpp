@@ -25,7 +25,7 @@ Result<std::vector<View>> ChainRun::views(Progress& progress) {
     view.volume = (*loaded)->volume.get();
     view.confidence = (*loaded)->confidence;
     view.toWorld = poseOf(v);
-    if (v < state.bends.size() && !state.bends[v].displacement_mm.empty()) view.bend = &state.bends[v];
+    if (v < state.warps.size() && !state.warps[v].displacement_mm.empty()) view.warp = &state.warps[v];
     if (v < state.corrections.size()) view.correction = state.corrections[v];
     view.correction.beams = (*loaded)->beams;
     view.name = (*loaded)->name;

@@ -7,7 +7,7 @@
 
 #include "chain/chain_inputs.h"
 #include "chain/chain_keys.h"
-#include "chain/group_bend.h"
+#include "chain/group_warp.h"
 #include "ew/stitching/chain.h"
 #include "ew/stitching/result_files.h"
 
@@ -49,7 +49,7 @@ struct ChainRun {
 
   /// The project's options as the steps use them: views are counted among `included`.
   [[nodiscard]] JoinOptions joinOptions() const;
-  [[nodiscard]] BendOptions bendOptions() const { return {.fallOff_mm = settings.fallOff_mm, .threads = options.threads}; }
+  [[nodiscard]] WarpOptions warpOptions() const { return {.fallOff_mm = settings.fallOff_mm, .threads = options.threads}; }
   [[nodiscard]] registration::ElasticOptions elasticOptions(std::size_t fixed, std::size_t moving) const;
   /// Tells whoever asked of the levels of a pair's registration, one at a time.
   [[nodiscard]] registration::OnLevel levelsOf(std::size_t fixed, std::size_t moving);

@@ -26,7 +26,7 @@ constexpr std::array<Measured, 3> kMeasured = {
 /// as many, and it takes 0.7 s.
 constexpr double kSearchSide_mm = 96 * 0.9;
 constexpr double kSearch_s = 1.8;
-constexpr double kSearchTurn_deg = 30.0;
+constexpr double kSearchRotation_deg = 30.0;
 constexpr double kBesideTurns_s = 0.25;
 
 double extent_mm3(const Grid& grid) {
@@ -35,14 +35,14 @@ double extent_mm3(const Grid& grid) {
 double finestOf(const Grid& grid) { return std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}); }
 
 /// Of the rotations by up to so much, in parts of all there are.
-double ballOfTurns(double turn_deg) {
-  const double turn = std::clamp(turn_deg, 0.0, 180.0) * std::numbers::pi / 180.0;
+double ballOfTurns(double rotation_deg) {
+  const double turn = std::clamp(rotation_deg, 0.0, 180.0) * std::numbers::pi / 180.0;
   return (turn - std::sin(turn)) / std::numbers::pi;
 }
 
 }  // namespace
 
-std::array<ExpectedCost, 3> expectedBends(const Grid& fixed, const Grid& moving, const MachinePace& pace) {
+std::array<ExpectedCost, 3> expectedWarps(const Grid& fixed, const Grid& moving, const MachinePace& pace) {
   std::array<ExpectedCost, 3> costs;
   const double spacing_mm = finestOf(fixed);
   const double volume_mm3 = 0.5 * (extent_mm3(fixed) + extent_mm3(moving));
@@ -63,9 +63,9 @@ std::array<ExpectedCost, 3> expectedBends(const Grid& fixed, const Grid& moving,
   return costs;
 }
 
-double expectedSearch_s(const Grid& fixed, const Grid& moving, double maxTurn_deg, const MachinePace& pace) {
+double expectedSearch_s(const Grid& fixed, const Grid& moving, double maxRotation_deg, const MachinePace& pace) {
   const double size = 0.5 * (extent_mm3(fixed) + extent_mm3(moving)) / std::pow(kSearchSide_mm, 3.0);
-  const double turns = ballOfTurns(maxTurn_deg) / ballOfTurns(kSearchTurn_deg);
+  const double turns = ballOfTurns(maxRotation_deg) / ballOfTurns(kSearchRotation_deg);
   return pace.factor * size * (kBesideTurns_s + (kSearch_s - kBesideTurns_s) * turns);
 }
 
@@ -79,16 +79,16 @@ MachinePace paceOf(std::span<const Timed> timed) {
   return {.factor = *middle, .pairs = ratios.size()};
 }
 
-MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids) {
+MachinePace paceOf(std::span<const WarpedPair> warped, std::span<const std::optional<Grid>> grids) {
   std::vector<Timed> timed;
-  for (const BentPair& pair : bent) {
+  for (const WarpedPair& pair : warped) {
     if (pair.fixed >= grids.size() || pair.moving >= grids.size() || !grids[pair.fixed] || !grids[pair.moving]) continue;
-    for (const ExpectedCost& expected : expectedBends(*grids[pair.fixed], *grids[pair.moving]))
+    for (const ExpectedCost& expected : expectedWarps(*grids[pair.fixed], *grids[pair.moving]))
       if (expected.effort == pair.effort) timed.push_back({expected.seconds, pair.processor_s});
   }
   MachinePace pace = paceOf(timed);
   std::vector<Timed> waited;
-  for (const BentPair& pair : bent) waited.push_back({pair.processor_s, pair.seconds});
+  for (const WarpedPair& pair : warped) waited.push_back({pair.processor_s, pair.seconds});
   pace.clock = std::max(1.0, paceOf(waited).factor);
   return pace;
 }

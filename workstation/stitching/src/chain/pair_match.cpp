@@ -55,10 +55,10 @@ RigidResult rigidOf(const registration::LandmarkResult& found) {
 
 PoseCovariance evenCovariance(double deviation_mm, double deviation_deg) {
   PoseCovariance covariance{};
-  const double turn_rad = deviation_deg * std::numbers::pi / 180.0;
+  const double rotation_rad = deviation_deg * std::numbers::pi / 180.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     covariance[axis * 7] = deviation_mm * deviation_mm;
-    covariance[(axis + 3) * 7] = turn_rad * turn_rad;
+    covariance[(axis + 3) * 7] = rotation_rad * rotation_rad;
   }
   return covariance;
 }
@@ -111,8 +111,8 @@ PairMethod firstMethod(const PairTask& task) {
 SearchReach searchReach(const PairTask& task) {
   SearchReach reach;
   const bool beyond = task.trackerError_mm > kReach_mm || task.trackerError_deg > kReach_deg;
-  if (beyond) reach = {task.maxTurn_deg, std::max(reach.shift_mm, 3.0 * task.trackerError_mm)};
-  reach.turn_deg = std::min(reach.turn_deg, task.maxTurn_deg);
+  if (beyond) reach = {task.maxRotation_deg, std::max(reach.shift_mm, 3.0 * task.trackerError_mm)};
+  reach.rotation_deg = std::min(reach.rotation_deg, task.maxRotation_deg);
   return reach;
 }
 
@@ -126,7 +126,7 @@ std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const Pa
   const auto refined = static_cast<std::uint64_t>((4.0 + 15.0 * atFinest) * both) + 13 * std::max(fixed.voxelCount(), moving.voxelCount());
   if (first == PairMethod::landmarks) return refined;
   registration::PartialOptions search;
-  search.maxTurn_deg = first == PairMethod::search ? task.maxTurn_deg : searchReach(task).turn_deg;
+  search.maxRotation_deg = first == PairMethod::search ? task.maxRotation_deg : searchReach(task).rotation_deg;
   search.refine.finest_mm = task.finest_mm;
   return std::max(refined, registration::forecastPartial_bytes(fixed, moving, search));
 }
@@ -156,7 +156,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
   switch (outcome.used) {
     case PairMethod::byHand:
       outcome.rigid.verdict = Verdict::aligned;
-      outcome.rigid.remarks = {{registration::Says::placedByHand}};
+      outcome.rigid.remarks = {{registration::RemarkCode::placedByHand}};
       outcome.rigid.reason = registration::messageOf(outcome.rigid.remarks);
       outcome.rigid.fixedToMoving = task.start;
       outcome.rigid.covariance = evenCovariance(kByHand_mm, kByHand_deg);
@@ -182,7 +182,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
     }
     case PairMethod::refine: {
       const SearchReach reach = searchReach(task);
-      refining.searchTurn_deg = reach.turn_deg;
+      refining.searchRotation_deg = reach.rotation_deg;
       refining.searchShift_mm = reach.shift_mm;
       auto refined = registration::refineRigid(fixedInput, movingInput, task.start, refining, progress, onLevel);
       if (!refined) return named(refined.error());
@@ -194,7 +194,7 @@ Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving,
       break;
   }
   registration::PartialOptions searching;
-  searching.maxTurn_deg = task.maxTurn_deg;
+  searching.maxRotation_deg = task.maxRotation_deg;
   searching.refine = refining;
   searching.threads = threads;
   auto found = registration::matchPartial(fixedInput, movingInput, searching, progress, onLevel);

@@ -24,7 +24,7 @@ struct PairTask {
   bool placesKnown = false;
   Transform<frame::Moving, frame::Fixed> start = {};  ///< fixedToMoving: from the places or by hand
   std::vector<registration::LandmarkPair> landmarks;
-  double maxTurn_deg = 30.0;
+  double maxRotation_deg = 30.0;
   double trackerError_mm = 3.0;
   double trackerError_deg = 2.0;
   double finest_mm = 0.75;  ///< voxels of the last level, as RefineOptions::finest_mm
@@ -35,7 +35,7 @@ struct PairTask {
 
 /// How far about its start a pair is searched when refining from there does not end aligned.
 struct SearchReach {
-  double turn_deg = 20.0;  ///< never more than the task's largest turn
+  double rotation_deg = 20.0;  ///< never more than the task's largest turn
   double shift_mm = 30.0;
 };
 /// As `register --method rigid` does; where the tracker may be off by more than refining reaches (8 mm or 6 degrees), as far as the task's

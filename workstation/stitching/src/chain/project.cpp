@@ -33,7 +33,7 @@ bool operator==(const StitchProject& a, const StitchProject& b) {
   };
   const auto rest = [](const StitchProject& p) {
     const ProjectSettings& s = p.settings;
-    return std::tuple(s.maxTurn_deg, s.trackerError_mm, s.trackerError_deg, s.equalise, s.elastic, s.effort, s.fallOff_mm);
+    return std::tuple(s.maxRotation_deg, s.trackerError_mm, s.trackerError_deg, s.equalise, s.elastic, s.effort, s.fallOff_mm);
   };
   return a.volumes == b.volumes && a.pairs == b.pairs && rest(a) == rest(b) && grid(a) == grid(b) && seam(a) == seam(b);
 }

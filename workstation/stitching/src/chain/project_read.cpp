@@ -113,7 +113,7 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
     landmark.moving_mm = each.point("moving_mm", kFar_mm, {}, say<"three numbers, in mm">());
     pair.landmarks.push_back(std::move(landmark));
   }
-  if (entry.has("max_turn_deg")) pair.maxTurn_deg = entry.number("max_turn_deg", 0.0, 180.0, {}, turn());
+  if (entry.has("max_turn_deg")) pair.maxRotation_deg = entry.number("max_turn_deg", 0.0, 180.0, {}, turn());
   if (entry.has("effort")) pair.effort = wordOf(entry, "effort", kEfforts, registration::ElasticEffort::balanced);
   if (pair.fixed > pair.moving) {
     std::swap(pair.fixed, pair.moving);
@@ -143,7 +143,7 @@ void pairsOf(const JsonFields& document, const fs::path& folder, StitchProject& 
 
 void settingsOf(const JsonFields& f, ProjectSettings& settings) {
   f.only({"max_turn_deg", "tracker_error_mm", "tracker_error_deg", "equalise", "elastic", "effort", "fall_off_mm"});
-  settings.maxTurn_deg = f.number("max_turn_deg", 0.0, 180.0, settings.maxTurn_deg, turn());
+  settings.maxRotation_deg = f.number("max_turn_deg", 0.0, 180.0, settings.maxRotation_deg, turn());
   settings.trackerError_mm = f.number("tracker_error_mm", 0.0, 1000.0, settings.trackerError_mm, say<"a number from 0 to 1000, in mm">());
   settings.trackerError_deg = f.number("tracker_error_deg", 0.0, 180.0, settings.trackerError_deg, turn());
   if ((settings.trackerError_mm == 0.0) != (settings.trackerError_deg == 0.0))

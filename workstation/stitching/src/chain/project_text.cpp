@@ -44,7 +44,7 @@ nlohmann::ordered_json entryOf(const ProjectPair& pair, const std::vector<Projec
   for (const auto& landmark : pair.landmarks)
     entry["landmarks"].push_back(
         {{"name", landmark.name}, {"fixed_mm", pointOf(landmark.fixed_mm)}, {"moving_mm", pointOf(landmark.moving_mm)}});
-  if (pair.maxTurn_deg) entry["max_turn_deg"] = *pair.maxTurn_deg;
+  if (pair.maxRotation_deg) entry["max_turn_deg"] = *pair.maxRotation_deg;
   if (pair.effort) entry["effort"] = nameOf(*pair.effort);
   return entry;
 }
@@ -67,7 +67,7 @@ std::string projectText(const StitchProject& project, const fs::path& folder) {
   document["pairs"] = nlohmann::ordered_json::array();
   for (const auto& pair : project.pairs) document["pairs"].push_back(entryOf(pair, project.volumes));
   const ProjectSettings& settings = project.settings;
-  document["settings"] = {{"max_turn_deg", settings.maxTurn_deg},
+  document["settings"] = {{"max_turn_deg", settings.maxRotation_deg},
                           {"tracker_error_mm", settings.trackerError_mm},
                           {"tracker_error_deg", settings.trackerError_deg},
                           {"equalise", settings.equalise},

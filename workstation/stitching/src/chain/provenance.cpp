@@ -62,23 +62,23 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
   }
   document["pairs"] = ordered_json::array();
   for (const PairOutcome& pair : state.pairs) document["pairs"].push_back(pairOf(project, pair));
-  const BendSummary& bends = state.bendSummary;
-  document["bends"] = {{"pairs", bends.pairs},
-                       {"largest_mm", bends.largest_mm},
-                       {"smallest_jacobian", bends.smallestJacobian},
-                       {"disagreement_median_mm", bends.disagreementMedian_mm},
-                       {"disagreement_95_mm", bends.disagreement95_mm},
+  const WarpSummary& warps = state.warpSummary;
+  document["bends"] = {{"pairs", warps.pairs},
+                       {"largest_mm", warps.largest_mm},
+                       {"smallest_jacobian", warps.smallestJacobian},
+                       {"disagreement_median_mm", warps.disagreementMedian_mm},
+                       {"disagreement_95_mm", warps.disagreement95_mm},
                        {"of_pairs", ordered_json::array()}};
-  for (const BentPair& bent : state.bentPairs)
-    document["bends"]["of_pairs"].push_back({{"fixed", project.volumes[bent.fixed].name},
-                                             {"moving", project.volumes[bent.moving].name},
-                                             {"effort", nameOf(bent.effort)},
-                                             {"verdict", registration::nameOf(bent.verdict)},
-                                             {"reason", bent.reason.english()},
-                                             {"before", jsonOf(bent.before)},
-                                             {"after", jsonOf(bent.after)},
-                                             {"largest_motion_mm", bent.largestMotion_mm},
-                                             {"smallest_jacobian", bent.smallestJacobian}});
+  for (const WarpedPair& warped : state.warpedPairs)
+    document["bends"]["of_pairs"].push_back({{"fixed", project.volumes[warped.fixed].name},
+                                             {"moving", project.volumes[warped.moving].name},
+                                             {"effort", nameOf(warped.effort)},
+                                             {"verdict", registration::nameOf(warped.verdict)},
+                                             {"reason", warped.reason.english()},
+                                             {"before", jsonOf(warped.before)},
+                                             {"after", jsonOf(warped.after)},
+                                             {"largest_motion_mm", warped.largestMotion_mm},
+                                             {"smallest_jacobian", warped.smallestJacobian}});
   const auto text = projectText(project, {});
   const auto asked = ordered_json::parse(text);
   for (const char* part : {"settings", "result", "seam"}) document["options"][part] = asked.at(part);

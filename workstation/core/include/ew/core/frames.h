@@ -18,7 +18,7 @@ struct World {};  ///< origin of the case (or of a volume's own file, before it 
 // A volume's own file, before it is placed, by the part the volume plays: origin and axes are those the file states (LPS); mm.
 struct File {};    ///< of a case's volume
 struct View {};    ///< of a subvolume, one of those that become a mosaic
-struct Fixed {};   ///< of the volume of a pair that stays; points, centres and bends of a registration are given here
+struct Fixed {};   ///< of the volume of a pair that stays; points, centres and warps of a registration are given here
 struct Moving {};  ///< of the volume of a pair that is looked for
 
 struct Placed {};  ///< as World, where a stitch project puts its subvolumes before matching moves them; mm

@@ -13,7 +13,7 @@ namespace ew {
 /// Asks the system to back memory that nobody has touched yet with large pages, so that filling it takes a 512th of the page faults and
 /// reading it finds its pages without a walk through the tables. A wish without effect on any value: where the system has no large pages,
 /// and below 4 MB, nothing happens.
-inline void wishForLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+inline void adviseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::size_t kWorthwhile = std::size_t{4} << 20, kPage = 4096;
   if (bytes < kWorthwhile) return;
@@ -30,7 +30,7 @@ inline void wishForLargePages([[maybe_unused]] void* memory, [[maybe_unused]] st
 [[nodiscard]] inline std::vector<std::uint8_t> zerosInLargePages(std::size_t count) {
   std::vector<std::uint8_t> values;
   values.reserve(count);
-  wishForLargePages(values.data(), count);
+  adviseLargePages(values.data(), count);
   values.resize(count);
   return values;
 }

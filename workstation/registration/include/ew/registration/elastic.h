@@ -43,7 +43,7 @@ struct ElasticResult {
   double residualRms = 0.0;
   double stiffness = 0.0;         ///< that was used at the last level
   double largestMotion_mm = 0.0;  ///< of the control nodes
-  double leftShare = 0.0;         ///< of small places that can tell: where tissue lies 2 mm and more from where the bend puts it
+  double residualShare = 0.0;     ///< of small places that can tell: where tissue lies 2 mm and more from where the warp puts it
   std::vector<Level> levels;
   StopReason stop = StopReason::notRun;
   double seconds = 0.0;

@@ -13,7 +13,7 @@ namespace ew::registration {
 
 /// What can be said about a result. Behind each the figures of its remark, in order; "agreement" is three of them: correlation, share of
 /// overlap, standard deviations above chance. Lengths are in mm, turns in degrees, shares 0..1.
-enum class Says {
+enum class RemarkCode {
   // Of the volumes.
   noEcho,       ///< which: 0 the fixed volume, 1 the moving one
   tooThin,      ///< which, mm of a voxel, 0 or 1: the volume is thick enough, what is covered of it is not
@@ -57,18 +57,18 @@ enum class Says {
   nothingToFollow,
   startKeptGood,
   startKept,
-  bendContradicts,      ///< correlation, share of overlap
-  bendTooLittleShared,  ///< correlation, share of overlap
-  bendAgrees,           ///< correlation, share of overlap, correlation before
-  motionIsLeft,         ///< share of the places that tell, mm there, correlation, share of overlap
+  warpContradicts,      ///< correlation, share of overlap
+  warpTooLittleShared,  ///< correlation, share of overlap
+  warpAgrees,           ///< correlation, share of overlap, correlation before
+  motionRemains,        ///< share of the places that tell, mm there, correlation, share of overlap
   count_                ///< none: how many there are
 };
-[[nodiscard]] const char* nameOf(Says what);  ///< a word for files
-[[nodiscard]] std::optional<Says> saysFrom(std::string_view name);
+[[nodiscard]] const char* nameOf(RemarkCode what);  ///< a word for files
+[[nodiscard]] std::optional<RemarkCode> saysFrom(std::string_view name);
 
 /// One thing that is said about a result, as a code with figures; messageOf makes the sentence.
 struct Remark {
-  Says what = Says::noEcho;
+  RemarkCode what = RemarkCode::noEcho;
   std::vector<double> figures = {};
   std::vector<std::string> names = {};
   bool operator==(const Remark&) const = default;

@@ -34,7 +34,7 @@ struct RefineOptions {
   int iterations = 25;       ///< at most, per level
   /// Where descending from the start does not end aligned, poses turned by up to this much from it are searched as matchPartial does, all
   /// shifts; 0: not. Costs the time and memory of matchPartial, and only then.
-  double searchTurn_deg = 0.0;
+  double searchRotation_deg = 0.0;
   /// A pose that search finds further than this from the start (at the middle of the overlap) is not taken: the start is believed so far.
   double searchShift_mm = 30.0;
   int threads = 0;  ///< 0: all cores; the result does not depend on it, bit for bit
@@ -58,19 +58,19 @@ struct RigidResult {
 };
 
 /// Refines a rigid transform by the images: coarse to fine, on images free of gain and tolerant to speckle, weighted by confidence and by a
-/// robust loss, over what both beams covered and nothing else (black outside a sector is no tissue). With searchTurn_deg a search about the
-/// start takes over where descending is led astray, as by wires or vessels with nothing between them that draws.
+/// robust loss, over what both beams covered and nothing else (black outside a sector is no tissue). With searchRotation_deg a search about
+/// the start takes over where descending is led astray, as by wires or vessels with nothing between them that draws.
 /// @param start fixedToMoving, rigid
 /// @error emptyVolume, badField (confidence of another size, an option out of range), notRigid (start), cancelled
 [[nodiscard]] Result<RigidResult> refineRigid(const Input& fixed, const Input& moving, const Transform<frame::Moving, frame::Fixed>& start,
                                               const RefineOptions& options, Progress& progress, const OnLevel& onLevel = {});
 
 struct PartialOptions {
-  double maxTurn_deg = 30.0;   ///< rotations searched in every direction, 0..180
-  double stepTurn_deg = 10.0;  ///< between rotations of the first search
-  double cell_mm = 3.0;        ///< voxels of the first search
-  double leastOverlap = 0.08;  ///< of the smaller side's covered volume
-  int hypotheses = 8;          ///< refined after the search
+  double maxRotation_deg = 30.0;   ///< rotations searched in every direction, 0..180
+  double stepRotation_deg = 10.0;  ///< between rotations of the first search
+  double cell_mm = 3.0;            ///< voxels of the first search
+  double leastOverlap = 0.08;      ///< of the smaller side's covered volume
+  int hypotheses = 8;              ///< refined after the search
   RefineOptions refine;
   int threads = 0;
 };

@@ -30,7 +30,7 @@ struct Input {
   /// voxelCount() values in 0..1; empty: 1 wherever covered. Where less than half a per cent of what is covered is believed above 0.05, as
   /// in a recording that is black nearly throughout (wires in water), it tells of no shadow and counts as empty.
   std::span<const float> confidence = {};
-  /// The view's beams, where known. What runs along them, as shadows do, is then no evidence for rigid registration, and none for bends
+  /// The view's beams, where known. What runs along them, as shadows do, is then no evidence for rigid registration, and none for warps
   /// when the views agree better without it; where they are not known, streaks are looked for.
   std::optional<Beams> beams = {};
 };

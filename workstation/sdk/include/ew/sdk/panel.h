@@ -139,7 +139,7 @@ class PlacementFields final : public QWidget {
       grid->addWidget(name, row, column);
       grid->addWidget(field, row, column + 1);
       connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, i](double value) {
-        (i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)] = value;
+        (i < 3 ? shown_.at_mm : shown_.rotation_deg)[static_cast<int>(i % 3)] = value;
         transform_ = transformOf<To, From>(shown_);
         if (onChanged) onChanged(transform_, names[i]);
       });
@@ -162,7 +162,7 @@ class PlacementFields final : public QWidget {
     shown_ = placementOf(rigid);
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       const QSignalBlocker quiet(fields_[i]);
-      fields_[i]->setValue((i < 3 ? shown_.at_mm : shown_.turn_deg)[static_cast<int>(i % 3)]);
+      fields_[i]->setValue((i < 3 ? shown_.at_mm : shown_.rotation_deg)[static_cast<int>(i % 3)]);
     }
   }
 

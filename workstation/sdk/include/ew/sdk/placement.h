@@ -10,7 +10,7 @@ namespace ew::sdk {
 /// The matrix is T(at) * Rz * Ry * Rx: turned about the fixed world axes, first x (patient left), then y (posterior), then z (superior).
 struct Placement {
   glm::dvec3 at_mm{0.0};
-  glm::dvec3 turn_deg{0.0};  ///< about x, y, z
+  glm::dvec3 rotation_deg{0.0};  ///< about x, y, z
   bool operator==(const Placement&) const = default;
 };
 

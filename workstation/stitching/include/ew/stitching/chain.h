@@ -33,11 +33,11 @@ struct PairOutcome {
   std::optional<registration::GraphEdgeReport> inGraph;  ///< what the graph made of it; none where it was not asked
   bool wrong = false;                                    ///< the graph does not believe it
   bool suspect = false;                                  ///< it could be the wrong one as well as another
-  double processor_s = 0.0;                              ///< as of BentPair
+  double processor_s = 0.0;                              ///< as of WarpedPair
 };
 
-/// What bending one pair of views found, before all bends were brought together.
-struct BentPair {
+/// What bending one pair of views found, before all warps were brought together.
+struct WarpedPair {
   std::size_t fixed = 0;
   std::size_t moving = 0;
   registration::ElasticEffort effort = registration::ElasticEffort::balanced;
@@ -50,7 +50,7 @@ struct BentPair {
   double smallestJacobian = 1.0;
   std::vector<registration::Level> levels = {};
   double seconds = 0.0;  ///< that it took when it was made
-  /// Of these, what the thread that bent it worked; the others worked beside it. On a free machine both are the same, on a busy one only
+  /// Of these, what the thread that warped it worked; the others worked beside it. On a free machine both are the same, on a busy one only
   /// this tells what the pair costs. 0: not known.
   double processor_s = 0.0;
 };
@@ -64,8 +64,8 @@ struct StepOutcome {
   std::uint64_t forecast_bytes = 0;
 };
 
-/// How the group bends.
-struct BendSummary {
+/// How the group warps.
+struct WarpSummary {
   std::size_t pairs = 0;
   double largest_mm = 0.0;
   double smallestJacobian = 1.0;
@@ -80,12 +80,12 @@ struct ChainState {
   std::vector<GreyCorrection> corrections;
   std::vector<PairOutcome> pairs;  ///< in order of fixed, then moving; a rejected one only where it is known from before
   std::optional<registration::GraphResult> graph;
-  std::vector<registration::ControlGrid> bends;  ///< one per volume, world; empty lattices where nothing bends; after `elastic`
-  BendSummary bendSummary;
-  std::vector<BentPair> bentPairs;   ///< after `elastic`, in order of fixed, then moving
-  std::optional<SeamMap> seams;      ///< of the project's volumes by their numbers
-  std::vector<Message> notes;        ///< what readers of the inputs had to decide, a sentence each
-  std::vector<std::size_t> leftOut;  ///< volumes that nothing holds to the others; not in the result
+  std::vector<registration::ControlGrid> warps;  ///< one per volume, world; empty lattices where nothing warps; after `elastic`
+  WarpSummary warpSummary;
+  std::vector<WarpedPair> warpedPairs;  ///< after `elastic`, in order of fixed, then moving
+  std::optional<SeamMap> seams;         ///< of the project's volumes by their numbers
+  std::vector<Message> notes;           ///< what readers of the inputs had to decide, a sentence each
+  std::vector<std::size_t> leftOut;     ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
   std::function<Result<void>()> putInPlace;                           ///< with ChainOptions::putInPlaceLater: moves the result to these

@@ -29,11 +29,11 @@ struct MachinePace {
 /// (resources/docs/measurements.md): two views of one tissue, moved smoothly by up to 5 mm, with two thirds of their speckle in common.
 /// Time goes partly with the volume (coarse levels, lattice) and partly with the voxels of the last level, which are no finer than the
 /// effort asks for and the volume has; errors, once voxels are coarser than those of the measurement, with their size.
-[[nodiscard]] std::array<ExpectedCost, 3> expectedBends(const Grid& fixed, const Grid& moving, const MachinePace& pace = {});
+[[nodiscard]] std::array<ExpectedCost, 3> expectedWarps(const Grid& fixed, const Grid& moving, const MachinePace& pace = {});
 
-/// Finding a pair without a start, turning to maxTurn_deg in every direction: seconds, from the same benchmark (`partial`, 30 degrees).
+/// Finding a pair without a start, turning to maxRotation_deg in every direction: seconds, from the same benchmark (`partial`, 30 degrees).
 /// Rotations to be searched go with the volume of the ball they fill.
-[[nodiscard]] double expectedSearch_s(const Grid& fixed, const Grid& moving, double maxTurn_deg, const MachinePace& pace = {});
+[[nodiscard]] double expectedSearch_s(const Grid& fixed, const Grid& moving, double maxRotation_deg, const MachinePace& pace = {});
 
 struct Timed {
   double expected_s = 0.0;
@@ -41,8 +41,8 @@ struct Timed {
 };
 /// The median of measured over expected.
 [[nodiscard]] MachinePace paceOf(std::span<const Timed> timed);
-/// The median of what bent pairs took here over what they were expected to take, in processor time: a machine that had other things to do
-/// while they were bent is not slower for that; how long one waits for it is told by itself. @param grids one per volume of the pairs
-[[nodiscard]] MachinePace paceOf(std::span<const BentPair> bent, std::span<const std::optional<Grid>> grids);
+/// The median of what warped pairs took here over what they were expected to take, in processor time: a machine that had other things to do
+/// while they were warped is not slower for that; how long one waits for it is told by itself. @param grids one per volume of the pairs
+[[nodiscard]] MachinePace paceOf(std::span<const WarpedPair> warped, std::span<const std::optional<Grid>> grids);
 
 }  // namespace ew::stitching

@@ -27,12 +27,12 @@ struct GreyCorrection {
   bool operator==(const GreyCorrection&) const = default;
 };
 
-/// A subvolume as it goes into the whole: where it lies, how it bends, how its grey levels are corrected, how far it is to be believed.
+/// A subvolume as it goes into the whole: where it lies, how it warps, how its grey levels are corrected, how far it is to be believed.
 struct View {
   const Volume* volume = nullptr;                     ///< never null
   std::span<const std::uint8_t> confidence;           ///< voxelCount() values, 255 for 1; empty: 1 wherever covered
   Transform<frame::World, frame::View> toWorld = {};  ///< rigid
-  const registration::ControlGrid* bend = nullptr;    ///< in the world: world point p shows the view's world point p + u(p); null: none
+  const registration::ControlGrid* warp = nullptr;    ///< in the world: world point p shows the view's world point p + u(p); null: none
   GreyCorrection correction;
   std::string name;
 };

@@ -59,11 +59,11 @@ struct ProjectPair {
   Decision decision = Decision::undecided;
   std::optional<Transform<frame::Moving, frame::Fixed>> start;  ///< fixedToMoving: nudged or dragged by hand
   std::vector<registration::LandmarkPair> landmarks;
-  std::optional<double> maxTurn_deg;                  ///< of the search; absent: the project's
+  std::optional<double> maxRotation_deg;              ///< of the search; absent: the project's
   std::optional<registration::ElasticEffort> effort;  ///< of bending this pair; absent: the project's
   bool operator==(const ProjectPair&) const = default;
 };
-/// Whether the entry says more than how hard to try to bend the pair: such a pair is matched even where its places need no matching.
+/// Whether the entry says more than how hard to try to warp the pair: such a pair is matched even where its places need no matching.
 [[nodiscard]] bool speaksOfPose(const ProjectPair& pair);
 
 /// How a project's views are joined when it says nothing: levels pass over more widely than speckle.
@@ -74,13 +74,13 @@ struct ProjectPair {
 }
 
 struct ProjectSettings {
-  double maxTurn_deg = 30.0;
+  double maxRotation_deg = 30.0;
   double trackerError_mm = 3.0;  ///< how far recorded places are believed; 0, and 0 degrees: they are exact, nothing is registered rigidly
   double trackerError_deg = 2.0;
   bool equalise = true;
   bool elastic = true;
   registration::ElasticEffort effort = registration::ElasticEffort::balanced;
-  double fallOff_mm = 25.0;            ///< the bend is gone this far outside the overlap
+  double fallOff_mm = 25.0;            ///< the warp is gone this far outside the overlap
   JoinOptions join = joinOfProject();  ///< threads and maxBytes are not part of the file
 };
 
@@ -91,7 +91,7 @@ struct StitchProject {
   std::vector<ProjectPair> pairs;  ///< pairs with anything to say; all others of overlapping volumes are automatic
   ProjectSettings settings;
 };
-/// How hard a pair is bent: what is said about it, else what is said about all.
+/// How hard a pair is warped: what is said about it, else what is said about all.
 [[nodiscard]] registration::ElasticEffort effortOf(const StitchProject& project, std::size_t fixed, std::size_t moving);
 
 /// Whether both ask for the same: what is not part of the file (threads, maxBytes, block) does not count.

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "chain/beside.h"
 #include "chain/chain_json.h"
 #include "chain/chain_memory.h"
-#include "chain/steps/bend_pair.h"
+#include "chain/concurrent.h"
 #include "chain/steps/steps.h"
+#include "chain/steps/warp_pair.h"
 
 namespace ew::stitching {
 namespace {
@@ -40,13 +40,13 @@ Result<std::vector<PairMeeting>> meetingsOf(const ChainRun& run, const Progress&
       const auto overlap = overlapOf(*fixed.view->volume, *moving.view->volume, start);
       if (!overlap) continue;
       meetings.push_back({f, m, *overlap, gridOf(fixed.grid, overlap->fixed).voxelCount(),
-                          bendBytes(fixed.grid, moving.grid, start, run.elasticOptions(f, m))});
+                          warpBytes(fixed.grid, moving.grid, start, run.elasticOptions(f, m))});
     }
   return meetings;
 }
 
 /// Each pair by itself, in the order of `meetings`.
-Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<PairMeeting>& meetings, Progress& progress) {
+Result<std::vector<Warped>> warpPairs(ChainRun& run, const std::vector<PairMeeting>& meetings, Progress& progress) {
   // Large ones first, so that no thread is left alone with one in the end.
   std::vector<std::size_t> order(meetings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -54,21 +54,21 @@ Result<std::vector<Bent>> bendPairs(ChainRun& run, const std::vector<PairMeeting
   std::vector<std::uint64_t> bytes;
   for (const PairMeeting& meeting : meetings) bytes.push_back(meeting.bytes);
   const int atOnce = besideEachOther_bytes(run, std::move(bytes)).pairs;
-  std::vector<Bent> bent(meetings.size());
-  const auto done = besideEachOther(meetings.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
+  std::vector<Warped> warped(meetings.size());
+  const auto done = runConcurrently(meetings.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
     const PairMeeting& each = meetings[order[n]];
     part.report(say<"Deforming %1 and %2">(run.project.volumes[each.fixed].name, run.project.volumes[each.moving].name), 0.0);
-    auto made = bendPair(run, each.fixed, each.moving, each.overlap, run.threadsOfEach(atOnce), part);
+    auto made = warpPair(run, each.fixed, each.moving, each.overlap, run.threadsOfEach(atOnce), part);
     if (!made) return passOn(made.error());
-    bent[order[n]] = std::move(*made);
+    warped[order[n]] = std::move(*made);
     return {};
   });
   if (!done) return passOn(done.error());
-  return bent;
+  return warped;
 }
 
-/// Brings the bends of all pairs together: one bend for each view.
-Result<void> share(ChainRun& run, std::vector<PairBend> bends, Progress& progress) {
+/// Brings the warps of all pairs together: one warp for each view.
+Result<void> share(ChainRun& run, std::vector<PairWarp> warps, Progress& progress) {
   std::vector<const LoadedView*> views;
   std::vector<Transform<frame::World, frame::View>> poses;
   std::vector<std::size_t> place(run.inputs.size());
@@ -77,15 +77,15 @@ Result<void> share(ChainRun& run, std::vector<PairBend> bends, Progress& progres
     views.push_back(run.inputs[run.included[n]].view.get());
     poses.push_back(run.poseOf(run.included[n]));
   }
-  for (PairBend& bend : bends) {
-    bend.fixed = place[bend.fixed];
-    bend.moving = place[bend.moving];
+  for (PairWarp& warp : warps) {
+    warp.fixed = place[warp.fixed];
+    warp.moving = place[warp.moving];
   }
-  auto group = bendGroup(views, poses, bends, run.bendOptions(), progress);
+  auto group = warpGroup(views, poses, warps, run.warpOptions(), progress);
   if (!group) return passOn(group.error());
-  BendSummary& summary = run.state.bendSummary;
+  WarpSummary& summary = run.state.warpSummary;
   for (std::size_t n = 0; n < run.included.size(); ++n) {
-    run.state.bends[run.included[n]] = std::move(group->bends[n]);
+    run.state.warps[run.included[n]] = std::move(group->warps[n]);
     summary.largest_mm = std::max(summary.largest_mm, group->largest_mm[n]);
   }
   summary.smallestJacobian = group->smallestJacobian;
@@ -94,9 +94,9 @@ Result<void> share(ChainRun& run, std::vector<PairBend> bends, Progress& progres
   return {};
 }
 
-Result<void> keepBends(const ChainRun& run) {
+Result<void> keepWarps(const ChainRun& run) {
   const std::string& key = run.keys[Step::elastic];
-  const BendSummary& summary = run.state.bendSummary;
+  const WarpSummary& summary = run.state.warpSummary;
   ordered_json data = {{"pairs", summary.pairs},
                        {"largest_mm", summary.largest_mm},
                        {"smallest_jacobian", summary.smallestJacobian},
@@ -104,43 +104,43 @@ Result<void> keepBends(const ChainRun& run) {
                        {"disagreement_95_mm", summary.disagreement95_mm},
                        {"views", ordered_json::array()},
                        {"bent", ordered_json::array()}};
-  for (const auto& bent : run.state.bentPairs)
-    data["bent"].push_back({{"fixed", bent.fixed}, {"moving", bent.moving}, {"outcome", jsonOf(bent)}});
+  for (const auto& warped : run.state.warpedPairs)
+    data["bent"].push_back({{"fixed", warped.fixed}, {"moving", warped.moving}, {"outcome", jsonOf(warped)}});
   std::vector<std::string> names;
   for (std::size_t v = 0; v < run.inputs.size(); ++v) {
-    const auto& bend = run.state.bends[v];
-    data["views"].push_back(bend.displacement_mm.empty() ? ordered_json(nullptr) : jsonOf(bend.nodes));
-    if (bend.displacement_mm.empty()) continue;
+    const auto& warp = run.state.warps[v];
+    data["views"].push_back(warp.displacement_mm.empty() ? ordered_json(nullptr) : jsonOf(warp.nodes));
+    if (warp.displacement_mm.empty()) continue;
     names.push_back(std::to_string(v) + ".bin");
-    if (auto w = writeVectors(run, nameOf(Step::elastic), key, names.back(), bend); !w) return w;
+    if (auto w = writeVectors(run, nameOf(Step::elastic), key, names.back(), warp); !w) return w;
   }
   return run.store.keep(nameOf(Step::elastic), key, std::move(data), names);
 }
 
-bool readBends(ChainRun& run) {
+bool readWarps(ChainRun& run) {
   const std::string& key = run.keys[Step::elastic];
   ChainState& state = run.state;
   const auto data = run.store.find(nameOf(Step::elastic), key);
   const bool read = readBack<bool>(data, [&](const json& about) {
                       const auto& views = about.at("views");
                       if (views.size() != run.inputs.size()) return false;
-                      state.bends.assign(run.inputs.size(), {});
+                      state.warps.assign(run.inputs.size(), {});
                       for (std::size_t v = 0; v < run.inputs.size(); ++v) {
                         if (views.at(v).is_null()) continue;
-                        state.bends[v].nodes = gridFrom(views.at(v));
-                        if (!readVectors(run, nameOf(Step::elastic), key, std::to_string(v) + ".bin", state.bends[v])) return false;
+                        state.warps[v].nodes = gridFrom(views.at(v));
+                        if (!readVectors(run, nameOf(Step::elastic), key, std::to_string(v) + ".bin", state.warps[v])) return false;
                       }
-                      state.bendSummary = {about.at("pairs").get<std::size_t>(), about.at("largest_mm").get<double>(),
+                      state.warpSummary = {about.at("pairs").get<std::size_t>(), about.at("largest_mm").get<double>(),
                                            about.at("smallest_jacobian").get<double>(), about.at("disagreement_median_mm").get<double>(),
                                            about.at("disagreement_95_mm").get<double>()};
-                      for (const auto& bent : about.at("bent")) {
-                        state.bentPairs.push_back(bentFrom(bent.at("outcome")));
-                        state.bentPairs.back().fixed = bent.at("fixed").get<std::size_t>();
-                        state.bentPairs.back().moving = bent.at("moving").get<std::size_t>();
+                      for (const auto& warped : about.at("bent")) {
+                        state.warpedPairs.push_back(warpedFrom(warped.at("outcome")));
+                        state.warpedPairs.back().fixed = warped.at("fixed").get<std::size_t>();
+                        state.warpedPairs.back().moving = warped.at("moving").get<std::size_t>();
                       }
                       return true;
                     }).value_or(false);
-  if (!read) state.bentPairs.clear();
+  if (!read) state.warpedPairs.clear();
   return read;
 }
 
@@ -149,29 +149,29 @@ bool readBends(ChainRun& run) {
 Result<void> elasticStep(ChainRun& run, Progress& progress) {
   if (auto fits = checkMemory(run, Step::elastic); !fits) return fits;
   StepOutcome& outcome = run.outcomeOf(Step::elastic);
-  outcome.reused = readBends(run);
+  outcome.reused = readWarps(run);
   if (outcome.reused) {
-    for (const BentPair& bent : run.state.bentPairs) useBend(run, bent.fixed, bent.moving);
+    for (const WarpedPair& warped : run.state.warpedPairs) useWarp(run, warped.fixed, warped.moving);
     return {};
   }
-  run.state.bends.assign(run.inputs.size(), {});
+  run.state.warps.assign(run.inputs.size(), {});
   if (run.settings.elastic && run.included.size() > 1) {
     for (const std::size_t v : run.included)
       if (auto loaded = run.inputs.load(v, progress); !loaded) return passOn(loaded.error());
     const auto meetings = meetingsOf(run, progress);
     if (!meetings) return passOn(meetings.error());
     PartOfProgress bending(progress, 0.0, 0.9), sharing(progress, 0.9, 1.0);
-    auto bent = bendPairs(run, *meetings, bending);
-    if (!bent) return passOn(bent.error());
-    std::vector<PairBend> bends;
-    for (Bent& each : *bent) {
-      bends.push_back(std::move(each.bend));
-      run.state.bentPairs.push_back(std::move(each.about));
+    auto warped = warpPairs(run, *meetings, bending);
+    if (!warped) return passOn(warped.error());
+    std::vector<PairWarp> warps;
+    for (Warped& each : *warped) {
+      warps.push_back(std::move(each.warp));
+      run.state.warpedPairs.push_back(std::move(each.about));
     }
-    if (auto shared = share(run, std::move(bends), sharing); !shared) return shared;
-    run.state.bendSummary.pairs = meetings->size();
+    if (auto shared = share(run, std::move(warps), sharing); !shared) return shared;
+    run.state.warpSummary.pairs = meetings->size();
   }
-  return keepBends(run);
+  return keepWarps(run);
 }
 
 }  // namespace ew::stitching

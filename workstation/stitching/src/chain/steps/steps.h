@@ -14,7 +14,7 @@ namespace ew::stitching {
 [[nodiscard]] Result<void> graphStep(ChainRun& run, Progress& progress);
 /// The grey levels of each view.
 [[nodiscard]] Result<void> equaliseStep(ChainRun& run, Progress& progress);
-/// Bends each pair by itself, each kept by itself, then brings all bends together.
+/// Warps each pair by itself, each kept by itself, then brings all warps together.
 [[nodiscard]] Result<void> elasticStep(ChainRun& run, Progress& progress);
 /// Which view each cell of the result takes, and how levels pass over.
 [[nodiscard]] Result<void> seamStep(ChainRun& run, Progress& progress);

@@ -12,7 +12,7 @@ namespace ew::stitching {
 /// progresses as the pieces do on average.
 /// @param work work(n, progress); called on up to `atOnce` threads, of which the caller's is one
 /// @error that of the piece with the lowest number that failed, which stops the others; cancelled
-[[nodiscard]] Result<void> besideEachOther(std::size_t pieces, int atOnce, Progress& progress,
+[[nodiscard]] Result<void> runConcurrently(std::size_t pieces, int atOnce, Progress& progress,
                                            const std::function<Result<void>(std::size_t n, Progress& progress)>& work);
 
 }  // namespace ew::stitching

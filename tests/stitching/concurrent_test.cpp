@@ -1,4 +1,4 @@
-#include "chain/beside.h"
+#include "chain/concurrent.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(BesideEachOther, DoesEveryPieceOnceAndProgressNeverGoesBack) {
   for (const int atOnce : {1, 2, 5}) {
     Recorder progress;
     std::vector<std::atomic<int>> done(23);
-    const auto all = besideEachOther(done.size(), atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
+    const auto all = runConcurrently(done.size(), atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
       own.report(verbatim("half"), 0.5);
       own.report(verbatim("back"), 0.2);
       ++done[n];
@@ -42,7 +42,7 @@ TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
   for (const int atOnce : {1, 3}) {
     Recorder progress;
     std::atomic<int> begun{0};
-    const auto all = besideEachOther(200, atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
+    const auto all = runConcurrently(200, atOnce, progress, [&](std::size_t n, Progress& own) -> Result<void> {
       ++begun;
       if (n == 4) return failure(ErrorCode::badField, verbatim("the fourth"));
       if (own.cancelRequested()) return failure(ErrorCode::cancelled, verbatim("stopped"));
@@ -56,7 +56,7 @@ TEST(BesideEachOther, SaysWhatFailedAndStopsTheRest) {
 
 TEST(BesideEachOther, IsCancelledBetweenPieces) {
   Recorder progress;
-  const auto all = besideEachOther(50, 2, progress, [&](std::size_t n, Progress&) -> Result<void> {
+  const auto all = runConcurrently(50, 2, progress, [&](std::size_t n, Progress&) -> Result<void> {
     if (n == 3) progress.cancel = true;
     return {};
   });
@@ -66,7 +66,7 @@ TEST(BesideEachOther, IsCancelledBetweenPieces) {
 
 TEST(BesideEachOther, OfNothingIsDone) {
   EXPECT_TRUE(
-      besideEachOther(0, 4, noProgress(), [](std::size_t, Progress&) -> Result<void> { return failure(ErrorCode::badField, Message()); }));
+      runConcurrently(0, 4, noProgress(), [](std::size_t, Progress&) -> Result<void> { return failure(ErrorCode::badField, Message()); }));
 }
 
 }  // namespace

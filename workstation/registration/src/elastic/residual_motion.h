@@ -13,8 +13,8 @@ inline constexpr double kLeftBlock_mm = 6.0;
 inline constexpr double kLeftStep_mm = 2.0;
 inline constexpr double kLeftReach_mm = 4.0;
 
-/// What small blocks, each shifted on its own, say about motion that a bend did not follow.
-struct LeftMotion {
+/// What small blocks, each shifted on its own, say about motion that a warp did not follow.
+struct ResidualMotion {
   double blocks = 0.0;           ///< that told: both halves of their voxels agree best under the same shift, more often than by chance
   double share = 0.0;            ///< of these: the shift is not none
   double deviation = 0.0;        ///< standard deviation of `share`
@@ -27,6 +27,7 @@ struct LeftMotion {
 /// where nothing can be told they name different ones, or one under which the difference is no smaller than without. About a thousand
 /// blocks are looked at, of larger volumes not all.
 /// @return false when cancelled
-[[nodiscard]] bool lookForLeftMotion(const LevelPair& pair, const NodeGrid& nodes, int threads, Progress& progress, LeftMotion& left);
+[[nodiscard]] bool lookForResidualMotion(const LevelPair& pair, const NodeGrid& nodes, int threads, Progress& progress,
+                                         ResidualMotion& left);
 
 }  // namespace ew::registration

@@ -1,4 +1,4 @@
-#include "chain/steps/bend_pair.h"
+#include "chain/steps/warp_pair.h"
 
 #include "chain/chain_json.h"
 #include "chain/chain_memory.h"
@@ -12,7 +12,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using registration::Verdict;
 
-constexpr const char* kBendStep = "bends";
+constexpr const char* kWarpStep = "bends";
 constexpr double kUnconfirmed = 0.1;  ///< trust in an elastic pair that the images did not confirm
 
 /// What a pair needs of a view. Without a coverage map black at a volume's border counts as outside, so such a volume stays whole.
@@ -21,23 +21,23 @@ PartOfView around(const LoadedView& view, const VoxelBox& box) {
   return partOf(view, view.volume->coverage.empty() ? VoxelBox{glm::ivec3(0), grid.dims} : widened(box, grid, kAroundOverlap_mm));
 }
 
-Bent named(Bent bent, std::size_t fixed, std::size_t moving) {
-  bent.bend.fixed = bent.about.fixed = fixed;
-  bent.bend.moving = bent.about.moving = moving;
-  bent.bend.trust = bent.about.verdict == Verdict::aligned ? 1.0 : kUnconfirmed;
-  return bent;
+Warped named(Warped warped, std::size_t fixed, std::size_t moving) {
+  warped.warp.fixed = warped.about.fixed = fixed;
+  warped.warp.moving = warped.about.moving = moving;
+  warped.warp.trust = warped.about.verdict == Verdict::aligned ? 1.0 : kUnconfirmed;
+  return warped;
 }
 
-std::optional<Bent> keptBend(const ChainRun& run, const std::string& key) {
-  auto bent = readBack<Bent>(run.store.find(kBendStep, key), [](const json& data) {
-    Bent read;
-    read.about = bentFrom(data.at("outcome"));
-    read.bend.fixedToMoving.rigid = transformFrom<frame::Moving, frame::Fixed>(data.at("rigid"));
-    read.bend.fixedToMoving.control.nodes = gridFrom(data.at("nodes"));
+std::optional<Warped> keptWarp(const ChainRun& run, const std::string& key) {
+  auto warped = readBack<Warped>(run.store.find(kWarpStep, key), [](const json& data) {
+    Warped read;
+    read.about = warpedFrom(data.at("outcome"));
+    read.warp.fixedToMoving.rigid = transformFrom<frame::Moving, frame::Fixed>(data.at("rigid"));
+    read.warp.fixedToMoving.control.nodes = gridFrom(data.at("nodes"));
     return read;
   });
-  if (!bent || !readVectors(run, kBendStep, key, "control.bin", bent->bend.fixedToMoving.control)) return std::nullopt;
-  return bent;
+  if (!warped || !readVectors(run, kWarpStep, key, "control.bin", warped->warp.fixedToMoving.control)) return std::nullopt;
+  return warped;
 }
 
 std::string bytesOf(const std::vector<glm::vec3>& vectors) {
@@ -46,9 +46,9 @@ std::string bytesOf(const std::vector<glm::vec3>& vectors) {
 
 }  // namespace
 
-void useBend(const ChainRun& run, std::size_t fixed, std::size_t moving) {
-  run.store.use(kBendStep,
-                keyOfBend(run.inputs[fixed], run.inputs[moving], run.startOf(fixed, moving), effortOf(run.project, fixed, moving)));
+void useWarp(const ChainRun& run, std::size_t fixed, std::size_t moving) {
+  run.store.use(kWarpStep,
+                keyOfWarp(run.inputs[fixed], run.inputs[moving], run.startOf(fixed, moving), effortOf(run.project, fixed, moving)));
 }
 
 Result<void> writeVectors(const ChainRun& run, const char* step, const std::string& key, const std::string& name,
@@ -63,12 +63,12 @@ bool readVectors(const ChainRun& run, const char* step, const std::string& key, 
   return run.store.readValues(step, key, name, count, control.displacement_mm);
 }
 
-Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap& overlap, int threads, Progress& progress) {
+Result<Warped> warpPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap& overlap, int threads, Progress& progress) {
   const auto start = run.startOf(f, m);
   registration::ElasticOptions options = run.elasticOptions(f, m);
   options.threads = threads;
-  const std::string key = keyOfBend(run.inputs[f], run.inputs[m], start, options.effort);
-  if (auto kept = keptBend(run, key)) return named(std::move(*kept), f, m);
+  const std::string key = keyOfWarp(run.inputs[f], run.inputs[m], start, options.effort);
+  if (auto kept = keptWarp(run, key)) return named(std::move(*kept), f, m);
   const PartOfView fixed = around(*run.inputs[f].view, overlap.fixed), moving = around(*run.inputs[m].view, overlap.moving);
   const std::string &fixedName = run.project.volumes[f].name, &movingName = run.project.volumes[m].name;
   const ThreadClock clock;
@@ -79,27 +79,27 @@ Result<Bent> bendPair(ChainRun& run, std::size_t f, std::size_t m, const Overlap
       problem.message = say<"'%1' and '%2' could not be bent together. %3">(fixedName, movingName, problem.message);
     return passOn(std::move(problem));
   }
-  Bent bent;
-  bent.about = {.effort = options.effort,
-                .verdict = made->verdict,
-                .reason = std::move(made->reason),
-                .remarks = std::move(made->remarks),
-                .before = made->before,
-                .after = made->after,
-                .largestMotion_mm = made->largestMotion_mm,
-                .smallestJacobian = made->jacobian.smallest,
-                .levels = std::move(made->levels),
-                .seconds = made->seconds,
-                .processor_s = clock.seconds()};
+  Warped warped;
+  warped.about = {.effort = options.effort,
+                  .verdict = made->verdict,
+                  .reason = std::move(made->reason),
+                  .remarks = std::move(made->remarks),
+                  .before = made->before,
+                  .after = made->after,
+                  .largestMotion_mm = made->largestMotion_mm,
+                  .smallestJacobian = made->jacobian.smallest,
+                  .levels = std::move(made->levels),
+                  .seconds = made->seconds,
+                  .processor_s = clock.seconds()};
   ordered_json data = {{"fixed", fixedName},
                        {"moving", movingName},
-                       {"outcome", jsonOf(bent.about)},
+                       {"outcome", jsonOf(warped.about)},
                        {"rigid", jsonOf(made->fixedToMoving.rigid)},
                        {"nodes", jsonOf(made->fixedToMoving.control.nodes)}};
-  if (auto w = writeVectors(run, kBendStep, key, "control.bin", made->fixedToMoving.control); !w) return passOn(w.error());
-  if (auto k = run.store.keep(kBendStep, key, std::move(data), {"control.bin"}); !k) return passOn(k.error());
-  bent.bend.fixedToMoving = std::move(made->fixedToMoving);
-  return named(std::move(bent), f, m);
+  if (auto w = writeVectors(run, kWarpStep, key, "control.bin", made->fixedToMoving.control); !w) return passOn(w.error());
+  if (auto k = run.store.keep(kWarpStep, key, std::move(data), {"control.bin"}); !k) return passOn(k.error());
+  warped.warp.fixedToMoving = std::move(made->fixedToMoving);
+  return named(std::move(warped), f, m);
 }
 
 }  // namespace ew::stitching

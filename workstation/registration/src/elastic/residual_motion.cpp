@@ -1,4 +1,4 @@
-#include "elastic/left_motion.h"
+#include "elastic/residual_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -144,7 +144,7 @@ struct Count {
 
 }  // namespace
 
-bool lookForLeftMotion(const LevelPair& pair, const NodeGrid& nodes, int threads, Progress& progress, LeftMotion& left) {
+bool lookForResidualMotion(const LevelPair& pair, const NodeGrid& nodes, int threads, Progress& progress, ResidualMotion& left) {
   left = {};
   left.nodeShare.assign(nodes.count(), 0.0F);
   const LevelImage& fixed = pair.fixed();

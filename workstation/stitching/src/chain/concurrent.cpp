@@ -1,4 +1,4 @@
-#include "chain/beside.h"
+#include "chain/concurrent.h"
 
 #include <algorithm>
 #include <atomic>
@@ -37,9 +37,9 @@ class Together {
   std::atomic<bool> stopped_{false};
 };
 
-class OfPiece final : public Progress {
+class PieceProgress final : public Progress {
  public:
-  OfPiece(Together& together, std::size_t piece) : together_(together), piece_(piece) {}
+  PieceProgress(Together& together, std::size_t piece) : together_(together), piece_(piece) {}
   void report(const Message& what, double fraction) override { together_.report(piece_, what, fraction); }
   [[nodiscard]] bool cancelRequested() const override { return together_.cancelRequested(); }
 
@@ -61,14 +61,14 @@ class Counting final : public Progress {
 
 }  // namespace
 
-Result<void> besideEachOther(std::size_t pieces, int atOnce, Progress& progress,
+Result<void> runConcurrently(std::size_t pieces, int atOnce, Progress& progress,
                              const std::function<Result<void>(std::size_t n, Progress& progress)>& work) {
   Together together(progress, pieces);
   Counting counting(together);
   std::vector<std::optional<Error>> failed(pieces);
   const bool all = forEachTask(static_cast<int>(pieces), std::max(atOnce, 1), counting, Message(), [&](int task) {
     const auto n = static_cast<std::size_t>(task);
-    OfPiece own(together, n);
+    PieceProgress own(together, n);
     auto done = work(n, own);
     if (done) {
       together.finish(n);

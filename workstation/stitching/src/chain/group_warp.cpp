@@ -1,4 +1,4 @@
-#include "chain/group_bend.h"
+#include "chain/group_warp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace ew::stitching {
 namespace {
 
 constexpr double kRidge = 0.002;    ///< share of a pair's motion that is given up inside its overlap, so that nodes have one answer
-constexpr int kRounds = 6;          ///< of looking up a pair's motion where the fixed view's own bend has moved it
+constexpr int kRounds = 6;          ///< of looking up a pair's motion where the fixed view's own warp has moved it
 constexpr double kStill_mm = 1e-3;  ///< a lattice that moves no more is none
 constexpr std::uint64_t kMostNodes = 4u << 20;
 
@@ -96,7 +96,7 @@ void solve(std::vector<double>& matrix, std::vector<glm::dvec3>& right, std::siz
 
 /// One pair on the lattice.
 struct Meeting {
-  const PairBend* pair = nullptr;
+  const PairWarp* pair = nullptr;
   Transform<frame::Fixed, frame::World> worldToFixed;
   Transform<frame::World, frame::Moving> movingToWorld;
   std::vector<float> distance_mm;
@@ -111,15 +111,15 @@ bool covers(const Volume& volume, const Transform<frame::Voxel, frame::World>& w
 }
 
 /// Takes the folds out of a lattice: smoothed where that helps, and made smaller where it does not.
-void unfold(registration::ControlGrid& bend, double leastJacobian) {
+void unfold(registration::ControlGrid& warp, double leastJacobian) {
   constexpr int kSmoothings = 12;
-  const Grid& nodes = bend.nodes;
-  for (int round = 0; registration::jacobianOf(bend).smallest < leastJacobian; ++round) {
+  const Grid& nodes = warp.nodes;
+  for (int round = 0; registration::jacobianOf(warp).smallest < leastJacobian; ++round) {
     if (round >= kSmoothings) {
-      for (auto& each : bend.displacement_mm) each *= 0.85f;
+      for (auto& each : warp.displacement_mm) each *= 0.85f;
       continue;
     }
-    const auto before = bend.displacement_mm;
+    const auto before = warp.displacement_mm;
     for (int k = 0; k < nodes.dims.z; ++k)
       for (int j = 0; j < nodes.dims.y; ++j)
         for (int i = 0; i < nodes.dims.x; ++i) {
@@ -130,7 +130,7 @@ void unfold(registration::ControlGrid& bend, double leastJacobian) {
             sum += before[nodes.indexOf(at.x, at.y, at.z)];
           }
           const std::size_t n = nodes.indexOf(i, j, k);
-          bend.displacement_mm[n] = 0.5f * before[n] + sum / 12.0f;
+          warp.displacement_mm[n] = 0.5f * before[n] + sum / 12.0f;
         }
   }
 }
@@ -145,48 +145,48 @@ double quantile(std::vector<double>& values, double share) {
 /// What the nodes of one slice take while they are solved, so that they allocate nothing.
 struct NodeScratch {
   std::vector<double> matrix;
-  std::vector<glm::dvec3> right, bend;                  ///< one per member
+  std::vector<glm::dvec3> right, warp;                  ///< one per member
   std::vector<std::size_t> members, place;              ///< views that meet at the node, and where each stands among them
   std::vector<std::pair<const Meeting*, double>> here;  ///< with their weights
 };
 
-/// Views that bend together, on one lattice.
+/// Views that warp together, on one lattice.
 class BendingGroup {
  public:
   BendingGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
-               std::span<const PairBend> pairs, const BendOptions& options)
+               std::span<const PairWarp> pairs, const WarpOptions& options)
       : views_(views), toWorld_(toWorld), pairs_(pairs), options_(options) {
     std::vector<Grid> grids;
     for (std::size_t v = 0; v < views.size(); ++v) grids.push_back(placed(views[v]->volume->grid, toWorld[v]));
     lattice_ = latticeOver(grids, options.fallOff_mm, options.node_mm);
     nodeToWorld_ = lattice_.voxelToWorld();
-    group.bends.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0f))});
+    group.warps.assign(views.size(), {lattice_, std::vector<glm::vec3>(lattice_.voxelCount(), glm::vec3(0.0f))});
     group.largest_mm.assign(views.size(), 0.0);
   }
 
   /// Each returns false when it was cancelled.
   bool lookAtOverlaps(Progress& progress);
-  bool shareBends(Progress& progress);
+  bool shareWarps(Progress& progress);
   bool unfoldAll(Progress& progress);
 
-  GroupBends group;
+  GroupWarps group;
 
  private:
-  [[nodiscard]] Meeting meetingOf(const PairBend& pair, const Progress& progress) const;
+  [[nodiscard]] Meeting meetingOf(const PairWarp& pair, const Progress& progress) const;
   [[nodiscard]] bool gather(std::size_t node, NodeScratch& at) const;
   void solveNode(const glm::dvec3& p, NodeScratch& at) const;
   void shareSlice(int k, const Progress& progress, std::vector<double>& disagreements);
 
   std::span<const LoadedView* const> views_;
   std::span<const Transform<frame::World, frame::View>> toWorld_;
-  std::span<const PairBend> pairs_;
-  const BendOptions& options_;
+  std::span<const PairWarp> pairs_;
+  const WarpOptions& options_;
   Grid lattice_;
   Transform<frame::World, frame::Voxel> nodeToWorld_;
   std::vector<Meeting> meetings_;
 };
 
-Meeting BendingGroup::meetingOf(const PairBend& pair, const Progress& progress) const {
+Meeting BendingGroup::meetingOf(const PairWarp& pair, const Progress& progress) const {
   const auto worldToFixed = rigidInverse(renamed<frame::World, frame::Fixed>(toWorld_[pair.fixed]));
   const auto movingToWorld = renamed<frame::World, frame::Moving>(toWorld_[pair.moving]);
   Meeting meeting{&pair, worldToFixed, movingToWorld, {}};
@@ -232,18 +232,18 @@ bool BendingGroup::gather(std::size_t node, NodeScratch& at) const {
   return !at.here.empty();
 }
 
-/// The displacements of least squares of the members at a node, into at.bend.
+/// The displacements of least squares of the members at a node, into at.warp.
 void BendingGroup::solveNode(const glm::dvec3& p, NodeScratch& at) const {
   const std::size_t size = at.members.size();
-  at.bend.assign(size, glm::dvec3(0.0));
+  at.warp.assign(size, glm::dvec3(0.0));
   for (int round = 0; round < kRounds; ++round) {
     at.matrix.assign(size * size, 0.0);
     at.right.assign(size, glm::dvec3(0.0));
     for (std::size_t m = 0; m < size; ++m) at.matrix[m * size + m] = 1.0;
     for (const auto& [meeting, weight] : at.here) {
       const std::size_t f = at.place[meeting->pair->fixed], m = at.place[meeting->pair->moving];
-      // The fixed view shows at p what lies at p + bend there, so that is where the pair has to be asked.
-      const glm::dvec3 pull = weight * meeting->motionAt(p + at.bend[f]);
+      // The fixed view shows at p what lies at p + warp there, so that is where the pair has to be asked.
+      const glm::dvec3 pull = weight * meeting->motionAt(p + at.warp[f]);
       at.matrix[f * size + f] += weight;
       at.matrix[m * size + m] += weight;
       at.matrix[f * size + m] -= weight;
@@ -252,7 +252,7 @@ void BendingGroup::solveNode(const glm::dvec3& p, NodeScratch& at) const {
       at.right[f] -= pull;
     }
     solve(at.matrix, at.right, size);
-    at.bend = at.right;
+    at.warp = at.right;
   }
 }
 
@@ -266,17 +266,17 @@ void BendingGroup::shareSlice(int k, const Progress& progress, std::vector<doubl
       if (!gather(node, at)) continue;
       const glm::dvec3 p = carried(nodeToWorld_, glm::dvec3(i, j, k));
       solveNode(p, at);
-      for (std::size_t m = 0; m < at.members.size(); ++m) group.bends[at.members[m]].displacement_mm[node] = glm::vec3(at.bend[m]);
+      for (std::size_t m = 0; m < at.members.size(); ++m) group.warps[at.members[m]].displacement_mm[node] = glm::vec3(at.warp[m]);
       for (const auto& [meeting, weight] : at.here) {
         if (meeting->distance_mm[node] > 0.0f || meeting->pair->trust < 0.5) continue;
-        const glm::dvec3 fixed = at.bend[at.place[meeting->pair->fixed]], moving = at.bend[at.place[meeting->pair->moving]];
+        const glm::dvec3 fixed = at.warp[at.place[meeting->pair->fixed]], moving = at.warp[at.place[meeting->pair->moving]];
         disagreements.push_back(glm::distance(moving - fixed, meeting->motionAt(p + fixed)));
       }
     }
   }
 }
 
-bool BendingGroup::shareBends(Progress& progress) {
+bool BendingGroup::shareWarps(Progress& progress) {
   std::vector<std::vector<double>> slices(static_cast<std::size_t>(lattice_.dims.z));
   const bool shared = forEachTask(lattice_.dims.z, options_.threads, progress, say<"Combining deformations">(),
                                   [&](int k) { shareSlice(k, progress, slices[static_cast<std::size_t>(k)]); });
@@ -292,16 +292,16 @@ bool BendingGroup::unfoldAll(Progress& progress) {
   std::vector<double> jacobians(views_.size(), 1.0);
   const bool unfolded = forEachTask(static_cast<int>(views_.size()), options_.threads, progress, say<"Unfolding">(), [&](int task) {
     const auto v = static_cast<std::size_t>(task);
-    registration::ControlGrid& bend = group.bends[v];
-    for (const glm::vec3& each : bend.displacement_mm)
+    registration::ControlGrid& warp = group.warps[v];
+    for (const glm::vec3& each : warp.displacement_mm)
       group.largest_mm[v] = std::max(group.largest_mm[v], static_cast<double>(glm::length(each)));
     if (group.largest_mm[v] < kStill_mm) {
-      bend = {};
+      warp = {};
       group.largest_mm[v] = 0.0;
       return;
     }
-    unfold(bend, options_.leastJacobian);
-    jacobians[v] = registration::jacobianOf(bend).smallest;
+    unfold(warp, options_.leastJacobian);
+    jacobians[v] = registration::jacobianOf(warp).smallest;
   });
   if (!unfolded || progress.cancelRequested()) return false;
   group.smallestJacobian = *std::min_element(jacobians.begin(), jacobians.end());
@@ -310,16 +310,16 @@ bool BendingGroup::unfoldAll(Progress& progress) {
 
 }  // namespace
 
-std::uint64_t forecastBends_bytes(std::span<const Grid> placedGrids, std::size_t pairs, const BendOptions& options) {
+std::uint64_t forecastWarps_bytes(std::span<const Grid> placedGrids, std::size_t pairs, const WarpOptions& options) {
   const std::uint64_t nodes = latticeOver(placedGrids, options.fallOff_mm, options.node_mm).voxelCount();
   return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
 }
 
-Result<GroupBends> bendGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
-                             std::span<const PairBend> pairs, const BendOptions& options, Progress& progress) {
+Result<GroupWarps> warpGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
+                             std::span<const PairWarp> pairs, const WarpOptions& options, Progress& progress) {
   PartOfProgress looking(progress, 0.0, 0.3), solving(progress, 0.3, 0.9), unfolding(progress, 0.9, 1.0);
   BendingGroup bending(views, toWorld, pairs, options);
-  if (!bending.lookAtOverlaps(looking) || !bending.shareBends(solving) || !bending.unfoldAll(unfolding))
+  if (!bending.lookAtOverlaps(looking) || !bending.shareWarps(solving) || !bending.unfoldAll(unfolding))
     return failure(ErrorCode::cancelled, say<"The stitching was cancelled.">());
   return std::move(bending.group);
 }
