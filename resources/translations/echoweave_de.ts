@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; was made by somebody else in the meantime and is left as it is; choose another name.</source>
-        <translation>„%1“ hat inzwischen jemand anders angelegt und bleibt, wie es ist; wählen Sie einen anderen Namen.</translation>
+        <translation>„%1“ wurde inzwischen von jemand anderem angelegt und bleibt, wie es ist; einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not written because of a fault in the program; try again.</source>
@@ -85,11 +85,11 @@
     </message>
     <message>
         <source>%1 asks for the last bytes of packed samples; store them unpacked.</source>
-        <translation>%1 verlangt die letzten Byte gepackter Abtastwerte; sie ungepackt speichern.</translation>
+        <translation>%1 verlangt die letzten Byte gepackter Abtastwerte; die Abtastwerte ungepackt speichern.</translation>
     </message>
     <message>
         <source>%1 asks to skip lines of its data file, which is not read; use byte skip.</source>
-        <translation>%1 will Zeilen der Datendatei überspringen, was nicht gelesen wird; byte skip verwenden.</translation>
+        <translation>%1 will Zeilen der Datendatei überspringen, was nicht unterstützt wird; byte skip verwenden.</translation>
     </message>
     <message>
         <source>%1 at character %2 of the expression</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>%1 cannot be mapped (%2); read it into memory.</source>
-        <translation>%1 lässt sich nicht in den Speicher abbilden (%2); einlesen.</translation>
+        <translation>%1 lässt sich nicht in den Speicher abbilden (%2); stattdessen einlesen.</translation>
     </message>
     <message>
         <source>%1 cannot be opened (%2); check its permissions.</source>
@@ -125,11 +125,11 @@
     </message>
     <message>
         <source>%1 cannot be read as JSON; restore an earlier copy.</source>
-        <translation>%1 kann nicht als JSON gelesen werden; nehmen Sie eine frühere Kopie.</translation>
+        <translation>%1 kann nicht als JSON gelesen werden; eine frühere Kopie wiederherstellen.</translation>
     </message>
     <message>
         <source>%1 cannot be read as a mesh; export it again as STL, PLY or OBJ.</source>
-        <translation>%1 ist nicht als Netz zu lesen; es neu als STL, PLY oder OBJ exportieren.</translation>
+        <translation>%1 kann nicht als Netz gelesen werden; neu als STL, PLY oder OBJ exportieren.</translation>
     </message>
     <message>
         <source>%1 cannot be read; check its permissions.</source>
@@ -161,11 +161,11 @@
     </message>
     <message>
         <source>%1 does not begin with &quot;ply&quot;; it is not a PLY file.</source>
-        <translation>%1 beginnt nicht mit &quot;ply&quot;; es ist keine PLY-Datei.</translation>
+        <translation>%1 beginnt nicht mit &quot;ply&quot; und ist damit keine PLY-Datei.</translation>
     </message>
     <message>
         <source>%1 does not hold one JSON object; check that it is the right file.</source>
-        <translation>%1 enthält kein einzelnes JSON-Objekt; prüfen Sie, ob es die richtige Datei ist.</translation>
+        <translation>%1 enthält kein einzelnes JSON-Objekt; prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
         <source>%1 does not say how large its pixels are (it has no ultrasound regions); give the size in mm.</source>
@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>%1 ends before its header says so; copy it again.</source>
-        <translation>%1 endet, bevor der Kopf es sagt; neu kopieren.</translation>
+        <translation>%1 endet früher, als der Kopf angibt; neu kopieren.</translation>
     </message>
     <message>
         <source>%1 ends before its samples begin; get the file again.</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>%1 ends, or holds something other than a number, in %2 %3 of %4; export the mesh again.</source>
-        <translation>%1 endet oder enthält etwas anderes als eine Zahl in %2 %3 von %4; das Netz neu exportieren.</translation>
+        <translation>%1 endet bei %2 %3 von %4 oder enthält dort etwas anderes als eine Zahl; das Netz neu exportieren.</translation>
     </message>
     <message>
         <source>%1 entries</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>%1 frame with an INVALID and %2 with a missing pose were left out; %3.</source>
-        <translation>%1 Bild mit der Lage INVALID und %2 mit fehlender wurden ausgelassen; %3.</translation>
+        <translation>%1 Bild mit ungültiger (INVALID) und %2 mit fehlender Lage wurden ausgelassen; %3.</translation>
     </message>
     <message>
         <source>%1 frames carry the same time as the frame before.</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>%1 frames with an INVALID and %2 with a missing pose were left out; %3.</source>
-        <translation>%1 Bilder mit der Lage INVALID und %2 mit fehlender wurden ausgelassen; %3.</translation>
+        <translation>%1 Bilder mit ungültiger (INVALID) und %2 mit fehlender Lage wurden ausgelassen; %3.</translation>
     </message>
     <message>
         <source>%1 gives more than %2 transforms for one frame; check that the file is undamaged.</source>
@@ -285,31 +285,31 @@
     </message>
     <message>
         <source>%1 has an ending that is not read; give a .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz file.</source>
-        <translation>Die Endung von %1 wird nicht gelesen; eine Datei .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz angeben.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht gelesen; eine Datei .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz angeben.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .avi or .mp4.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .avi oder .mp4 enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .avi oder .mp4 enden lassen.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .igs.mha.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .igs.mha enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .igs.mha enden lassen.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .mha or .mhd.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .mha oder .mhd enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .mha oder .mhd enden lassen.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .mha.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .mha enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .mha enden lassen.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .png or .mha.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .png oder .mha enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .png oder .mha enden lassen.</translation>
     </message>
     <message>
         <source>%1 has an ending that is not written; end its name in .xml.</source>
-        <translation>Die Endung von %1 wird nicht geschrieben; den Namen auf .xml enden lassen.</translation>
+        <translation>Dateien mit der Endung von %1 werden nicht geschrieben; den Namen auf .xml enden lassen.</translation>
     </message>
     <message>
         <source>%1 has colours of %2 bits; export it with 8.</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>%1 has no end of its PLY header; export the mesh again.</source>
-        <translation>%1 hat kein Ende seines PLY-Kopfes; das Netz neu exportieren.</translation>
+        <translation>Der PLY-Kopf von %1 hat kein Ende; das Netz neu exportieren.</translation>
     </message>
     <message>
         <source>%1 has no triangles; export the body as a surface mesh.</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>%1 has sizes %2, but a recording is width x height x frames; sequences of volumes are not read, export its frames.</source>
-        <translation>%1 hat die Größe %2, eine Aufnahme aber ist Breite × Höhe × Bilder; Folgen von Volumen werden nicht gelesen, ihre Bilder exportieren.</translation>
+        <translation>%1 hat die Größe %2, eine Aufnahme hat aber Breite × Höhe × Bilder; Folgen von Volumen werden nicht gelesen, stattdessen die Bilder exportieren.</translation>
     </message>
     <message>
         <source>%1 has the colours %2 in %3 samples a pixel, which is not read; export it as MONOCHROME2 or RGB.</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>%1 holds %2 samples, but labels are one 8 bit unsigned number a voxel; export them as such.</source>
-        <translation>Die Abtastwerte von %1 sind %2; Labels sind aber eine Zahl von 8 Bit ohne Vorzeichen je Voxel; so exportieren.</translation>
+        <translation>Die Abtastwerte von %1 sind %2, Labels aber eine Zahl mit 8 Bit ohne Vorzeichen je Voxel; sie so exportieren.</translation>
     </message>
     <message>
         <source>%1 holds %2 volumes one after the other; choose one by its number, 1 to %3.</source>
@@ -421,7 +421,7 @@
     </message>
     <message>
         <source>%1 is %2; it must be %3.</source>
-        <translation>%1 ist %2; es muss %3 sein.</translation>
+        <translation>%1 ist %2; erwartet: %3.</translation>
     </message>
     <message>
         <source>%1 is INVALID and %2 missing</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>%1 is XML but no device set: it has no PlusConfiguration; give the device set the sweep was recorded with.</source>
-        <translation>%1 ist XML, aber keine Gerätedatei: PlusConfiguration fehlt; die Gerätedatei angeben, mit der der Schwenk aufgenommen wurde.</translation>
+        <translation>%1 ist XML, aber keine Kalibrierung: PlusConfiguration fehlt; die Kalibrierung angeben, mit der der Schwenk aufgenommen wurde.</translation>
     </message>
     <message>
         <source>%1 is a DICOM file without a Kretz volume in it; import it as pictures.</source>
@@ -481,7 +481,7 @@
     </message>
     <message>
         <source>%1 is no JSON Schema that can be used; correct it (%2).</source>
-        <translation>%1 ist kein brauchbares JSON-Schema; bitte berichtigen (%2).</translation>
+        <translation>%1 ist kein brauchbares JSON-Schema; berichtigen (%2).</translation>
     </message>
     <message>
         <source>%1 is not a DICOM file; check what kind of file it is.</source>
@@ -533,11 +533,11 @@
     </message>
     <message>
         <source>%1 is not valid JSON: it breaks at line %2, column %3; correct it there or restore an earlier copy.</source>
-        <translation>%1 ist kein gültiges JSON: Es bricht in Zeile %2, Spalte %3 ab; berichtigen Sie es dort oder nehmen Sie eine frühere Kopie.</translation>
+        <translation>%1 ist kein gültiges JSON: Es bricht in Zeile %2, Spalte %3 ab; dort berichtigen oder eine frühere Kopie wiederherstellen.</translation>
     </message>
     <message>
         <source>%1 is not well-formed XML (%2 at byte %3); give the device set the sweep was recorded with.</source>
-        <translation>%1 ist kein wohlgeformtes XML (%2 bei Byte %3); die Gerätedatei angeben, mit der der Schwenk aufgenommen wurde.</translation>
+        <translation>%1 ist kein wohlgeformtes XML (%2 bei Byte %3); die Kalibrierung angeben, mit der der Schwenk aufgenommen wurde.</translation>
     </message>
     <message>
         <source>%1 is packed as &quot;%2&quot;, which is not read; save it as raw or gzip.</source>
@@ -617,7 +617,7 @@
     </message>
     <message>
         <source>%1 nests deeper than %2 levels, which no file of this program does; check that it is the right file.</source>
-        <translation>%1 ist tiefer als %2 Ebenen geschachtelt, wie keine Datei dieses Programms; prüfen Sie, ob es die richtige Datei ist.</translation>
+        <translation>%1 ist tiefer als %2 Ebenen geschachtelt, wie keine Datei dieses Programms; prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
         <source>%1 numbers</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>%1 promises %2 of &quot;%3&quot;; use a mesh with at most %4.</source>
-        <translation>%1 verspricht %2 von „%3“; ein Netz mit höchstens %4 verwenden.</translation>
+        <translation>%1 verspricht %2 Elemente „%3“; ein Netz mit höchstens %4 verwenden.</translation>
     </message>
     <message>
         <source>%1 promises %2 pixels, but the limit is %3; save a smaller picture.</source>
@@ -737,19 +737,19 @@
     </message>
     <message>
         <source>%1 sample is not a finite number and became 0.</source>
-        <translation>%1 Abtastwert ist keine endliche Zahl und wurde 0.</translation>
+        <translation>%1 Abtastwert ist keine endliche Zahl und wurde zu 0.</translation>
     </message>
     <message>
         <source>%1 samples</source>
-        <translation>Abtastwerte mit %1</translation>
+        <translation>%1 je Abtastwert</translation>
     </message>
     <message>
         <source>%1 samples are not finite numbers and became 0.</source>
-        <translation>%1 Abtastwerte sind keine endlichen Zahlen und wurden 0.</translation>
+        <translation>%1 Abtastwerte sind keine endlichen Zahlen und wurden zu 0.</translation>
     </message>
     <message>
         <source>%1 says &quot;%2&quot; in its header, which cannot be read; export the mesh again.</source>
-        <translation>%1 sagt „%2“ in seinem Kopf, was nicht zu lesen ist; das Netz neu exportieren.</translation>
+        <translation>%1 enthält im Kopf „%2“, was nicht zu lesen ist; das Netz neu exportieren.</translation>
     </message>
     <message>
         <source>%1 says its pictures are %2, but they are not stored so; export it again.</source>
@@ -857,11 +857,11 @@
     </message>
     <message>
         <source>%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.</source>
-        <translation>%2 hat %1 Region, aber keine Region %3; eine vorhandene wählen, oder 0 für das ganze Bild.</translation>
+        <translation>%2 hat %1 Region, aber keine Region %3; eine vorhandene wählen oder 0 für das ganze Bild.</translation>
     </message>
     <message>
         <source>%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole picture.</source>
-        <translation>%2 hat %1 Regionen, aber keine Region %3; eine vorhandene wählen, oder 0 für das ganze Bild.</translation>
+        <translation>%2 hat %1 Regionen, aber keine Region %3; eine vorhandene wählen oder 0 für das ganze Bild.</translation>
     </message>
     <message>
         <source>%2 holds %1 volume, no number %3; choose one that is there.</source>
@@ -893,11 +893,11 @@
     </message>
     <message>
         <source>&apos;%1&apos; cannot be read; give a file with one pose a line.</source>
-        <translation>„%1“ kann nicht gelesen werden; geben Sie eine Datei mit einer Pose je Zeile an.</translation>
+        <translation>„%1“ kann nicht gelesen werden; eine Datei mit einer Lage je Zeile angeben.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; cannot be written (%2); choose another folder.</source>
-        <translation>„%1“ kann nicht geschrieben werden (%2); wählen Sie einen anderen Ordner.</translation>
+        <translation>„%1“ kann nicht geschrieben werden (%2); einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; does not describe raw samples (%2); write DIMS:TYPE:SPACING[:OFFSET], as in 256x256x180:u8:0.5,0.5,1.2:512.</source>
@@ -905,15 +905,15 @@
     </message>
     <message>
         <source>&apos;%1&apos; gave no volume; check what kind of file it is.</source>
-        <translation>„%1“ ergab kein Volumen; prüfen Sie, was für eine Datei es ist.</translation>
+        <translation>„%1“ ergab kein Volumen; prüfen, was für eine Datei es ist.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has more than 64 MiB, which is too much for poses; check that it is the right file.</source>
-        <translation>„%1“ hat mehr als 64 MiB, zu viel für Posen; prüfen Sie, ob es die richtige Datei ist.</translation>
+        <translation>„%1“ hat mehr als 64 MiB, zu viel für Lagen; prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; holds %2 numbers; a transform is 16 numbers, row by row.</source>
-        <translation>„%1“ enthält %2 Zahlen; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
+        <translation>„%1“ enthält %2 Zahlen; eine Transformation besteht aus 16 Zahlen, Zeile für Zeile.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; holds %2 volumes one after the other; choose one by its number, 1 to %2.</source>
@@ -925,31 +925,31 @@
     </message>
     <message>
         <source>&apos;%1&apos; holds something that is not a number; a transform is 16 numbers, row by row.</source>
-        <translation>„%1“ enthält etwas, das keine Zahl ist; eine Transformation sind 16 Zahlen, Zeile für Zeile.</translation>
+        <translation>„%1“ enthält etwas, das keine Zahl ist; eine Transformation besteht aus 16 Zahlen, Zeile für Zeile.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in %2 cannot be checked (%3); the schema of its plugin is wrong.</source>
-        <translation>„%1“ in %2 lässt sich nicht prüfen (%3); das Schema der Erweiterung ist fehlerhaft.</translation>
+        <translation>„%1“ (%2) lässt sich nicht prüfen (%3); das Schema der Erweiterung ist fehlerhaft.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in %2 cannot be used. %3</source>
-        <translation>„%1“ in %2 ist nicht zu gebrauchen. %3</translation>
+        <translation>„%1“ (%2) ist nicht zu gebrauchen. %3</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in %2 is %3, which cannot be used.</source>
-        <translation>„%1“ in %2 ist %3; das ist nicht zu gebrauchen.</translation>
+        <translation>„%1“ (%2) ist %3; das ist nicht zu gebrauchen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in %2 is %3; it must be %4.</source>
-        <translation>„%1“ in %2 ist %3; es muss %4 sein.</translation>
+        <translation>„%1“ (%2) ist %3; erwartet: %4.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in case.json is &quot;%2&quot;, and the patient has %3.</source>
-        <translation>„%1“ in case.json ist „%2“, und der Patient hat %3.</translation>
+        <translation>„%1“ in case.json ist „%2“, aber der Patient hat %3.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in case.json is &quot;%2&quot;, and the patient has %3; it has %4.</source>
-        <translation>„%1“ in case.json ist „%2“, und der Patient hat %3; er hat %4.</translation>
+        <translation>„%1“ in case.json ist „%2“, aber der Patient hat %3; er hat %4.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in case.json is &quot;%2&quot;, but the case folder cannot be opened; check that it is still there.</source>
@@ -977,7 +977,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is a folder, a pipe or a device; give a file with one pose a line.</source>
-        <translation>„%1“ ist ein Ordner, eine Pipe oder ein Gerät; geben Sie eine Datei mit einer Pose je Zeile an.</translation>
+        <translation>„%1“ ist ein Ordner, eine Pipe oder ein Gerät; eine Datei mit einer Lage je Zeile angeben.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a pipe or a device and not a file; save what comes out of it as a file first.</source>
@@ -989,7 +989,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is neither 16 numbers nor a file that can be read; give the pose in one of these two ways.</source>
-        <translation>„%1“ ist weder 16 Zahlen noch eine lesbare Datei; geben Sie die Pose auf eine dieser beiden Arten an.</translation>
+        <translation>„%1“ ist weder 16 Zahlen noch eine lesbare Datei; die Lage auf eine dieser beiden Arten angeben.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no rectangle; give x,y,width,height in pixels from the upper left corner.</source>
@@ -997,7 +997,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a result that was written here before, and would be lost; move it away or choose another folder.</source>
-        <translation>„%1“ ist kein Ergebnis, das hier früher geschrieben wurde, und ginge verloren; verschieben Sie die Datei oder wählen Sie einen anderen Ordner.</translation>
+        <translation>„%1“ ist kein Ergebnis, das hier früher geschrieben wurde, und ginge verloren; die Datei verschieben oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a step; the steps are %2.</source>
@@ -1017,19 +1017,19 @@
     </message>
     <message>
         <source>&apos;%1&apos; is read by this project and would be written over by its result; choose another folder.</source>
-        <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; wählen Sie einen anderen Ordner.</translation>
+        <translation>„%1“ wird von diesem Projekt gelesen und würde von seinem Ergebnis überschrieben; einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; lies among the intermediate results of &apos;%2&apos;, which come and go; copy it to a place of its own or choose another folder.</source>
-        <translation>„%1“ liegt unter den Zwischenergebnissen von „%2“, die kommen und gehen; kopieren Sie die Datei an einen eigenen Ort oder wählen Sie einen anderen Ordner.</translation>
+        <translation>„%1“ liegt unter den Zwischenergebnissen von „%2“, die kommen und gehen; die Datei an einen eigenen Ort kopieren oder einen anderen Ordner wählen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of the plugin &apos;%2&apos; did not come to its end (%3); please report it with what you did.</source>
-        <translation>„%1“ der Erweiterung „%2“ kam nicht zu Ende (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>„%1“ der Erweiterung „%2“ kam nicht zu Ende (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of the plugin &apos;%2&apos; stopped unexpectedly (%3); please report it with what you did.</source>
-        <translation>„%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>„%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; says 1 x 1 x 1 mm without place or rotation, as converters write when they do not know; give the spacing in mm.</source>
@@ -1037,7 +1037,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; with &apos;%2&apos;, which was said already</source>
-        <translation>„%1“ mit „%2“, was schon gesagt wurde</translation>
+        <translation>„%1“ mit „%2“, schon vorher genannt</translation>
     </message>
     <message>
         <source>&apos;%1&apos; with &apos;%2&apos;: %3, and the other pairs contradict it. %4</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>16 numbers, row by row, when the method is &quot;by hand&quot;</source>
-        <translation>16 Zahlen, Zeile für Zeile, wenn das Verfahren „by hand“ ist</translation>
+        <translation>16 Zahlen, Zeile für Zeile, wenn das Verfahren &quot;by hand&quot; ist</translation>
     </message>
     <message>
         <source>2 or 3</source>
@@ -1209,7 +1209,7 @@
     </message>
     <message>
         <source>A confidence map needs at least 2 scan lines of 2 samples; this frame has %1 x %2.</source>
-        <translation>Eine Verlässlichkeitskarte braucht mindestens 2 Bildzeilen mit 2 Abtastwerten; dieses Bild hat %1 x %2.</translation>
+        <translation>Eine Verlässlichkeitskarte braucht mindestens 2 Bildzeilen mit 2 Abtastwerten; dieses Bild hat %1 × %2.</translation>
     </message>
     <message>
         <source>A delay that is not a finite number cannot be used; give seconds.</source>
@@ -1225,7 +1225,7 @@
     </message>
     <message>
         <source>A film of %1 x %2 pixels cannot be made; give at least 2x2.</source>
-        <translation>Ein Film von %1 × %2 Pixeln ist nicht möglich; mindestens 2 × 2 angeben.</translation>
+        <translation>Ein Film von %1 × %2 Pixeln ist nicht möglich; mindestens 2x2 angeben.</translation>
     </message>
     <message>
         <source>A hole filling reach of %1 mm cannot be used; give 0 mm or more.</source>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4, or write .mha.</source>
-        <translation>Ein Bild von %1 x %2 Pixeln ist zu klein für die Worte, die es tragen muss; mindestens %3x%4 angeben oder .mha schreiben.</translation>
+        <translation>Ein Bild von %1 × %2 Pixeln ist zu klein für die Worte, die es tragen muss; mindestens %3x%4 angeben oder .mha schreiben.</translation>
     </message>
     <message>
         <source>A prepared volume in the cache was damaged; it is made again.</source>
@@ -1253,7 +1253,7 @@
     </message>
     <message>
         <source>A recording is shown; close it before the settings are changed.</source>
-        <translation>Eine Aufnahme wird gezeigt; sie schließen, bevor die Einstellungen geändert werden.</translation>
+        <translation>Eine Aufzeichnung wird gezeigt; sie schließen, bevor die Einstellungen geändert werden.</translation>
     </message>
     <message>
         <source>A stroke of the seam editor names a volume that is not there, or has no place or radius.</source>
@@ -1261,7 +1261,7 @@
     </message>
     <message>
         <source>A text of &apos;%1&apos; in %2 is too long to be checked; shorten it to at most %3 bytes.</source>
-        <translation>Ein Text von „%1“ in %2 ist zum Prüfen zu lang; auf höchstens %3 Byte kürzen.</translation>
+        <translation>Ein Text von „%1“ (%2) ist zum Prüfen zu lang; auf höchstens %3 Byte kürzen.</translation>
     </message>
     <message>
         <source>A text of the case is not valid UTF-8 and cannot be saved; type it again.</source>
@@ -1273,19 +1273,19 @@
     </message>
     <message>
         <source>A volume is missing: name two.</source>
-        <translation>Ein Volumen fehlt: nennen Sie zwei.</translation>
+        <translation>Ein Volumen fehlt; zwei angeben.</translation>
     </message>
     <message>
         <source>A volume needs a name; type one.</source>
-        <translation>Ein Volumen braucht einen Namen; geben Sie einen ein.</translation>
+        <translation>Ein Volumen braucht einen Namen; einen eingeben.</translation>
     </message>
     <message>
         <source>A volume of this sweep needs more memory than allowed; use a coarser spacing or allow more memory.</source>
-        <translation>Ein Volumen dieses Schwenks braucht mehr Speicher als erlaubt; einen gröberen Abstand wählen oder mehr Speicher erlauben.</translation>
+        <translation>Ein Volumen dieses Schwenks braucht mehr Speicher als erlaubt; einen gröberen Voxelabstand wählen oder mehr Speicher erlauben.</translation>
     </message>
     <message>
         <source>A voxel spacing of %1 mm cannot be used; give a positive number of millimetres.</source>
-        <translation>Ein Voxelabstand von %1 mm ist nicht zu gebrauchen; eine positive Zahl von Millimetern angeben.</translation>
+        <translation>Ein Voxelabstand von %1 mm ist nicht zu gebrauchen; eine positive Zahl in Millimetern angeben.</translation>
     </message>
     <message>
         <source>An image is flat where the other one shows something: there is nothing to go by, and the displacement is left at zero.</source>
@@ -1301,7 +1301,7 @@
     </message>
     <message>
         <source>Another volume is called &apos;%1&apos; already; choose another name.</source>
-        <translation>Ein anderes Volumen heißt schon „%1“; wählen Sie einen anderen Namen.</translation>
+        <translation>Ein anderes Volumen heißt schon „%1“; einen anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Arranging voxels in bricks</source>
@@ -1313,7 +1313,7 @@
     </message>
     <message>
         <source>At %1 mm the volume of %2 would need %3 bytes of memory, but the limit is %4; choose a coarser spacing.</source>
-        <translation>Mit %1 mm bräuchte das Volumen von %2 %3 Byte Speicher, die Grenze ist aber %4; einen gröberen Voxelabstand wählen.</translation>
+        <translation>Bei %1 mm bräuchte das Volumen von %2 an Speicher %3 Byte, die Grenze ist aber %4; einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>At least one iteration is needed.</source>
@@ -1321,7 +1321,7 @@
     </message>
     <message>
         <source>At most %1 volumes can be stitched at once; stitch them in groups.</source>
-        <translation>Höchstens %1 Volumen können auf einmal verbunden werden; verbinden Sie sie in Gruppen.</translation>
+        <translation>Höchstens %1 Volumen können auf einmal verbunden werden; in Gruppen verbinden.</translation>
     </message>
     <message>
         <source>Bent, the volumes agree.</source>
@@ -1417,7 +1417,7 @@
     </message>
     <message>
         <source>ECHOWEAVE_RESOURCES is &apos;%1&apos;, which is not a folder; correct it or unset it.</source>
-        <translation>ECHOWEAVE_RESOURCES ist „%1“, aber das ist kein Ordner; berichtigen oder aufheben.</translation>
+        <translation>ECHOWEAVE_RESOURCES ist „%1“, aber das ist kein Ordner; den Wert berichtigen oder die Variable aufheben.</translation>
     </message>
     <message>
         <source>Estimating confidence</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>Frame %1 has %2 x %3 pixels and frame 0 has %4 x %5; reconstruct frames of one size at a time.</source>
-        <translation>Bild %1 hat %2 x %3 Pixel und Bild 0 hat %4 x %5; Bilder einer Größe auf einmal rekonstruieren.</translation>
+        <translation>Bild %1 hat %2 × %3 Pixel und Bild 0 hat %4 × %5; Bilder einer Größe auf einmal rekonstruieren.</translation>
     </message>
     <message>
         <source>Frame %1 has another size than frame 0; gate frames of one size.</source>
@@ -1473,7 +1473,7 @@
     </message>
     <message>
         <source>Frames of this sweep would be %1 x %2 pixels, but a side may have %3 at most; use a larger pixel_mm.</source>
-        <translation>Die Bilder dieses Schwenks hätten %1 x %2 Pixel, eine Seite darf aber höchstens %3 haben; ein größeres pixel_mm nehmen.</translation>
+        <translation>Die Bilder dieses Schwenks hätten %1 × %2 Pixel, eine Seite darf aber höchstens %3 haben; ein größeres pixel_mm nehmen.</translation>
     </message>
     <message>
         <source>Halves of the overlap registered apart agree to %1%2.</source>
@@ -1509,15 +1509,15 @@
     </message>
     <message>
         <source>In %1 %2 of the pixels are coloured, in a colour flow region, as by Doppler, and echo levels cannot show that; say whether to keep them as grey or to drop them.</source>
-        <translation>In %1 sind %2 der Pixel farbig, in einer Region mit Farbdoppler, wie durch Doppler, und Echopegel können das nicht zeigen; angeben, ob sie als Grau bleiben oder wegfallen.</translation>
+        <translation>In %1 sind %2 der Pixel in einer Region mit Farbdoppler farbig, und Echopegel können das nicht zeigen; angeben, ob sie als Grau bleiben oder wegfallen.</translation>
     </message>
     <message>
         <source>In %1, %2 is &quot;%3&quot;, but %4 is needed; correct the header or export the file again.</source>
-        <translation>In %1 ist %2 „%3“ (nötig: %4); den Kopf berichtigen oder die Datei neu exportieren.</translation>
+        <translation>In %1 ist %2 „%3“ (erwartet: %4); den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>
     <message>
         <source>In %1, Transform is &quot;%2 to %3&quot;, but two frame names (From and To) is needed; correct the header or export the file again.</source>
-        <translation>In %1 ist Transform „%2 zu %3“ (nötig: zwei Namen von Rahmen, From und To); den Kopf berichtigen oder die Datei neu exportieren.</translation>
+        <translation>In %1 ist Transform „%2 zu %3“ (erwartet: zwei Namen von Bezugssystemen, From und To); den Kopf berichtigen oder die Datei neu exportieren.</translation>
     </message>
     <message>
         <source>Inspecting %1</source>
@@ -1533,7 +1533,7 @@
     </message>
     <message>
         <source>It could as well be %1: they lie on the same loop and nothing else tells them apart. Match another pair across it.</source>
-        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife, und nichts anderes unterscheidet sie. Ordnen Sie ein weiteres Paar quer dazu zu.</translation>
+        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife, und nichts anderes unterscheidet sie. Ein weiteres Paar quer dazu zuordnen.</translation>
     </message>
     <message>
         <source>Its bend has a displacement too many, too few or without a number.</source>
@@ -1545,7 +1545,7 @@
     </message>
     <message>
         <source>Joining would need %1 MiB, and the limit is %2 MiB; choose a coarser spacing or smaller blocks.</source>
-        <translation>Das Zusammenfügen bräuchte %1 MiB, und die Grenze ist %2 MiB; wählen Sie einen gröberen Voxelabstand oder kleinere Blöcke.</translation>
+        <translation>Das Zusammenfügen bräuchte %1 MiB, und die Grenze ist %2 MiB; einen gröberen Voxelabstand oder kleinere Blöcke wählen.</translation>
     </message>
     <message>
         <source>LOCAL or the name of a file</source>
@@ -1565,11 +1565,11 @@
     </message>
     <message>
         <source>Line %1 of the poses holds %2 numbers; a pose is 16 numbers, row by row.</source>
-        <translation>Zeile %1 der Posen enthält %2 Zahlen; eine Pose sind 16 Zahlen, Zeile für Zeile.</translation>
+        <translation>Zeile %1 der Lagen enthält %2 Zahlen; eine Lage besteht aus 16 Zahlen, Zeile für Zeile.</translation>
     </message>
     <message>
         <source>Line %1 of the poses holds something that is not a number; a pose is 16 numbers, row by row.</source>
-        <translation>Zeile %1 der Posen enthält etwas, das keine Zahl ist; eine Pose sind 16 Zahlen, Zeile für Zeile.</translation>
+        <translation>Zeile %1 der Lagen enthält etwas, das keine Zahl ist; eine Lage besteht aus 16 Zahlen, Zeile für Zeile.</translation>
     </message>
     <message>
         <source>Looking at overlaps</source>
@@ -1617,7 +1617,7 @@
     </message>
     <message>
         <source>More pairs contradict each other than agree.</source>
-        <translation>Mehr Paare widersprechen sich, als übereinstimmen.</translation>
+        <translation>Es widersprechen sich mehr Paare, als übereinstimmen.</translation>
     </message>
     <message>
         <source>More than 268 million pixels fall into one voxel; reconstruct with a finer spacing.</source>
@@ -1633,7 +1633,7 @@
     </message>
     <message>
         <source>Movement in the images and in the poses do not agree at any delay (correlation %1, %2 is needed).</source>
-        <translation>Bewegung in den Bildern und in den Lagen stimmen bei keiner Verzögerung überein (Korrelation %1, nötig ist %2).</translation>
+        <translation>Die Bewegungen in den Bildern und in den Lagen stimmen bei keiner Verzögerung überein (Korrelation %1, nötig ist %2).</translation>
     </message>
     <message>
         <source>Moving the probe</source>
@@ -1661,7 +1661,7 @@
     </message>
     <message>
         <source>No frame has a valid way to %1, so it was not used.</source>
-        <translation>Kein Bild hat einen gültigen Weg zu %1; dieser Rahmen wurde deshalb nicht verwendet.</translation>
+        <translation>Kein Bild hat einen gültigen Weg zu %1; dieses Bezugssystem wurde deshalb nicht verwendet.</translation>
     </message>
     <message>
         <source>No frame of the motorised sweep can be used: each is marked invalid or has no motor value.</source>
@@ -1685,27 +1685,27 @@
     </message>
     <message>
         <source>No voxel of the %1 volume was measured; choose a volume that holds an echo.</source>
-        <translation>Kein Voxel des %1 Volumens wurde gemessen; wählen Sie ein Volumen, das ein Echo enthält.</translation>
+        <translation>Kein Voxel des %1 Volumens wurde gemessen; ein Volumen wählen, das ein Echo enthält.</translation>
     </message>
     <message>
         <source>No warp agrees better than chance does: the displacement is left at zero %1.</source>
-        <translation>Keine Verformung stimmt besser als der Zufall: Die Verschiebung bleibt null %1.</translation>
+        <translation>Keine Verformung passt besser als der Zufall: Die Verschiebung bleibt null %1.</translation>
     </message>
     <message>
         <source>No warp agrees better than the images as they lie, and they agree: the displacement is left at zero %1.</source>
-        <translation>Keine Verformung stimmt besser als die Bilder, wie sie liegen, und diese stimmen überein: Die Verschiebung bleibt null %1.</translation>
+        <translation>Keine Verformung passt besser als die Bilder, wie sie liegen, und diese stimmen überein: Die Verschiebung bleibt null %1.</translation>
     </message>
     <message>
         <source>No warp agrees better where it was not fitted: the displacement is left at zero (gain of correlation there %1, its error %2).</source>
-        <translation>Keine Verformung stimmt besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
+        <translation>Keine Verformung passt dort besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
     </message>
     <message>
         <source>Nobody says where pixels lie before the probe; give &quot;image&quot; with pixel_mm and face_px in the motor file, or the device set (.xml) with the calibration from Image to Probe.</source>
-        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; in der Motordatei &quot;image&quot; mit pixel_mm und face_px angeben oder die Gerätedatei (.xml) mit der Kalibrierung von Image zu Probe.</translation>
+        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; in der Motordatei &quot;image&quot; mit pixel_mm und face_px angeben oder die Kalibrierung (.xml) von Image zu Probe.</translation>
     </message>
     <message>
         <source>Nobody says where pixels lie before the probe; its face was taken to be at the middle of their upper edge.</source>
-        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; die Mitte ihrer oberen Kante wurde als seine Auflage angenommen.</translation>
+        <translation>Nirgends steht, wo die Pixel vor dem Schallkopf liegen; die Schallkopffläche wurde in der Mitte ihrer oberen Kante angenommen.</translation>
     </message>
     <message>
         <source>Nothing is scanned; open a case in the workstation first.</source>
@@ -1717,7 +1717,7 @@
     </message>
     <message>
         <source>Nothing joins these %1 parts: %2. How they lie to each other is not known: match a pair between them.</source>
-        <translation>Diese %1 Teile verbindet nichts: %2. Wie sie zueinander liegen, ist nicht bekannt: Ordnen Sie ein Paar zwischen ihnen zu.</translation>
+        <translation>Diese %1 Teile verbindet nichts: %2. Wie sie zueinander liegen, ist nicht bekannt; ein Paar zwischen ihnen zuordnen.</translation>
     </message>
     <message>
         <source>Nothing that names a person was found.</source>
@@ -1725,11 +1725,11 @@
     </message>
     <message>
         <source>Of %1 frame, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.</source>
-        <translation>Von %1 Bild hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker die Sonde gesehen hat, oder einen anderen Zielrahmen wählen.</translation>
+        <translation>Von %1 Bild hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker den Schallkopf gesehen hat, oder ein anderes Bezugssystem als Ziel wählen.</translation>
     </message>
     <message>
         <source>Of %1 frames, none has a usable pose to %2: %3; check that the tracker saw the probe, or choose another target frame.</source>
-        <translation>Von %1 Bildern hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker die Sonde gesehen hat, oder einen anderen Zielrahmen wählen.</translation>
+        <translation>Von %1 Bildern hat keines eine brauchbare Lage zu %2: %3; prüfen, ob der Tracker den Schallkopf gesehen hat, oder ein anderes Bezugssystem als Ziel wählen.</translation>
     </message>
     <message>
         <source>Of %1 the first volume alone can be read, because of how it is stored; convert it to .nii or .mha.</source>
@@ -1745,7 +1745,7 @@
     </message>
     <message>
         <source>One can read the pairs in two ways: without %1, or without %2. Add a pair or correct one.</source>
-        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Setzen Sie ein weiteres Paar oder berichtigen Sie eines.</translation>
+        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Ein weiteres Paar setzen oder eines berichtigen.</translation>
     </message>
     <message>
         <source>One of the volumes has no part that may be believed.</source>
@@ -1853,7 +1853,7 @@
     </message>
     <message>
         <source>Read as %1, as you said; the origin is the first voxel, and which way the axes lie in the patient is not in the file.</source>
-        <translation>Wie angegeben gelesen als %1; der Ursprung ist das erste Voxel, und wie die Achsen im Patienten liegen, steht nicht in der Datei.</translation>
+        <translation>Wie angegeben gelesen als %1; der Ursprung ist der erste Voxel, und wie die Achsen im Patienten liegen, steht nicht in der Datei.</translation>
     </message>
     <message>
         <source>Readers of this format disagree about the side of z; if left and right planes are swapped, import it mirrored.</source>
@@ -1901,7 +1901,7 @@
     </message>
     <message>
         <source>Reading the slices was stopped.</source>
-        <translation>Das Lesen der Schichten wurde angehalten.</translation>
+        <translation>Das Lesen der Schichten wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Reading voxels</source>
@@ -2013,11 +2013,11 @@
     </message>
     <message>
         <source>Stitching would need %1, and the limit is %2; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
-        <translation>Das Verbinden bräuchte %1, und die Grenze ist %2; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+        <translation>Das Verbinden bräuchte %1, und die Grenze ist %2; einen gröberen Voxelabstand wählen oder prüfen, ob eines der Volumen weit entfernt liegt.</translation>
     </message>
     <message>
         <source>Stitching would need more memory than there is, and the limit is %1; choose a coarser spacing, or check whether one of the volumes is placed far away.</source>
-        <translation>Das Verbinden bräuchte mehr Speicher, als es gibt, und die Grenze ist %1; wählen Sie einen gröberen Voxelabstand oder prüfen Sie, ob eines der Volumen weit entfernt liegt.</translation>
+        <translation>Das Verbinden bräuchte mehr Speicher, als es gibt, und die Grenze ist %1; einen gröberen Voxelabstand wählen oder prüfen, ob eines der Volumen weit entfernt liegt.</translation>
     </message>
     <message>
         <source>Stopped as asked.</source>
@@ -2065,7 +2065,7 @@
     </message>
     <message>
         <source>The %1 volume has more than 2^30 voxels; resample it to a coarser spacing first.</source>
-        <translation>Im %1 Volumen sind mehr als 2^30 Voxel; rechnen Sie es erst auf einen gröberen Voxelabstand um.</translation>
+        <translation>Im %1 Volumen sind mehr als 2^30 Voxel; zuerst auf einen gröberen Voxelabstand umrechnen.</translation>
     </message>
     <message>
         <source>The %1 volume has no voxels.</source>
@@ -2073,7 +2073,7 @@
     </message>
     <message>
         <source>The %1 volume holds another number of voxels than its grid says; write it anew.</source>
-        <translation>Im %1 Volumen ist eine andere Zahl von Voxeln, als sein Gitter sagt; bitte neu schreiben.</translation>
+        <translation>Im %1 Volumen ist eine andere Zahl von Voxeln, als sein Gitter sagt; das Volumen neu schreiben.</translation>
     </message>
     <message>
         <source>The %1 volume&apos;s confidence has another size than the volume.</source>
@@ -2093,7 +2093,7 @@
     </message>
     <message>
         <source>The OutputSpacing of the device set differs between axes (%1, %2, %3 mm), but voxels are cubes; choose their size yourself (--spacing).</source>
-        <translation>OutputSpacing der Gerätedatei ist je Achse verschieden (%1, %2, %3 mm), Voxel sind aber Würfel; ihre Größe selbst wählen (--spacing).</translation>
+        <translation>OutputSpacing der Kalibrierung ist je Achse verschieden (%1, %2, %3 mm), Voxel sind aber Würfel; ihre Größe selbst wählen (--spacing).</translation>
     </message>
     <message>
         <source>The apex of the beams of the %1 volume is no place.</source>
@@ -2109,11 +2109,11 @@
     </message>
     <message>
         <source>The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z against x cross y, from the centre of the beams&apos; arc.</source>
-        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y von der Sonde weg, z gegen x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
+        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y vom Schallkopf weg, z gegen x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
     </message>
     <message>
         <source>The beams were converted to voxels of %1 mm: x lateral, y away from the probe, z along x cross y, from the centre of the beams&apos; arc.</source>
-        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y von der Sonde weg, z entlang x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
+        <translation>Die Strahlen wurden in Voxel von %1 mm umgewandelt: x lateral, y vom Schallkopf weg, z entlang x Kreuz y, von der Mitte des Bogens der Strahlen aus.</translation>
     </message>
     <message>
         <source>The best delay lies at the end of the range; try a larger one.</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>The blocks of a join must be at least 8 voxels wide.</source>
-        <translation>Die Blöcke müssen mindestens 8 Voxel breit sein.</translation>
+        <translation>Die Blöcke des Zusammenfügens müssen mindestens 8 Voxel breit sein.</translation>
     </message>
     <message>
         <source>The body has no surface inside its bounds; check the parts of its recipe.</source>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>The case &apos;%1&apos; holds something the program did not foresee (%2); check its files, and please report it.</source>
-        <translation>Der Fall „%1“ enthält etwas, das das Programm nicht vorgesehen hat (%2); seine Dateien prüfen und es bitte melden.</translation>
+        <translation>Der Fall „%1“ enthält etwas, das das Programm nicht vorgesehen hat (%2); seine Dateien prüfen und den Fehler bitte melden.</translation>
     </message>
     <message>
         <source>The case &apos;%1&apos; needs more memory than there is; close other programs or take a smaller one.</source>
@@ -2177,7 +2177,7 @@
     </message>
     <message>
         <source>The case in &apos;%1&apos; was saved by another program since it was opened here; save it with File, Save case, which asks what to keep.</source>
-        <translation>Der Fall in „%1“ wurde von einem anderen Programm gespeichert, seit er hier geöffnet wurde; mit Datei, Fall speichern sichern, das fragt, was bleiben soll.</translation>
+        <translation>Der Fall in „%1“ wurde von einem anderen Programm gespeichert, seit er hier geöffnet wurde; über Datei, Fall speichern sichern: Dort wird gefragt, was bleiben soll.</translation>
     </message>
     <message>
         <source>The case in the folder &apos;%1&apos; is left out: %2</source>
@@ -2213,7 +2213,7 @@
     </message>
     <message>
         <source>The clip rectangle begins at (%1, %2) px, outside the %3 x %4 px frame; give an origin inside the frame.</source>
-        <translation>Das Rechteck der Bilder beginnt bei (%1, %2) px, außerhalb des Bildes von %3 x %4 px; einen Ursprung im Bild angeben.</translation>
+        <translation>Das Rechteck der Bilder beginnt bei (%1, %2) px, außerhalb des Bildes von %3 × %4 px; einen Ursprung im Bild angeben.</translation>
     </message>
     <message>
         <source>The clip rectangle contains a value that is not a number; give origin and size in pixels.</source>
@@ -2225,7 +2225,7 @@
     </message>
     <message>
         <source>The command &apos;%1&apos; of the plugin &apos;%2&apos; stopped unexpectedly (%3); please report it with the command you gave.</source>
-        <translation>Der Befehl „%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden Sie es mit dem Befehl, den Sie gegeben haben.</translation>
+        <translation>Der Befehl „%1“ der Erweiterung „%2“ brach unerwartet ab (%3); bitte melden und dabei den eingegebenen Befehl nennen.</translation>
     </message>
     <message>
         <source>The compressed samples of %1 are damaged; get the file again.</source>
@@ -2261,15 +2261,15 @@
     </message>
     <message>
         <source>The confidence option %1 is %2; choose %3 to %4.</source>
-        <translation>Die Verlässlichkeits-Einstellung %1 ist %2; einen Wert von %3 bis %4 wählen.</translation>
+        <translation>Die Einstellung %1 der Verlässlichkeit ist %2; einen Wert von %3 bis %4 wählen.</translation>
     </message>
     <message>
         <source>The control grid has %1 displacements for %2 nodes; write it anew.</source>
-        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; schreiben Sie es neu.</translation>
+        <translation>Das Kontrollgitter hat %1 Verschiebungen für %2 Knoten; das Gitter neu schreiben.</translation>
     </message>
     <message>
         <source>The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.</source>
-        <translation>Das umgewandelte Bild soll Pixel von %1 x %2 mm haben; eine ScanConversion mit quadratischen Pixeln angeben.</translation>
+        <translation>Das umgewandelte Bild soll Pixel von %1 × %2 mm haben; eine ScanConversion mit quadratischen Pixeln angeben.</translation>
     </message>
     <message>
         <source>The converted pictures need %1 MiB of memory; convert them to fewer pixels.</source>
@@ -2297,11 +2297,11 @@
     </message>
     <message>
         <source>The deformation folds in %1 cells of its control grid and has no inverse; register again with a stiffer grid.</source>
-        <translation>Die Verformung faltet sich in %1 Zellen ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
+        <translation>Die Verformung faltet sich in %1 Zellen ihres Kontrollgitters und hat keine Umkehrung; mit einem steiferen Gitter neu zuordnen.</translation>
     </message>
     <message>
         <source>The deformation folds in 1 cell of its control grid and has no inverse; register again with a stiffer grid.</source>
-        <translation>Die Verformung faltet sich in 1 Zelle ihres Kontrollgitters und hat keine Umkehrung; ordnen Sie mit einem steiferen Gitter neu zu.</translation>
+        <translation>Die Verformung faltet sich in 1 Zelle ihres Kontrollgitters und hat keine Umkehrung; mit einem steiferen Gitter neu zuordnen.</translation>
     </message>
     <message>
         <source>The deformation has another number of vectors than its lattice has nodes.</source>
@@ -2309,23 +2309,23 @@
     </message>
     <message>
         <source>The device set asks for the compounding %1; expected MEAN, MAXIMUM or LATEST. Correct it there, or choose the compounding yourself (--compounding).</source>
-        <translation>Die Gerätedatei verlangt das Compounding %1; erwartet wird MEAN, MAXIMUM oder LATEST. Dort berichtigen oder das Compounding selbst wählen (--compounding).</translation>
+        <translation>Die Kalibrierung verlangt das Compounding %1; erwartet wird MEAN, MAXIMUM oder LATEST. Dort berichtigen oder das Compounding selbst wählen (--compounding).</translation>
     </message>
     <message>
         <source>The device set asks for the interpolation %1; expected NEAREST_NEIGHBOR or LINEAR.</source>
-        <translation>Die Gerätedatei verlangt die Interpolation %1; erwartet wird NEAREST_NEIGHBOR oder LINEAR.</translation>
+        <translation>Die Kalibrierung verlangt die Interpolation %1; erwartet wird NEAREST_NEIGHBOR oder LINEAR.</translation>
     </message>
     <message>
         <source>The device set says Compounding &quot;%1&quot;, as old ones do; that was taken as the latest view.</source>
-        <translation>Die Gerätedatei sagt Compounding „%1“, wie alte es tun; das wurde als neueste Ansicht verstanden.</translation>
+        <translation>Die Kalibrierung sagt Compounding „%1“, wie alte es tun; das wurde als neueste Ansicht verstanden.</translation>
     </message>
     <message>
         <source>The device set says Compounding &quot;%1&quot;, as old ones do; that was taken as the mean of all views.</source>
-        <translation>Die Gerätedatei sagt Compounding „%1“, wie alte es tun; das wurde als Mittel aller Ansichten verstanden.</translation>
+        <translation>Die Kalibrierung sagt Compounding „%1“, wie alte es tun; das wurde als Mittel aller Ansichten verstanden.</translation>
     </message>
     <message>
         <source>The direction of axis %1 is not of unit length; check the file&apos;s orientation matrix.</source>
-        <translation>Die Richtung der Achse %1 hat nicht die Länge 1; prüfen Sie die Orientierungsmatrix in der Datei.</translation>
+        <translation>Die Richtung der Achse %1 hat nicht die Länge 1; die Orientierungsmatrix in der Datei prüfen.</translation>
     </message>
     <message>
         <source>The direction of the beam of the %1 volume is no direction.</source>
@@ -2333,7 +2333,7 @@
     </message>
     <message>
         <source>The directions of the volume&apos;s axes lie in one plane; check the file&apos;s orientation matrix.</source>
-        <translation>Die Richtungen der Volumenachsen liegen in einer Ebene; prüfen Sie die Orientierungsmatrix in der Datei.</translation>
+        <translation>Die Richtungen der Volumenachsen liegen in einer Ebene; die Orientierungsmatrix in der Datei prüfen.</translation>
     </message>
     <message>
         <source>The distance of pixels must be above 0 mm in x and in y.</source>
@@ -2361,7 +2361,7 @@
     </message>
     <message>
         <source>The fall-off was lengthened from %1 to %2 mm, 2.5 times the largest motion.</source>
-        <translation>Das Auslaufen wurde von %1 auf %2 mm verlängert, das 2,5-Fache der größten Bewegung.</translation>
+        <translation>Das Abklingen wurde von %1 auf %2 mm verlängert, das 2,5-Fache der größten Bewegung.</translation>
     </message>
     <message>
         <source>The feather width must be 0 or a positive number of mm.</source>
@@ -2373,7 +2373,7 @@
     </message>
     <message>
         <source>The file also holds %1 volumes over time; its still one was read.</source>
-        <translation>Die Datei enthält auch %1 Volumen über die Zeit; ihr stehendes wurde gelesen.</translation>
+        <translation>Die Datei enthält auch %1 Volumen über die Zeit; das stehende wurde gelesen.</translation>
     </message>
     <message>
         <source>The file also holds a colour or power Doppler volume, which was left out.</source>
@@ -2385,7 +2385,7 @@
     </message>
     <message>
         <source>The file does not say that it is a recording; each slice was taken for a frame.</source>
-        <translation>Die Datei sagt nicht, dass sie eine Aufnahme ist; jede Schicht wurde für ein Bild genommen.</translation>
+        <translation>Die Datei sagt nicht, dass sie eine Aufnahme ist; jede Schicht wurde als ein Bild gelesen.</translation>
     </message>
     <message>
         <source>The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.</source>
@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.</source>
-        <translation>Die Datei nennt Voxelgrößen, aber keine Ausrichtung; ihre Achsen wurden für rechts, anterior und superior genommen.</translation>
+        <translation>Die Datei nennt Voxelgrößen, aber keine Ausrichtung; ihre Achsen wurden als rechts, anterior und superior verstanden.</translation>
     </message>
     <message>
         <source>The file that keeps unsaved work (&apos;%1&apos;) is damaged; it is left where it is and nothing was reopened.</source>
@@ -2401,11 +2401,11 @@
     </message>
     <message>
         <source>The file&apos;s space is &quot;%1&quot;; its axes were taken for left, posterior and superior.</source>
-        <translation>Der Raum der Datei (space) ist „%1“; ihre Achsen wurden für links, posterior und superior genommen.</translation>
+        <translation>Der Raum der Datei (space) ist „%1“; ihre Achsen wurden als links, posterior und superior verstanden.</translation>
     </message>
     <message>
         <source>The file&apos;s space is not named; its axes were taken for left, posterior and superior.</source>
-        <translation>Der Raum der Datei (space) ist nicht genannt; ihre Achsen wurden für links, posterior und superior genommen.</translation>
+        <translation>Der Raum der Datei (space) ist nicht genannt; ihre Achsen wurden als links, posterior und superior verstanden.</translation>
     </message>
     <message>
         <source>The filling of holes was stopped before it was complete.</source>
@@ -2413,7 +2413,7 @@
     </message>
     <message>
         <source>The fixed volume covers nothing as thick as three voxels of %1 mm. Where no coverage is given, black that reaches the border counts as outside: give the coverage that reconstruct wrote.</source>
-        <translation>Das feste Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb: Geben Sie die Abdeckung an, die beim Rekonstruieren geschrieben wurde.</translation>
+        <translation>Das feste Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb; die beim Rekonstruieren geschriebene Abdeckung angeben.</translation>
     </message>
     <message>
         <source>The fixed volume holds no echo.</source>
@@ -2517,7 +2517,7 @@
     </message>
     <message>
         <source>The images agree as they lie, and no warp agrees better where it was not fitted: the displacement is left at zero (gain of correlation there %1, its error %2).</source>
-        <translation>Die Bilder stimmen überein, wie sie liegen, und keine Verformung stimmt besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
+        <translation>Die Bilder stimmen überein, wie sie liegen, und keine Verformung passt dort besser, wo sie nicht angepasst wurde: Die Verschiebung bleibt null (Gewinn an Korrelation dort %1, sein Fehler %2).</translation>
     </message>
     <message>
         <source>The images agree hardly better than unrelated tissue does%1.</source>
@@ -2529,7 +2529,7 @@
     </message>
     <message>
         <source>The images at voxels of %1 mm are too large to register; ask for a coarser finest level.</source>
-        <translation>Die Bilder mit Voxeln zu %1 mm sind zu groß zum Zuordnen; verlangen Sie eine gröbere feinste Stufe.</translation>
+        <translation>Die Bilder mit Voxeln zu %1 mm sind zu groß zum Zuordnen; eine gröbere feinste Stufe verlangen.</translation>
     </message>
     <message>
         <source>The images cannot gate: %1; use a recorded signal or do without gating.</source>
@@ -2537,7 +2537,7 @@
     </message>
     <message>
         <source>The images were clipped to the fan of the device set.</source>
-        <translation>Die Bilder wurden auf den Fächer der Gerätedatei beschnitten.</translation>
+        <translation>Die Bilder wurden auf den Fächer der Kalibrierung beschnitten.</translation>
     </message>
     <message>
         <source>The images were clipped to the fan of the recording.</source>
@@ -2545,7 +2545,7 @@
     </message>
     <message>
         <source>The images were clipped to the rectangle of the device set.</source>
-        <translation>Die Bilder wurden auf das Rechteck der Gerätedatei beschnitten.</translation>
+        <translation>Die Bilder wurden auf das Rechteck der Kalibrierung beschnitten.</translation>
     </message>
     <message>
         <source>The images were clipped to the rectangle of the recording.</source>
@@ -2557,11 +2557,11 @@
     </message>
     <message>
         <source>The labels of %1 voxels need more memory than is allowed; choose a coarser spacing.</source>
-        <translation>Die Gewebekarte von %1 Voxeln braucht mehr Speicher als erlaubt; einen gröberen Voxelabstand wählen.</translation>
+        <translation>Die Labels von %1 Voxeln brauchen mehr Speicher als erlaubt; einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>The landmark %1 has a coordinate that is not a number; correct or remove it.</source>
-        <translation>Die Landmarke %1 hat eine Koordinate, die keine Zahl ist; berichtigen oder entfernen Sie sie.</translation>
+        <translation>Die Landmarke %1 hat eine Koordinate, die keine Zahl ist; berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>The largest motion must be 0 mm (no search) or above.</source>
@@ -2593,7 +2593,7 @@
     </message>
     <message>
         <source>The matching option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 des Zuordnens ist %2; erforderlich ist %3.</translation>
+        <translation>Die Einstellung %1 des Zuordnens ist %2; erwartet: %3.</translation>
     </message>
     <message>
         <source>The matrix of frame %1 from image to world contains a value that is not a finite number; check the calibration and the pose of this frame.</source>
@@ -2617,7 +2617,7 @@
     </message>
     <message>
         <source>The mesh measures %1 units, so it was taken to be in metres and scaled to millimetres.</source>
-        <translation>Das Netz misst %1 Einheiten; es wurde als in Metern verstanden und in Millimeter umgerechnet.</translation>
+        <translation>Das Netz misst %1 Einheiten; sie wurden als Meter verstanden und in Millimeter umgerechnet.</translation>
     </message>
     <message>
         <source>The mesh measures %1 units, which is no body in millimetres or metres; scale it so that its height in millimetres is right.</source>
@@ -2637,11 +2637,11 @@
     </message>
     <message>
         <source>The moving volume covers nothing as thick as three voxels of %1 mm. Where no coverage is given, black that reaches the border counts as outside: give the coverage that reconstruct wrote.</source>
-        <translation>Das bewegte Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb: Geben Sie die Abdeckung an, die beim Rekonstruieren geschrieben wurde.</translation>
+        <translation>Das bewegte Volumen erfasst nichts, was drei Voxel zu %1 mm dick wäre. Ohne Abdeckung gilt Schwarz am Rand als außerhalb; die beim Rekonstruieren geschriebene Abdeckung angeben.</translation>
     </message>
     <message>
         <source>The moving volume holds another number of voxels than its grid says; write it anew.</source>
-        <translation>Das bewegte Volumen enthält eine andere Zahl von Voxeln, als sein Gitter sagt; schreiben Sie es neu.</translation>
+        <translation>Das bewegte Volumen enthält eine andere Zahl von Voxeln, als sein Gitter sagt; das Volumen neu schreiben.</translation>
     </message>
     <message>
         <source>The moving volume holds no echo.</source>
@@ -2657,7 +2657,7 @@
     </message>
     <message>
         <source>The name of an output is empty; give a file name.</source>
-        <translation>Der Name einer Ausgabe ist leer; geben Sie einen Dateinamen an.</translation>
+        <translation>Der Name einer Ausgabe ist leer; einen Dateinamen angeben.</translation>
     </message>
     <message>
         <source>The number of threads is negative; give 0 for all cores or a positive number.</source>
@@ -2665,7 +2665,7 @@
     </message>
     <message>
         <source>The option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 ist %2; erforderlich ist %3.</translation>
+        <translation>Die Einstellung %1 ist %2; erwartet: %3.</translation>
     </message>
     <message>
         <source>The option %1 must be above 0.</source>
@@ -2673,7 +2673,7 @@
     </message>
     <message>
         <source>The options of the equalisation are out of range; use cells and knots above 0.</source>
-        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; nehmen Sie Zellen und Knoten über 0.</translation>
+        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; Zellen und Knoten über 0 nehmen.</translation>
     </message>
     <message>
         <source>The options of the equalisation are out of range; use cells, knots and steps above 0.</source>
@@ -2681,15 +2681,15 @@
     </message>
     <message>
         <source>The output &apos;%1&apos; is a link to &apos;%2&apos;, a file of another kind; name that file instead.</source>
-        <translation>Die Ausgabe „%1“ ist eine Verknüpfung mit „%2“, einer Datei anderer Art; nennen Sie stattdessen diese.</translation>
+        <translation>Die Ausgabe „%1“ ist eine Verknüpfung mit „%2“, einer Datei anderer Art; stattdessen diese nennen.</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is also an input; give it another name.</source>
-        <translation>Die Ausgabe „%1“ ist zugleich Eingabe; geben Sie ihr einen anderen Namen.</translation>
+        <translation>Die Ausgabe „%1“ ist zugleich Eingabe; ihr einen anderen Namen geben.</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is named twice; give each output its own name.</source>
-        <translation>Die Ausgabe „%1“ ist zweimal genannt; geben Sie jeder Ausgabe einen eigenen Namen.</translation>
+        <translation>Die Ausgabe „%1“ ist zweimal genannt; jeder Ausgabe einen eigenen Namen geben.</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; must end in %2 or %3.</source>
@@ -2705,7 +2705,7 @@
     </message>
     <message>
         <source>The overlap does not hold the pose: moved by %1 along or about what holds it least, the images still agree %2 as well.</source>
-        <translation>Die Überlappung hält die Lage nicht fest: Um %1 bewegt, wohin sie am wenigsten gehalten ist, stimmen die Bilder noch zu %2 so gut überein.</translation>
+        <translation>Die Überlappung hält die Lage nicht fest: Um %1 in die Richtung bewegt, in der sie am wenigsten gehalten ist, stimmen die Bilder noch zu %2 so gut überein.</translation>
     </message>
     <message>
         <source>The overlap does not hold the pose: the normal equations are singular.</source>
@@ -2733,7 +2733,7 @@
     </message>
     <message>
         <source>The pairs contradict each other: no rigid transform brings more than %1 of %2 together. Pick them again.</source>
-        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Setzen Sie sie neu.</translation>
+        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Die Paare neu setzen.</translation>
     </message>
     <message>
         <source>The pairs leave %1 free to slide or turn.</source>
@@ -2765,7 +2765,7 @@
     </message>
     <message>
         <source>The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 mm a pixel; the file does not say on which side the probe&apos;s marker is.</source>
-        <translation>Die Bilder haben keinen Ort im Raum: Picture zählt mm von der Mitte des linken oberen Pixels, x nach rechts, y nach unten, %1 × %2 mm je Pixel; die Datei sagt nicht, auf welcher Seite die Markierung der Sonde ist.</translation>
+        <translation>Die Bilder haben keinen Ort im Raum: Picture zählt mm von der Mitte des linken oberen Pixels, x nach rechts, y nach unten, %1 × %2 mm je Pixel; die Datei sagt nicht, auf welcher Seite die Marke des Schallkopfs ist.</translation>
     </message>
     <message>
         <source>The pictures of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.</source>
@@ -2777,7 +2777,7 @@
     </message>
     <message>
         <source>The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file does.</source>
-        <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort der Sonde; angeben, wie sie sich bewegt hat, wie es eine Motordatei tut.</translation>
+        <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort des Schallkopfs; angeben, wie er sich bewegt hat, wie es eine Motordatei tut.</translation>
     </message>
     <message>
         <source>The pictures were cut to region %1.</source>
@@ -2793,7 +2793,7 @@
     </message>
     <message>
         <source>The places lie on one line, so that the turn about it is free: add a pair beside the line.</source>
-        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt: Setzen Sie ein Paar neben der Geraden.</translation>
+        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt; ein Paar neben der Geraden setzen.</translation>
     </message>
     <message>
         <source>The plane angles (C300/0001) are not the same on both sides (%1 degrees off); straight ahead is pi / 2 here, other readers take the middle of the table.</source>
@@ -2837,23 +2837,23 @@
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not move the probe (%2); press Escape to take the probe back.</source>
-        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%2); mit Esc nehmen Sie ihn zurück.</translation>
+        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%2); Esc nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not redo the step (%2); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%2); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not save (%2); try another name or folder.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht speichern (%2); versuchen Sie es mit einem anderen Namen oder Ordner.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht speichern (%2); einen anderen Namen oder Ordner versuchen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not say what it still holds (%2); save your work before you close the window.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%2); speichern Sie Ihre Arbeit, bevor Sie das Fenster schließen.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%2); vor dem Schließen des Fensters die Arbeit speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not say what its panel holds (%2); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%2); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not start (%2); the rest of the program is not affected.</source>
@@ -2865,15 +2865,15 @@
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not take over the result of &apos;%2&apos; (%3); please report it with what you did.</source>
-        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not undo the last step (%2); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%2); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%2); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; did not end in order (%2); nothing of your work is affected.</source>
-        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%2); Ihre Arbeit ist davon nicht betroffen.</translation>
+        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%2); die Arbeit ist davon nicht betroffen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; failed (%2).</source>
@@ -2885,7 +2885,7 @@
     </message>
     <message>
         <source>The plugin &apos;%1&apos; met a problem that it did not foresee (%2); save your work, and please report it with what you did.</source>
-        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%2); speichern Sie Ihre Arbeit, und bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%2); die Arbeit speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; names the library &apos;%2&apos;, which is not in its folder; install the plugin again.</source>
@@ -2901,7 +2901,7 @@
     </message>
     <message>
         <source>The pose is not a rotation with a translation: %1. Give 16 numbers, row by row, with orthonormal axes and a last row of 0 0 0 1.</source>
-        <translation>Die Pose ist keine Drehung mit Verschiebung: %1. Geben Sie 16 Zahlen an, Zeile für Zeile, mit orthonormalen Achsen und der letzten Zeile 0 0 0 1.</translation>
+        <translation>Die Lage ist keine Drehung mit Verschiebung: %1. 16 Zahlen angeben, Zeile für Zeile, mit orthonormalen Achsen und der letzten Zeile 0 0 0 1.</translation>
     </message>
     <message>
         <source>The pose of %1 cannot be used: %2</source>
@@ -2909,7 +2909,7 @@
     </message>
     <message>
         <source>The poses were not solved, as asked.</source>
-        <translation>Das Lösen der Lagen wurde abgebrochen.</translation>
+        <translation>Die Optimierung der Lagen wurde wie gewünscht abgebrochen.</translation>
     </message>
     <message>
         <source>The poses were worked out from the motor&apos;s values, not from a tracker.</source>
@@ -2973,7 +2973,7 @@
     </message>
     <message>
         <source>The project has no volume yet; add one before it is saved.</source>
-        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor es gespeichert wird.</translation>
+        <translation>Das Projekt hat noch kein Volumen; vor dem Speichern eines hinzufügen.</translation>
     </message>
     <message>
         <source>The reconstruction of &apos;%1&apos; is not there.</source>
@@ -2997,7 +2997,7 @@
     </message>
     <message>
         <source>The recording &apos;%1&apos; has something else in %2 than %3.</source>
-        <translation>Die Aufzeichnung „%1“ hat in %2 etwas anderes als %3.</translation>
+        <translation>Die Aufzeichnung „%1“ enthält in %2 nicht das Erwartete: %3.</translation>
     </message>
     <message>
         <source>The recording &apos;%1&apos; holds no image; record the scan again.</source>
@@ -3009,7 +3009,7 @@
     </message>
     <message>
         <source>The recording and the device set both say %1 to %2; the device set was used.</source>
-        <translation>Aufnahme und Gerätedatei nennen beide %1 zu %2; verwendet wurde die Gerätedatei.</translation>
+        <translation>Aufnahme und Kalibrierung nennen beide %1 zu %2; verwendet wurde die Kalibrierung.</translation>
     </message>
     <message>
         <source>The recording cannot be written to &apos;%1&apos; (%2); choose another folder.</source>
@@ -3025,7 +3025,7 @@
     </message>
     <message>
         <source>The recording has &quot;%1&quot; for its field %2; expected %3, or describe the motor in a file.</source>
-        <translation>Die Aufnahme hat „%1“ im Feld %2; erwartet: %3. Sonst den Motor in einer Datei beschreiben.</translation>
+        <translation>Die Aufnahme hat „%1“ im Feld %2 (erwartet: %3); das Feld berichtigen oder den Motor in einer Datei beschreiben.</translation>
     </message>
     <message>
         <source>The recording has %1 scan lines of %2 samples; a picture needs at least 2 of each.</source>
@@ -3037,7 +3037,7 @@
     </message>
     <message>
         <source>The recording has nothing for its field %1; expected %2, or describe the motor in a file.</source>
-        <translation>Die Aufnahme hat nichts im Feld %1; erwartet: %2. Sonst den Motor in einer Datei beschreiben.</translation>
+        <translation>Die Aufnahme hat nichts im Feld %1 (erwartet: %2); das Feld ergänzen oder den Motor in einer Datei beschreiben.</translation>
     </message>
     <message>
         <source>The recording has poses but no images.</source>
@@ -3045,7 +3045,7 @@
     </message>
     <message>
         <source>The recording holds %1 data, no brightness. EchoWeave does not read radio frequency lines: record again with B-mode images, or have the program that recorded it make them (in PLUS the RfProcessing of the device set).</source>
-        <translation>Die Aufnahme enthält %1-Daten statt Helligkeit. EchoWeave liest keine Hochfrequenzzeilen: erneut mit B-Bildern aufnehmen oder sie von dem Programm erzeugen lassen, das aufgenommen hat (in PLUS mit RfProcessing in der Gerätedatei).</translation>
+        <translation>Die Aufnahme enthält %1-Daten statt Helligkeit. EchoWeave liest keine Hochfrequenzzeilen: erneut mit B-Mode-Bildern aufnehmen oder sie von dem Programm erzeugen lassen, das aufgenommen hat (in PLUS mit RfProcessing in der Kalibrierung).</translation>
     </message>
     <message>
         <source>The recording holds images of orientation &quot;%1&quot;, no scan lines.</source>
@@ -3061,15 +3061,15 @@
     </message>
     <message>
         <source>The recording holds scan lines and does not say their %1; give a device set whose ScanConversion says it with %2.</source>
-        <translation>Die Aufnahme enthält Bildzeilen und sagt %1 nicht; eine Gerätedatei angeben, deren ScanConversion dafür %2 nennt.</translation>
+        <translation>Die Aufnahme enthält Bildzeilen und nennt %1 nicht; eine Kalibrierung angeben, deren ScanConversion dafür %2 nennt.</translation>
     </message>
     <message>
         <source>The recording holds scan lines and does not say where they lie; give a device set whose ScanConversion has TransducerGeometry=&quot;CURVILINEAR&quot; or &quot;LINEAR&quot;.</source>
-        <translation>Die Aufnahme enthält Bildzeilen und sagt nicht, wo sie liegen; eine Gerätedatei angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
+        <translation>Die Aufnahme enthält Bildzeilen und sagt nicht, wo sie liegen; eine Kalibrierung angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
     </message>
     <message>
         <source>The recording holds scan lines; they were converted to images of %1 x %2 pixels of %3 mm.</source>
-        <translation>Die Aufnahme enthält Bildzeilen; sie wurden in Bilder von %1 x %2 Pixeln zu %3 mm umgewandelt.</translation>
+        <translation>Die Aufnahme enthält Bildzeilen; sie wurden in Bilder von %1 × %2 Pixeln zu %3 mm umgewandelt.</translation>
     </message>
     <message>
         <source>The recording&apos;s %1 is &quot;%2&quot;; expected %3 numbers.</source>
@@ -3089,7 +3089,7 @@
     </message>
     <message>
         <source>The registration option %1 is %2; it must be %3.</source>
-        <translation>Die Einstellung %1 der Registrierung ist %2; erforderlich ist %3.</translation>
+        <translation>Die Einstellung %1 der Registrierung ist %2; erwartet: %3.</translation>
     </message>
     <message>
         <source>The registration was cancelled.</source>
@@ -3101,11 +3101,11 @@
     </message>
     <message>
         <source>The result of &apos;%1&apos; could not be taken over (%2); please report it with what you did.</source>
-        <translation>Das Ergebnis von „%1“ ließ sich nicht übernehmen (%2); bitte melden und dazu, was getan wurde.</translation>
+        <translation>Das Ergebnis von „%1“ ließ sich nicht übernehmen (%2); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The samples are %1 and all have the value %2; they became 0.</source>
-        <translation>Die Abtastwerte haben %1 und alle den Wert %2; sie wurden 0.</translation>
+        <translation>Die Abtastwerte haben %1 und alle den Wert %2; sie wurden zu 0.</translation>
     </message>
     <message>
         <source>The samples are %1: values from %2 to %3 were mapped to 0 to 255.</source>
@@ -3125,11 +3125,11 @@
     </message>
     <message>
         <source>The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels made of them are no brightness: export the B-mode volume instead.</source>
-        <translation>Die Abtastwerte reichen so weit unter 0 wie darüber, wie die hochfrequenter Linien (RF); wenn sie das sind, sind die Grauwerte daraus keine Helligkeit: stattdessen das B-Mode-Volumen exportieren.</translation>
+        <translation>Die Abtastwerte reichen so weit unter 0 wie darüber, wie bei Hochfrequenzzeilen (RF); sind es solche, sind die Grauwerte daraus keine Helligkeit: dann stattdessen das B-Mode-Volumen exportieren.</translation>
     </message>
     <message>
         <source>The scan lines are %1, no brightness; convert them to B-mode brightness first.</source>
-        <translation>Die Bildzeilen sind %1 statt Helligkeit; sie erst in B-Bild-Helligkeit umwandeln.</translation>
+        <translation>Die Bildzeilen sind %1 statt Helligkeit; sie zuerst in B-Mode-Helligkeit umwandeln.</translation>
     </message>
     <message>
         <source>The scan lines run from %1 to %2 degrees; only sectors as wide to the left as to the right, from minus to plus, are converted.</source>
@@ -3137,23 +3137,23 @@
     </message>
     <message>
         <source>The scan lines&apos; %1 is &quot;%2&quot;; give a device set whose ScanConversion says it with %3.</source>
-        <translation>%1 der Bildzeilen ist „%2“; eine Gerätedatei angeben, deren ScanConversion dafür %3 nennt.</translation>
+        <translation>%1 der Bildzeilen ist „%2“; eine Kalibrierung angeben, deren ScanConversion dafür %3 nennt.</translation>
     </message>
     <message>
         <source>The scan lines&apos; TransducerGeometry is &quot;%1&quot;; give a device set whose ScanConversion has TransducerGeometry=&quot;CURVILINEAR&quot; or &quot;LINEAR&quot;.</source>
-        <translation>TransducerGeometry der Bildzeilen ist „%1“; eine Gerätedatei angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
+        <translation>TransducerGeometry der Bildzeilen ist „%1“; eine Kalibrierung angeben, deren ScanConversion TransducerGeometry=&quot;CURVILINEAR&quot; oder &quot;LINEAR&quot; hat.</translation>
     </message>
     <message>
         <source>The seams have levels of other volumes; find them again.</source>
-        <translation>Die Nähte haben Pegel anderer Volumen; suchen Sie sie neu.</translation>
+        <translation>Die Nähte haben Pegel anderer Volumen; die Nähte neu suchen.</translation>
     </message>
     <message>
         <source>The seams name more volumes than there are; find them again.</source>
-        <translation>Die Nähte nennen mehr Volumen, als es gibt; suchen Sie sie neu.</translation>
+        <translation>Die Nähte nennen mehr Volumen, als es gibt; die Nähte neu suchen.</translation>
     </message>
     <message>
         <source>The seams were found for another grid; find them again for this one.</source>
-        <translation>Die Nähte wurden für ein anderes Gitter gefunden; suchen Sie sie für dieses neu.</translation>
+        <translation>Die Nähte wurden für ein anderes Gitter gefunden; die Nähte für dieses neu suchen.</translation>
     </message>
     <message>
         <source>The section &apos;%1&apos; of a case belongs to another plugin; take another name.</source>
@@ -3177,7 +3177,7 @@
     </message>
     <message>
         <source>The solver of poses failed (%1).</source>
-        <translation>Das Lösen der Lagen ist fehlgeschlagen (%1).</translation>
+        <translation>Die Optimierung der Lagen ist fehlgeschlagen (%1).</translation>
     </message>
     <message>
         <source>The sources of the voxels do not fit the grid; give one for each voxel.</source>
@@ -3205,7 +3205,7 @@
     </message>
     <message>
         <source>The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at a time.</source>
-        <translation>Der Schritt „%1“ bräuchte %2 MiB Speicher, mehr als die erlaubten %3 MiB; nehmen Sie einen gröberen Voxelabstand oder weniger Volumen auf einmal.</translation>
+        <translation>Der Schritt „%1“ bräuchte %2 MiB Speicher, mehr als die erlaubten %3 MiB; einen gröberen Voxelabstand (spacing_mm) oder weniger Volumen auf einmal nehmen.</translation>
     </message>
     <message>
         <source>The stiffness must be 0 (automatic) or above.</source>
@@ -3217,11 +3217,11 @@
     </message>
     <message>
         <source>The stitch project has format %1, and this program reads formats up to %2; open it with a newer EchoWeave.</source>
-        <translation>Das Stitching-Projekt hat das Format %1, und dieses Programm liest Formate bis %2; öffnen Sie es mit einem neueren EchoWeave.</translation>
+        <translation>Das Stitching-Projekt hat das Format %1, und dieses Programm liest Formate bis %2; mit einem neueren EchoWeave öffnen.</translation>
     </message>
     <message>
         <source>The stitch project has no volumes; add some.</source>
-        <translation>Das Stitching-Projekt hat keine Volumen; fügen Sie welche hinzu.</translation>
+        <translation>Das Stitching-Projekt hat keine Volumen; welche hinzufügen.</translation>
     </message>
     <message>
         <source>The stitching was cancelled.</source>
@@ -3273,7 +3273,7 @@
     </message>
     <message>
         <source>The sweep would become %1 x %2 x %3 voxels and need %4 MiB, more than the %5 MiB allowed; give a coarser spacing_mm.</source>
-        <translation>Aus dem Schwenk würden %1 x %2 x %3 Voxel, und er bräuchte %4 MiB, mehr als die erlaubten %5 MiB; ein gröberes spacing_mm angeben.</translation>
+        <translation>Aus dem Schwenk würden %1 × %2 × %3 Voxel, und er bräuchte %4 MiB, mehr als die erlaubten %5 MiB; ein gröberes spacing_mm angeben.</translation>
     </message>
     <message>
         <source>The sweep&apos;s %1 %2; %3.</source>
@@ -3285,7 +3285,7 @@
     </message>
     <message>
         <source>The tangent plane cuts nothing that both volumes cover: move it into their overlap.</source>
-        <translation>Die Tangentialebene schneidet nichts, was beide Volumen erfassen: Bitte in ihre Überlappung verschieben.</translation>
+        <translation>Die Tangentialebene schneidet nichts, was beide Volumen erfassen; sie in die Überlappung verschieben.</translation>
     </message>
     <message>
         <source>The tangent plane needs a normal with a direction; this one has none.</source>
@@ -3297,7 +3297,7 @@
     </message>
     <message>
         <source>The three pairs contradict each other by %1, and three cannot say which of them is wrong: correct one or add a fourth.</source>
-        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist: Berichtigen Sie eines oder setzen Sie ein viertes.</translation>
+        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist; eines berichtigen oder ein viertes setzen.</translation>
     </message>
     <message>
         <source>The times of the %1 go from %2 s to %3 s, which is longer than a day; correct the recording&apos;s times.</source>
@@ -3317,11 +3317,11 @@
     </message>
     <message>
         <source>The two images show almost nothing in common places: check how they lie to each other.</source>
-        <translation>Die beiden Bilder zeigen an gemeinsamen Stellen fast nichts: Bitte prüfen, wie sie zueinander liegen.</translation>
+        <translation>Die beiden Bilder zeigen an gemeinsamen Stellen fast nichts; prüfen, wie sie zueinander liegen.</translation>
     </message>
     <message>
         <source>The two volumes do not overlap at the start: bring them closer, or match without a start.</source>
-        <translation>Am Anfang überlappen sich die beiden Volumen nicht: Bringen Sie sie näher zusammen oder suchen Sie ohne Anfangslage.</translation>
+        <translation>Am Anfang überlappen sich die beiden Volumen nicht; sie näher zusammenbringen oder ohne Anfangslage suchen.</translation>
     </message>
     <message>
         <source>The virtual scanner&apos;s %1 is %2; choose one from %3 to %4.</source>
@@ -3337,19 +3337,19 @@
     </message>
     <message>
         <source>The volume has more voxels than can be handled; use a coarser spacing.</source>
-        <translation>Das Volumen hat mehr Voxel, als sich verarbeiten lassen; nehmen Sie einen gröberen Abstand.</translation>
+        <translation>Das Volumen hat mehr Voxel, als sich verarbeiten lassen; einen gröberen Voxelabstand nehmen.</translation>
     </message>
     <message>
         <source>The volume has no voxels along axis %1; check the file&apos;s dimensions.</source>
-        <translation>Das Volumen hat entlang der Achse %1 keine Voxel; prüfen Sie die Abmessungen in der Datei.</translation>
+        <translation>Das Volumen hat entlang der Achse %1 keine Voxel; die Größe in der Datei prüfen.</translation>
     </message>
     <message>
         <source>The volume is Cartesian already, %1 mm in every direction; its origin is its first voxel, and which way it lies in the patient is not in the file.</source>
-        <translation>Das Volumen ist schon kartesisch, %1 mm in jeder Richtung; sein Ursprung ist sein erstes Voxel, und wie es im Patienten liegt, steht nicht in der Datei.</translation>
+        <translation>Das Volumen ist schon kartesisch, %1 mm in jeder Richtung; sein Ursprung ist sein erster Voxel, und wie es im Patienten liegt, steht nicht in der Datei.</translation>
     </message>
     <message>
         <source>The volume is placed in the recording&apos;s frame %1.</source>
-        <translation>Das Volumen liegt im Rahmen %1 der Aufnahme.</translation>
+        <translation>Das Volumen liegt im Bezugssystem %1 der Aufnahme.</translation>
     </message>
     <message>
         <source>The volume needs at least one sample along each axis; give its dimensions.</source>
@@ -3369,15 +3369,15 @@
     </message>
     <message>
         <source>The volume would have %1 x %2 x %3 voxels and need %4 of memory with the frames, more than the %5 that a volume may take; use a coarser spacing.</source>
-        <translation>Das Volumen hätte %1 x %2 x %3 Voxel und bräuchte mit den Bildern %4 Speicher, mehr als die %5, die ein Volumen belegen darf; einen gröberen Voxelabstand nehmen.</translation>
+        <translation>Das Volumen hätte %1 × %2 × %3 Voxel und bräuchte mit den Bildern %4 Speicher, mehr als die %5, die ein Volumen belegen darf; einen gröberen Voxelabstand nehmen.</translation>
     </message>
     <message>
         <source>The volume&apos;s origin is not finite; check the file&apos;s offset.</source>
-        <translation>Der Ursprung des Volumens ist nicht endlich; prüfen Sie den Offset in der Datei.</translation>
+        <translation>Der Ursprung des Volumens ist nicht endlich; den Offset in der Datei prüfen.</translation>
     </message>
     <message>
         <source>The volume&apos;s place is not 16 numbers, row by row; correct &apos;volume.file_to_world&apos; in case.json.</source>
-        <translation>Die Lage des Volumens sind nicht 16 Zahlen, Zeile für Zeile; bitte „volume.file_to_world“ in case.json berichtigen.</translation>
+        <translation>Die Lage des Volumens besteht nicht aus 16 Zahlen, Zeile für Zeile; „volume.file_to_world“ in case.json berichtigen.</translation>
     </message>
     <message>
         <source>The volume&apos;s voxels do not fit its grid; read it again.</source>
@@ -3397,15 +3397,15 @@
     </message>
     <message>
         <source>The volumes do not overlap anywhere, so nothing was blended; check their places if they should.</source>
-        <translation>Die Volumen überlappen sich nirgends, daher wurde nichts gemischt; bitte ihre Lagen prüfen, falls sie es sollten.</translation>
+        <translation>Die Volumen überlappen sich nirgends, daher wurde nichts gemischt; ihre Lagen prüfen, falls sie es sollten.</translation>
     </message>
     <message>
         <source>The volumes do not overlap where they were placed; place them, or match them first.</source>
-        <translation>Wo die Volumen liegen, überlappen sie sich nicht; platzieren Sie sie oder ordnen Sie sie erst zu.</translation>
+        <translation>Wo die Volumen liegen, überlappen sie sich nicht; sie platzieren oder zuerst zuordnen.</translation>
     </message>
     <message>
         <source>The voxel spacing along axis %1 is not a positive number; check the file&apos;s spacing.</source>
-        <translation>Der Voxelabstand entlang der Achse %1 ist keine positive Zahl; prüfen Sie den Abstand in der Datei.</translation>
+        <translation>Der Voxelabstand entlang der Achse %1 ist keine positive Zahl; den Abstand in der Datei prüfen.</translation>
     </message>
     <message>
         <source>The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.</source>
@@ -3413,7 +3413,7 @@
     </message>
     <message>
         <source>The warp must fall off over more than 0 mm.</source>
-        <translation>Die Verformung muss über mehr als 0 mm auslaufen.</translation>
+        <translation>Die Verformung muss über mehr als 0 mm abklingen.</translation>
     </message>
     <message>
         <source>The warped image agrees with the fixed one %1.</source>
@@ -3429,7 +3429,7 @@
     </message>
     <message>
         <source>The weights of frame %1 have %2 x %3 values for %4 x %5 pixels; give one weight for each pixel.</source>
-        <translation>Die Gewichte von Bild %1 haben %2 x %3 Werte für %4 x %5 Pixel; zu jedem Pixel ein Gewicht angeben.</translation>
+        <translation>Die Gewichte von Bild %1 haben %2 × %3 Werte für %4 × %5 Pixel; zu jedem Pixel ein Gewicht angeben.</translation>
     </message>
     <message>
         <source>The whole picture of %1 has no size of a pixel of its own; give it in mm.</source>
@@ -3437,7 +3437,7 @@
     </message>
     <message>
         <source>The work stopped unexpectedly (%1); nothing was changed, please report it with what you did.</source>
-        <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>Die Arbeit brach unerwartet ab (%1); nichts wurde geändert, bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>There are %1 frames and %2 poses; give one pose for each frame.</source>
@@ -3477,7 +3477,7 @@
     </message>
     <message>
         <source>There is no file or folder &apos;%1&apos;; check the name.</source>
-        <translation>Es gibt keine Datei und keinen Ordner „%1“; bitte den Namen prüfen.</translation>
+        <translation>Es gibt keine Datei und keinen Ordner „%1“; den Namen prüfen.</translation>
     </message>
     <message>
         <source>There is no pair of landmarks: a turn needs three places that are not on one line.</source>
@@ -3485,7 +3485,7 @@
     </message>
     <message>
         <source>There is no pose; give 16 numbers, row by row, or a file with one pose a line.</source>
-        <translation>Es gibt keine Pose; geben Sie 16 Zahlen an, Zeile für Zeile, oder eine Datei mit einer Pose je Zeile.</translation>
+        <translation>Es gibt keine Lage; 16 Zahlen angeben, Zeile für Zeile, oder eine Datei mit einer Lage je Zeile.</translation>
     </message>
     <message>
         <source>There is no probe file %1; check the name.</source>
@@ -3493,7 +3493,7 @@
     </message>
     <message>
         <source>There is no subvolume to place; add at least one.</source>
-        <translation>Es gibt kein Teilvolumen zu platzieren; fügen Sie mindestens eines hinzu.</translation>
+        <translation>Es gibt kein Teilvolumen zu platzieren; mindestens eines hinzufügen.</translation>
     </message>
     <message>
         <source>There is no volume to measure with; open one first.</source>
@@ -3501,23 +3501,23 @@
     </message>
     <message>
         <source>There is no volume to stitch; add at least one.</source>
-        <translation>Es gibt kein Volumen zu verbinden; fügen Sie mindestens eines hinzu.</translation>
+        <translation>Es gibt kein Volumen zu verbinden; mindestens eines hinzufügen.</translation>
     </message>
     <message>
         <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached, and %3 stand apart; %4.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen, und abseits stehen %3; %4.</translation>
+        <translation>Es führt kein Weg von den Pixeln (Bezugssystem Image) zu %1: Von Image aus ist nur %2 zu erreichen, und abseits stehen %3; %4.</translation>
     </message>
     <message>
         <source>There is no way from the pixels (frame Image) to %1: from Image only %2 can be reached; %3.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nur %2 zu erreichen; %3.</translation>
+        <translation>Es führt kein Weg von den Pixeln (Bezugssystem Image) zu %1: Von Image aus ist nur %2 zu erreichen; %3.</translation>
     </message>
     <message>
         <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image, and %2 stand apart; %3.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen, und abseits stehen %2; %3.</translation>
+        <translation>Es führt kein Weg von den Pixeln (Bezugssystem Image) zu %1: Von Image aus ist nichts zu erreichen, und abseits stehen %2; %3.</translation>
     </message>
     <message>
         <source>There is no way from the pixels (frame Image) to %1: nothing can be reached from Image; %2.</source>
-        <translation>Es führt kein Weg von den Pixeln (Rahmen Image) zu %1: Von Image aus ist nichts zu erreichen; %2.</translation>
+        <translation>Es führt kein Weg von den Pixeln (Bezugssystem Image) zu %1: Von Image aus ist nichts zu erreichen; %2.</translation>
     </message>
     <message>
         <source>There is not enough memory for %1; close other programs.</source>
@@ -3529,11 +3529,11 @@
     </message>
     <message>
         <source>There is not enough memory for &apos;%1&apos; of the plugin &apos;%2&apos;; close other programs or choose a coarser spacing.</source>
-        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; andere Programme schließen oder einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;%1&apos; of the plugin &apos;%2&apos;; use a coarser spacing or a smaller input.</source>
-        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; nehmen Sie einen gröberen Abstand oder eine kleinere Eingabe.</translation>
+        <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; einen gröberen Voxelabstand oder eine kleinere Eingabe nehmen.</translation>
     </message>
     <message>
         <source>There is not enough memory for a picture of %1; close other programs.</source>
@@ -3573,7 +3573,7 @@
     </message>
     <message>
         <source>There is not enough memory for this; close other programs or choose a coarser spacing.</source>
-        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+        <translation>Dafür reicht der Speicher nicht; andere Programme schließen oder einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>There is not enough memory to fill holes; use fewer threads or a coarser spacing.</source>
@@ -3673,7 +3673,7 @@
     </message>
     <message>
         <source>Volume &apos;%1&apos; contributed nothing: none of its voxels are covered.</source>
-        <translation>Das Volumen „%1“ trug nichts bei: Keines seiner Voxel ist erfasst.</translation>
+        <translation>Das Volumen „%1“ trug nichts bei: Keiner seiner Voxel ist erfasst.</translation>
     </message>
     <message>
         <source>Volume &apos;%1&apos; contributed nothing: other volumes show all that it covers better.</source>
@@ -3681,7 +3681,7 @@
     </message>
     <message>
         <source>Volume &apos;%1&apos; has no coverage, so its black voxels count as measured and darken the blend; give its coverage file if there is one.</source>
-        <translation>Das Volumen „%1“ hat keine Abdeckung, sodass seine schwarzen Voxel als gemessen gelten und die Mischung abdunkeln; bitte die Abdeckungsdatei angeben, falls es eine gibt.</translation>
+        <translation>Das Volumen „%1“ hat keine Abdeckung, sodass seine schwarzen Voxel als gemessen gelten und die Mischung abdunkeln; die Abdeckungsdatei angeben, falls es eine gibt.</translation>
     </message>
     <message>
         <source>Volume &apos;%1&apos; is not in the result: no pair that can be believed holds it to the others.</source>
@@ -3709,11 +3709,11 @@
     </message>
     <message>
         <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies %1 and %2 degrees elsewhere. A tracker, landmarks or the direction of the beams can decide.</source>
-        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie liegt die Lage %1 und %2° anderswo. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie liegt die Lage %1 und %2° anderswo. Ein Tracker, Landmarken oder die Richtung der Strahlen können entscheiden.</translation>
     </message>
     <message>
         <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes agree hardly better than unrelated tissue does%1.</source>
-        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe%1.</translation>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe%1.</translation>
     </message>
     <message>
         <source>What moves changes along the sweep; the phase may slip where one part of it ends and the next begins.</source>
@@ -3741,11 +3741,11 @@
     </message>
     <message>
         <source>Work on %1 was stopped as you asked; nothing was changed.</source>
-        <translation>Die Arbeit an %1 wurde wie gewünscht angehalten; nichts wurde geändert.</translation>
+        <translation>Die Arbeit an %1 wurde wie gewünscht abgebrochen; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Writing %1 was stopped; nothing was left of it.</source>
-        <translation>Das Schreiben von %1 wurde angehalten; nichts davon blieb zurück.</translation>
+        <translation>Das Schreiben von %1 wurde abgebrochen; nichts davon blieb zurück.</translation>
     </message>
     <message>
         <source>Writing confidence</source>
@@ -3773,7 +3773,7 @@
     </message>
     <message>
         <source>Writing sources</source>
-        <translation>Quellen werden geschrieben</translation>
+        <translation>Quellbilder werden geschrieben</translation>
     </message>
     <message>
         <source>Writing vectors</source>
@@ -3909,7 +3909,7 @@
     </message>
     <message>
         <source>a list of at least three when the method is &quot;landmarks&quot;</source>
-        <translation>eine Liste von mindestens drei, wenn das Verfahren „landmarks“ ist</translation>
+        <translation>eine Liste von mindestens drei, wenn das Verfahren &quot;landmarks&quot; ist</translation>
     </message>
     <message>
         <source>a list of at most %1 entries</source>
@@ -4041,7 +4041,7 @@
     </message>
     <message>
         <source>a number from 0 to 255 (grey levels up to here take nothing)</source>
-        <translation>eine Zahl von 0 bis 255 (Grauwerte bis hierher schwächen nicht)</translation>
+        <translation>eine Zahl von 0 bis 255 (Grauwerte bis hierher dämpfen nicht)</translation>
     </message>
     <message>
         <source>a number from 0 to 3 (1 as physics has it)</source>
@@ -4069,7 +4069,7 @@
     </message>
     <message>
         <source>a number from 0 to 60 (of mirror images)</source>
-        <translation>eine Zahl von 0 bis 60 (von Spiegelbildern)</translation>
+        <translation>eine Zahl von 0 bis 60 (für Spiegelbilder)</translation>
     </message>
     <message>
         <source>a number from 0 to 60 (there and back)</source>
@@ -4101,7 +4101,7 @@
     </message>
     <message>
         <source>a number from 0.1 to 4 (of the probe&apos;s own thickness)</source>
-        <translation>eine Zahl von 0,1 bis 4 (bezogen auf die Schichtdicke des Schallkopfs)</translation>
+        <translation>eine Zahl von 0,1 bis 4 (als Vielfaches der Schichtdicke des Schallkopfs)</translation>
     </message>
     <message>
         <source>a number from 0.5 to 100 (length of the lines under air)</source>
@@ -4133,19 +4133,19 @@
     </message>
     <message>
         <source>a number of axes from 1 to 7</source>
-        <translation>eine Zahl der Achsen von 1 bis 7</translation>
+        <translation>eine Achsenzahl von 1 bis 7</translation>
     </message>
     <message>
         <source>a number of bytes</source>
-        <translation>eine Zahl von Byte</translation>
+        <translation>eine Anzahl Byte</translation>
     </message>
     <message>
         <source>a number of bytes or -1</source>
-        <translation>eine Zahl von Byte oder -1</translation>
+        <translation>eine Anzahl Byte oder -1</translation>
     </message>
     <message>
         <source>a number of millimetres</source>
-        <translation>eine Zahl von Millimetern</translation>
+        <translation>eine Zahl in Millimetern</translation>
     </message>
     <message>
         <source>a number or an expression</source>
@@ -4257,7 +4257,7 @@
     </message>
     <message>
         <source>a shorter one, or a wider way from held to free</source>
-        <translation>eine kürzere oder ein breiterer Übergang von gehalten zu frei</translation>
+        <translation>eine kürzere Verschiebung oder ein breiterer Übergang von gehalten zu frei</translation>
     </message>
     <message>
         <source>a spacing is not above 0 mm</source>
@@ -4273,7 +4273,7 @@
     </message>
     <message>
         <source>a text of %1 bytes</source>
-        <translation>ein Text von %1 Bytes</translation>
+        <translation>ein Text von %1 Byte</translation>
     </message>
     <message>
         <source>a text of at most %1 bytes</source>
@@ -4377,7 +4377,7 @@
     </message>
     <message>
         <source>above 0 and at most 1</source>
-        <translation>über 0 und höchstens 1</translation>
+        <translation>ein Wert über 0 und höchstens 1</translation>
     </message>
     <message>
         <source>above 0 and at most 100</source>
@@ -4389,7 +4389,7 @@
     </message>
     <message>
         <source>above 0, or 0 together with the other one when recorded places are exact</source>
-        <translation>über 0, oder 0 zusammen mit dem anderen, wenn aufgezeichnete Lagen genau sind</translation>
+        <translation>ein Wert über 0 oder, wenn aufgezeichnete Lagen genau sind, 0 zusammen mit dem anderen</translation>
     </message>
     <message>
         <source>aligned</source>
@@ -4505,7 +4505,7 @@
     </message>
     <message>
         <source>angles within 89 degrees of pi / 2</source>
-        <translation>Winkel höchstens 89 Grad von pi / 2</translation>
+        <translation>Winkel, die höchstens 89 Grad von pi / 2 abweichen</translation>
     </message>
     <message>
         <source>another kind of picture</source>
@@ -4557,7 +4557,7 @@
     </message>
     <message>
         <source>at most 50; place the volumes first</source>
-        <translation>höchstens 50 (größere Abstände vorher durch Platzieren beheben)</translation>
+        <translation>höchstens 50 (die Volumen zuerst platzieren)</translation>
     </message>
     <message>
         <source>at most 60 mm</source>
@@ -4577,7 +4577,7 @@
     </message>
     <message>
         <source>beams (C000/0002)</source>
-        <translation>Strahlen (C000/0002)</translation>
+        <translation>Zahl der Strahlen (C000/0002)</translation>
     </message>
     <message>
         <source>below full white</source>
@@ -4617,7 +4617,7 @@
     </message>
     <message>
         <source>choose one of those frames, or give the device set (.xml) that leads on</source>
-        <translation>einen dieser Rahmen wählen oder die Gerätedatei (.xml) angeben, die weiterführt</translation>
+        <translation>eines dieser Bezugssysteme wählen oder die Kalibrierung (.xml) angeben, die weiterführt</translation>
     </message>
     <message>
         <source>colour bar</source>
@@ -4689,7 +4689,7 @@
     </message>
     <message>
         <source>from 0.1 to 10 mm</source>
-        <translation>von 0,1 bis 10 mm</translation>
+        <translation>ein Wert von 0,1 bis 10 mm</translation>
     </message>
     <message>
         <source>from 1 to 1000</source>
@@ -4709,15 +4709,15 @@
     </message>
     <message>
         <source>give a point near the skin, or say &quot;on_skin&quot;: false to place the probe freely</source>
-        <translation>einen Punkt nahe der Haut angeben oder &quot;on_skin&quot;: false, um den Schallkopf frei zu platzieren</translation>
+        <translation>einen Punkt nahe der Haut angeben oder &quot;on_skin&quot;: false setzen, um den Schallkopf frei zu platzieren</translation>
     </message>
     <message>
         <source>give the device set (.xml) with the calibration from Image to Probe</source>
-        <translation>die Gerätedatei (.xml) mit der Kalibrierung von Image zu Probe angeben</translation>
+        <translation>die Kalibrierung (.xml) von Image zu Probe angeben</translation>
     </message>
     <message>
         <source>give the device set (.xml) with the calibration from Image to the tracked probe</source>
-        <translation>die Gerätedatei (.xml) mit der Kalibrierung von Image zur verfolgten Sonde angeben</translation>
+        <translation>die Kalibrierung (.xml) von Image zum verfolgten Schallkopf angeben</translation>
     </message>
     <message>
         <source>give the direction of the image&apos;s x axis, square to the beam</source>
@@ -4745,15 +4745,15 @@
     </message>
     <message>
         <source>grey levels from here on are strong interfaces</source>
-        <translation>Graustufen von hier an sind starke Grenzflächen</translation>
+        <translation>Grauwerte ab hier sind starke Grenzflächen</translation>
     </message>
     <message>
         <source>grey levels from here on reflect</source>
-        <translation>Graustufen von hier an reflektieren</translation>
+        <translation>Grauwerte ab hier reflektieren</translation>
     </message>
     <message>
         <source>grey levels up to here take nothing</source>
-        <translation>Graustufen bis hierher dämpfen nicht</translation>
+        <translation>Grauwerte bis hierher dämpfen nicht</translation>
     </message>
     <message>
         <source>has a lateral direction along its beam</source>
@@ -4789,31 +4789,31 @@
     </message>
     <message>
         <source>it ends early</source>
-        <translation>sie endet zu früh</translation>
+        <translation>die Datei endet zu früh</translation>
     </message>
     <message>
         <source>it ends inside a sequence</source>
-        <translation>sie endet mitten in einer Sequenz</translation>
+        <translation>die Datei endet mitten in einer Sequenz</translation>
     </message>
     <message>
         <source>it ends inside an element of %1 bytes</source>
-        <translation>sie endet mitten in einem Element von %1 Byte</translation>
+        <translation>die Datei endet mitten in einem Element von %1 Byte</translation>
     </message>
     <message>
         <source>it ends inside an element&apos;s head</source>
-        <translation>sie endet mitten im Kopf eines Elements</translation>
+        <translation>die Datei endet mitten im Kopf eines Elements</translation>
     </message>
     <message>
         <source>it ends inside an item of a sequence</source>
-        <translation>sie endet mitten im Item einer Sequenz</translation>
+        <translation>die Datei endet mitten im Item einer Sequenz</translation>
     </message>
     <message>
         <source>it ends inside an item&apos;s end</source>
-        <translation>sie endet vor dem Ende eines Items</translation>
+        <translation>die Datei endet vor dem Ende eines Items</translation>
     </message>
     <message>
         <source>it ends inside the pixels</source>
-        <translation>sie endet mitten in den Pixeln</translation>
+        <translation>die Datei endet mitten in den Pixeln</translation>
     </message>
     <message>
         <source>it gives no size of a pixel</source>
@@ -4833,11 +4833,11 @@
     </message>
     <message>
         <source>it has too many elements</source>
-        <translation>sie hat zu viele Elemente</translation>
+        <translation>die Datei hat zu viele Elemente</translation>
     </message>
     <message>
         <source>it has too many fragments</source>
-        <translation>sie hat zu viele Fragmente</translation>
+        <translation>die Datei hat zu viele Fragmente</translation>
     </message>
     <message>
         <source>it holds fewer than two full inspirations</source>
@@ -4857,7 +4857,7 @@
     </message>
     <message>
         <source>it is empty</source>
-        <translation>sie ist leer</translation>
+        <translation>die Datei ist leer</translation>
     </message>
     <message>
         <source>it is mirrored (left-handed)</source>
@@ -4949,39 +4949,39 @@
     </message>
     <message>
         <source>left out</source>
-        <translation>weggelassen</translation>
+        <translation>keine Angabe</translation>
     </message>
     <message>
         <source>left out, as at most %1 recipes extend one another</source>
-        <translation>weggelassen, denn höchstens %1 Rezepte erweitern einander</translation>
+        <translation>keine Angabe, denn höchstens %1 Rezepte erweitern einander</translation>
     </message>
     <message>
         <source>left out, because a probe of the kind %1 has no such field</source>
-        <translation>weggelassen, denn ein Schallkopf der Art %1 hat kein solches Feld</translation>
+        <translation>keine Angabe, denn ein Schallkopf der Art %1 hat kein solches Feld</translation>
     </message>
     <message>
         <source>left out, or beside the recipe whose patient is swept</source>
-        <translation>weggelassen oder neben dem Rezept, dessen Patient geschallt wird, angegeben</translation>
+        <translation>keine Angabe oder eine neben dem Rezept, dessen Patient geschallt wird</translation>
     </message>
     <message>
         <source>left out, or beside the sweeps it is about</source>
-        <translation>weggelassen oder neben den Schwenks, um die es geht, angegeben</translation>
+        <translation>keine Angabe oder eine neben den Schwenks, um die es geht</translation>
     </message>
     <message>
         <source>left out: only a fan motor has it</source>
-        <translation>weggelassen: Nur ein Fächermotor hat es</translation>
+        <translation>keine Angabe, denn nur ein Fächermotor hat es</translation>
     </message>
     <message>
         <source>left out: only a fan or a rotational motor has it</source>
-        <translation>weggelassen: Nur ein Fächer- oder ein Drehmotor hat es</translation>
+        <translation>keine Angabe, denn nur ein Fächer- oder ein Drehmotor hat es</translation>
     </message>
     <message>
         <source>left out: only a hand has it</source>
-        <translation>weggelassen: Nur eine Hand hat es</translation>
+        <translation>keine Angabe, denn nur eine Hand hat es</translation>
     </message>
     <message>
         <source>left out: only a parallel motor has it</source>
-        <translation>weggelassen: Nur ein paralleler Motor hat es</translation>
+        <translation>keine Angabe, denn nur ein paralleler Motor hat es</translation>
     </message>
     <message>
         <source>length of the lines under air</source>
@@ -5053,7 +5053,7 @@
     </message>
     <message>
         <source>name one of those frames as the target, or give the device set (.xml) that leads on</source>
-        <translation>einen dieser Rahmen als Ziel nennen oder die Gerätedatei (.xml) angeben, die weiterführt</translation>
+        <translation>eines dieser Bezugssysteme als Ziel nennen oder die Kalibrierung (.xml) angeben, die weiterführt</translation>
     </message>
     <message>
         <source>names from the %1 of the recipe that this one extends</source>
@@ -5073,7 +5073,7 @@
     </message>
     <message>
         <source>no R peaks stand out of the noise (%1 times its spread, %2 are needed)</source>
-        <translation>keine R-Zacken ragen aus dem Rauschen (das %1-fache seiner Streuung, nötig ist das %2-fache)</translation>
+        <translation>keine R-Zacken ragen aus dem Rauschen (das %1-Fache seiner Streuung, nötig ist das %2-Fache)</translation>
     </message>
     <message>
         <source>no binary PGM</source>
@@ -5177,11 +5177,11 @@
     </message>
     <message>
         <source>of mirror images</source>
-        <translation>von Spiegelbildern</translation>
+        <translation>für Spiegelbilder</translation>
     </message>
     <message>
         <source>of the probe&apos;s own thickness</source>
-        <translation>als Vielfaches der Dicke des Schallkopfs</translation>
+        <translation>als Vielfaches der Schichtdicke des Schallkopfs</translation>
     </message>
     <message>
         <source>one entry for each pair of volumes</source>
@@ -5229,7 +5229,7 @@
     </message>
     <message>
         <source>one solid too many with those of the organs before it</source>
-        <translation>ein Volumenkörper zu viel mit denen der Organe davor</translation>
+        <translation>mit denen der Organe davor ein Volumenkörper zu viel</translation>
     </message>
     <message>
         <source>one station, from which the motor starts</source>
@@ -5293,7 +5293,7 @@
     </message>
     <message>
         <source>planes (C000/0003)</source>
-        <translation>Ebenen (C000/0003)</translation>
+        <translation>Zahl der Ebenen (C000/0003)</translation>
     </message>
     <message>
         <source>put a station between the two, or swap the sign of lateral</source>
@@ -5321,7 +5321,7 @@
     </message>
     <message>
         <source>samples along a beam (C000/0001)</source>
-        <translation>Abtastwerte je Strahl (C000/0001)</translation>
+        <translation>Zahl der Abtastwerte je Strahl (C000/0001)</translation>
     </message>
     <message>
         <source>seconds across the strip</source>
@@ -5413,11 +5413,11 @@
     </message>
     <message>
         <source>the device set given has no transform from or to Image, give the one this sweep was recorded with</source>
-        <translation>die angegebene Gerätedatei hat keine Transformation von oder zu Image; die angeben, mit der dieser Schwenk aufgenommen wurde</translation>
+        <translation>die angegebene Kalibrierung hat keine Transformation von oder zu Image; die angeben, mit der dieser Schwenk aufgenommen wurde</translation>
     </message>
     <message>
         <source>the face&apos;s -x end to its +x end</source>
-        <translation>vom Ende der Auflage bei -x bis zu dem bei +x</translation>
+        <translation>vom Ende der Schallkopffläche bei -x bis zu dem bei +x</translation>
     </message>
     <message>
         <source>the file name of the library in the same folder</source>
@@ -5461,7 +5461,7 @@
     </message>
     <message>
         <source>the name of a shape or organ that is a tube</source>
-        <translation>der Name einer Form oder eines Organs, die ein Rohr sind</translation>
+        <translation>der Name einer Form oder eines Organs, das ein Rohr ist</translation>
     </message>
     <message>
         <source>the name of a shipped probe, such as convex-3.5, without folder and ending</source>
@@ -5477,7 +5477,7 @@
     </message>
     <message>
         <source>the name of another of the %1</source>
-        <translation>der Name eines anderen von %1</translation>
+        <translation>der Name eines anderen Eintrags in %1</translation>
     </message>
     <message>
         <source>the name of one of the planes</source>
@@ -5497,7 +5497,7 @@
     </message>
     <message>
         <source>the offset is no count of bytes</source>
-        <translation>der Versatz ist keine Zahl von Byte</translation>
+        <translation>der Versatz ist keine Anzahl Byte</translation>
     </message>
     <message>
         <source>the pair %1</source>
@@ -5525,7 +5525,7 @@
     </message>
     <message>
         <source>the recording holds no tracked poses, so it cannot be placed: choose one recorded with a tracker, or say how a motor moved the probe</source>
-        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: eine wählen, die mit einem Tracker aufgenommen wurde, oder angeben, wie ein Motor die Sonde bewegt hat</translation>
+        <translation>die Aufnahme enthält keine verfolgten Lagen und kann nicht platziert werden: eine wählen, die mit einem Tracker aufgenommen wurde, oder angeben, wie ein Motor den Schallkopf bewegt hat</translation>
     </message>
     <message>
         <source>the recording is shorter than three cycles or has gaps of many times its length</source>
@@ -5537,11 +5537,11 @@
     </message>
     <message>
         <source>the scene of case.json</source>
-        <translation>die Szene von case.json</translation>
+        <translation>Szene von case.json</translation>
     </message>
     <message>
         <source>the schema of the section &apos;%1&apos;</source>
-        <translation>das Schema des Abschnitts „%1“</translation>
+        <translation>Schema des Abschnitts „%1“</translation>
     </message>
     <message>
         <source>the stitch project</source>
@@ -5581,7 +5581,7 @@
     </message>
     <message>
         <source>there unless &quot;%1&quot; is, and not beside it: one of the two says where the frames lie</source>
-        <translation>angegeben, wenn „%1“ fehlt, und nicht neben ihm: eines von beiden sagt, wo die Bilder liegen</translation>
+        <translation>eine Angabe genau dann, wenn „%1“ fehlt (eines von beiden sagt, wo die Bilder liegen)</translation>
     </message>
     <message>
         <source>they do not change</source>
@@ -5665,7 +5665,7 @@
     </message>
     <message>
         <source>two frame names that &quot;To&quot; joins in one way only</source>
-        <translation>zwei Namen von Rahmen, die „To“ auf nur eine Weise verbindet</translation>
+        <translation>zwei Namen von Bezugssystemen, die „To“ auf nur eine Weise verbindet</translation>
     </message>
     <message>
         <source>two heights at least 1 mm apart</source>
@@ -5681,7 +5681,7 @@
     </message>
     <message>
         <source>two numbers within a million, the pixel at the middle of the face</source>
-        <translation>zwei Zahlen innerhalb einer Million, das Pixel in der Mitte der Auflage</translation>
+        <translation>zwei Zahlen von höchstens einer Million, das Pixel in der Mitte der Schallkopffläche</translation>
     </message>
     <message>
         <source>two places at most %1 mm apart</source>
@@ -5717,7 +5717,7 @@
     </message>
     <message>
         <source>what grey 0 to 255 spans</source>
-        <translation>was die Graustufen 0 bis 255 umfassen</translation>
+        <translation>was Grau 0 bis 255 umspannt</translation>
     </message>
     <message>
         <source>what the machine compensates</source>
@@ -5733,7 +5733,7 @@
     </message>
     <message>
         <source>where the amplifier ends</source>
-        <translation>wo der Verstärker am Ende ist</translation>
+        <translation>wo der Verstärker endet</translation>
     </message>
     <message>
         <source>where the compensation ends</source>
@@ -5994,23 +5994,23 @@
     </message>
     <message>
         <source>The command &apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with the command you gave.</source>
-        <translation>Der Befehl „%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es mit dem Befehl, den Sie gegeben haben.</translation>
+        <translation>Der Befehl „%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden und dabei den eingegebenen Befehl nennen.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; use a coarser spacing or a smaller input.</source>
-        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; nehmen Sie einen gröberen Abstand oder eine kleinere Eingabe.</translation>
+        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; einen gröberen Voxelabstand oder eine kleinere Eingabe nehmen.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;%2&apos; of the plugin &apos;%1&apos;; close other programs or choose a coarser spacing.</source>
-        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; schließen Sie andere Programme oder wählen Sie einen gröberen Abstand.</translation>
+        <translation>Für „%2“ der Erweiterung „%1“ reicht der Speicher nicht; andere Programme schließen oder einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>&apos;%2&apos; of the plugin &apos;%1&apos; stopped unexpectedly (%3); please report it with what you did.</source>
-        <translation>„%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>„%2“ der Erweiterung „%1“ brach unerwartet ab (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not take over the result of &apos;%2&apos; (%3); please report it with what you did.</source>
-        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>Die Erweiterung „%1“ konnte das Ergebnis von „%2“ nicht übernehmen (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not follow a change of the case (%3); what its panel shows may be out of date.</source>
@@ -6018,19 +6018,19 @@
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not undo the last step (%3); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte den letzten Schritt nicht zurücknehmen (%3); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not redo the step (%3); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte den Schritt nicht wiederholen (%3); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not save (%3); try another name or folder.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht speichern (%3); versuchen Sie es mit einem anderen Namen oder Ordner.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht speichern (%3); einen anderen Namen oder Ordner versuchen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not say what its panel holds (%3); save under another name before you go on.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%3); speichern Sie unter einem anderen Namen, bevor Sie weitermachen.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was ihr Bereich enthält (%3); vor dem Weiterarbeiten unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not follow the scan (%3); what it shows may be out of date.</source>
@@ -6038,23 +6038,23 @@
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not move the probe (%3); press Escape to take the probe back.</source>
-        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%3); mit Esc nehmen Sie ihn zurück.</translation>
+        <translation>Die Erweiterung „%1“ konnte den Schallkopf nicht bewegen (%3); Esc nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>&apos;%2&apos; of the plugin &apos;%1&apos; did not come to its end (%3); please report it with what you did.</source>
-        <translation>„%2“ der Erweiterung „%1“ kam nicht zu Ende (%3); bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>„%2“ der Erweiterung „%1“ kam nicht zu Ende (%3); bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; could not say what it still holds (%3); save your work before you close the window.</source>
-        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%3); speichern Sie Ihre Arbeit, bevor Sie das Fenster schließen.</translation>
+        <translation>Die Erweiterung „%1“ konnte nicht sagen, was sie noch enthält (%3); vor dem Schließen des Fensters die Arbeit speichern.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; met a problem that it did not foresee (%3); save your work, and please report it with what you did.</source>
-        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%3); speichern Sie Ihre Arbeit, und bitte melden Sie es und was Sie getan haben.</translation>
+        <translation>Die Erweiterung „%1“ stieß auf ein unvorhergesehenes Problem (%3); die Arbeit speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>The plugin &apos;%1&apos; did not end in order (%3); nothing of your work is affected.</source>
-        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%3); Ihre Arbeit ist davon nicht betroffen.</translation>
+        <translation>Die Erweiterung „%1“ endete nicht ordentlich (%3); die Arbeit ist davon nicht betroffen.</translation>
     </message>
 </context>
 <context>
@@ -6072,7 +6072,7 @@
     </message>
     <message>
         <source>Open a case from the start page, from the File menu, or by dropping its folder on the window. Then its patient, texts and volume can be edited here.</source>
-        <translation>Öffnen Sie einen Fall auf der Startseite, im Menü Datei, oder ziehen Sie seinen Ordner auf das Fenster. Dann lassen sich Patient, Texte und Volumen hier bearbeiten.</translation>
+        <translation>Einen Fall auf der Startseite oder im Menü Datei öffnen oder seinen Ordner auf das Fenster ziehen. Dann lassen sich Patient, Texte und Volumen hier bearbeiten.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -6196,7 +6196,7 @@
     </message>
     <message>
         <source>A marked field cannot be used as it is; correct it first, or undo.</source>
-        <translation>Ein markiertes Feld ist so nicht brauchbar; bitte erst berichtigen oder rückgängig machen.</translation>
+        <translation>Ein markiertes Feld ist so nicht brauchbar; zuerst berichtigen oder rückgängig machen.</translation>
     </message>
     <message>
         <source>● unsaved changes</source>
@@ -6316,7 +6316,7 @@
     </message>
     <message>
         <source>The volume of this case is not what is scanned at the moment; choose View, Scan the case&apos;s volume.</source>
-        <translation>Geschallt wird gerade nicht das Volumen dieses Falls; wählen Sie Ansicht, Volumen des Falls schallen.</translation>
+        <translation>Geschallt wird gerade nicht das Volumen dieses Falls; „Ansicht“, „Volumen des Falles schallen“ wählen.</translation>
     </message>
     <message>
         <source>Set the start pose</source>
@@ -6380,11 +6380,11 @@
     </message>
     <message>
         <source>From here the probe does not see the volume; use another place, or move the volume.</source>
-        <translation>Von hier sieht der Schallkopf das Volumen nicht; nehmen Sie eine andere Stelle oder verschieben Sie das Volumen.</translation>
+        <translation>Von hier sieht der Schallkopf das Volumen nicht; eine andere Stelle nehmen oder das Volumen verschieben.</translation>
     </message>
     <message>
         <source>There is no probe &apos;%1&apos;; take it out.</source>
-        <translation>Es gibt keinen Schallkopf „%1“; nehmen Sie ihn heraus.</translation>
+        <translation>Es gibt keinen Schallkopf „%1“; ihn herausnehmen.</translation>
     </message>
     <message>
         <source>Nothing is wrong with this case.</source>
@@ -6449,7 +6449,7 @@
     </message>
     <message>
         <source>No levels yet: match the pair</source>
-        <translation>Noch keine Stufen: Ordnen Sie das Paar zu</translation>
+        <translation>Noch keine Stufen: das Paar zuordnen</translation>
     </message>
     <message>
         <source>matched</source>
@@ -6567,7 +6567,7 @@
     </message>
     <message>
         <source>Click the same place in the fixed and in the moving view (P)</source>
-        <translation>Klicken Sie dieselbe Stelle in der festen und in der bewegten Ansicht an (P)</translation>
+        <translation>Dieselbe Stelle in der festen und in der bewegten Ansicht anklicken (P)</translation>
     </message>
     <message>
         <source>Match by landmarks</source>
@@ -6651,7 +6651,7 @@
     </message>
     <message>
         <source>This pair of places contradicts the others; look at it again or remove it</source>
-        <translation>Dieses Stellenpaar widerspricht den anderen; sehen Sie es noch einmal an oder entfernen Sie es</translation>
+        <translation>Dieses Stellenpaar widerspricht den anderen; noch einmal ansehen oder entfernen</translation>
     </message>
     <message>
         <source>Now the same place in the moving view. Escape drops it.</source>
@@ -6663,7 +6663,7 @@
     </message>
     <message>
         <source>Click a place in the fixed view, then the same one in the moving view.</source>
-        <translation>Klicken Sie eine Stelle in der festen Ansicht an, dann dieselbe in der bewegten.</translation>
+        <translation>Eine Stelle in der festen Ansicht anklicken, dann dieselbe in der bewegten.</translation>
     </message>
     <message>
         <source>None yet. Three places that are seen in both volumes bring a pair together where the images alone cannot.</source>
@@ -6687,7 +6687,7 @@
     </message>
     <message>
         <source>Match it, mark landmarks in both volumes, or nudge it with the keys.</source>
-        <translation>Ordnen Sie es zu, setzen Sie Landmarken in beiden Volumen, oder schieben Sie es mit den Tasten.</translation>
+        <translation>Zuordnen, Landmarken in beiden Volumen setzen oder mit den Tasten schieben.</translation>
     </message>
     <message>
         <source>The other pairs contradict it.</source>
@@ -6916,7 +6916,7 @@
     </message>
     <message>
         <source>The two do not overlap at the start: bring them closer, or search without places.</source>
-        <translation>Am Anfang überlappen sich die beiden nicht: Bringen Sie sie näher zusammen oder suchen Sie ohne Lagen.</translation>
+        <translation>Am Anfang überlappen sich die beiden nicht; sie näher zusammenbringen oder ohne Anfangslage suchen.</translation>
     </message>
     <message>
         <source>The overlap is too small: fewer than 50 voxels are covered by both volumes.</source>
@@ -6948,7 +6948,7 @@
     </message>
     <message>
         <source>Descending from the start led nowhere; a search about it found a pose %1 and %2 from it.</source>
-        <translation>Der Abstieg vom Start führte nirgendwohin; eine Suche um ihn herum fand eine Lage %1 und %2 davon entfernt.</translation>
+        <translation>Der Abstieg vom Anfang führte nirgendwohin; eine Suche um ihn herum fand eine Lage %1 und %2 davon entfernt.</translation>
     </message>
     <message>
         <source>No pose brings the two into agreement over %1 overlap.</source>
@@ -6984,17 +6984,17 @@
     </message>
     <message>
         <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the volumes agree hardly better than unrelated tissue does.</source>
-        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe.</translation>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie stimmen die Volumen kaum besser überein als fremdes Gewebe.</translation>
     </message>
     <message>
         <source>What agrees are mostly streaks, such as shadows along the beam, which turn with the probe: without them the pose lies %1 and %2 elsewhere. A tracker or landmarks can decide.</source>
-        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit der Sonde drehen: Ohne sie liegt die Lage %1 und %2 anderswo. Ein Tracker oder Landmarken können entscheiden.</translation>
+        <translation>Was übereinstimmt, sind vor allem Streifen wie Schatten längs des Strahls, die sich mit dem Schallkopf drehen: Ohne sie liegt die Lage %1 und %2 anderswo. Ein Tracker oder Landmarken können entscheiden.</translation>
     </message>
     <message numerus="yes">
         <source>Three places that are not on one line are needed; mark %n more.</source>
         <translation>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch eine.</numerusform>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch %n.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch eine setzen.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch %n setzen.</numerusform>
         </translation>
     </message>
     <message>
@@ -7003,7 +7003,7 @@
     </message>
     <message>
         <source>The places lie on one line, so that the turn about it is free: add one beside the line.</source>
-        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt: Setzen Sie eine neben der Geraden.</translation>
+        <translation>Die Stellen liegen auf einer Geraden, sodass die Drehung um sie frei bleibt; eine neben der Geraden setzen.</translation>
     </message>
     <message>
         <source>The places in one volume are the mirror image of those in the other: left and right were confused, or one file is mirrored.</source>
@@ -7011,15 +7011,15 @@
     </message>
     <message>
         <source>The three pairs contradict each other by %1, and three cannot say which is wrong: correct one or add a fourth.</source>
-        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist: Berichtigen Sie eines oder setzen Sie ein viertes.</translation>
+        <translation>Die drei Paare widersprechen sich um %1, und drei können nicht sagen, welches falsch ist; eines berichtigen oder ein viertes setzen.</translation>
     </message>
     <message>
         <source>The pairs contradict each other: no rigid transform brings more than %1 of %2 together. Pick them again.</source>
-        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Setzen Sie sie neu.</translation>
+        <translation>Die Paare widersprechen sich: Keine starre Lage bringt mehr als %1 von %2 zusammen. Die Paare neu setzen.</translation>
     </message>
     <message>
         <source>One can read the pairs in two ways: without %1, or without %2. Add a pair or correct one.</source>
-        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Setzen Sie ein weiteres Paar oder berichtigen Sie eines.</translation>
+        <translation>Die Paare lassen sich auf zwei Arten lesen: ohne %1 oder ohne %2. Ein weiteres Paar setzen oder eines berichtigen.</translation>
     </message>
     <message>
         <source>%1 pairs agree within %2.</source>
@@ -7079,7 +7079,7 @@
     </message>
     <message>
         <source>Nothing joins these %1 parts: %2. Match a pair between them.</source>
-        <translation>Diese %1 Teile verbindet nichts: %2. Ordnen Sie ein Paar zwischen ihnen zu.</translation>
+        <translation>Diese %1 Teile verbindet nichts: %2. Ein Paar zwischen ihnen zuordnen.</translation>
     </message>
     <message>
         <source>The pairs leave %1 free to slide or turn.</source>
@@ -7095,7 +7095,7 @@
     </message>
     <message>
         <source>It could as well be %1: they lie on the same loop. Match another pair across it.</source>
-        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife. Ordnen Sie ein weiteres Paar quer dazu zu.</translation>
+        <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife. Ein weiteres Paar quer dazu zuordnen.</translation>
     </message>
     <message>
         <source>No loop checks %1.</source>
@@ -7126,7 +7126,7 @@
     </message>
     <message>
         <source>Add a second volume; then pairs can be matched.</source>
-        <translation>Fügen Sie ein zweites Volumen hinzu; dann lassen sich Paare zuordnen.</translation>
+        <translation>Ein zweites Volumen hinzufügen; dann lassen sich Paare zuordnen.</translation>
     </message>
     <message>
         <source>%1 is being read, or cannot be read.</source>
@@ -7207,7 +7207,7 @@
     </message>
     <message>
         <source>Add two or more volumes or sweeps that overlap, or drop their files or a stitch project here. No tracker is needed.</source>
-        <translation>Fügen Sie zwei oder mehr Volumen oder Schwenks hinzu, die sich überlappen, oder ziehen Sie ihre Dateien oder ein Stitching-Projekt hierher. Ein Tracker ist nicht nötig.</translation>
+        <translation>Zwei oder mehr Volumen oder Schwenks hinzufügen, die sich überlappen, oder ihre Dateien oder ein Stitching-Projekt hierher ziehen. Ein Tracker ist nicht nötig.</translation>
     </message>
     <message>
         <source>Reopen</source>
@@ -7500,7 +7500,7 @@
     </message>
     <message>
         <source>The project has no volume yet; add one before it is saved.</source>
-        <translation>Das Projekt hat noch kein Volumen; fügen Sie eines hinzu, bevor Sie es speichern.</translation>
+        <translation>Das Projekt hat noch kein Volumen; vor dem Speichern eines hinzufügen.</translation>
     </message>
     <message>
         <source>Save the stitch project</source>
@@ -7562,7 +7562,7 @@
     </message>
     <message>
         <source>A landmark needs a name; type one.</source>
-        <translation>Eine Landmarke braucht einen Namen; geben Sie einen ein.</translation>
+        <translation>Eine Landmarke braucht einen Namen; einen eingeben.</translation>
     </message>
     <message>
         <source>call landmark %1 &apos;%2&apos;</source>
@@ -7571,8 +7571,8 @@
     <message numerus="yes">
         <source>Three places that do not lie on one line are needed; mark %n more in both volumes.</source>
         <translation>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch eine in beiden Volumen.</numerusform>
-            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; setzen Sie noch %n in beiden Volumen.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch eine in beiden Volumen setzen.</numerusform>
+            <numerusform>Drei Stellen, die nicht auf einer Geraden liegen, sind nötig; noch %n in beiden Volumen setzen.</numerusform>
         </translation>
     </message>
     <message>
@@ -7605,7 +7605,7 @@
     </message>
     <message>
         <source>Matching needs two volumes at least; add another one.</source>
-        <translation>Zum Zuordnen braucht es mindestens zwei Volumen; fügen Sie noch eines hinzu.</translation>
+        <translation>Zum Zuordnen braucht es mindestens zwei Volumen; noch eines hinzufügen.</translation>
     </message>
     <message>
         <source>match without tracker</source>
@@ -7621,7 +7621,7 @@
     </message>
     <message>
         <source>There is nothing to work on yet; add two volumes or more.</source>
-        <translation>Noch gibt es nichts zu tun; fügen Sie zwei oder mehr Volumen hinzu.</translation>
+        <translation>Noch gibt es nichts zu tun; zwei oder mehr Volumen hinzufügen.</translation>
     </message>
     <message>
         <source>redo %1</source>
@@ -7637,7 +7637,7 @@
     </message>
     <message>
         <source>There is no stitched volume yet; run &apos;Compute mosaic&apos; first.</source>
-        <translation>Noch gibt es kein zusammengefügtes Volumen; führen Sie erst „Mosaik berechnen“ aus.</translation>
+        <translation>Noch gibt es kein zusammengefügtes Volumen; zuerst „Mosaik berechnen“ ausführen.</translation>
     </message>
     <message>
         <source>Saving the stitched volume</source>
@@ -7649,7 +7649,7 @@
     </message>
     <message>
         <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>
-        <translation>Kein Fall ist offen, der das Volumen nehmen könnte; öffnen Sie einen (Strg+O) oder speichern Sie das Volumen als Datei.</translation>
+        <translation>Kein Fall ist offen, der das Volumen nehmen könnte; einen öffnen (Strg+O) oder das Volumen als Datei speichern.</translation>
     </message>
     <message>
         <source>Adding the volume to the case</source>
@@ -7669,11 +7669,11 @@
     </message>
     <message>
         <source>It had unsaved changes before; save the case to keep them all.</source>
-        <translation>Er hatte schon ungespeicherte Änderungen; speichern Sie den Fall, um alle zu behalten.</translation>
+        <translation>Er hatte schon ungespeicherte Änderungen; den Fall speichern, um alle zu behalten.</translation>
     </message>
     <message>
         <source>A step is still running; wait for it or cancel it.</source>
-        <translation>Ein Schritt läuft noch; warten Sie auf ihn oder brechen Sie ihn ab.</translation>
+        <translation>Ein Schritt läuft noch; auf ihn warten oder ihn abbrechen.</translation>
     </message>
     <message>
         <source>elastic quality %1</source>
@@ -7724,7 +7724,7 @@
     </message>
     <message>
         <source>Not matched by their images, because you placed them by landmarks or accepted them by hand: %1.</source>
-        <translation>Nicht nach ihren Bildern zugeordnet, weil Sie sie nach Landmarken platziert oder von Hand angenommen haben: %1.</translation>
+        <translation>Nicht nach ihren Bildern zugeordnet, weil sie nach Landmarken platziert oder von Hand angenommen wurden: %1.</translation>
     </message>
     <message>
         <source>'%1' was changed by another program since it was opened here.</source>
@@ -7732,7 +7732,7 @@
     </message>
     <message>
         <source>Reloading drops your changes, overwriting drops the other ones.</source>
-        <translation>Neu laden verwirft Ihre Änderungen, Überschreiben die anderen.</translation>
+        <translation>Neu laden verwirft die eigenen Änderungen, Überschreiben die anderen.</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -7749,8 +7749,8 @@
     <message numerus="yes">
         <source>%n files lie in other folders and are named by their whole path: to take the project to another machine, put them beside it first.</source>
         <translation>
-            <numerusform>Eine Datei liegt in einem anderen Ordner und ist mit ihrem ganzen Pfad genannt: Legen Sie sie neben das Projekt, bevor Sie es auf einen anderen Rechner mitnehmen.</numerusform>
-            <numerusform>%n Dateien liegen in anderen Ordnern und sind mit ihrem ganzen Pfad genannt: Legen Sie sie neben das Projekt, bevor Sie es auf einen anderen Rechner mitnehmen.</numerusform>
+            <numerusform>Eine Datei liegt in einem anderen Ordner und ist mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
+            <numerusform>%n Dateien liegen in anderen Ordnern und sind mit ihrem ganzen Pfad genannt; sie neben das Projekt legen, bevor es auf einen anderen Rechner kommt.</numerusform>
         </translation>
     </message>
     <message>
@@ -7767,7 +7767,7 @@
     </message>
     <message>
         <source>What only the recipe knew goes with it: %1, %2. To keep this case as it is, save it under another name first.</source>
-        <translation>Was nur das Rezept wusste, geht mit ihm: %1, %2. Um diesen Fall zu behalten, wie er ist, speichern Sie ihn zuerst unter einem anderen Namen.</translation>
+        <translation>Was nur das Rezept wusste, geht mit ihm: %1, %2. Um diesen Fall zu behalten, wie er ist, ihn zuerst unter einem anderen Namen speichern.</translation>
     </message>
     <message numerus="yes">
         <source>%n targets</source>
@@ -7892,7 +7892,7 @@
     </message>
     <message>
         <source>The view that is preferred where you paint</source>
-        <translation>Die Ansicht, die dort vorgezogen wird, wo Sie malen</translation>
+        <translation>Die Ansicht, die dort vorgezogen wird, wo gemalt wird</translation>
     </message>
     <message>
         <source>mm</source>
@@ -8147,7 +8147,7 @@
     </message>
     <message>
         <source>A device set (.xml) that says where the pixels lie on the probe; needed by a sweep that does not say it itself</source>
-        <translation>Eine Gerätedatei (.xml), die sagt, wo die Pixel am Schallkopf liegen; nötig für einen Schwenk, der es nicht selbst sagt</translation>
+        <translation>Eine Kalibrierung (.xml), die sagt, wo die Pixel am Schallkopf liegen; nötig für einen Schwenk, der es nicht selbst sagt</translation>
     </message>
     <message>
         <source>Calibration from %1; click to choose another file</source>
@@ -8159,7 +8159,7 @@
     </message>
     <message>
         <source>Device sets (*.xml);;All files (*)</source>
-        <translation>Gerätedateien (*.xml);;Alle Dateien (*)</translation>
+        <translation>Kalibrierungen (*.xml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>sweep, not yet a volume</source>
@@ -8194,19 +8194,19 @@
     </message>
     <message>
         <source>Choose the folder of your own cases.</source>
-        <translation>Wählen Sie den Ordner Ihrer eigenen Fälle.</translation>
+        <translation>Den Ordner der eigenen Fälle wählen.</translation>
     </message>
     <message>
         <source>Type a name for the new folder, without &apos;/&apos; and not beginning with &apos;.&apos;.</source>
-        <translation>Geben Sie dem neuen Ordner einen Namen ohne „/“, der nicht mit „.“ beginnt.</translation>
+        <translation>Dem neuen Ordner einen Namen ohne „/“ geben, der nicht mit „.“ beginnt.</translation>
     </message>
     <message>
         <source>This folder belongs to the program, and the next version replaces it; choose one of your own.</source>
-        <translation>Dieser Ordner gehört zum Programm, und die nächste Version ersetzt ihn; wählen Sie einen eigenen.</translation>
+        <translation>Dieser Ordner gehört zum Programm, und die nächste Version ersetzt ihn; einen eigenen wählen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is there already, and nothing in it is replaced; type another name.</source>
-        <translation>„%1“ gibt es schon, und darin wird nichts ersetzt; geben Sie einen anderen Namen ein.</translation>
+        <translation>„%1“ gibt es schon, und darin wird nichts ersetzt; einen anderen Namen eingeben.</translation>
     </message>
     <message>
         <source>The case will be saved in %1.</source>
@@ -9073,7 +9073,7 @@
     </message>
     <message>
         <source>weighted by confidence: shadows count less</source>
-        <translation>nach Vertrauen gewichtet: Schatten zählen weniger</translation>
+        <translation>nach Verlässlichkeit gewichtet: Schatten zählen weniger</translation>
     </message>
     <message>
         <source>maximum</source>
@@ -9081,7 +9081,7 @@
     </message>
     <message>
         <source>latest view</source>
-        <translation>letzte Ansicht</translation>
+        <translation>neueste Ansicht</translation>
     </message>
     <message>
         <source>do not fill</source>
@@ -9089,7 +9089,7 @@
     </message>
     <message>
         <source>Holes at most this far between measured voxels are filled and marked as interpolated</source>
-        <translation>Löcher bis zu dieser Weite zwischen gemessenen Voxeln werden gefüllt und als interpoliert vermerkt</translation>
+        <translation>Lücken bis zu dieser Weite zwischen gemessenen Voxeln werden gefüllt und als interpoliert vermerkt</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -9113,7 +9113,7 @@
     </message>
     <message>
         <source>Fill holes up to</source>
-        <translation>Löcher füllen bis</translation>
+        <translation>Lücken füllen bis</translation>
     </message>
     <message>
         <source>Frames</source>
@@ -9141,7 +9141,7 @@
     </message>
     <message>
         <source>Device sets (*.xml)</source>
-        <translation>Gerätebeschreibungen (*.xml)</translation>
+        <translation>Kalibrierungen (*.xml)</translation>
     </message>
     <message>
         <source>Reading the sweep…</source>
@@ -9165,7 +9165,7 @@
     </message>
     <message>
         <source>The volume would need more than the %1 allowed; choose a coarser spacing.</source>
-        <translation>Das Volumen bräuchte mehr als die erlaubten %1; bitte einen gröberen Abstand wählen.</translation>
+        <translation>Das Volumen bräuchte mehr als die erlaubten %1; einen gröberen Voxelabstand wählen.</translation>
     </message>
     <message>
         <source>%1 while it is made, the volume itself %2</source>
@@ -9197,7 +9197,7 @@
     </message>
     <message>
         <source>Device set of the recording (.xml); several with ; between them, the earlier counts where two say the same</source>
-        <translation>Gerätebeschreibung der Aufnahme (.xml); mehrere durch ; getrennt, bei gleichen Angaben zählt die frühere</translation>
+        <translation>Kalibrierung der Aufnahme (.xml); mehrere durch ; getrennt, bei gleichen Angaben zählt die frühere</translation>
     </message>
     <message>
         <source>as a tracker recorded</source>
@@ -9229,7 +9229,7 @@
     </message>
     <message>
         <source>From the face back to the axis the probe was tilted about; 0: about its face</source>
-        <translation>Von der Auflage zurück zur Achse, um die gekippt wurde; 0: um die Auflage selbst</translation>
+        <translation>Von der Schallkopffläche zurück zur Achse, um die gekippt wurde; 0: um die Fläche selbst</translation>
     </message>
     <message>
         <source>axis </source>
@@ -9257,7 +9257,7 @@
     </message>
     <message>
         <source>as the device set says, else all</source>
-        <translation>wie die Gerätebeschreibung sagt, sonst ganz</translation>
+        <translation>wie die Kalibrierung sagt, sonst ganz</translation>
     </message>
     <message>
         <source>Of each frame this rectangle alone is used: x,y,width,height in pixels. Drag it over the image.</source>
@@ -9265,7 +9265,7 @@
     </message>
     <message>
         <source>as the device set says, else none</source>
-        <translation>wie die Gerätebeschreibung sagt, sonst keiner</translation>
+        <translation>wie die Kalibrierung sagt, sonst keiner</translation>
     </message>
     <message>
         <source>Of each frame this fan alone is used: left and right angle in degrees from straight down, x and y of the apex, first and last radius in pixels</source>
@@ -9281,23 +9281,23 @@
     </message>
     <message>
         <source>The first frame. Drag a rectangle over what is to be used of every frame.</source>
-        <translation>Das erste Bild. Ziehen Sie ein Rechteck über das, was von jedem Bild verwendet werden soll.</translation>
+        <translation>Das erste Bild. Ein Rechteck über das ziehen, was von jedem Bild verwendet werden soll.</translation>
     </message>
     <message>
         <source>Choose the motor file that says how the probe moved.</source>
-        <translation>Bitte die Motordatei wählen, die sagt, wie sich der Schallkopf bewegte.</translation>
+        <translation>Die Motordatei wählen, die sagt, wie sich der Schallkopf bewegte.</translation>
     </message>
     <message>
         <source>Say how far the probe moved from frame to frame; 0 would put all frames into one place.</source>
-        <translation>Bitte angeben, wie weit sich der Schallkopf von Bild zu Bild bewegte; 0 legte alle Bilder an dieselbe Stelle.</translation>
+        <translation>Angeben, wie weit sich der Schallkopf von Bild zu Bild bewegte; 0 legte alle Bilder an dieselbe Stelle.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not %2.</source>
-        <translation>„%1“ ist nicht %2.</translation>
+        <translation>„%1“ ist nicht brauchbar; erwartet: %2.</translation>
     </message>
     <message>
         <source>a fan; give left and right angle, x and y of the apex, first and last radius</source>
-        <translation>ein Fächer; nötig sind linker und rechter Winkel, x und y der Spitze, erster und letzter Radius</translation>
+        <translation>ein Fächer aus linkem und rechtem Winkel, x und y der Spitze, erstem und letztem Radius</translation>
     </message>
 </context>
 <context>
@@ -9315,11 +9315,11 @@
     <name>ew::ui::MainWindow</name>
     <message>
         <source>There is not enough memory for this; close other programs and try again.</source>
-        <translation>Dafür reicht der Speicher nicht; schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+        <translation>Dafür reicht der Speicher nicht; andere Programme schließen und noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The program met a problem that it did not foresee (%1). Your work is still there: save it, and please report this with what you did.</source>
-        <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Ihre Arbeit ist noch da: speichern Sie sie, und bitte melden Sie dies und was Sie getan haben.</translation>
+        <translation>Das Programm stieß auf ein unvorhergesehenes Problem (%1). Die Arbeit ist noch da: sie speichern, das Problem bitte melden und dabei die letzten Schritte nennen.</translation>
     </message>
     <message>
         <source>Undo: %1 (Ctrl+Z)</source>
@@ -9683,11 +9683,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The window was not ready within %1 s; try a smaller volume.</source>
-        <translation>Das Fenster war nach %1 s nicht bereit; bitte ein kleineres Volumen versuchen.</translation>
+        <translation>Das Fenster war nach %1 s nicht bereit; ein kleineres Volumen versuchen.</translation>
     </message>
     <message>
         <source>The image cannot be written to &apos;%1&apos;; choose a folder you may write to.</source>
-        <translation>Das Bild lässt sich nicht nach „%1“ schreiben; bitte einen Ordner wählen, in den Sie schreiben dürfen.</translation>
+        <translation>Das Bild lässt sich nicht nach „%1“ schreiben; einen Ordner mit Schreibrecht wählen.</translation>
     </message>
     <message>
         <source>Saved to %1, and which voxels were measured to %2.</source>
@@ -9863,7 +9863,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Keep which frame each voxel came from&apos; switched on, and make the volume.</source>
-        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Behalten, aus welchem Bild jeder Voxel stammt“ eingeschaltet lassen und das Volumen machen.</translation>
+        <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
     <message>
         <source>&amp;Undo: %1</source>
@@ -9951,7 +9951,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Save a copy of your own: the next version of the program replaces what is changed in its own cases.</source>
-        <translation>Speichern Sie eine eigene Kopie: Die nächste Version des Programms ersetzt, was an seinen Fällen geändert wird.</translation>
+        <translation>Eine eigene Kopie speichern: Die nächste Version des Programms ersetzt, was an seinen Fällen geändert wird.</translation>
     </message>
     <message>
         <source>Save a copy…</source>
@@ -10089,7 +10089,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The window speaks the chosen language from the next start on. Close EchoWeave and open it again.</source>
-        <translation>Die gewählte Sprache gilt ab dem nächsten Start. Schließen Sie EchoWeave und öffnen Sie es wieder.</translation>
+        <translation>Die gewählte Sprache gilt ab dem nächsten Start. EchoWeave schließen und wieder öffnen.</translation>
     </message>
     <message>
         <source>Scan &amp;only</source>
@@ -10133,7 +10133,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>This point lies outside the image. Click a point inside the fan.</source>
-        <translation>Dieser Punkt liegt außerhalb des Bildes. Klicken Sie auf einen Punkt im Schallfächer.</translation>
+        <translation>Dieser Punkt liegt außerhalb des Bildes. Einen Punkt im Schallfächer anklicken.</translation>
     </message>
     <message>
         <source>● unsaved changes</source>
@@ -10179,11 +10179,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The probe is moved for you. Escape takes it back.</source>
-        <translation>Der Schallkopf wird für Sie bewegt. Esc nimmt ihn zurück.</translation>
+        <translation>Der Schallkopf wird geführt. Esc nimmt ihn zurück.</translation>
     </message>
     <message>
         <source>A recording is shown. Close it (Escape) to move the probe yourself.</source>
-        <translation>Eine Aufzeichnung wird gezeigt. Schließen Sie sie (Esc), um den Schallkopf selbst zu bewegen.</translation>
+        <translation>Eine Aufzeichnung wird gezeigt. Die Aufzeichnung schließen (Esc), um den Schallkopf selbst zu bewegen.</translation>
     </message>
     <message>
         <source>&amp;Record</source>
@@ -10199,7 +10199,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The recording is kept until another one begins. Play it below, or save it (%1).</source>
-        <translation>Die Aufzeichnung bleibt, bis eine andere beginnt. Spielen Sie sie unten ab oder speichern Sie sie (%1).</translation>
+        <translation>Die Aufzeichnung bleibt, bis eine andere beginnt. Unten abspielen oder speichern (%1).</translation>
     </message>
     <message>
         <source>End &amp;recording</source>
@@ -10219,7 +10219,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>%1 is a recording of &apos;%2&apos;. Open what was scanned first, then the recording.</source>
-        <translation>%1 ist eine Aufzeichnung von „%2“. Öffnen Sie zuerst, was geschallt wurde, dann die Aufzeichnung.</translation>
+        <translation>%1 ist eine Aufzeichnung von „%2“. Zuerst öffnen, was geschallt wurde, dann die Aufzeichnung.</translation>
     </message>
     <message numerus="yes">
         <source>%1 is open; %n notes say how it was read.</source>
@@ -10259,7 +10259,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>There is no file or folder &apos;%1&apos;; check the name, or choose it with Open.</source>
-        <translation>Es gibt keine Datei und keinen Ordner „%1“; bitte den Namen prüfen oder mit Öffnen wählen.</translation>
+        <translation>Es gibt keine Datei und keinen Ordner „%1“; den Namen prüfen oder mit Öffnen wählen.</translation>
     </message>
     <message>
         <source>Opening %1</source>
@@ -10300,11 +10300,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>There are no plugin folders. Put a plugin&apos;s folder into lib/plugins beside the program, or name a folder in ECHOWEAVE_PLUGINS, and start again.</source>
-        <translation>Es gibt keine Ordner für Erweiterungen. Legen Sie den Ordner einer Erweiterung in lib/plugins neben dem Programm ab, oder nennen Sie einen Ordner in ECHOWEAVE_PLUGINS, und starten Sie neu.</translation>
+        <translation>Es gibt keine Ordner für Erweiterungen. Den Ordner einer Erweiterung in lib/plugins neben dem Programm ablegen oder einen Ordner in ECHOWEAVE_PLUGINS nennen und neu starten.</translation>
     </message>
     <message>
         <source>No plugins were found in %1. Put a plugin&apos;s folder there and start again.</source>
-        <translation>In %1 wurden keine Erweiterungen gefunden. Legen Sie dort den Ordner einer Erweiterung ab und starten Sie neu.</translation>
+        <translation>In %1 wurden keine Erweiterungen gefunden. Dort den Ordner einer Erweiterung ablegen und neu starten.</translation>
     </message>
     <message>
         <source> or </source>
@@ -10377,7 +10377,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Nothing to scan yet. Open a case, a volume or a sweep (Ctrl+O), or drop one here.</source>
-        <translation>Noch nichts zu schallen. Öffnen Sie einen Fall, ein Volumen oder einen Schwenk (Strg+O), oder ziehen Sie etwas hierher.</translation>
+        <translation>Noch nichts zu schallen. Einen Fall, ein Volumen oder einen Schwenk öffnen (Strg+O) oder etwas hierher ziehen.</translation>
     </message>
     <message>
         <source>cm</source>
@@ -10397,7 +10397,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>The probe is outside the volume. Slide it back, or press Home for the start.</source>
-        <translation>Die Sonde ist außerhalb des Volumens. Schieben Sie sie zurück, oder drücken Sie Pos1 für den Anfang.</translation>
+        <translation>Die Sonde ist außerhalb des Volumens. Zurückschieben oder mit Pos1 zum Anfang.</translation>
     </message>
     <message>
         <source>depth %1 cm   gain %2 %</source>
@@ -10579,7 +10579,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>There are no cases here yet. Open a case folder, a volume or a sweep to begin.</source>
-        <translation>Hier gibt es noch keine Fälle. Öffnen Sie zum Anfang einen Fallordner, ein Volumen oder einen Schwenk.</translation>
+        <translation>Hier gibt es noch keine Fälle. Zum Anfang einen Fallordner, ein Volumen oder einen Schwenk öffnen.</translation>
     </message>
     <message>
         <source>Back to what is open (Escape)</source>
@@ -10846,7 +10846,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
     <message>
         <source>Click or drag to another moment (arrows: a second, with Shift five; Home and End)</source>
-        <translation>Klicken oder ziehen Sie zu einem anderen Augenblick (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
+        <translation>Zu einem anderen Augenblick klicken oder ziehen (Pfeile: eine Sekunde, mit Umschalt fünf; Pos1 und Ende)</translation>
     </message>
 </context>
 </TS>
