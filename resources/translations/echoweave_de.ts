@@ -9532,7 +9532,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Der Streifen des M-Modus zeigt einen Strahl über die Zeit, keinen Ort in einem Bild. Auf B oder B + M umschalten (M), dann einen Punkt des Bildes anklicken.</translation>
     </message>
     <message>
-        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Keep which frame each voxel came from&apos; switched on, and make the volume.</source>
+        <source>This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open the sweep (Ctrl+O), leave &apos;Record source frame per voxel&apos; switched on, and reconstruct it.</source>
         <translation>Dieses Volumen sagt nicht, aus welchem Bild ein Voxel stammt. Ein Volumen, das hier aus einem aufgenommenen Schwenk gemacht wird, sagt es: den Schwenk öffnen (Strg+O), „Quellbild je Voxel festhalten“ eingeschaltet lassen und das Volumen machen.</translation>
     </message>
     <message>

@@ -314,7 +314,7 @@ void MainWindow::showSource(const QPoint& pixel) {
   } else {
     dialog->showNone(
         tr("This volume does not say which frame a voxel came from. A volume that is made here from a recorded sweep does: open "
-           "the sweep (Ctrl+O), leave 'Keep which frame each voxel came from' switched on, and make the volume."));
+           "the sweep (Ctrl+O), leave 'Record source frame per voxel' switched on, and reconstruct it."));
   }
   dialog->show();
   dialog->raise();
