@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "counted_stop.h"
+#include "ew/acquisition/import.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
@@ -197,6 +198,24 @@ TEST_F(CasePipeline, MakesAgainOnlyWhatDependsOnAChangedSweep) {
   manifest["history"] = "Something else.";
   writeText(folder / "case/case.json", manifest.dump());
   EXPECT_FALSE(caseNeedsPreparation(opened(folder / "case"))) << "words shape no voxel";
+}
+
+TEST_F(CasePipeline, LeavesWhatTheCaseDoesNotSayToTheRecordingAsWindowAndCommandsDo) {
+  json manifest = json::parse(textOf(folder / "case/case.json"));
+  for (const char* open : {"spacing_mm", "interpolation", "compounding", "fill_reach_mm"}) manifest["volume"]["reconstruct"].erase(open);
+  writeText(folder / "case/case.json", manifest.dump());
+  const auto made = loadCaseVolume(opened(folder / "case"), noProgress(), {.keepSweeps = folder / "sweeps"});
+  ASSERT_TRUE(made) << made.error();
+  double finest_mm = 1e9;
+  for (const std::string name : {"upper", "lower"}) {
+    SweepImportOptions options;
+    options.calibrations = {folder / "sweeps" / (name + ".xml")};
+    options.usual = {.spacing = true, .interpolation = true, .compounding = true, .fillReach = true};
+    const auto plan = planImport(folder / "sweeps" / (name + ".igs.mha"), options, noProgress());
+    ASSERT_TRUE(plan) << plan.error();
+    finest_mm = std::min(finest_mm, plan->reconstruct.spacing_mm);
+  }
+  EXPECT_NEAR(made->volume.grid.spacing_mm.x, finest_mm, 1e-9);
 }
 
 TEST_F(CasePipeline, FeathersSweepsUnlessTheCaseAsksForASeam) {

@@ -40,8 +40,8 @@ std::string dumped(const json& value) { return value.dump(2, ' ', false, json::e
 std::string volumeText(const CaseVolume& volume) {
   if (!volume.file.empty()) return volume.file;
   if (!volume.sweeps.empty())
-    return "made from " + counted(volume.sweeps.size(), "sweep") + " of " + volume.recipe + " at " + textOf(volume.reconstruct.spacing_mm) +
-           " mm";
+    return "made from " + counted(volume.sweeps.size(), "sweep") + " of " + volume.recipe +
+           (volume.reconstruct.spacing_mm ? " at " + textOf(*volume.reconstruct.spacing_mm) + " mm" : " at the spacing their frames carry");
   if (!volume.recipe.empty()) return "made from " + volume.recipe + " at " + textOf(volume.recipeSpacing_mm) + " mm";
   return "none";
 }

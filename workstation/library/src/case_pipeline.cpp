@@ -56,10 +56,11 @@ double frameArea_mm2(const Probe& probe, double depth_mm) {
 }
 
 void addOptions(ContentKey& key, const CaseReconstruction& reconstruct) {
-  key.add(reconstruct.spacing_mm)
-      .add(static_cast<int>(reconstruct.interpolation))
-      .add(static_cast<int>(reconstruct.compounding))
-      .add(reconstruct.fillReach_mm);
+  // 0 and -1: as the recording has it.
+  key.add(reconstruct.spacing_mm.value_or(0.0))
+      .add(reconstruct.interpolation ? static_cast<int>(*reconstruct.interpolation) : -1)
+      .add(reconstruct.compounding ? static_cast<int>(*reconstruct.compounding) : -1)
+      .add(reconstruct.fillReach_mm.value_or(-1.0));
 }
 
 Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient) {
@@ -93,11 +94,12 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
 }
 
 /// The stages after the sweeps count voxels; before there is a volume, what the sweeps see says how many there will be.
-double stitchWork(const CasePlan& plan, double spacing_mm) {
+double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
+  constexpr double kUsual_mm = 0.6;  // of frames about 1 mm apart
   double volume_mm3 = 0.0;
   for (const PlannedSweep& sweep : plan.sweeps)
     volume_mm3 += frameArea_mm2(sweep.probe, sweep.recipe.formation.depth_mm) * sweep.recipe.frames;  // frames about 1 mm apart
-  return 1e-6 * volume_mm3 / std::pow(spacing_mm, 3);
+  return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
 }
 
 double voxeliseWork(double spacing_mm) { return 6.0 / std::pow(spacing_mm, 3); }  // a trunk of about six litres, in million voxels
@@ -213,7 +215,7 @@ class Preparation {
       }
       add(PreparationStep::reconstruct, sweep.work);
     }
-    add(PreparationStep::stitch, stitchWork(plan, opened.volume.reconstruct.spacing_mm));
+    add(PreparationStep::stitch, stitchWork(plan, opened.volume.reconstruct));
     return steps;
   }
 
@@ -237,7 +239,7 @@ class Preparation {
     auto labels = labelsOf(made.volume.grid);
     if (!labels) return passOn(labels.error());
     made.labels = std::move(*labels);
-    keepMachineSpeed(cacheFolder(), PreparationStep::stitch, stitchWork(plan_, case_.volume.reconstruct.spacing_mm), clock_.sinceBegin_s());
+    keepMachineSpeed(cacheFolder(), PreparationStep::stitch, stitchWork(plan_, case_.volume.reconstruct), clock_.sinceBegin_s());
     return made;
   }
 
@@ -302,10 +304,14 @@ class Preparation {
     const CaseReconstruction& asked = case_.volume.reconstruct;
     SweepImportOptions import;
     import.calibrations = {fileOf(sweep, kDeviceSetFile)};
-    import.reconstruct.spacing_mm = asked.spacing_mm;
-    import.reconstruct.interpolation = asked.interpolation;
-    import.reconstruct.compounding = asked.compounding;
-    import.reconstruct.fillReach_mm = asked.fillReach_mm;
+    import.usual = {.spacing = !asked.spacing_mm,
+                    .interpolation = !asked.interpolation,
+                    .compounding = !asked.compounding,
+                    .fillReach = !asked.fillReach_mm};
+    import.reconstruct.spacing_mm = asked.spacing_mm.value_or(import.reconstruct.spacing_mm);
+    import.reconstruct.interpolation = asked.interpolation.value_or(import.reconstruct.interpolation);
+    import.reconstruct.compounding = asked.compounding.value_or(import.reconstruct.compounding);
+    import.reconstruct.fillReach_mm = asked.fillReach_mm.value_or(import.reconstruct.fillReach_mm);
     import.reconstruct.threads = options_.threads;
     import.reconstruct.maxBytes = options_.maxBytes;
     PartOfProgress reading(clock_, 0.0, 0.2), making(clock_, 0.2, 1.0);
@@ -376,7 +382,7 @@ class Preparation {
     }
     project.settings.trackerError_mm = project.settings.trackerError_deg = 0.0;
     project.settings.elastic = false;
-    project.settings.join.grid.spacing_mm = asked.spacing_mm;
+    project.settings.join.grid.spacing_mm = asked.spacing_mm.value_or(0.0);  // the finest of the sweeps
     project.settings.join.grid.axes = stitching::GridAxes::world;
     project.settings.join.grid.featherWidth_mm = asked.feather_mm;
     project.settings.join.seam.method = asked.seam;

@@ -190,10 +190,10 @@ namespace {
 
 CaseReconstruction reconstructionOf(const json& object) {
   CaseReconstruction made;
-  made.spacing_mm = object.value("spacing_mm", made.spacing_mm);
-  made.interpolation = meaningOf(kInterpolationWords, object.value("interpolation", "")).value_or(made.interpolation);
-  made.compounding = meaningOf(kCompoundingWords, object.value("compounding", "")).value_or(made.compounding);
-  made.fillReach_mm = object.value("fill_reach_mm", made.fillReach_mm);
+  if (object.contains("spacing_mm")) made.spacing_mm = object["spacing_mm"].get<double>();
+  made.interpolation = meaningOf(kInterpolationWords, object.value("interpolation", ""));
+  made.compounding = meaningOf(kCompoundingWords, object.value("compounding", ""));
+  if (object.contains("fill_reach_mm")) made.fillReach_mm = object["fill_reach_mm"].get<double>();
   const std::string seam = object.value("seam", stitching::nameOf(made.seam));
   for (const auto method : {stitching::SeamMethod::feather, stitching::SeamMethod::nearest, stitching::SeamMethod::graphCut})
     if (seam == stitching::nameOf(method)) made.seam = method;
@@ -203,13 +203,15 @@ CaseReconstruction reconstructionOf(const json& object) {
 }
 
 ordered_json toJson(const CaseReconstruction& reconstruct) {
-  return {{"spacing_mm", reconstruct.spacing_mm},
-          {"interpolation", wordOf(kInterpolationWords, reconstruct.interpolation)},
-          {"compounding", wordOf(kCompoundingWords, reconstruct.compounding)},
-          {"fill_reach_mm", reconstruct.fillReach_mm},
-          {"seam", stitching::nameOf(reconstruct.seam)},
-          {"feather_mm", reconstruct.feather_mm},
-          {"labels_spacing_mm", reconstruct.labelsSpacing_mm}};
+  ordered_json object = ordered_json::object();
+  if (reconstruct.spacing_mm) object["spacing_mm"] = *reconstruct.spacing_mm;
+  if (reconstruct.interpolation) object["interpolation"] = wordOf(kInterpolationWords, *reconstruct.interpolation);
+  if (reconstruct.compounding) object["compounding"] = wordOf(kCompoundingWords, *reconstruct.compounding);
+  if (reconstruct.fillReach_mm) object["fill_reach_mm"] = *reconstruct.fillReach_mm;
+  object["seam"] = stitching::nameOf(reconstruct.seam);
+  object["feather_mm"] = reconstruct.feather_mm;
+  object["labels_spacing_mm"] = reconstruct.labelsSpacing_mm;
+  return object;
 }
 
 std::optional<double> numberIn(const json& object, const char* field) {

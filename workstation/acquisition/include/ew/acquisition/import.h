@@ -24,7 +24,7 @@ namespace ew {
 inline constexpr const char* kRecordedMotor = "recorded";
 
 /// Which choices of a reconstruction nobody made: they are the recording's own, see defaultsFor. The window, the command, stitching and
-/// whoever else makes a volume of a recording leave them to it; a case's recipe names its own numbers.
+/// whoever else makes a volume of a recording leave them to it.
 struct SweepDefaults {
   bool spacing = false;
   bool interpolation = false;

@@ -29,10 +29,11 @@ struct CasePatient {
 /// How the virtual sweeps of a case become its volume: each is reconstructed as a user's recording is, then they are joined by the chain of
 /// stitching (ew/stitching/chain.h).
 struct CaseReconstruction {
-  double spacing_mm = 0.8;  ///< of the volume, 0.1 to 10
-  Interpolation interpolation = Interpolation::linear;
-  Compounding compounding = Compounding::mean;  ///< weighted: by beam-wise confidence
-  double fillReach_mm = 4.0;                    ///< holes between measured voxels at most this far apart are filled, 0 to 30
+  // What a case leaves open is answered as for a user's recording (defaultsFor).
+  std::optional<double> spacing_mm = {};  ///< of the volume, 0.1 to 10
+  std::optional<Interpolation> interpolation = {};
+  std::optional<Compounding> compounding = {};  ///< weighted: by beam-wise confidence
+  std::optional<double> fillReach_mm = {};      ///< holes between measured voxels at most this far apart are filled, 0 to 30
   stitching::SeamMethod seam = stitching::SeamMethod::feather;  ///< how sweeps are joined where they overlap (decision 0027)
   double feather_mm = 10.0;       ///< of SeamMethod::feather: over which a sweep fades in from its border, 0 to 100
   double labelsSpacing_mm = 1.6;  ///< of the label volume, which comes from the patient's truth, 0.1 to 10
