@@ -58,9 +58,9 @@ TEST(RealLiver, HalvesBentByAKnownFieldAreBroughtTogetherAndBack) {
   const Volume& whole = loaded->volume;
   for (const double peak_mm : {3.0, 5.0}) {
     const ControlGrid warp = warpOf(whole.grid, peak_mm);
-    auto warped = warped(whole, {{}, warp}, whole.grid, 1, noProgress());
-    ASSERT_TRUE(warped);
-    Volume fixed = columns(*warped, 0, 160), moving = columns(whole, 80, whole.grid.dims.x);
+    auto pressed = warped(whole, {{}, warp}, whole.grid, 1, noProgress());
+    ASSERT_TRUE(pressed);
+    Volume fixed = columns(*pressed, 0, 160), moving = columns(whole, 80, whole.grid.dims.x);
     fixed.coverage.clear();
     for (int k = 0; k < moving.grid.dims.z; ++k)
       for (int j = 0; j < moving.grid.dims.y; ++j)
