@@ -4,6 +4,10 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; cannot be read; check the medium it is on.</source>
         <translation>„%1“ kann nicht gelesen werden; den Datenträger prüfen.</translation>
     </message>

@@ -102,7 +102,7 @@ std::string sizesText(std::span<const std::uint64_t> sizes) {
   return text;
 }
 
-std::string quoted(const fs::path& file) { return "\"" + file.filename().string() + "\""; }
+Message quoted(const fs::path& file) { return say<"\"%1\"">(file.filename()); }
 
 std::string shortened(const std::string& found) {
   constexpr std::size_t longest = 80;

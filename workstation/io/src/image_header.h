@@ -73,7 +73,7 @@ template <Literal one, Literal many, class... More>
 }
 [[nodiscard]] std::string sizesText(std::span<const std::uint64_t> sizes);
 
-[[nodiscard]] std::string quoted(const std::filesystem::path& file);
+[[nodiscard]] Message quoted(const std::filesystem::path& file);
 /// What a file holds, for a sentence: its beginning, in letters that can be shown.
 [[nodiscard]] std::string shortened(const std::string& found);
 [[nodiscard]] std::string_view trimmed(std::string_view text);
