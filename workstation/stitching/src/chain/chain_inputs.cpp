@@ -5,6 +5,7 @@
 
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/core/message_json.h"
+#include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 
 #include "chain/chain_json.h"
@@ -20,17 +21,6 @@ using nlohmann::ordered_json;
 
 /// Of a sweep's volume, in the store.
 constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
-
-/// For what takes no time worth counting: it can be cancelled and says nothing.
-class Silent final : public Progress {
- public:
-  explicit Silent(const Progress& whole) : whole_(whole) {}
-  void report(const Message&, double) override {}
-  [[nodiscard]] bool cancelRequested() const override { return whole_.cancelRequested(); }
-
- private:
-  const Progress& whole_;
-};
 
 }  // namespace
 
@@ -105,7 +95,7 @@ SweepVolumeOptions ChainInputs::sweepOptions(std::size_t v) const {
 }
 
 Result<void> ChainInputs::plan(std::size_t v, Progress& progress) {
-  Silent silent(progress);
+  QuietProgress silent(progress);
   const auto opened = openSweepVolume(project_.volumes[v].file, sweepOptions(v), silent);
   if (!opened) return passOn(opened.error());
   inputs_[v].grid = opened->plan.grid;
@@ -175,7 +165,7 @@ Result<std::shared_ptr<const LoadedView>> ChainInputs::load(std::size_t v, Progr
   if (input.view) return input.view;
   if (progress.cancelRequested()) return cancelledChain();
   progress.report(say<"Reading %1">(project_.volumes[v].name), 0.0);
-  Silent silent(progress);
+  QuietProgress silent(progress);
   auto view = input.header.sequence ? readSweep(v, silent) : readView(v, silent);
   if (!view && input.header.sequence && view.error().code != ErrorCode::cancelled) {
     store_.remove(kStep, input.key);  // damaged: made again, once
