@@ -11,8 +11,7 @@ namespace ew::cli {
 namespace {
 
 template <class T>
-Result<T> readSetting(const std::filesystem::path& file,
-                      Result<T> (*fromJson)(const nlohmann::json&, const Message&, nlohmann::json*)) {
+Result<T> readSetting(const std::filesystem::path& file, Result<T> (*fromJson)(const nlohmann::json&, const Message&, nlohmann::json*)) {
   constexpr std::size_t kMaxBytes = 1u << 20;
   const auto text = readTextFile(file, kMaxBytes);
   if (!text) return passOn(text.error());
