@@ -880,7 +880,7 @@
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; and &apos;%2&apos; could not be bent together. %3</source>
+        <source>&apos;%1&apos; and &apos;%2&apos; could not be deformed onto each other. %3</source>
         <translation>„%1“ und „%2“ konnten nicht miteinander verformt werden. %3</translation>
     </message>
     <message>
@@ -1328,7 +1328,7 @@
         <translation>Höchstens %1 Volumen können auf einmal verbunden werden; in Gruppen verbinden.</translation>
     </message>
     <message>
-        <source>Bent, the volumes agree.</source>
+        <source>Deformed, the volumes agree.</source>
         <translation>Verformt stimmen die Volumen überein.</translation>
     </message>
     <message>
@@ -1540,7 +1540,7 @@
         <translation>Ebenso gut könnte es %1 sein: Sie liegen auf derselben Schleife, und nichts anderes unterscheidet sie. Ein weiteres Paar quer dazu zuordnen.</translation>
     </message>
     <message>
-        <source>Its bend has a displacement too many, too few or without a number.</source>
+        <source>Its deformation has a displacement too many, too few or without a number.</source>
         <translation>Seine Verformung hat eine Verschiebung zu viel, zu wenig oder ohne Zahl.</translation>
     </message>
     <message>
@@ -1628,11 +1628,11 @@
         <translation>Mehr als 268 Millionen Pixel fallen in einen Voxel; mit einem feineren Voxelabstand rekonstruieren.</translation>
     </message>
     <message>
-        <source>Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean (bent, %3).</source>
+        <source>Residual motion that the deformation does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean (deformed, %3).</source>
         <translation>Der Verformung entgeht Bewegung: An %1 der Stellen, die es zeigen können, liegt Gewebe im Mittel %2 daneben (verformt, %3).</translation>
     </message>
     <message>
-        <source>Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean.</source>
+        <source>Residual motion that the deformation does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in the mean.</source>
         <translation>Der Verformung entgeht Bewegung: An %1 der Stellen, die es zeigen können, liegt Gewebe im Mittel %2 daneben.</translation>
     </message>
     <message>
@@ -1648,11 +1648,11 @@
         <translation>Nahe diesem Anfang stimmen die Bilder nicht besser überein als fremdes Gewebe%1.</translation>
     </message>
     <message>
-        <source>No bending brought the volumes closer than they were; the start is kept.</source>
+        <source>No deformation brought the volumes closer than they were; the start is kept.</source>
         <translation>Keine Verformung brachte die Volumen näher zusammen, als sie waren; der Anfang bleibt.</translation>
     </message>
     <message>
-        <source>No bending brought the volumes together; the start is kept.</source>
+        <source>No deformation brought the volumes together; the start is kept.</source>
         <translation>Keine Verformung brachte die Volumen zusammen; der Anfang bleibt.</translation>
     </message>
     <message>
@@ -3392,11 +3392,11 @@
         <translation>Die Volumen stimmen überein: %1, vorher %2.</translation>
     </message>
     <message>
-        <source>The volumes contradict each other: bent, they agree no better than unrelated tissue does.</source>
+        <source>The volumes contradict each other: deformed, they agree no better than unrelated tissue does.</source>
         <translation>Die Volumen widersprechen sich: Auch verformt stimmen sie nicht besser überein als fremdes Gewebe.</translation>
     </message>
     <message>
-        <source>The volumes contradict each other: bent, they reach %1, which unrelated tissue reaches as well.</source>
+        <source>The volumes contradict each other: deformed, they reach %1, which unrelated tissue reaches as well.</source>
         <translation>Die Volumen widersprechen sich: Verformt erreichen sie %1, was fremdes Gewebe ebenso erreicht.</translation>
     </message>
     <message>
@@ -3628,11 +3628,11 @@
         <translation>Die Zeiten der Schichtdicke werden gemessen</translation>
     </message>
     <message>
-        <source>Too little structure is shared to tell whether the bend is right.</source>
+        <source>Too little structure is shared to tell whether the deformation is right.</source>
         <translation>Die Volumen haben zu wenig Struktur gemeinsam, um die Verformung zu beurteilen.</translation>
     </message>
     <message>
-        <source>Too little structure is shared to tell: bent, the volumes reach %1.</source>
+        <source>Too little structure is shared to tell: deformed, the volumes reach %1.</source>
         <translation>Die Volumen haben zu wenig Struktur gemeinsam für ein Urteil: Verformt erreichen sie %1.</translation>
     </message>
     <message>

@@ -44,7 +44,7 @@ TEST(Remark, LeavesAgreementAndAllButEightNamesOutWhenBrief) {
             "One pose stands out by a margin of 3.1, and halves of the overlap registered apart agree to 0.3 mm.");
   EXPECT_EQ(said({RemarkCode::startMayBeFar, {4.0, 0.82, 0.12, 33.06}}, Wording::brief),
             "Halves of the overlap registered apart contradict each other by 4.0 mm: the start may be too far off.");
-  EXPECT_EQ(said({RemarkCode::warpAgrees, {0.82, 0.88, 0.5}}, Wording::brief), "Bent, the volumes agree.");
+  EXPECT_EQ(said({RemarkCode::warpAgrees, {0.82, 0.88, 0.5}}, Wording::brief), "Deformed, the volumes agree.");
   const Remark many{RemarkCode::placesRepeat, {}, {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}};
   EXPECT_EQ(said(many, Wording::brief), "'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h' and 2 more repeat the place of an earlier pair.");
   EXPECT_EQ(said(many), "'a', 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i' and 'j' repeat the place of an earlier pair.");
@@ -56,9 +56,10 @@ TEST(Remark, SaysItsFiguresInTheirPlaces) {
             "12 % overlap, 33.1 deviations above chance).");
   EXPECT_EQ(said({RemarkCode::placesAgreeBut, {4, 0.84, 6.0, 2, 3}, {"stone", ""}}),
             "4 pairs agree within 0.8 mm (rms); 'stone' and number 3 do not fit, by 6 mm.");
-  EXPECT_EQ(said({RemarkCode::motionRemains, {0.93, 2.44, 0.82, 0.88}}),
-            "Motion is left that the bend does not follow: at 93 % of the places that can tell, tissue lies elsewhere, by 2.4 mm in the "
-            "mean (bent, a correlation of 0.82 over 88 % of the smaller volume).");
+  EXPECT_EQ(
+      said({RemarkCode::motionRemains, {0.93, 2.44, 0.82, 0.88}}),
+      "Residual motion that the deformation does not follow: at 93 % of the places that can tell, tissue lies elsewhere, by 2.4 mm in the "
+      "mean (deformed, a correlation of 0.82 over 88 % of the smaller volume).");
   EXPECT_EQ(said({RemarkCode::twoReadings, {1, 1, 4}, {"fork", ""}}),
             "One can read the pairs in two ways: without 'fork', or without number 4. Add a pair or correct one.");
   EXPECT_EQ(messageOf(std::vector<Remark>{{RemarkCode::streaksTakenOut, {9.0, 13.2}}, {RemarkCode::placedByHand}}).english(),

@@ -479,7 +479,7 @@ void addRegister(CLI::App& root, Selection& selection) {
   app.add_option("MOVING", arguments->moving, "The volume that is brought to it")->required()->type_name("");
   app.add_option("--method", arguments->method,
                  "landmarks: from pairs of places; rigid: refined from a start by the images; partial: without any start, however the two "
-                 "overlap; elastic2d: two pictures, bent; elastic3d: two volumes, bent, from a rigid start")
+                 "overlap; elastic2d: two images, deformed; elastic3d: two volumes, deformed, from a rigid start")
       ->required()
       ->check(CLI::IsMember({"landmarks", "rigid", "partial", "elastic2d", "elastic3d"}))
       ->type_name("METHOD");

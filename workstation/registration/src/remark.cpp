@@ -235,23 +235,26 @@ Message ofBending(const Remark& remark, Wording wording) {
     case RemarkCode::nothingToFollow:
       return say<"The overlap shows no structure that could be followed: the normal equations are singular.">();
     case RemarkCode::startKeptGood:
-      return say<"No bending brought the volumes closer than they were; the start is kept.">();
+      return say<"No deformation brought the volumes closer than they were; the start is kept.">();
     case RemarkCode::startKept:
-      return say<"No bending brought the volumes together; the start is kept.">();
+      return say<"No deformation brought the volumes together; the start is kept.">();
     case RemarkCode::warpContradicts:
-      return brief ? say<"The volumes contradict each other: bent, they agree no better than unrelated tissue does.">()
-                   : say<"The volumes contradict each other: bent, they reach %1, which unrelated tissue reaches as well.">(reached);
+      return brief ? say<"The volumes contradict each other: deformed, they agree no better than unrelated tissue does.">()
+                   : say<"The volumes contradict each other: deformed, they reach %1, which unrelated tissue reaches as well.">(reached);
     case RemarkCode::warpTooLittleShared:
-      return brief ? say<"Too little structure is shared to tell whether the bend is right.">()
-                   : say<"Too little structure is shared to tell: bent, the volumes reach %1.">(reached);
+      return brief ? say<"Too little structure is shared to tell whether the deformation is right.">()
+                   : say<"Too little structure is shared to tell: deformed, the volumes reach %1.">(reached);
     case RemarkCode::warpAgrees:
-      return brief ? say<"Bent, the volumes agree.">() : say<"The volumes agree: %1, %2 before.">(reached, decimal(remark.figure(2), 2));
+      return brief ? say<"Deformed, the volumes agree.">()
+                   : say<"The volumes agree: %1, %2 before.">(reached, decimal(remark.figure(2), 2));
     case RemarkCode::motionRemains: {
       const Message share = percent(remark.figure(0)), elsewhere = millimetres(remark.figure(1));
-      return brief ? say<"Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in "
+      return brief ? say<"Residual motion that the deformation does not follow: at %1 of the places that can tell, tissue lies elsewhere, "
+                         "by %2 in "
                          "the mean.">(share, elsewhere)
-                   : say<"Motion is left that the bend does not follow: at %1 of the places that can tell, tissue lies elsewhere, by %2 in "
-                         "the mean (bent, %3).">(share, elsewhere, warpedOver(remark.figure(2), remark.figure(3)));
+                   : say<"Residual motion that the deformation does not follow: at %1 of the places that can tell, tissue lies elsewhere, "
+                         "by %2 in "
+                         "the mean (deformed, %3).">(share, elsewhere, warpedOver(remark.figure(2), remark.figure(3)));
     }
     default:
       return {};

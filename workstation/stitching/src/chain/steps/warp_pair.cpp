@@ -76,7 +76,7 @@ Result<Warped> warpPair(ChainRun& run, std::size_t f, std::size_t m, const Overl
   if (!made) {
     Error problem = made.error();
     if (problem.code != ErrorCode::cancelled)
-      problem.message = say<"'%1' and '%2' could not be bent together. %3">(fixedName, movingName, problem.message);
+      problem.message = say<"'%1' and '%2' could not be deformed onto each other. %3">(fixedName, movingName, problem.message);
     return passOn(std::move(problem));
   }
   Warped warped;
