@@ -198,7 +198,8 @@ Result<void> checkViews(std::span<const View> views) {
     sound = view.warp->displacement_mm.size() == view.warp->nodes.voxelCount();
     for (const glm::vec3& u : view.warp->displacement_mm) sound = sound && finite(u);
     if (!sound)
-      return about({ErrorCode::badField, say<"Its deformation has a displacement too many, too few or without a number.">(), {{"field", "bend"}}});
+      return about(
+          {ErrorCode::badField, say<"Its deformation has a displacement too many, too few or without a number.">(), {{"field", "bend"}}});
   }
   return {};
 }
