@@ -11,7 +11,7 @@
 namespace ew::parallel_test {
 namespace {
 
-/// RemarkCode that the user asked to stop after some reports, and checks that they never move backwards.
+/// Says that the user asked to stop after some reports, and checks that they never move backwards.
 class Listener final : public Progress {
  public:
   explicit Listener(int stopAfter = -1) : stopAfter_(stopAfter) {}

@@ -48,7 +48,7 @@ inline Probe probeOf(ProbeKind kind) {
   return probe;
 }
 
-/// Any probe that a file may describe, with console settings that warp its fan.
+/// Any probe that a file may describe, with console settings that change its fan.
 inline rc::Gen<std::pair<Probe, Knobs>> probeAtRandom() {
   return rc::gen::exec([] {
     constexpr double kDegree_rad = std::numbers::pi / 180.0;

@@ -65,8 +65,8 @@ TEST(Mannequin, HasNoCreaseAtTheMidlineOfChestBellyAndBack) {
   for (double z = -300; z < 180; z += 15.0) {
     for (const double side : {-1.0, 1.0}) {
       const glm::dvec3 on(0.0, side * surfaceAlong({0, 0, z}, {0, side, 0}), z);
-      const double warp = adult().signedDistance_mm(on + glm::dvec3(h, 0, 0)) - adult().signedDistance_mm(on);
-      EXPECT_LT(std::abs(warp) / h, 0.02) << "z = " << z << ", side " << side;
+      const double slope = adult().signedDistance_mm(on + glm::dvec3(h, 0, 0)) - adult().signedDistance_mm(on);
+      EXPECT_LT(std::abs(slope) / h, 0.02) << "z = " << z << ", side " << side;
     }
   }
 }

@@ -233,8 +233,9 @@ TEST(Views, ShiftedAlongElevationDecorrelateAsTheLensDoes) {
           for (int l = 4; l + 4 < here.width; ++l) a.push_back(at(here, l, s)), b.push_back(at(there, l, s));
         }
       }
-      const double warp = wave * curvature * sigma;
-      const double model = std::exp(-2.0 * shift * shift * (0.25 / (sigma * sigma) + warp * warp)), found = correlation(a, b);
+      const double phaseCurvature = wave * curvature * sigma;
+      const double model = std::exp(-2.0 * shift * shift * (0.25 / (sigma * sigma) + phaseCurvature * phaseCurvature)),
+                   found = correlation(a, b);
       RecordProperty("at " + std::to_string(depth) + " shifted by " + std::to_string(shift),
                      std::to_string(found) + " model " + std::to_string(model));
       EXPECT_NEAR(found, model, 0.08) << "depth " << depth << " mm, shift " << shift << " mm";

@@ -107,8 +107,8 @@ RC_GTEST_PROP(SmoothUnion, HasAGradientWithoutJumps, ()) {
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 step(0.0);
     step[axis] = h;
-    const double warp = body->signedDistance_mm(p + step) - 2.0 * body->signedDistance_mm(p) + body->signedDistance_mm(p - step);
-    RC_ASSERT(std::abs(warp) / h < 2.0 * h);  // curvature here stays below 2 per mm
+    const double curved = body->signedDistance_mm(p + step) - 2.0 * body->signedDistance_mm(p) + body->signedDistance_mm(p - step);
+    RC_ASSERT(std::abs(curved) / h < 2.0 * h);  // curvature here stays below 2 per mm
   }
 }
 
@@ -135,9 +135,9 @@ TEST(Mirrored, IsTheSameOnBothSidesAndSmoothInTheMiddle) {
       bodyOf(R"({"ellipsoid": {"centre_mm": [12, 0, 0], "radii_mm": [20, 15, 15]}, "mirrored": true, "mirror_smoothing_mm": 10})");
   EXPECT_EQ(body->signedDistance_mm({17, 3, -5}), body->signedDistance_mm({-17, 3, -5}));
   const double h = 1e-3;
-  const double warp =
+  const double curved =
       body->signedDistance_mm({h, -14, 0}) - 2.0 * body->signedDistance_mm({0, -14, 0}) + body->signedDistance_mm({-h, -14, 0});
-  EXPECT_LT(std::abs(warp) / h, 1e-2);
+  EXPECT_LT(std::abs(curved) / h, 1e-2);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using testing::patientOf;
 using testing::patientRecipe;
 
-// A warped tube, an egg, a shell around it and a ball, in simple places.
+// A bent tube, an egg, a shell around it and a ball, in simple places.
 const char* const kOrgans = R"(
   {"name": "pipe", "tissue": "dark", "shape": {"tube": {"points": [[-20, -20, -30, 4], [-20, -20, -10, 4], [-20, -20, 0, 6], [-20, -20, 10, 4], [-20, -20, 30, 4]]}}},
   {"name": "slanted pipe", "tissue": "dark", "shape": {"capsule": {"from_mm": [20, -30, -20], "to_mm": [20, -10, 20], "from_radius_mm": 5, "to_radius_mm": 5}}},

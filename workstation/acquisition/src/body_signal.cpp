@@ -171,8 +171,8 @@ Repeat firstRepeat(std::span<const double> heightOfLag, std::size_t lowest) {
   for (std::size_t n = 1; n + 1 < heightOfLag.size(); ++n) {
     if (!isPeak(n) || heightOfLag[n] < 0.85 * largest || largest <= 0.0) continue;
     const double before = heightOfLag[n - 1], at = heightOfLag[n], after = heightOfLag[n + 1];
-    const double warp = before - 2.0 * at + after;
-    const double shift = warp < 0.0 ? 0.5 * (before - after) / warp : 0.0;
+    const double curvature = before - 2.0 * at + after;
+    const double shift = curvature < 0.0 ? 0.5 * (before - after) / curvature : 0.0;
     return {static_cast<double>(lowest + n) + shift, at};
   }
   return {};
@@ -189,8 +189,8 @@ std::vector<double> maximaOf(const EvenSignal& signal, double period_s) {
     if (x[at] < 0.3 * spread) continue;
     const auto begin = x.begin() + std::max<std::ptrdiff_t>(0, n - reach), end = x.begin() + std::min(count, n + reach + 1);
     if (std::max_element(begin, end) != x.begin() + n) continue;
-    const double warp = x[at - 1] - 2.0 * x[at] + x[at + 1];
-    const double shift = warp < 0.0 ? std::clamp(0.5 * (x[at - 1] - x[at + 1]) / warp, -0.5, 0.5) : 0.0;
+    const double curvature = x[at - 1] - 2.0 * x[at] + x[at + 1];
+    const double shift = curvature < 0.0 ? std::clamp(0.5 * (x[at - 1] - x[at + 1]) / curvature, -0.5, 0.5) : 0.0;
     times_s.push_back(signal.start_s + (static_cast<double>(n) + shift) * signal.step_s);
   }
   return times_s;

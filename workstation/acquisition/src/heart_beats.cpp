@@ -162,8 +162,8 @@ Result<Cycles> findHeartBeats(const BodySignal& ecg, const EcgOptions& options) 
       continue;
     double shift = 0.0;
     if (beat > 0 && beat + 1 < band.size()) {
-      const double warp = band[beat - 1] - 2.0 * band[beat] + band[beat + 1];
-      if (sign * warp < 0.0) shift = std::clamp(0.5 * (band[beat - 1] - band[beat + 1]) / warp, -0.5, 0.5);
+      const double curvature = band[beat - 1] - 2.0 * band[beat] + band[beat + 1];
+      if (sign * curvature < 0.0) shift = std::clamp(0.5 * (band[beat - 1] - band[beat + 1]) / curvature, -0.5, 0.5);
     }
     starts_s.push_back(even.start_s + (static_cast<double>(beat) + shift) / kRate_hz);
     heights.push_back(sign * band[beat]);

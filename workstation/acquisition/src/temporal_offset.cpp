@@ -155,8 +155,8 @@ double shiftOf(const std::vector<double>& earlier, const std::vector<double>& la
   const auto best = static_cast<std::size_t>(std::min_element(differences.begin(), differences.end()) - differences.begin());
   double between = 0.0;
   if (best > 0 && best + 1 < differences.size()) {
-    const double warp = differences[best - 1] - 2.0 * differences[best] + differences[best + 1];
-    if (warp > 0.0) between = std::clamp(0.5 * (differences[best - 1] - differences[best + 1]) / warp, -0.5, 0.5);
+    const double curvature = differences[best - 1] - 2.0 * differences[best] + differences[best + 1];
+    if (curvature > 0.0) between = std::clamp(0.5 * (differences[best - 1] - differences[best + 1]) / curvature, -0.5, 0.5);
   }
   return static_cast<double>(best) - reach + between;
 }
@@ -235,8 +235,8 @@ Best bestOf(const std::vector<double>& heights) {
   const auto at = static_cast<std::size_t>(std::max_element(heights.begin(), heights.end()) - heights.begin());
   double between = 0.0;
   if (at > 0 && at + 1 < heights.size()) {
-    const double warp = heights[at - 1] - 2.0 * heights[at] + heights[at + 1];
-    if (warp < 0.0) between = std::clamp(0.5 * (heights[at - 1] - heights[at + 1]) / warp, -0.5, 0.5);
+    const double curvature = heights[at - 1] - 2.0 * heights[at] + heights[at + 1];
+    if (curvature < 0.0) between = std::clamp(0.5 * (heights[at - 1] - heights[at + 1]) / curvature, -0.5, 0.5);
   }
   return {static_cast<double>(at) + between, heights[at]};
 }

@@ -104,9 +104,9 @@ std::vector<double> solved(std::span<const DepthDifference> differences, const s
   for (std::size_t s = 0; s < owners; ++s)
     for (std::size_t k = 1; k + 1 < knots; ++k) {
       const std::size_t at = s * knots + k - 1;
-      constexpr std::array<double, 3> warp{1.0, -2.0, 1.0};
+      constexpr std::array<double, 3> curvature{1.0, -2.0, 1.0};
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) normal.add(at + i, at + j, options.smoothness * share * warp[i] * warp[j]);
+        for (std::size_t j = 0; j < 3; ++j) normal.add(at + i, at + j, options.smoothness * share * curvature[i] * curvature[j]);
     }
   if (options.common > 0.0) {
     std::vector<double> size(owners, 0.0);

@@ -23,7 +23,7 @@ struct SampleRequest {
 [[nodiscard]] Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
                                                          Progress& progress, std::vector<Message>& notes);
 
-/// RemarkCode in one sentence that the user stopped the reading or writing of `file`.
+/// Says in one sentence that the user stopped the reading or writing of `file`.
 [[nodiscard]] tl::unexpected<Error> stopped(const std::filesystem::path& file);
 
 }  // namespace ew::detail

@@ -20,7 +20,7 @@ bool isAboutScreens(const std::uint8_t* type) {
   return false;
 }
 
-/// The file without what would warp its numbers: libpng makes 8 bit samples for a screen, not for a measurement.
+/// The file without what would distort its numbers: libpng makes 8 bit samples for a screen, not for a measurement.
 std::vector<std::uint8_t> withoutScreens(Bytes png) {
   std::vector<std::uint8_t> kept(png.begin(), png.begin() + static_cast<std::ptrdiff_t>(std::min(png.size(), kSignature)));
   std::size_t at = kept.size();

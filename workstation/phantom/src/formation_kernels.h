@@ -38,7 +38,7 @@ struct PointBatch {
   alignas(64) std::array<float, kMost> re, im, part;
 };
 
-/// x, y, z of `batch` from coordinates in a block; with `warped` the terms of second and third order too.
+/// x, y, z of `batch` from coordinates in a block; moveTrilinear takes the terms of second and third order too.
 void moveAffine(const float* x, const float* y, const float* z, std::size_t count, const Trilinear& to, PointBatch& batch);
 void moveTrilinear(const float* x, const float* y, const float* z, std::size_t count, const Trilinear& to, PointBatch& batch);
 

@@ -65,8 +65,9 @@ double planeEcho(const Beams& beams, double depth_mm) {
   const double rootPi = std::sqrt(std::numbers::pi);
   const double lateral = std::sqrt(2.0 * rootPi * beams.lateralSigma_mm(depth_mm));
   const double sigma = beams.elevationalSigma_mm(depth_mm);
-  const double warp = 4.0 * std::numbers::pi / beams.wavelength_mm * beams.elevationalCurvature_perMm(depth_mm);
-  const double elevational = rootPi / std::sqrt(sigma * rootPi) / std::pow(0.25 / std::pow(sigma, 4) + warp * warp, 0.25);
+  const double phaseCurvature = 4.0 * std::numbers::pi / beams.wavelength_mm * beams.elevationalCurvature_perMm(depth_mm);
+  const double elevational =
+      rootPi / std::sqrt(sigma * rootPi) / std::pow(0.25 / std::pow(sigma, 4) + phaseCurvature * phaseCurvature, 0.25);
   return lateral * elevational / std::sqrt(beams.axialSigma_mm * rootPi);
 }
 

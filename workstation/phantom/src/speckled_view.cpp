@@ -29,7 +29,7 @@ double speckledScene_db(const glm::dvec3& p) {
   tube({p.y - 40.0 - 4.0 * std::sin(p.x / 14.0), p.z - 22.0}, 3.0);
   tube({p.x - 30.0 - 3.0 * std::sin(p.z / 9.0), p.y - 30.0}, 2.5);
   tube({p.x - 62.0, p.z - 34.0 + 0.2 * p.y}, 2.0);
-  // A bright sheet, warped, through all views.
+  // A bright sheet, curved, through all views.
   blend(within(0.9 - std::abs(p.y - 52.0 - 3.0 * std::sin(p.x / 20.0) - 2.0 * std::cos(p.z / 13.0))), -6.0);
   return db;
 }

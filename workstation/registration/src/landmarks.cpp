@@ -19,7 +19,7 @@ constexpr double kMedianOfNorm = 1.5382;    // of three independent unit normal 
 constexpr double kOutlyingAt = 4.03;        // standard deviations: one good pair of a thousand lies farther away (chi square, 3 degrees)
 constexpr double kTukey = 7.45;             // so that the weight falls to 1/2 at kOutlyingAt
 constexpr double kAsLikely = 3.0;           // less than this much less likely (log) is as likely
-constexpr double kLargestScale = 3.0;       // tissue warps: residuals up to so many times the pick error are still the same tissue
+constexpr double kLargestScale = 3.0;       // tissue deforms: residuals up to so many times the pick error are still the same tissue
 constexpr double kFreeTurn_rad = 0.25;      // a turn that is known worse than this about the line of the places is free
 constexpr std::size_t kMostTriples = 4000;  // tried in full up to 29 pairs, by fixed draws above
 

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace ew::ui {
 
-/// Asks for the new folder that a case is saved to: a name in the library of the user's own cases, or in any other folder. RemarkCode what
+/// Asks for the new folder that a case is saved to: a name in the library of the user's own cases, or in any other folder. Says what
 /// will be made, and why it cannot be while it cannot.
 class CaseFolderDialog final : public QDialog {
   Q_OBJECT

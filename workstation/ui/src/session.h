@@ -75,7 +75,7 @@ class Session final : public QObject {
   void setHold(const Hold& hold);
   [[nodiscard]] const Hold& hold() const { return hand_.hold(); }
   [[nodiscard]] const HandOnSkin& hand() const { return hand_; }
-  /// Poses come from `source` until it is null again: then from the hand. A free pose is not warped to the skin.
+  /// Poses come from `source` until it is null again: then from the hand. A free pose is not pulled to the skin.
   void follow(std::shared_ptr<const PoseSource> source);
   [[nodiscard]] bool isFollowing() const { return source_ != nullptr; }
   /// Where the probe is now.

@@ -15,7 +15,7 @@ class QVBoxLayout;
 
 namespace ew::ui {
 
-/// The shipped cases as cards, *Open*, and what was open recently. RemarkCode what to do when there is nothing.
+/// The shipped cases as cards, *Open*, and what was open recently. Says what to do when there is nothing.
 class StartPage final : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class StartPage final : public QWidget {
   void setForAuthors(bool forAuthors);
   /// @param name of what is open, which the page leads back to; empty: nothing is open
   void setOpenCase(const QString& name);
-  /// RemarkCode on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
+  /// Says on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
   void setState(const std::string& caseId, const QString& state, double fraction);
   /// Puts a picture of the case's volume on its card.
   void setThumbnail(const std::string& caseId, const QImage& picture);

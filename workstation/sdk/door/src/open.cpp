@@ -90,7 +90,7 @@ struct PluginList::Open {
   Open(const Open&) = delete;
   Open& operator=(const Open&) = delete;
 
-  /// Creates the plugin and puts what it registered into place, or takes all of it back. RemarkCode in `status` which.
+  /// Creates the plugin and puts what it registered into place, or takes all of it back. Says in `status` which.
   void start(const Library& library, PluginStatus& status) {
     const auto failed = [&](const Thrown& thrown) { return errorOf(host.calls().faultOf(PluginMoment::start, {}, thrown)); };
     const auto abi = guarded([&] { return library.abi(); }, failed);

@@ -9,7 +9,7 @@
 namespace ew::stitching {
 namespace {
 
-/// Voxels of the finest images of rigid pairs that are warped afterwards: places within 0.2 mm are all that bending needs.
+/// Voxels of the finest images of rigid pairs that are warped afterwards: places within 0.2 mm are all that warping needs.
 constexpr double kFinestBeforeBending_mm = 1.5;
 
 void addOptions(ContentKey& key, const StitchOptions& grid) {

@@ -36,7 +36,7 @@ struct PairOutcome {
   double processor_s = 0.0;                              ///< as of WarpedPair
 };
 
-/// What bending one pair of views found, before all warps were brought together.
+/// What warping one pair of views found, before all warps were brought together.
 struct WarpedPair {
   std::size_t fixed = 0;
   std::size_t moving = 0;

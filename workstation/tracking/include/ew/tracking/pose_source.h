@@ -8,7 +8,7 @@
 namespace ew {
 
 /// Where the poses of a probe come from: a hand that slides it on skin, a recording, later a tracker. Whoever scans asks for the pose of a
-/// moment and does not warp it: a free pose stays free.
+/// moment and does not change it: a free pose stays free.
 class PoseSource {
  public:
   virtual ~PoseSource();

@@ -167,7 +167,7 @@ class MainWindow final : public QMainWindow {
   void chooseTheme(const QString& choice);
   void refreshTheme();
   void prepareThumbnails();
-  /// RemarkCode what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.
+  /// Says what a handler of an event let through, and of whom: of the plugin whose panel `receiver` is a part of, or of the program.
   void showThrown(const QObject* receiver, const Thrown& thrown);
   void showPreparation();
   void fillStartPage();  ///< with the cases as they are now
