@@ -1,0 +1,191 @@
+// How the parts of the window hear of each other.
+
+#include "ew/ui/main_window.h"
+
+#include "file_import_dialog.h"
+#include "guarded_application.h"
+#include "host_scan.h"
+#include "import_dialog.h"
+#include "main_window_parts.h"
+#include "words.h"
+
+namespace ew::ui {
+
+void MainWindow::connectParts() {
+  connectSession();
+  connectDocument();
+  connectPages();
+  connectOpener();
+  connectImports();
+  connectPreparation();
+  connectPlugins();
+}
+
+void MainWindow::connectSession() {
+  Parts& p = *parts_;
+  connect(&p.session, &Session::pictureChanged, this, &MainWindow::showPicture);
+  connect(&p.session, &Session::subjectChanged, this, [this] {
+    if (const auto& subject = parts_->session.subject()) {
+      parts_->view3d->setVolumeBox(subject->placedGrid);
+    } else {
+      parts_->view3d->clearVolumeBox();
+      parts_->view3d->setProbeVisible(false);
+    }
+    showTitle();
+  });
+  connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) {
+    parts_->freezeAction->setChecked(frozen);
+    showRecordingState();
+  });
+  connect(&p.hand, &HandInput::refused, this, [this] {
+    parts_->scanView->say(parts_->session.isPlaying() ? tr("A recording is shown. Close it (Escape) to move the probe yourself.")
+                          : parts_->session.isFollowing()
+                              ? tr("The probe is moved for you. Escape takes it back.")
+                              : tr("The image is frozen, and the probe with it. Space or F lets both move again."));
+  });
+  connect(&p.session, &Session::probeChanged, this, &MainWindow::showRecordingState);
+  connect(&p.session, &Session::holdChanged, this, [this] {
+    const Session& session = parts_->session;
+    if (parts_->hand.isEnabled() == (session.isFrozen() || session.isPlaying() || session.isFollowing())) showRecordingState();
+  });
+  connect(&p.recorder, &Recorder::changed, this, &MainWindow::showRecordingState);
+  connect(p.replayBar, &ReplayBar::saveAsked, this, &MainWindow::saveRecording);
+  connect(p.replayBar, &ReplayBar::closeAsked, this, [this] {
+    if (mayLeaveRecording({})) closeRecording();
+  });
+  connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
+  connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
+  connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
+}
+
+void MainWindow::connectDocument() {
+  Parts& p = *parts_;
+  connect(&p.document, &CaseDocument::changed, this, &MainWindow::showTitle);
+  connect(&p.document, &CaseDocument::changed, this, [this] {
+    if (!parts_->keepSoon.isActive()) parts_->keepSoon.start();
+  });
+  connect(&p.keepSoon, &QTimer::timeout, this, &MainWindow::keepEdits);
+  connect(&p.document.history(), &QUndoStack::indexChanged, this, &MainWindow::showHistory);
+  connect(p.host, &WorkstationHost::panelDocumentChanged, this, [this] {
+    showHistory();
+    showTitle();
+  });
+  connect(p.panels, &WorkspacePanels::changed, this, &MainWindow::showStage);
+}
+
+void MainWindow::connectPages() {
+  Parts& p = *parts_;
+  connect(p.cards, &JobCards::rearranged, this, &MainWindow::placeOverlays);
+  connect(p.messages, &MessageBar::rearranged, this, [this] {
+    parts_->central->layout()->activate();
+    placeOverlays();
+  });
+  connect(p.topBar, &TopBar::workspaceChosen, this, [this](const QString& id) { showWorkspace(id.toStdString()); });
+  connect(p.pages, &QStackedWidget::currentChanged, this, [this] {
+    if (parts_->pages->currentWidget() == parts_->startPage) fillStartPage();
+    parts_->status->setIdle(parts_->pages->currentWidget() == parts_->startPage);
+    parts_->replayBar->setVisible(parts_->replayBar->recording() && parts_->pages->currentWidget() == parts_->workspacePage);
+    showStage();
+    placeOverlays();
+    showTitle();
+  });
+  connect(p.startPage, &StartPage::openRequested, this, &MainWindow::chooseFile);
+  connect(p.startPage, &StartPage::backRequested, this, &MainWindow::backToWork);
+  connect(p.startPage, &StartPage::caseChosen, this, [this](const QString& folder) {
+    // What is open and on its way to be examined is not thrown away by looking for it on the page of cases.
+    const auto& present = parts_->document.current();
+    if (present && parts_->opener->showsCase() && present->folder == pathOf(folder)) return backToWork();
+    open(folder);
+  });
+  connect(p.startPage, &StartPage::fileChosen, this, &MainWindow::open);
+  connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_->messages->showError(error); });
+}
+
+void MainWindow::connectOpener() {
+  Parts& p = *parts_;
+  p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); });
+  connect(p.opener, &Opener::opened, this, [this](const QString& path) {
+    remember(path);
+    parts_->pages->setCurrentWidget(parts_->workspacePage);
+    parts_->scanView->setFocus();
+    if (const auto waiting = std::exchange(parts_->waitingRecording, {}); waiting.recording) takeRecording(waiting.path, waiting.recording);
+    if (parts_->restoring) return restoreKeptEdits();
+    if (const auto& current = parts_->document.current()) offerKeptEditsOf(current->folder);
+  });
+  connect(p.opener, &Opener::preparing, this, [this](const QString& path) {
+    parts_->preparing = path;
+    parts_->preparation.pause();
+  });
+  connect(p.opener, &Opener::failed, this, [this](const Error& error) {
+    const auto stopped = loadCase(pathOf(parts_->preparing));
+    if (error.code == ErrorCode::cancelled && stopped) parts_->preparation.stop(stopped->id);
+  });
+  connect(p.opener, &Opener::ended, this, [this] {
+    parts_->dropsEdits = false;
+    parts_->waitingRecording = {};
+    parts_->restoring.reset();  // what could not be opened keeps its edits
+    if (std::exchange(parts_->preparing, {}).isEmpty()) return;
+    parts_->preparation.resume();
+    showPreparation();
+  });
+}
+
+void MainWindow::connectImports() {
+  Parts& p = *parts_;
+  connect(p.opener, &Opener::sweepChosen, this, [this](const QString& path) {
+    auto* dialog = new ImportDialog(path, parts_->jobs, *parts_->messages, this);
+    connect(dialog, &ImportDialog::imported, this,
+            [this, path](const ScanVoxels& voxels, const QString& title, const std::shared_ptr<const Provenance>& provenance) {
+              takeMade({path, title, voxels, provenance});
+            });
+    dialog->open();
+  });
+  connect(p.opener, &Opener::recordingOpened, this, &MainWindow::takeRecording);
+  connect(p.opener, &Opener::answersNeeded, this, [this](const QString& path, FileKind kind, const QString& question) {
+    auto* dialog = new FileImportDialog(path, kind, question, parts_->jobs, *parts_->messages, this);
+    connect(dialog, &FileImportDialog::imported, this, [this, path](const ScanVoxels& voxels, const QString& title) {
+      if (mayReplaceShown(title)) showMade({path, title, voxels, nullptr});
+    });
+    connect(dialog, &FileImportDialog::sequenceSaved, parts_->opener, &Opener::sweepChosen);
+    dialog->open();
+  });
+}
+
+void MainWindow::connectPreparation() {
+  Parts& p = *parts_;
+  connect(&p.preparation, &CasePreparation::changed, this, &MainWindow::showPreparation);
+  connect(&p.preparation, &CasePreparation::prepared, this, [this] {
+    if (parts_->pages->currentWidget() == parts_->startPage) prepareThumbnails();
+  });
+  connect(&p.preparation, &CasePreparation::failed, this, [this](const Error& error) { parts_->messages->showError(error); });
+  connect(&p.preparation, &CasePreparation::noted, this, [this](const QString& note) { parts_->messages->showNote(note); });
+}
+
+void MainWindow::connectPlugins() {
+  Parts& p = *parts_;
+  p.host->setCaseSaving({[this](const std::filesystem::path& folder) { return saveCaseFor(folder); }, [this] { return makeCaseOwn(); }});
+  connect(p.host, &WorkstationHost::volumeShown, this, [this](const std::shared_ptr<const Volume>& volume, const QString& title) {
+    parts_->opener->openVolume(volume, title, [this, title] {
+      if (!mayLeaveShownVolume(title) || !mayLeaveRecording(title)) return false;
+      forgetShownVolume();
+      closeRecording();
+      parts_->pages->setCurrentWidget(parts_->workspacePage);
+      return true;
+    });
+  });
+  if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
+    connect(application, &GuardedApplication::thrown, this, &MainWindow::showThrown);
+  p.host->setScan([this]() -> std::optional<sdk::Cases::Scan> {
+    const Session& session = parts_->session;
+    if (!parts_->opener->showsCase() || !session.subject()) return std::nullopt;
+    const Probe& probe = session.probe();
+    return sdk::Cases::Scan{probe.id,
+                            session.pose().probeToWorld,
+                            session.depth_mm(),
+                            isSector(probe.kind) ? probe.halfAngle_rad : 0.0,
+                            faceHalfWidth_mm(probe),
+                            session.subject()->placedGrid};
+  });
+}
+
+}  // namespace ew::ui
