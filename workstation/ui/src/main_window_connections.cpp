@@ -2,6 +2,8 @@
 
 #include "ew/ui/main_window.h"
 
+#include <QLayout>
+
 #include "file_import_dialog.h"
 #include "guarded_application.h"
 #include "host_scan.h"
