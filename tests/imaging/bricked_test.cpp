@@ -97,9 +97,6 @@ TEST(Slicing, EveryInstructionSetGivesTheSamePixels) {
   }
 }
 
-// One rounding, and what weights of 14 bits along i can add to it on noise.
-constexpr double kCubicBound_grey = 0.5 + 0.037;
-
 TEST(SliceCubic, EqualsCubicConvolutionInDoublePrecisionWithinOneRoundingAndItsWeights) {
   std::mt19937 random(27);
   const Volume volume = testing::noiseVolume({30, 40, 25}, 28);
@@ -117,7 +114,7 @@ TEST(SliceCubic, EqualsCubicConvolutionInDoublePrecisionWithinOneRoundingAndItsW
         if (expected < 0.0) {
           ASSERT_EQ(found, 0);
         } else {
-          ASSERT_NEAR(found, expected, kCubicBound_grey) << "pixel " << x << "," << y << " of trial " << trial;
+          ASSERT_NEAR(found, expected, testing::kCubicBound_grey) << "pixel " << x << "," << y << " of trial " << trial;
           for (int a = 0; a < 3; ++a) atTheBorder += p[a] < 1.0 || p[a] > volume.grid.dims[a] - 2;
         }
       }
@@ -138,7 +135,7 @@ TEST(SliceCubic, ReproducesConstantsAndAwayFromTheFacesRamps) {
     for (int y = 0; y < 41; ++y)
       for (int x = 0; x < 41; ++x) {
         const glm::dvec3 p = testing::voxelAt(plane, x, y);
-        ASSERT_NEAR(out.pixels[static_cast<std::size_t>(y * 41 + x)], 10 + p.x + 2 * p.y + p.z, 0.505);
+        ASSERT_NEAR(out.pixels[static_cast<std::size_t>(y * 41 + x)], 10 + p.x + 2 * p.y + p.z, testing::kCubicBound_grey);
       }
   }
 }
@@ -264,7 +261,7 @@ RC_GTEST_PROP(SliceProperty, CubicAndBothLayoutsAgreeForAnyGridAndPlane, ()) {
       const glm::dvec3 p = testing::voxelAt(plane, x, y);
       if (!nearBorder(volume.grid, p))
         RC_ASSERT(std::abs(cubic.pixels[static_cast<std::size_t>(y * 30 + x)] - std::max(0.0, cubicOrMinusOne(volume, p))) <
-                  kCubicBound_grey);
+                  testing::kCubicBound_grey);
     }
 }
 

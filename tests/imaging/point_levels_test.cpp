@@ -92,7 +92,7 @@ TEST(PointLevels, OfAPlaneRoundToItsLinearSlice) {
     const auto levels = levelsOf(volume, points);
     for (std::size_t n = 0; n < points.size(); ++n) {
       if (levels[n] < 0.0F) continue;
-      ASSERT_NEAR(static_cast<float>(slice.pixels[n]), levels[n], 0.5F + 1e-3F) << n;
+      ASSERT_NEAR(static_cast<float>(slice.pixels[n]), levels[n], testing::kLinearBoundOnNoise_grey + 1e-4) << n;
     }
   }
 }

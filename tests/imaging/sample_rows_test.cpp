@@ -56,7 +56,8 @@ TEST(SampleRows, FanOutFromAPointAndWriteNothingOutsideTheirSpans) {
           ASSERT_EQ(value, 7);
         } else {
           const glm::dvec3 p = row.start_voxel + static_cast<double>(x) * row.step_voxel;
-          ASSERT_NEAR(value, p.x + 2 * p.y + p.z, 0.501) << "row " << row.row << " sample " << x;
+          ASSERT_NEAR(value, p.x + 2 * p.y + p.z, quality == Quality::linear ? testing::linearBound_grey(4.0) : testing::kCubicBound_grey)
+              << "row " << row.row << " sample " << x;
         }
       }
   }

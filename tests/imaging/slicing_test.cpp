@@ -113,7 +113,8 @@ TEST(SliceLinear, EqualsTheTrilinearFormulaWithinOneRounding) {
         if (expected < 0.0) {
           ASSERT_EQ(viewOf(out).at(x, y), 0);
         } else {
-          ASSERT_NEAR(viewOf(out).at(x, y), expected, 0.5002) << "pixel " << x << "," << y << " of trial " << trial;
+          ASSERT_NEAR(viewOf(out).at(x, y), expected, testing::kLinearBoundOnNoise_grey)
+              << "pixel " << x << "," << y << " of trial " << trial;
           for (int a = 0; a < 3; ++a) atTheBorder += p[a] < 0.0 || p[a] > volume.grid.dims[a] - 1;
         }
       }
@@ -132,7 +133,7 @@ TEST(SliceLinear, ReproducesARampWithinOneRounding) {
     for (int y = 0; y < out.height; ++y)
       for (int x = 0; x < out.width; ++x) {
         const glm::dvec3 p = testing::voxelAt(plane, x, y);
-        ASSERT_NEAR(viewOf(out).at(x, y), 10 + p.x + 2 * p.y + p.z, 0.5001);
+        ASSERT_NEAR(viewOf(out).at(x, y), 10 + p.x + 2 * p.y + p.z, testing::linearBound_grey(4.0));
       }
   }
 }
@@ -248,7 +249,7 @@ TEST(SliceProperty, WeaveEqualsNearestForAnyPlane) {
         const glm::dvec3 p = testing::voxelAt(plane, x, y);
         if (nearBorder(volume.grid, p)) continue;
         const double expected = trilinearOrMinusOne(volume, p);
-        RC_ASSERT(std::abs(viewOf(linear).at(x, y) - std::max(expected, 0.0)) < 0.5002);
+        RC_ASSERT(std::abs(viewOf(linear).at(x, y) - std::max(expected, 0.0)) < testing::kLinearBoundOnNoise_grey);
         if (testing::distanceFromTie(p.x) < 1e-8 || testing::distanceFromTie(p.y) < 1e-8 || testing::distanceFromTie(p.z) < 1e-8) continue;
         RC_ASSERT(viewOf(weave).at(x, y) == nearestOrZero(volume, p));
       }

@@ -15,6 +15,12 @@ namespace ew::testing {
 
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
+/// How far a pixel may lie from exact arithmetic, rounding to whole grey levels included. Linear: the position is rounded to 2^-15 voxels
+/// and each of three blends to 2^-7 levels; `step_grey` adds up how much neighbouring voxels differ along the three axes. Cubic: on noise.
+constexpr double linearBound_grey(double step_grey) { return 0.5 + step_grey / 65536.0 + 3.0 / 256.0; }
+constexpr double kLinearBoundOnNoise_grey = linearBound_grey(3.0 * 255.0);
+constexpr double kCubicBound_grey = 0.5 + 0.1;
+
 inline Volume volumeOf(glm::ivec3 dims, const std::function<double(int, int, int)>& value, glm::dvec3 spacing_mm = glm::dvec3(1.0)) {
   Volume volume;
   volume.grid.dims = dims;

@@ -98,7 +98,6 @@ SliceSource BrickedVolume::sourceFor(const Grid& placed, double pixel_mm) const 
     found.voxels = coarser_[static_cast<std::size_t>(level - 1)].data();
   } else {
     found.voxels = bricks_.data();
-    found.rows = rows_;
     found.layout = VoxelLayout::bricked;
   }
   return found;
@@ -115,7 +114,6 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
   BrickedVolume made;
   if (volume.data == nullptr || volume.grid.voxelCount() == 0) return made;
   made.dims_ = volume.grid.dims;
-  made.rows_ = volume.data;
   try {
     const Bricks bricks(volume.grid.dims);
     if (bricks.stride[2] > kLargestSlice_bytes) return passOn(tooLarge(volume.grid.dims));

@@ -6,15 +6,15 @@
 
 namespace ew::detail {
 
-/// The bricked layout: a brick is one line of the cache, kStored x kRows x kSlices voxels, i fastest. Along i neighbouring bricks share a
-/// voxel, so that the pair of a linear row always lies in one brick. Beyond the last voxel along each axis it is repeated once.
+/// The bricked layout: a brick is one line of the cache, kStored x kRows x kSlices voxels, i fastest. Along i neighbouring bricks share
+/// three voxels, so that the two or four of a row that a sample reads always lie in one brick. Beyond the last voxel along each axis it is
+/// repeated once.
 struct Bricks {
-  static constexpr int kStored = 4, kCells = 3, kRows = 4, kSlices = 4;
+  static constexpr int kStored = 16, kCells = 13, kRows = 2, kSlices = 2;
   static constexpr int kBytes = kStored * kRows * kSlices;
+  static constexpr int kRowBytes = kStored, kSliceBytes = kStored * kRows;
   static constexpr int kAfter = 1;
-  static constexpr int kRowBits = 2, kSliceBits = 2;
-  static constexpr std::uint32_t kLastRow = kRows - 1, kLastSlice = kSlices - 1;
-  static_assert(kBytes == 64 && kStored - kCells == 1 && kRows == 1 << kRowBits && kSlices == 1 << kSliceBits);
+  static_assert(kBytes == 64 && kStored - kCells == 3);
 
   std::array<std::uint64_t, 3> count{};   ///< of bricks along i, j, k
   std::array<std::uint64_t, 3> stride{};  ///< bytes from a brick to the next along i, j, k
@@ -32,8 +32,8 @@ struct Bricks {
   [[nodiscard]] static std::uint64_t offsetAlong(std::size_t axis, std::int64_t n, const std::array<std::uint64_t, 3>& stride) {
     const auto at = static_cast<std::uint64_t>(n);
     if (axis == 0) return at / kCells * stride[0] + at % kCells;
-    if (axis == 1) return at / kRows * stride[1] + at % kRows * kStored;
-    return at / kSlices * stride[2] + at % kSlices * (kStored * kRows);
+    if (axis == 1) return at / kRows * stride[1] + at % kRows * kRowBytes;
+    return at / kSlices * stride[2] + at % kSlices * kSliceBytes;
   }
   /// The first voxel index of the brick that holds `n` along an axis.
   [[nodiscard]] static std::int64_t brickBegin(std::size_t axis, std::int64_t n) {

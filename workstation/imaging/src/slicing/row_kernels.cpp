@@ -1,7 +1,6 @@
 #include "row_kernels.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "bricks.h"
 
@@ -10,36 +9,35 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace ew::detail::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using U32 = hn::ScalableTag<std::uint32_t>;
-using I32 = hn::RebindToSigned<U32>;
-using F32 = hn::RebindToFloat<U32>;
-using U8 = hn::Rebind<std::uint8_t, I32>;
-using VecU = hn::Vec<U32>;
-using VecI = hn::Vec<I32>;
-using VecF = hn::Vec<F32>;
-
-HWY_INLINE VecU set(std::uint32_t value) { return hn::Set(U32(), value); }
-HWY_INLINE VecU set(int value) { return hn::Set(U32(), static_cast<std::uint32_t>(value)); }
-HWY_INLINE VecF set(float value) { return hn::Set(F32(), value); }
 HWY_INLINE std::uint32_t low(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
-HWY_INLINE VecF toFloat(VecU value) { return hn::ConvertTo(F32(), hn::BitCast(I32(), value)); }
 
-/// value / Bricks::kCells for value < 2^20.
-HWY_INLINE VecU cellsIn(VecU value) {
-  const VecF quotient = hn::Mul(hn::Add(toFloat(value), set(0.5F)), set(1.0F / Bricks::kCells));
-  return hn::BitCast(U32(), hn::ConvertTo(I32(), quotient));
+/// value / Bricks::kCells for value < Piece::kCellsAtMost.
+HWY_INLINE VecU bricksIn(VecU value) {
+  static_assert(Bricks::kCells == 13);
+  constexpr std::uint16_t kThirteenth = 5042;  // of 2^16, rounded up
+#if HWY_TARGET == HWY_SCALAR
+  return hn::ShiftRight<16>(hn::Mul(value, set(std::uint32_t{kThirteenth})));
+#else
+  const hn::Repartition<std::uint16_t, U32> d;
+  return hn::BitCast(U32(), hn::MulHigh(hn::BitCast(d, value), hn::Set(d, kThirteenth)));
+#endif
 }
-HWY_INLINE VecU brickOffsetI(VecU i) { return hn::Add(i, hn::Mul(cellsIn(i), set(Bricks::kBytes - Bricks::kCells))); }
-HWY_INLINE VecU brickOffsetJ(VecU j, VecU stride) {
-  return hn::Add(hn::Mul(hn::And(j, set(Bricks::kLastRow)), set(Bricks::kStored)), hn::Mul(hn::ShiftRight<Bricks::kRowBits>(j), stride));
-}
-HWY_INLINE VecU brickOffsetK(VecU k, VecU stride) {
-  return hn::Add(hn::Mul(hn::And(k, set(Bricks::kLastSlice)), set(Bricks::kStored * Bricks::kRows)),
-                 hn::Mul(hn::ShiftRight<Bricks::kSliceBits>(k), stride));
+
+/// Along j or k, where bricks are two high: bytes to index `at`, and from there to the next.
+struct AlongBricks {
+  VecU offset, toNext;
+};
+template <int kBytes>
+HWY_INLINE AlongBricks alongBricks(VecU at, VecU stride) {
+  const VecU odd = hn::And(at, set(1U));
+  const VecU offset = hn::Add(hn::Mul(odd, set(std::uint32_t{kBytes})), hn::Mul(hn::ShiftRight<1>(at), stride));
+  const VecU back = hn::And(hn::Sub(hn::Zero(U32()), odd), hn::Sub(stride, set(std::uint32_t{2 * kBytes})));
+  return {offset, hn::Add(set(std::uint32_t{kBytes}), back)};
 }
 
 template <Quality quality, VoxelLayout layout>
@@ -51,7 +49,10 @@ void lay(Piece& piece) {
     std::array<VecU, 3> sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     for (std::size_t a = 0; a < 3; ++a) {
       sum[a] = hn::Add(hn::LoadU(d, piece.templateFraction[a] + n), set(piece.startFraction[a]));
-      if constexpr (quality != Quality::weave) hn::StoreU(hn::And(sum[a], set(kFractionMask)), d, piece.fraction[a].data() + n);
+      if constexpr (quality != Quality::weave) {
+        const VecU high = hn::And(sum[a], set(0x7fff0000U)), part = hn::ShiftRight<16>(high);
+        hn::StoreU(hn::Or(high, part), d, piece.part[a].data() + n);
+      }
     }
     const auto store = [&](VecU value, Piece::Values& values) { hn::StoreU(value, d, values.data() + n); };
     // The top bit of a sum of two 31 bit fractions says that they reach a whole voxel.
@@ -61,36 +62,33 @@ void lay(Piece& piece) {
         return hn::And(hn::BitCast(d, reached), stride);
       };
       const VecU carried = hn::Add(hn::ShiftRight<kFractionBits>(sum[0]), hn::Add(carry(sum[1], strideJ), carry(sum[2], strideK)));
-      store(hn::Add(hn::Add(hn::LoadU(d, piece.templateOffset + n), set(piece.startOffset)), carried), piece.offset[0]);
+      store(hn::Add(hn::Add(hn::LoadU(d, piece.templateOffset + n), set(piece.startOffset)), carried), piece.offset);
     } else {
       std::array<VecU, 3> whole = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
       for (std::size_t a = 0; a < 3; ++a)
         whole[a] =
             hn::Add(hn::Add(hn::LoadU(d, piece.templateWhole[a] + n), set(piece.startWhole[a])), hn::ShiftRight<kFractionBits>(sum[a]));
-      const VecU alongI = brickOffsetI(whole[0]);
-      const auto alongJ = [&](int step) { return hn::Add(alongI, brickOffsetJ(hn::Add(whole[1], set(step)), strideJ)); };
-      const auto alongK = [&](int step) { return brickOffsetK(hn::Add(whole[2], set(step)), strideK); };
-      if constexpr (quality == Quality::weave) {
-        store(hn::Add(alongJ(0), alongK(0)), piece.offset[0]);
-      } else {
-        const VecU j0 = alongJ(0), j1 = alongJ(1), k0 = alongK(0), k1 = alongK(1);
-        store(hn::Add(j0, k0), piece.offset[0]);
-        store(hn::Add(j1, k0), piece.offset[1]);
-        store(hn::Add(j0, k1), piece.offset[2]);
-        store(hn::Add(j1, k1), piece.offset[3]);
+      const VecU alongI = hn::Add(whole[0], hn::Mul(bricksIn(whole[0]), set(std::uint32_t{Bricks::kBytes - Bricks::kCells})));
+      const AlongBricks alongJ = alongBricks<Bricks::kRowBytes>(whole[1], strideJ),
+                        alongK = alongBricks<Bricks::kSliceBytes>(whole[2], strideK);
+      store(hn::Add(alongI, hn::Add(alongJ.offset, alongK.offset)), piece.offset);
+      if constexpr (quality != Quality::weave) {
+        store(alongJ.toNext, piece.toRow);
+        store(alongK.toNext, piece.toSlice);
       }
     }
   }
 }
 
-/// Asks for the line of every offset that lies on another line than the sample before it: a request costs as much as a load, and in
-/// bricks most samples share their line with the one before.
+/// Asks for the lines that the offsets lie on. A request that finds its line costs as little as a load. Processors that compress a vector
+/// in one instruction ask for the lines that change along the row alone.
 /// @param rows where the offsets count from
 template <std::size_t count>
 HWY_INLINE void announce(const std::array<const std::uint8_t*, count>& rows, const Piece::Values& values, int samples) {
+  const std::uint32_t* offset = values.data();
+#if HWY_TARGET <= HWY_AVX3
   const U32 d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const std::uint32_t* offset = values.data();
   // One list for the whole piece: a loop over the few changes of a vector would end at another place each time.
   Piece::Values changed;
   changed[0] = offset[0];
@@ -104,79 +102,132 @@ HWY_INLINE void announce(const std::array<const std::uint8_t*, count>& rows, con
   }
   for (std::size_t m = 0; m < found; ++m)
     for (const std::uint8_t* row : rows) prefetch(row + changed[m]);
+#else
+  for (int n = 0; n < samples; ++n)
+    for (const std::uint8_t* row : rows) prefetch(row + offset[n]);
+#endif
 }
 
 void announceAny(PieceKind kind, const Piece& piece) {
   if (piece.count == 0) return;
+  if (kind.quality == Quality::weave) return announce<1>({piece.voxels}, piece.offset, piece.count);
+  // The corners of what a sample reads: what lies between them was a corner of samples before. All sixteen rows of a cubic sample take
+  // 1.16 times the time. In bricks the corner beyond may be the same brick again.
   const bool bricked = kind.layout == VoxelLayout::bricked;
-  if (kind.quality == Quality::weave) return announce<1>({piece.voxels}, piece.offset[0], piece.count);
-  if (kind.quality == Quality::linear) {
-    if (bricked) {
-      announce<1>({piece.voxels}, piece.offset[0], piece.count);
-      return announce<1>({piece.voxels}, piece.offset[3], piece.count);
-    }
-    const std::uint8_t *next = piece.voxels + piece.stride[1], *above = piece.voxels + piece.stride[2];
-    return announce<4>({piece.voxels, next, above, above + piece.stride[1]}, piece.offset[0], piece.count);
-  }
-  // The corners of the neighbourhood: what lies between them was a corner of samples before. All sixteen rows take 1.16 times the time.
-  const std::uint8_t *first = piece.voxels, *last = first + 3 * piece.stride[2];
-  announce<4>({first, first + 3 * piece.stride[1], last, last + 3 * piece.stride[1]}, piece.offset[0], piece.count);
+  const std::uint64_t steps = bricked ? (kind.quality == Quality::cubic ? 2 : 1) : (kind.quality == Quality::cubic ? 3 : 1);
+  const std::uint8_t *first = piece.voxels, *above = first + steps * piece.stride[2];
+  announce<4>({first, first + steps * piece.stride[1], above, above + steps * piece.stride[1]}, piece.offset, piece.count);
 }
 
 /// Loads stand apart from arithmetic, in parts that stay in the first-level cache. Gathers would do both at once, but they wait for
 /// their slowest element: on volumes beyond the first-level cache scalar loads were 1.7 times as fast (AVX-512, Zen 4).
-constexpr int kPart = Loaded::kMost;
+constexpr int kPart = 64;
 
-template <class Bytes>
-HWY_INLINE void load(const std::uint8_t* from, Bytes& bytes) {
-  std::memcpy(&bytes, from, sizeof bytes);
+/// The four neighbours in slice k of the voxel, two rows of two, in the order i, j; then those in the next slice.
+struct Squares {
+  HWY_ALIGN std::uint32_t slice[2][kPart + kLanesAtMost];
+};
+
+template <VoxelLayout layout>
+HWY_INLINE void loadSquares(const Piece& piece, int begin, int count, Squares& squares) {
+  const std::uint32_t *HWY_RESTRICT offset = piece.offset.data() + begin, *HWY_RESTRICT toRow = piece.toRow.data() + begin,
+                                    *HWY_RESTRICT toSlice = piece.toSlice.data() + begin;
+  const std::uint8_t* HWY_RESTRICT voxels = piece.voxels;
+  for (int n = 0; n < count; ++n) {
+    const std::uint64_t row = layout == VoxelLayout::linear ? piece.stride[1] : toRow[n];
+    const std::uint64_t slice = layout == VoxelLayout::linear ? piece.stride[2] : toSlice[n];
+    const std::uint8_t *near = voxels + offset[n], *far = near + slice;
+    std::uint16_t near0, near1, far0, far1;
+    load(near, near0);
+    load(near + row, near1);
+    load(far, far0);
+    load(far + row, far1);
+    squares.slice[0][n] = near0 | std::uint32_t{near1} << 16;
+    squares.slice[1][n] = far0 | std::uint32_t{far1} << 16;
+  }
 }
 
-HWY_INLINE void storeGreys(VecI greys, int count, std::uint8_t* out) {
-  const U8 d;
-  const auto bytes = hn::DemoteTo(d, greys);
-  if (count >= static_cast<int>(hn::Lanes(d))) return hn::StoreU(bytes, d, out);
-  HWY_ALIGN std::uint8_t last[kLanesAtMost];
-  hn::StoreU(bytes, d, last);
-  std::memcpy(out, last, static_cast<std::size_t>(count));
+using Parts = std::array<const std::uint32_t*, 3>;
+constexpr int kBelowGrey = 7;  // bits of a level below a grey level: the most that a difference of two leaves in 16 bits
+
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void blendSquares(const Squares& squares, const Parts& part, int count, std::uint8_t* out) {
+  for (int n = 0; n < count; ++n) {
+    const auto partOf = [&](std::size_t axis) { return static_cast<std::int32_t>(part[axis][n] & 0xffffU); };
+    const auto level = [&](std::size_t k, int byte) {
+      return static_cast<std::int32_t>((squares.slice[k][n] >> (8 * byte)) & 0xffU) << kBelowGrey;
+    };
+    const auto row = [&](int j) {
+      return lerp(lerp(level(0, 2 * j), level(0, 2 * j + 1), partOf(0)), lerp(level(1, 2 * j), level(1, 2 * j + 1), partOf(0)), partOf(2));
+    };
+    out[n] = static_cast<std::uint8_t>((lerp(row(0), row(1), partOf(1)) + (1 << (kBelowGrey - 1))) >> kBelowGrey);
+  }
+}
+#else
+/// Along i and k for a vector of samples: two numbers of 16 bits each, for row j and the next.
+HWY_INLINE VecS blendRows(const Squares& squares, const Parts& part, int n) {
+  const I16 d;
+  const VecS inNumber = hn::Set(d, 0xff << kBelowGrey), x = halves(part[0] + n), z = halves(part[2] + n);
+  const auto alongI = [&](std::size_t k) {
+    const VecS pair = halves(squares.slice[k] + n);
+    const VecS first = hn::And(hn::ShiftLeft<kBelowGrey>(pair), inNumber), second = hn::And(hn::ShiftRight<8 - kBelowGrey>(pair), inNumber);
+    return lerp(first, second, x);
+  };
+  return lerp(alongI(0), alongI(1), z);
 }
 
-HWY_INLINE VecI rounded(VecF value) { return hn::ConvertTo(I32(), hn::Add(value, set(0.5F))); }
-HWY_INLINE VecF blend(VecF a, VecF b, VecF weight) { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); }
-template <int kByte>
-HWY_INLINE VecF byteOf(VecU four) {
-  if constexpr (kByte == 0) return toFloat(hn::And(four, set(0xffU)));
-  if constexpr (kByte == 3) return toFloat(hn::ShiftRight<24>(four));
-  return toFloat(hn::And(hn::ShiftRight<8 * kByte>(four), set(0xffU)));
+HWY_INLINE void blendSquares(const Squares& squares, const Parts& part, int count, std::uint8_t* out) {
+  const I16 d;
+  const U32 d32;
+  const int lanes = static_cast<int>(hn::Lanes(d32));
+  for (int n = 0; n < count; n += 2 * lanes) {
+    // Two vectors of samples side by side: the first in the even numbers, the second in the odd ones.
+    const VecS first = blendRows(squares, part, n), second = blendRows(squares, part, n + lanes);
+    const VecS near = hn::OddEven(hn::BitCast(d, hn::ShiftLeft<16>(hn::BitCast(d32, second))), first);
+    const VecS far = hn::OddEven(second, hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(d32, first))));
+    const VecS y = hn::OddEven(halves(part[1] + n + lanes), halves(part[1] + n));
+    const VecS level = lerp(near, far, y);
+    const auto greys = hn::BitCast(d32, hn::ShiftRight<kBelowGrey>(hn::Add(level, hn::Set(d, 1 << (kBelowGrey - 1)))));
+    storeGreys(I32(), hn::BitCast(I32(), hn::And(greys, set(0xffffU))), count - n, out + n);
+    storeGreys(I32(), hn::BitCast(I32(), hn::ShiftRight<16>(greys)), count - n - lanes, out + n + lanes);
+  }
 }
+#endif
+
+void sampleWeave(const Piece& piece) {
+  const std::uint8_t* HWY_RESTRICT from = piece.voxels;
+  const std::uint32_t* HWY_RESTRICT offset = piece.offset.data();
+  std::uint8_t* HWY_RESTRICT out = piece.out;
+  const int count = piece.count;
+  for (int n = 0; n < count; ++n) out[n] = from[offset[n]];
+}
+
+template <VoxelLayout layout>
+void sampleLinear(const Piece& piece) {
+  Squares squares;
+  for (int begin = 0; begin < piece.count; begin += kPart) {
+    const int count = std::min(kPart, piece.count - begin);
+    loadSquares<layout>(piece, begin, count, squares);
+    const Parts part = {piece.part[0].data() + begin, piece.part[1].data() + begin, piece.part[2].data() + begin};
+    blendSquares(squares, part, count, piece.out + begin);
+  }
+}
+
 using Fractions = std::array<const std::uint32_t*, 3>;
-HWY_INLINE VecF weightAt(const Fractions& fraction, std::size_t axis, int n) {
-  return hn::Mul(toFloat(hn::LoadU(U32(), fraction[axis] + n)), set(kPerFraction));
-}
-HWY_INLINE Fractions fractionsFrom(const Piece& piece, int begin) {
-  return {piece.fraction[0].data() + begin, piece.fraction[1].data() + begin, piece.fraction[2].data() + begin};
-}
+
+HWY_INLINE VecF blend(VecF a, VecF b, VecF weight) { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); }
 
 /// Between the eight neighbours of samples n and following; `pairOf` gives the two of a row, the first in the low byte.
 template <class PairOf>
 HWY_INLINE VecF trilinear(const Fractions& fraction, int n, const PairOf& pairOf) {
-  const VecF weightI = weightAt(fraction, 0, n), weightJ = weightAt(fraction, 1, n), weightK = weightAt(fraction, 2, n);
+  const auto weightAt = [&](std::size_t axis) { return hn::Mul(toFloat(hn::LoadU(U32(), fraction[axis] + n)), set(kPerFraction)); };
+  const VecF weightI = weightAt(0), weightJ = weightAt(1), weightK = weightAt(2);
   const auto alongI = [&](std::size_t row) {
     const VecU pair = pairOf(row);
-    return blend(byteOf<0>(pair), toFloat(hn::ShiftRight<8>(pair)), weightI);
+    return blend(toFloat(hn::And(pair, set(0xffU))), toFloat(hn::ShiftRight<8>(pair)), weightI);
   };
   const VecF near = blend(alongI(0), alongI(1), weightJ), far = blend(alongI(2), alongI(3), weightJ);
   return blend(near, far, weightK);
-}
-
-void blendPairs(const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
-  const U32 d;
-  for (int n = 0; n < count; n += static_cast<int>(hn::Lanes(d))) {
-    const auto pairOf = [&](std::size_t row) {
-      return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint16_t, U32>(), loaded.pairs[row] + n));
-    };
-    storeGreys(rounded(trilinear(fraction, n, pairOf)), count - n, out + n);
-  }
 }
 
 void blendLevels(const Loaded& echo, const Loaded* coverage, const Fractions& fraction, int count, float* out) {
@@ -200,146 +251,26 @@ void blendLevels(const Loaded& echo, const Loaded* coverage, const Fractions& fr
   }
 }
 
-void sampleWeave(const Piece& piece) {
-  const std::uint8_t* HWY_RESTRICT from = piece.voxels;
-  const std::uint32_t* HWY_RESTRICT offset = piece.offset[0].data();
-  std::uint8_t* HWY_RESTRICT out = piece.out;
-  const int count = piece.count;
-  for (int n = 0; n < count; ++n) out[n] = from[offset[n]];
-}
-
 template <VoxelLayout layout>
-void sampleLinear(const Piece& piece) {
-  HWY_ALIGN Loaded loaded;
-  auto& [pair00, pair10, pair01, pair11] = loaded.pairs;
-  for (int begin = 0; begin < piece.count; begin += kPart) {
-    const int count = std::min(kPart, piece.count - begin);
-    if constexpr (layout == VoxelLayout::linear) {
-      const std::uint32_t* HWY_RESTRICT offset = piece.offset[0].data() + begin;
-      const std::uint8_t *HWY_RESTRICT at00 = piece.voxels, *HWY_RESTRICT at10 = at00 + piece.stride[1],
-                                       *HWY_RESTRICT at01 = at00 + piece.stride[2], *HWY_RESTRICT at11 = at10 + piece.stride[2];
-      for (int n = 0; n < count; ++n) {
-        const std::size_t o = offset[n];
-        load(at00 + o, pair00[n]);
-        load(at10 + o, pair10[n]);
-        load(at01 + o, pair01[n]);
-        load(at11 + o, pair11[n]);
-      }
-    } else {
-      const std::uint32_t *HWY_RESTRICT o00 = piece.offset[0].data() + begin, *HWY_RESTRICT o10 = piece.offset[1].data() + begin,
-                                        *HWY_RESTRICT o01 = piece.offset[2].data() + begin,
-                                        *HWY_RESTRICT o11 = piece.offset[3].data() + begin;
-      const std::uint8_t* HWY_RESTRICT from = piece.voxels;
-      for (int n = 0; n < count; ++n) {
-        load(from + o00[n], pair00[n]);
-        load(from + o10[n], pair10[n]);
-        load(from + o01[n], pair01[n]);
-        load(from + o11[n], pair11[n]);
-      }
-    }
-    blendPairs(loaded, fractionsFrom(piece, begin), count, piece.out + begin);
-  }
-}
-
-/// Keys, a = -1/2: weights of the neighbours at -1, 0, 1, 2; the scalar form stands in row_sampler.cpp.
-HWY_INLINE std::array<VecF, 4> cubicWeights(VecF t) {
-  const VecF one = set(1.0F), half = set(0.5F), minusHalf = set(-0.5F);
-  return {hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(minusHalf, t), one), t), minusHalf), t),
-          hn::Add(hn::Mul(hn::Mul(hn::Add(hn::Mul(set(1.5F), t), set(-2.5F)), t), t), one),
-          hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(set(-1.5F), t), set(2.0F)), t), half), t),
-          hn::Mul(hn::Mul(hn::Add(hn::Mul(half, t), minusHalf), t), t)};
-}
-
-/// Products of bytes and weights of 14 bits, summed over the four voxels of a row: exact in integers. Weights come in pairs, 0 and 2, 1 and
-/// 3, as 16 bit halves, because that is how the bytes come apart most easily.
-HWY_INLINE VecI rowSum(VecU four, VecU weights02, VecU weights13) {
-  const I32 d;
-  const VecU even = hn::And(four, set(0x00ff00ffU)), odd = hn::And(hn::ShiftRight<8>(four), set(0x00ff00ffU));
-#if HWY_TARGET == HWY_SCALAR
-  const auto product = [&](VecU bytes, VecU weights) {
-    const VecI first = hn::Mul(hn::BitCast(d, hn::And(bytes, set(0xffU))), hn::ShiftRight<16>(hn::ShiftLeft<16>(hn::BitCast(d, weights))));
-    return hn::Add(first, hn::Mul(hn::BitCast(d, hn::ShiftRight<16>(bytes)), hn::ShiftRight<16>(hn::BitCast(d, weights))));
-  };
-  return hn::Add(product(even, weights02), product(odd, weights13));
-#else
-  const hn::Repartition<std::int16_t, I32> d16;
-  VecI rest = hn::Zero(d);
-  const VecI sum = hn::ReorderWidenMulAccumulate(d, hn::BitCast(d16, even), hn::BitCast(d16, weights02), hn::Zero(d), rest);
-  return hn::ReorderWidenMulAccumulate(d, hn::BitCast(d16, odd), hn::BitCast(d16, weights13), sum, rest);
-#endif
-}
-
-void blendFours(const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
-  const U32 d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int n = 0; n < count; n += lanes) {
-    const std::array<VecF, 4> weightI = cubicWeights(weightAt(fraction, 0, n)), weightJ = cubicWeights(weightAt(fraction, 1, n)),
-                              weightK = cubicWeights(weightAt(fraction, 2, n));
-    // To the nearest of 2^14 steps; the second takes what is left, so that constants stay exact.
-    const auto fixed = [&](VecF weight) {
-      const VecF shifted = hn::Add(hn::Mul(weight, set(16384.0F)), set(16384.5F));
-      return hn::BitCast(d, hn::Sub(hn::ConvertTo(I32(), shifted), hn::Set(I32(), 16384)));
-    };
-    const VecU w0 = fixed(weightI[0]), w2 = fixed(weightI[2]), w3 = fixed(weightI[3]);
-    const VecU w1 = hn::Sub(set(16384U), hn::Add(w0, hn::Add(w2, w3)));
-    const VecU lowHalf = set(0xffffU);
-    const VecU weights02 = hn::Or(hn::And(w0, lowHalf), hn::ShiftLeft<16>(w2));
-    const VecU weights13 = hn::Or(hn::And(w1, lowHalf), hn::ShiftLeft<16>(w3));
-    VecF sum = set(0.0F);
-    for (std::size_t k = 0; k < 4; ++k) {
-      VecF slice = set(0.0F);
-      for (std::size_t j = 0; j < 4; ++j) {
-        const VecF row = hn::ConvertTo(F32(), rowSum(hn::LoadU(d, loaded.fours[4 * k + j] + n), weights02, weights13));
-        slice = hn::Add(slice, hn::Mul(weightJ[j], row));
-      }
-      sum = hn::Add(sum, hn::Mul(weightK[k], slice));
-    }
-    sum = hn::Mul(sum, set(1.0F / 16384.0F));
-    storeGreys(rounded(hn::Min(hn::Max(sum, set(0.0F)), set(255.0F))), count - n, out + n);
-  }
-}
-
-void sampleCubic(const Piece& piece) {
-  HWY_ALIGN Loaded loaded;
-  const std::uint8_t* HWY_RESTRICT from = piece.voxels;
-  const std::uint64_t strideJ = piece.stride[1], strideK = piece.stride[2];
-  for (int begin = 0; begin < piece.count; begin += kPart) {
-    const int count = std::min(kPart, piece.count - begin);
-    const std::uint32_t* HWY_RESTRICT offset = piece.offset[0].data() + begin;
-    for (int n = 0; n < count; ++n)
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t j = 0; j < 4; ++j) load(from + offset[n] + k * strideK + j * strideJ, loaded.fours[4 * k + j][n]);
-    blendFours(loaded, fractionsFrom(piece, begin), count, piece.out + begin);
+void layKind(Quality quality, Piece& piece) {
+  switch (quality) {
+    case Quality::weave:
+      return lay<Quality::weave, layout>(piece);
+    case Quality::linear:
+      return lay<Quality::linear, layout>(piece);
+    case Quality::cubic:
+      return lay<Quality::cubic, layout>(piece);
   }
 }
 
 void layAny(PieceKind kind, Piece& piece) {
-  const bool bricked = kind.layout == VoxelLayout::bricked;
-  switch (kind.quality) {
-    case Quality::weave:
-      return bricked ? lay<Quality::weave, VoxelLayout::bricked>(piece) : lay<Quality::weave, VoxelLayout::linear>(piece);
-    case Quality::linear:
-      return bricked ? lay<Quality::linear, VoxelLayout::bricked>(piece) : lay<Quality::linear, VoxelLayout::linear>(piece);
-    case Quality::cubic:
-      return lay<Quality::cubic, VoxelLayout::linear>(piece);
-  }
+  if (kind.layout == VoxelLayout::bricked) return layKind<VoxelLayout::bricked>(kind.quality, piece);
+  layKind<VoxelLayout::linear>(kind.quality, piece);
 }
 
-void sampleAny(PieceKind kind, const Piece& piece) {
-  const bool bricked = kind.layout == VoxelLayout::bricked;
-  switch (kind.quality) {
-    case Quality::weave:
-      return sampleWeave(piece);
-    case Quality::linear:
-      return bricked ? sampleLinear<VoxelLayout::bricked>(piece) : sampleLinear<VoxelLayout::linear>(piece);
-    case Quality::cubic:
-      return sampleCubic(piece);
-  }
-}
-
-void blendAny(Quality quality, const Loaded& loaded, const Fractions& fraction, int count, std::uint8_t* out) {
-  if (quality == Quality::linear) return blendPairs(loaded, fraction, count, out);
-  blendFours(loaded, fraction, count, out);
+void sampleLinearAny(VoxelLayout layout, const Piece& piece) {
+  if (layout == VoxelLayout::bricked) return sampleLinear<VoxelLayout::bricked>(piece);
+  sampleLinear<VoxelLayout::linear>(piece);
 }
 
 void fillAny(std::int64_t high, std::int32_t lowPart, int count, std::uint32_t* whole, std::uint32_t* fraction) {
@@ -386,17 +317,23 @@ namespace ew::detail {
 
 HWY_EXPORT(layAny);
 HWY_EXPORT(announceAny);
-HWY_EXPORT(sampleAny);
-HWY_EXPORT(blendAny);
+HWY_EXPORT(sampleWeave);
+HWY_EXPORT(sampleLinearAny);
 HWY_EXPORT(blendLevels);
 HWY_EXPORT(fillAny);
 HWY_EXPORT(offsetsAny);
 
 void layPiece(PieceKind kind, Piece& piece) { HWY_DYNAMIC_DISPATCH(layAny)(kind, piece); }
 void announcePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(announceAny)(kind, piece); }
-void samplePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(sampleAny)(kind, piece); }
-void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out) {
-  HWY_DYNAMIC_DISPATCH(blendAny)(quality, loaded, fraction, count, out);
+void samplePiece(PieceKind kind, const Piece& piece) {
+  switch (kind.quality) {
+    case Quality::weave:
+      return HWY_DYNAMIC_DISPATCH(sampleWeave)(piece);
+    case Quality::linear:
+      return HWY_DYNAMIC_DISPATCH(sampleLinearAny)(kind.layout, piece);
+    case Quality::cubic:
+      return sampleCubicPiece(kind.layout, piece);
+  }
 }
 void blendLoadedLevels(const Loaded& echo, const Loaded* coverage, const std::array<const std::uint32_t*, 3>& fraction, int count,
                        float* out) {

@@ -13,6 +13,8 @@ namespace ew::detail {
 /// bits do for volumes of any size.
 struct Piece {
   static constexpr int kMost = 256;
+  static constexpr std::uint64_t kCellsAtMost =
+      6500;  ///< voxels along i that a piece spans in bricks, so that 16 bits do for their division
   using Values = std::array<std::uint32_t, kMost + kLanesAtMost>;
 
   int count = 0;
@@ -24,20 +26,15 @@ struct Piece {
   std::uint32_t startOffset = 0;
   std::array<std::uint64_t, 3> stride{};  ///< as in TemplateLine
 
-  /// Of the voxel of Eq. 1 (weave, linear) or the first of four along each axis (cubic). In bricks also, linear: of its neighbours along
-  /// j, k, and both.
-  std::array<Values, 4> offset;
-  std::array<Values, 3> fraction;  ///< of base plus template
+  Values offset;               ///< of the voxel of Eq. 1 (weave, linear) or the first of four along each axis (cubic)
+  Values toRow, toSlice;       ///< bricks, not weave: bytes from there to the same place in the next row and slice
+  std::array<Values, 3> part;  ///< not weave: the fraction of base plus template, kPartBits of it, in both halves of 32 bits
 };
 
-/// Voxels loaded for a few samples: what stands between the memory and the arithmetic.
+/// Pairs of voxels loaded for a few samples: what stands between the memory and the arithmetic.
 struct Loaded {
   static constexpr int kMost = 64;
-  union {
-    std::uint32_t fours[16][kMost + kLanesAtMost];  ///< cubic: four neighbours along i, row 4 k + j
-    std::uint16_t pairs[4]
-                       [kMost + kLanesAtMost];  ///< linear: neighbours along i, the rows named by their steps along j and k: 00, 10, 01, 11
-  };
+  std::uint16_t pairs[4][kMost + kLanesAtMost];  ///< neighbours along i, the rows named by their steps along j and k: 00, 10, 01, 11
 };
 
 /// Asks for the line of a byte that is read later; a hint without effect on any value. Into the second-level cache, which keeps far more
@@ -49,21 +46,21 @@ struct Loaded {
 inline void prefetch(const std::uint8_t*) {}
 #endif
 
-/// Cubic reads rows alone.
 struct PieceKind {
   Quality quality = Quality::linear;
   VoxelLayout layout = VoxelLayout::linear;
 };
 
 /// Eq. 1 with the carry, a vector of samples at a time; compiled for each instruction set and chosen at run time. Arithmetic is in
-/// integers, and in floats without fused products, so every instruction set gives the same pixels.
+/// integers, so every instruction set gives the same pixels.
 void layPiece(PieceKind kind, Piece& piece);
 /// Asks the memory for what samplePiece will read; a hint without effect on any value.
 void announcePiece(PieceKind kind, const Piece& piece);
+/// Linear: three times a + (b - a) x in numbers of 16 bits, 7 of them below a grey level, so that a pixel lies within
+/// 0.5 + 3 (255 / 2^16 + 2^-8) = 0.524 grey levels of exact arithmetic.
 void samplePiece(PieceKind kind, const Piece& piece);
-
-/// The blending of samplePiece alone: `count` <= Loaded::kMost samples, their fractions (31 bits) along i, j, k.
-void blendLoaded(Quality quality, const Loaded& loaded, const std::array<const std::uint32_t*, 3>& fraction, int count, std::uint8_t* out);
+/// samplePiece of Quality::cubic: weights of 14 bits, which add at most 0.1 grey levels to the rounding on noise.
+void sampleCubicPiece(VoxelLayout layout, const Piece& piece);
 
 /// Levels between `count` <= Loaded::kMost times eight neighbours, not rounded, of those alone that are covered: at least one of each eight
 /// that weighs anything. Reads and writes up to kLanesAtMost beyond the last.

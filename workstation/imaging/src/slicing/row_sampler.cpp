@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "bricks.h"
 
@@ -48,39 +47,24 @@ std::uint64_t offsetAlong(const TemplateLine& line, std::size_t axis, std::int64
   return Bricks::offsetAlong(axis, n, line.stride);
 }
 
-/// The position is clamped to the outermost voxel centres, and the neighbours to the volume.
-template <std::size_t count>
-void findNeighbours(const TemplateLine& line, const FixedPosition& base, int n, RowSampler::Neighbours& found) {
-  constexpr std::int64_t kBelow = count == 4 ? 1 : 0;
+/// Copies the neighbours of a sample, four along each axis or two, into a block of four a row, i fastest. The position is clamped to the
+/// outermost voxel centres, and the neighbours to the volume.
+struct Neighbours {
+  std::array<std::array<std::uint64_t, 4>, 3> offset;
+  std::array<std::uint32_t, 3> part;
+};
+Neighbours findNeighbours(const TemplateLine& line, const FixedPosition& base, int n, int count) {
+  Neighbours found;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::int64_t last = line.dims[static_cast<int>(a)] - 1;
     const std::int64_t position = std::clamp(base[a] + line.at(a, n), std::int64_t{0}, last * kOneVoxel);
-    const std::int64_t first = (position >> kFractionBits) - kBelow;
-    found.fraction[a] = static_cast<std::uint32_t>(position & static_cast<std::int64_t>(kFractionMask));
-    for (std::size_t m = 0; m < count; ++m)
-      found.offset[a][m] = offsetAlong(line, a, std::clamp(first + static_cast<std::int64_t>(m), std::int64_t{0}, last));
+    const std::int64_t first = (position >> kFractionBits) - (count == 4 ? 1 : 0);
+    const auto part = static_cast<std::uint32_t>((position & static_cast<std::int64_t>(kFractionMask)) >> (kFractionBits - kPartBits));
+    found.part[a] = part | part << 16;
+    for (int m = 0; m < count; ++m)
+      found.offset[a][static_cast<std::size_t>(m)] = offsetAlong(line, a, std::clamp(first + m, std::int64_t{0}, last));
   }
-  for (const std::size_t k : {std::size_t{0}, count - 1})
-    for (const std::size_t j : {std::size_t{0}, count - 1})
-      prefetch(line.voxels + found.offset[0][0] + found.offset[1][j] + found.offset[2][k]);
-}
-
-/// Loads the rows of one sample as sample `n` of a batch.
-template <std::size_t count, class Row, std::size_t length>
-void loadRows(const RowSampler::Neighbours& at, Row (*rows)[length], std::size_t n) {
-  const auto& i = at.offset[0];
-  const bool together = i[count - 1] == i[0] + count - 1;
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::uint8_t* row = at.voxels + at.offset[1][j] + at.offset[2][k];
-      std::array<std::uint8_t, count> bytes;
-      if (together) {
-        std::memcpy(bytes.data(), row + i[0], count);
-      } else {
-        for (std::size_t m = 0; m < count; ++m) bytes[m] = row[i[m]];
-      }
-      std::memcpy(&rows[count * k + j][n], bytes.data(), count);
-    }
+  return found;
 }
 
 }  // namespace
@@ -92,8 +76,8 @@ void RowSampler::sample(const TemplateLine& line, const glm::dvec3& start_voxel,
   }
   for (int block = within.begin / kBlock * kBlock; block < within.end; block += kBlock) {
     FixedPosition base = fixedPosition(start_voxel + static_cast<double>(block) * line.step_voxel);
-    if (quality_ == Quality::weave)
-      for (std::int64_t& b : base) b += kHalfVoxel;  // the integer part is then the nearest voxel
+    // Then the integer part is the nearest voxel, and the part that is weighed with the nearest one.
+    for (std::int64_t& b : base) b += quality_ == Quality::weave ? kHalfVoxel : kHalfPart;
     sampleBlock(line, base, {std::max(within.begin - block, 0), std::min(within.end - block, kBlock)}, row + block);
   }
 }
@@ -109,17 +93,14 @@ void RowSampler::sampleBlock(const TemplateLine& line, const FixedPosition& base
       outerHigh[a] = voxels * kOneVoxel - 1;
       continue;
     }
-    outerLow[a] = -kHalfVoxel;
-    outerHigh[a] = voxels * kOneVoxel - kHalfVoxel;
-    if (bricked) {  // the halo holds the neighbours
-      innerLow[a] = 0;
-      innerHigh[a] = (voxels - 1) * kOneVoxel;
-    } else if (quality_ == Quality::linear) {
-      innerLow[a] = 0;
-      innerHigh[a] = (voxels - 1) * kOneVoxel - 1;
-    } else {
+    outerLow[a] = kHalfPart - kHalfVoxel;
+    outerHigh[a] = voxels * kOneVoxel - kHalfVoxel + kHalfPart;
+    if (quality_ == Quality::cubic) {
       innerLow[a] = kOneVoxel;
       innerHigh[a] = (voxels - 2) * kOneVoxel - 1;
+    } else {
+      innerLow[a] = 0;
+      innerHigh[a] = (voxels - 1) * kOneVoxel - (bricked ? 0 : 1);  // beyond the last voxel bricks repeat it
     }
   }
   const RowSpan run = clip(line, base, within, outerLow, outerHigh);
@@ -136,37 +117,45 @@ void RowSampler::sampleBlock(const TemplateLine& line, const FixedPosition& base
 }
 
 /// Samples within half a voxel outside the outermost voxel centres, or too near to a face for whole pieces. They are few a row, so they
-/// wait until a batch is full, and the memory has answered.
+/// wait until a piece is full, and the memory has answered.
 void RowSampler::borderRun(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) {
+  const int count = quality_ == Quality::cubic ? 4 : 2;
   for (int n = run.begin; n < run.end; ++n) {
-    Neighbours& waiting = border_[static_cast<std::size_t>(borderCount_)];
-    waiting.voxels = line.voxels;
-    waiting.out = block + n;
-    if (quality_ == Quality::linear) {
-      findNeighbours<2>(line, base, n, waiting);
-    } else {
-      findNeighbours<4>(line, base, n, waiting);
-    }
-    if (++borderCount_ == Loaded::kMost) sampleBorder();
+    const Neighbours found = findNeighbours(line, base, n, count);
+    const auto at = static_cast<std::size_t>(border_.piece.count);
+    BorderSample& waiting = border_.samples[at];
+    waiting = {line.voxels, block + n, found.offset};
+    for (std::size_t a = 0; a < 3; ++a) border_.piece.part[a][at] = found.part[a];
+    for (const int k : {0, count - 1})
+      for (const int j : {0, count - 1})
+        prefetch(line.voxels + found.offset[0][0] + found.offset[1][static_cast<std::size_t>(j)] +
+                 found.offset[2][static_cast<std::size_t>(k)]);
+    if (++border_.piece.count == Border::kMost) sampleBorder();
   }
 }
 
+/// As a piece of a volume of their own, in which every sample has a block of 4 x 4 x 4 voxels to itself.
 void RowSampler::sampleBorder() {
-  Loaded loaded{};  // vectors read beyond the last sample
-  std::array<std::array<std::uint32_t, Loaded::kMost + kLanesAtMost>, 3> fraction{};
-  std::array<std::uint8_t, Loaded::kMost> greys;
-  const auto count = static_cast<std::size_t>(borderCount_);
+  constexpr std::size_t kSide = 4, kBlockBytes = kSide * kSide * kSide;
+  std::array<std::uint8_t, Border::kMost * kBlockBytes> blocks{};
+  std::array<std::uint8_t, Border::kMost> greys;
+  const std::size_t neighbours = quality_ == Quality::cubic ? 4 : 2;
+  const auto count = static_cast<std::size_t>(border_.piece.count);
   for (std::size_t n = 0; n < count; ++n) {
-    for (std::size_t a = 0; a < 3; ++a) fraction[a][n] = border_[n].fraction[a];
-    if (quality_ == Quality::linear) {
-      loadRows<2>(border_[n], loaded.pairs, n);
-    } else {
-      loadRows<4>(border_[n], loaded.fours, n);
-    }
+    const BorderSample& sample = border_.samples[n];
+    std::uint8_t* block = blocks.data() + n * kBlockBytes;
+    for (std::size_t k = 0; k < neighbours; ++k)
+      for (std::size_t j = 0; j < neighbours; ++j)
+        for (std::size_t i = 0; i < neighbours; ++i)
+          block[i + kSide * (j + kSide * k)] = sample.voxels[sample.offset[0][i] + sample.offset[1][j] + sample.offset[2][k]];
+    border_.piece.offset[n] = static_cast<std::uint32_t>(n * kBlockBytes);
   }
-  blendLoaded(quality_, loaded, {fraction[0].data(), fraction[1].data(), fraction[2].data()}, borderCount_, greys.data());
-  for (std::size_t n = 0; n < count; ++n) *border_[n].out = greys[n];
-  borderCount_ = 0;
+  border_.piece.voxels = blocks.data();
+  border_.piece.stride = {1, kSide, kSide * kSide};
+  border_.piece.out = greys.data();
+  samplePiece({quality_, VoxelLayout::linear}, border_.piece);
+  for (std::size_t n = 0; n < count; ++n) *border_.samples[n].out = greys[n];
+  border_.piece.count = 0;
 }
 
 void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSpan run, std::uint8_t* block) {
@@ -186,7 +175,7 @@ void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSp
         if (a == 0) cells = static_cast<std::uint64_t>(std::max(first, last) - lowest[a]);
       }
       // Far apart only in volumes of gigabytes; one sample always fits.
-      if (count == 1 || (span < (std::uint64_t{1} << 30) && cells < (std::uint64_t{1} << 19))) break;
+      if (count == 1 || (span < (std::uint64_t{1} << 30) && cells < Piece::kCellsAtMost)) break;
     }
     Piece& piece = pieces_[next_];
     std::uint64_t corner = 0;
@@ -224,7 +213,7 @@ void RowSampler::sampleOldest() {
 
 void RowSampler::finish() {
   for (std::size_t n = 0; n <= kAhead; ++n) sampleOldest();
-  if (borderCount_ > 0) sampleBorder();
+  if (border_.piece.count > 0) sampleBorder();
 }
 
 }  // namespace ew::detail

@@ -15,14 +15,6 @@ class RowSampler {
  public:
   explicit RowSampler(Quality quality) : quality_(quality) {}
 
-  /// A sample near the volume's faces: offsets of its neighbours along each axis, clamped, and its fraction between the middle two.
-  struct Neighbours {
-    const std::uint8_t* voxels;
-    std::uint8_t* out;
-    std::array<std::array<std::uint64_t, 4>, 3> offset;  ///< linear uses two
-    std::array<std::uint32_t, 3> fraction;
-  };
-
   /// Columns within.begin .. within.end - 1 of the row whose column 0 lies at `start_voxel`; 0 outside the volume. Nothing else is
   /// written. `row` must stay until finish(); the row ends at most where layTemplate was told.
   void sample(const TemplateLine& line, const glm::dvec3& start_voxel, RowSpan within, std::uint8_t* row);
@@ -43,8 +35,18 @@ class RowSampler {
   std::array<PieceKind, kAhead + 1> kinds_{};
   std::size_t next_ = 0;
 
-  std::array<Neighbours, Loaded::kMost> border_;
-  int borderCount_ = 0;
+  /// A sample near the volume's faces: offsets of its neighbours along each axis, clamped.
+  struct BorderSample {
+    const std::uint8_t* voxels;
+    std::uint8_t* out;
+    std::array<std::array<std::uint64_t, 4>, 3> offset;  ///< linear uses two
+  };
+  struct Border {
+    static constexpr int kMost = 64;
+    std::array<BorderSample, kMost> samples;
+    Piece piece;  ///< where the parts of its samples are kept
+  };
+  Border border_;
 };
 
 }  // namespace ew::detail

@@ -38,7 +38,7 @@ bool reachesInRange(const glm::dmat4& imageToVoxel, int height) {
 void slicePlane(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping, Rows rows,
                 ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
-  TemplateLine line = detail::layTemplate(quality, source, glm::dvec3(m[0]), out.width, scratch);
+  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]), out.width, scratch);
   line.empty = line.empty || !reachesInRange(m, out.height);
   RowSampler sampler(quality);
   for (int y = rows.begin; y < rows.end; ++y) {
@@ -69,7 +69,7 @@ void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, 
                    ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const auto scale = [](int pixels, int samples) { return samples > 1 ? static_cast<double>(pixels - 1) / (samples - 1) : 0.0; };
-  TemplateLine line = detail::layTemplate(Quality::weave, source, glm::dvec3(m[0]) * scale(out.width, columns), columns, scratch);
+  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]) * scale(out.width, columns), columns, scratch);
   line.empty = line.empty || !reachesInRange(m, out.height);
   const glm::dvec3 downwards_voxel = glm::dvec3(m[1]) * scale(out.height, rows);
 
@@ -159,7 +159,7 @@ void sampleRows(Quality quality, const SliceSource& source, std::span<const Samp
   for (const SampleRow& row : rows) {
     EW_EXPECTS(row.row >= 0 && row.row < out.height && row.span.begin >= 0 && row.span.end <= out.width);
     // The lines of a linear array share their step, and so their template.
-    if (line.empty || line.step_voxel != row.step_voxel) line = detail::layTemplate(quality, source, row.step_voxel, width, scratch);
+    if (line.empty || line.step_voxel != row.step_voxel) line = detail::layTemplate(source, row.step_voxel, width, scratch);
     sampler.sample(line, row.start_voxel, row.span, out.row(row.row));
   }
   sampler.finish();

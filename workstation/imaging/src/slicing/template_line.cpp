@@ -23,11 +23,11 @@ bool isInRange(const glm::dvec3& p_voxel) {
 
 FixedPosition fixedPosition(const glm::dvec3& p_voxel) { return {fixed(p_voxel.x), fixed(p_voxel.y), fixed(p_voxel.z)}; }
 
-TemplateLine layTemplate(Quality quality, const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch) {
+TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch) {
   TemplateLine line;
   line.dims = source.grid.dims;
-  line.layout = quality == Quality::cubic ? VoxelLayout::linear : source.layout;
-  line.voxels = line.layout == source.layout ? source.voxels : source.rows;
+  line.layout = source.layout;
+  line.voxels = source.voxels;
   line.step_voxel = step_voxel;
   const bool hasVoxels = line.voxels != nullptr && line.dims.x > 0 && line.dims.y > 0 && line.dims.z > 0;
   line.empty = !hasVoxels || width < 1 || !isInRange(step_voxel * static_cast<double>(width));

@@ -12,6 +12,8 @@ inline constexpr int kFractionBits = 31;
 inline constexpr std::int64_t kOneVoxel = std::int64_t{1} << kFractionBits;
 inline constexpr std::int64_t kHalfVoxel = kOneVoxel / 2;
 inline constexpr std::uint32_t kFractionMask = 0x7fffffffU;
+inline constexpr int kPartBits = 15;  ///< of the fractions that linear and cubic sampling weigh with
+inline constexpr std::int64_t kHalfPart = std::int64_t{1} << (kFractionBits - kPartBits - 1);
 inline constexpr float kPerFraction = 1.0F / static_cast<float>(kOneVoxel);
 
 /// Samples that one template serves. A longer row begins afresh from its own position every kBlock samples, at the same columns whatever
@@ -42,7 +44,7 @@ struct TemplateLine {
 };
 
 /// @param width samples of the longest row, for the check of its reach
-TemplateLine layTemplate(Quality quality, const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch);
+TemplateLine layTemplate(const SliceSource& source, const glm::dvec3& step_voxel, int width, SliceScratch& scratch);
 
 /// Whether a position is finite and within 2^30 voxels: then three such terms stay below 2^63 in fixed point.
 bool isInRange(const glm::dvec3& p_voxel);

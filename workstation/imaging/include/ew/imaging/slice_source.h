@@ -18,7 +18,6 @@ struct SliceSource {
   const std::uint8_t* voxels = nullptr;
   Grid grid;
   VoxelLayout layout = VoxelLayout::linear;
-  const std::uint8_t* rows = nullptr;  ///< bricked: the same voxels i, j, k after one another, which cubic sampling reads
 
   SliceSource() = default;
   SliceSource(const VolumeView<const std::uint8_t>& volume) : voxels(volume.data), grid(volume.grid) {}
@@ -38,13 +37,11 @@ class BrickedVolume {
 
  private:
   glm::ivec3 dims_{0};
-  const std::uint8_t* rows_ = nullptr;
   std::vector<std::uint8_t> bricks_;                ///< the finest level, in large pages
   std::vector<std::vector<std::uint8_t>> coarser_;  ///< in rows
   friend Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>&, int levels, int threads, Progress&);
 };
 
-/// @param volume must stay where it is: cubic sampling goes on reading it
 /// @param levels >= 1: the finest in bricks, and levels - 1 coarser ones
 /// @error cancelled (within 0.1 s), tooLarge (no memory)
 [[nodiscard]] Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
