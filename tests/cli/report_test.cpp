@@ -41,7 +41,7 @@ TEST(Report, HoldsExactlyTheKeysOfTheContract) {
   report.addStep("slice", 1.0);
   report.addStep("slice", 2.0);
   const auto json = report.toJson();
-  for (const char* key : {"command", "version", "inputs", "outputs", "options", "seconds", "steps", "quality", "memory_mib"})
+  for (const char* key : {"command", "version", "inputs", "outputs", "options", "seconds", "steps", "quality", "memory_mib", "simd"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_FALSE(json.contains("verdict"));
   EXPECT_FALSE(json.contains("seed"));

@@ -13,6 +13,7 @@
 #include "bench_stitch.h"
 #include "command.h"
 #include "ew/core/numbers.h"
+#include "ew/core/simd.h"
 #include "ew/io/safe_file.h"
 
 namespace ew::cli {
@@ -104,7 +105,7 @@ void printResults(std::ostream& out, const json& measured) {
     out << textIn(row, "what") << ": " << numberIn(row, "found", 2) << ", wanted at least " << numberIn(row, "bar", 2)
         << (row["passed"].get<bool>() ? ": met\n" : ": NOT MET\n");
   for (const auto& row : measured.value("must_show", json::array()))
-    out << textIn(row, "name") << ": " << numberIn(row, "value", 3) << ", wanted at most " << numberIn(row, "limit", 1)
+    out << textIn(row, "name") << ": " << numberIn(row, "value", 3) << ", wanted at most " << numberIn(row, "limit", 2)
         << (row["met"].get<bool>() ? ": met\n" : ": NOT MET\n");
 }
 
@@ -210,6 +211,7 @@ Result<void> writePage(const BenchArguments& arguments, Run& run, const std::str
       "on one thread, with its optimisation on. In the charts, up and to the left is better."};
   for (BenchSection& section : sections) {
     section.text += (section.text.empty() ? "" : " ") + ("Machine: " + machine + ".");
+    if (simdInUse() != bestSimd()) section.title += ", kernels on " + simdInUse();  // beside the sections of the best
     if (!arguments.note.empty()) section.text += " " + arguments.note;
   }
   // What this run did not measure stays on the page.

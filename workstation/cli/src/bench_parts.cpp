@@ -15,6 +15,7 @@
 #include <random>
 
 #include "ew/core/large_pages.h"
+#include "ew/core/simd.h"
 #include "report.h"
 
 namespace ew {
@@ -137,11 +138,6 @@ bool runsOnThisThreadAlone(const std::function<void()>& work) {
 
 double medianOf(std::vector<double> values) { return cli::summarise(std::move(values)).median_us; }
 
-std::string machineName() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.rfind("model name", 0) == 0 && line.find(':') != std::string::npos) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
+std::string machineName() { return processorName() + ", kernels on " + simdInUse(); }
 
 }  // namespace ew

@@ -73,6 +73,7 @@ struct Selection {
   std::string command;  ///< "reconstruct", "case show" …
   Work work;
   std::string reportFile;
+  std::string simd;  ///< as useSimd; empty: what the environment asks for
   bool quiet = false;
   bool verbose = false;
 };

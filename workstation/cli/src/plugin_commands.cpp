@@ -59,6 +59,7 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
     run.out() << "Usage: echoweave " << command->usage << "\n\nOptions all commands have:\n"
               << "  --report R.json   Write what was done as one JSON object\n"
               << "  --quiet           No progress and no remarks; errors are still told\n"
+              << "  --simd SET        Instruction set of the kernels: best, avx3 (AVX-512), avx2, sse4 or scalar\n"
               << "  --verbose         After an error, a second line with its particulars\n";
     return kDone;
   }
@@ -133,6 +134,11 @@ Result<void> selectPluginCommand(std::span<const std::string> args, Selection& s
     } else if (word == "--report") {
       if (at + 1 == args.size()) return failure(ErrorCode::badUsage, say<"--report needs the name of a file to write.">());
       selection.reportFile = args[++at];
+    } else if (word.starts_with("--simd=")) {
+      selection.simd = word.substr(7);
+    } else if (word == "--simd") {
+      if (at + 1 == args.size()) return failure(ErrorCode::badUsage, say<"--simd needs an instruction set, such as avx2.">());
+      selection.simd = args[++at];
     } else {
       words.push_back(word);
     }

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "ew/core/numbers.h"
+#include "ew/core/simd.h"
 #include "ew/core/version.h"
 
 namespace ew::cli {
@@ -57,6 +58,7 @@ nlohmann::ordered_json Report::toJson() const {
   nlohmann::ordered_json json;
   json["command"] = command;
   json["version"] = kVersion;
+  json["simd"] = simdInUse();
   json["inputs"] = inputs;
   json["outputs"] = outputs;
   json["options"] = options;

@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "ew/core/guarded.h"
+#include "ew/core/simd.h"
 #include "ew/core/version.h"
 #include "ew/io/safe_file.h"
 #include "input_files.h"
@@ -82,6 +83,10 @@ Error forTheUser(Error error, const Run& run) {
 Result<int> execute(const Selection& selection, Run& run) {
   spdlog::set_level(selection.quiet ? spdlog::level::err : spdlog::level::warn);  // what plugins say while they work
   run.report.command = selection.command;
+  const bool asked = !selection.simd.empty();
+  if (auto chosen = useSimd(asked ? selection.simd : simdOfEnvironment()); !chosen)
+    return failure(chosen.error().code, asked ? say<"--simd cannot be used. %1">(chosen.error().message)
+                                              : say<"ECHOWEAVE_SIMD cannot be used. %1">(chosen.error().message));
   const bool wantsReport = !selection.reportFile.empty();
   if (wantsReport)
     if (auto announced = run.outputs.announce(selection.reportFile); !announced) return passOn(announced.error());
@@ -158,6 +163,11 @@ CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& 
                  "Write what was done as one JSON object: inputs, outputs, options, seconds, steps, quality, memory")
       ->type_name("R.json");
   app.add_flag("--quiet", selection.quiet, "No progress and no remarks; errors are still told");
+  app.add_option(
+         "--simd", selection.simd,
+         "Instruction set of the kernels: best, avx3 (AVX-512), avx2, sse4 or scalar; the same results, to measure what others get. "
+         "Without it ECHOWEAVE_SIMD is asked")
+      ->type_name("SET");
   app.add_flag("--verbose", selection.verbose, "After an error, a second line with its particulars");
   std::string footer;
   for (const auto& example : examples) footer += (footer.empty() ? "Examples:\n  echoweave " : "\n  echoweave ") + example;

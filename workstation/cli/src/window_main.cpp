@@ -8,6 +8,7 @@
 
 #include "ew/cli/run_command.h"
 #include "ew/cli/window_arguments.h"
+#include "ew/core/simd.h"
 #include "ew/ui/run.h"
 
 /// The window: `echoweave` becomes this program when its words name no command.
@@ -18,6 +19,10 @@ int main(int argc, char** argv) {
   if (!wish) {
     std::cerr << "echoweave: " << wish.error().sentence() << "\n";
     return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
+  }
+  if (const auto chosen = ew::useSimd(ew::simdOfEnvironment()); !chosen) {
+    std::cerr << "echoweave: ECHOWEAVE_SIMD: " << chosen.error().sentence() << "\n";
+    return ew::cli::kWrongUsage;
   }
   ew::ui::WindowOptions options;
   options.open = wish->open;
