@@ -47,8 +47,9 @@ std::array<std::int32_t, 4> weightsAt(std::uint32_t part) {
 }
 
 template <VoxelLayout layout>
-void sampleCubic(const Piece& piece) {
+void sampleCubic(const Piece& piece, const Announcer& next) {
   for (int n = 0; n < piece.count; ++n) {
+    if (n < next.count()) next.ask(n);
     const auto index = static_cast<std::size_t>(n);
     const auto i = weightsAt(piece.part[0][index]), j = weightsAt(piece.part[1][index]), k = weightsAt(piece.part[2][index]);
     const Steps steps = stepsOf<layout>(piece, n);
@@ -203,7 +204,7 @@ HWY_INLINE VecSums addUp(const std::int32_t* parts) {
 }
 
 template <VoxelLayout layout>
-void sampleCubic(const Piece& piece) {
+void sampleCubic(const Piece& piece, const Announcer& next) {
   constexpr int kTogether = 4 * kSlices;
   const Sums d;
   CubicWeights weights;
@@ -212,6 +213,7 @@ void sampleCubic(const Piece& piece) {
     const int count = std::min(kSamples, piece.count - begin);
     weigh(piece, begin, count, weights);
     for (int n = 0; n < count; ++n) {
+      if (begin + n < next.count()) next.ask(begin + n);
       const std::uint8_t* from = piece.voxels + piece.offset[static_cast<std::size_t>(begin + n)];
       hn::Store(sumSample(from, stepsOf<layout>(piece, begin + n), weights, n), d, parts + kTogether * n);
     }
@@ -224,9 +226,9 @@ void sampleCubic(const Piece& piece) {
 
 #endif
 
-void sampleCubicAny(VoxelLayout layout, const Piece& piece) {
-  if (layout == VoxelLayout::bricked) return sampleCubic<VoxelLayout::bricked>(piece);
-  sampleCubic<VoxelLayout::linear>(piece);
+void sampleCubicAny(VoxelLayout layout, const Piece& piece, const Announcer& next) {
+  if (layout == VoxelLayout::bricked) return sampleCubic<VoxelLayout::bricked>(piece, next);
+  sampleCubic<VoxelLayout::linear>(piece, next);
 }
 
 }  // namespace ew::detail::HWY_NAMESPACE
@@ -237,7 +239,9 @@ namespace ew::detail {
 
 HWY_EXPORT(sampleCubicAny);
 
-void sampleCubicPiece(VoxelLayout layout, const Piece& piece) { HWY_DYNAMIC_DISPATCH(sampleCubicAny)(layout, piece); }
+void sampleCubicPiece(VoxelLayout layout, const Piece& piece, const Announcer& next) {
+  HWY_DYNAMIC_DISPATCH(sampleCubicAny)(layout, piece, next);
+}
 
 }  // namespace ew::detail
 #endif

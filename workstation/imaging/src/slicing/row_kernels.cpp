@@ -80,45 +80,6 @@ void lay(Piece& piece) {
   }
 }
 
-/// Asks for the lines that the offsets lie on. A request that finds its line costs as little as a load. Processors that compress a vector
-/// in one instruction ask for the lines that change along the row alone.
-/// @param rows where the offsets count from
-template <std::size_t count>
-HWY_INLINE void announce(const std::array<const std::uint8_t*, count>& rows, const Piece::Values& values, int samples) {
-  const std::uint32_t* offset = values.data();
-#if HWY_TARGET <= HWY_AVX3
-  const U32 d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  // One list for the whole piece: a loop over the few changes of a vector would end at another place each time.
-  Piece::Values changed;
-  changed[0] = offset[0];
-  std::size_t found = 1;
-  for (int n = 1; n < samples; n += lanes) {
-    const VecU here = hn::LoadU(d, offset + n), before = hn::LoadU(d, offset + n - 1);
-    const auto differs =
-        hn::And(hn::Ne(hn::ShiftRight<6>(here), hn::ShiftRight<6>(before)), hn::FirstN(d, static_cast<std::size_t>(samples - n)));
-    hn::StoreU(hn::Compress(here, differs), d, changed.data() + found);  // into memory at once it takes 100 cycles on Zen 4
-    found += hn::CountTrue(d, differs);
-  }
-  for (std::size_t m = 0; m < found; ++m)
-    for (const std::uint8_t* row : rows) prefetch(row + changed[m]);
-#else
-  for (int n = 0; n < samples; ++n)
-    for (const std::uint8_t* row : rows) prefetch(row + offset[n]);
-#endif
-}
-
-void announceAny(PieceKind kind, const Piece& piece) {
-  if (piece.count == 0) return;
-  if (kind.quality == Quality::weave) return announce<1>({piece.voxels}, piece.offset, piece.count);
-  // The corners of what a sample reads: what lies between them was a corner of samples before. All sixteen rows of a cubic sample take
-  // 1.16 times the time. In bricks the corner beyond may be the same brick again.
-  const bool bricked = kind.layout == VoxelLayout::bricked;
-  const std::uint64_t steps = bricked ? (kind.quality == Quality::cubic ? 2 : 1) : (kind.quality == Quality::cubic ? 3 : 1);
-  const std::uint8_t *first = piece.voxels, *above = first + steps * piece.stride[2];
-  announce<4>({first, first + steps * piece.stride[1], above, above + steps * piece.stride[1]}, piece.offset, piece.count);
-}
-
 /// Loads stand apart from arithmetic, in parts that stay in the first-level cache. Gathers would do both at once, but they wait for
 /// their slowest element: on volumes beyond the first-level cache scalar loads were 1.7 times as fast (AVX-512, Zen 4).
 constexpr int kPart = 64;
@@ -268,8 +229,9 @@ void layAny(PieceKind kind, Piece& piece) {
   layKind<VoxelLayout::linear>(kind.quality, piece);
 }
 
-void sampleLinearAny(VoxelLayout layout, const Piece& piece) {
-  if (layout == VoxelLayout::bricked) return sampleLinear<VoxelLayout::bricked>(piece);
+void sampleAny(PieceKind kind, const Piece& piece) {
+  if (kind.quality == Quality::weave) return sampleWeave(piece);
+  if (kind.layout == VoxelLayout::bricked) return sampleLinear<VoxelLayout::bricked>(piece);
   sampleLinear<VoxelLayout::linear>(piece);
 }
 
@@ -316,24 +278,21 @@ HWY_AFTER_NAMESPACE();
 namespace ew::detail {
 
 HWY_EXPORT(layAny);
-HWY_EXPORT(announceAny);
-HWY_EXPORT(sampleWeave);
-HWY_EXPORT(sampleLinearAny);
+HWY_EXPORT(sampleAny);
 HWY_EXPORT(blendLevels);
 HWY_EXPORT(fillAny);
 HWY_EXPORT(offsetsAny);
 
 void layPiece(PieceKind kind, Piece& piece) { HWY_DYNAMIC_DISPATCH(layAny)(kind, piece); }
-void announcePiece(PieceKind kind, const Piece& piece) { HWY_DYNAMIC_DISPATCH(announceAny)(kind, piece); }
-void samplePiece(PieceKind kind, const Piece& piece) {
-  switch (kind.quality) {
-    case Quality::weave:
-      return HWY_DYNAMIC_DISPATCH(sampleWeave)(piece);
-    case Quality::linear:
-      return HWY_DYNAMIC_DISPATCH(sampleLinearAny)(kind.layout, piece);
-    case Quality::cubic:
-      return sampleCubicPiece(kind.layout, piece);
+void samplePiece(PieceKind kind, const Piece& piece, const Piece* ahead) {
+  const Announcer next(kind, ahead);
+  if (kind.quality == Quality::cubic) {
+    sampleCubicPiece(kind.layout, piece, next);
+    return next.askFrom(piece.count);
   }
+  // Apart from the samples: a loop of few instructions waits for its own loads where requests stand between them (2 times the time, Zen 3).
+  next.askFrom(0);
+  HWY_DYNAMIC_DISPATCH(sampleAny)(kind, piece);
 }
 void blendLoadedLevels(const Loaded& echo, const Loaded* coverage, const std::array<const std::uint32_t*, 3>& fraction, int count,
                        float* out) {

@@ -41,9 +41,11 @@ struct Loaded {
 /// requests under way than the first: half the time of a slice against a request into the first (measured on 256 and 512 cubed, volumes i
 /// fastest). Always inlined: GCC 12 takes a function that only prefetches for one without effect, and drops its calls.
 #if defined(__GNUC__)
-[[gnu::always_inline]] inline void prefetch(const std::uint8_t* at) { __builtin_prefetch(at, 0, 2); }
+#define EW_REQUESTS [[gnu::always_inline]] inline
+EW_REQUESTS void prefetch(const std::uint8_t* at) { __builtin_prefetch(at, 0, 2); }
 #else
-inline void prefetch(const std::uint8_t*) {}
+#define EW_REQUESTS inline
+EW_REQUESTS void prefetch(const std::uint8_t*) {}
 #endif
 
 struct PieceKind {
@@ -54,13 +56,47 @@ struct PieceKind {
 /// Eq. 1 with the carry, a vector of samples at a time; compiled for each instruction set and chosen at run time. Arithmetic is in
 /// integers, so every instruction set gives the same pixels.
 void layPiece(PieceKind kind, Piece& piece);
-/// Asks the memory for what samplePiece will read; a hint without effect on any value.
-void announcePiece(PieceKind kind, const Piece& piece);
-/// Linear: three times a + (b - a) x in numbers of 16 bits, 7 of them below a grey level, so that a pixel lies within
-/// 0.5 + 3 (255 / 2^16 + 2^-8) = 0.524 grey levels of exact arithmetic.
-void samplePiece(PieceKind kind, const Piece& piece);
-/// samplePiece of Quality::cubic: weights of 14 bits, which add at most 0.1 grey levels to the rounding on noise.
-void sampleCubicPiece(VoxelLayout layout, const Piece& piece);
+/// Samples a piece, and asks the memory for what a later one will read (`ahead`; null: nothing). An empty piece only asks. Linear: three
+/// times a + (b - a) x in numbers of 16 bits, 7 of them below a grey level, so that a pixel lies within 0.5 + 3 (255 / 2^16 + 2^-8) = 0.524
+/// grey levels of exact arithmetic.
+void samplePiece(PieceKind kind, const Piece& piece, const Piece* ahead);
+
+/// Requests for what a piece reads; hints without effect on any value. A request that finds its line costs as little as a load, so every
+/// sample makes its own.
+class Announcer {
+ public:
+  Announcer(PieceKind kind, const Piece* piece) : onlyNearest_(kind.quality == Quality::weave) {
+    if (piece == nullptr) return;
+    count_ = piece->count;
+    offset_ = piece->offset.data();
+    // The corners of what a sample reads: what lies between them was a corner of samples before. In bricks the corner may be the same
+    // again.
+    const bool cubic = kind.quality == Quality::cubic, bricked = kind.layout == VoxelLayout::bricked;
+    const std::uint64_t steps = bricked ? (cubic ? 2 : 1) : (cubic ? 3 : 1);
+    const std::uint8_t *first = piece->voxels, *above = first + steps * piece->stride[2];
+    corner_ = {first, first + steps * piece->stride[1], above, above + steps * piece->stride[1]};
+  }
+  [[nodiscard]] int count() const { return count_; }
+  EW_REQUESTS void ask(int n) const {
+    for (const std::uint8_t* corner : corner_) prefetch(corner + offset_[n]);
+  }
+  /// What samples n and following read.
+  EW_REQUESTS void askFrom(int n) const {
+    if (onlyNearest_)
+      for (; n < count_; ++n) prefetch(corner_[0] + offset_[n]);
+    else
+      for (; n < count_; ++n) ask(n);
+  }
+
+ private:
+  bool onlyNearest_;
+  int count_ = 0;
+  const std::uint32_t* offset_ = nullptr;
+  std::array<const std::uint8_t*, 4> corner_{};
+};
+
+/// samplePiece of Quality::cubic: weights of 14 bits, which add less than 0.1 grey levels to the rounding on noise.
+void sampleCubicPiece(VoxelLayout layout, const Piece& piece, const Announcer& next);
 
 /// Levels between `count` <= Loaded::kMost times eight neighbours, not rounded, of those alone that are covered: at least one of each eight
 /// that weighs anything. Reads and writes up to kLanesAtMost beyond the last.

@@ -153,7 +153,7 @@ void RowSampler::sampleBorder() {
   border_.piece.voxels = blocks.data();
   border_.piece.stride = {1, kSide, kSide * kSide};
   border_.piece.out = greys.data();
-  samplePiece({quality_, VoxelLayout::linear}, border_.piece);
+  samplePiece({quality_, VoxelLayout::linear}, border_.piece, nullptr);
   for (std::size_t n = 0; n < count; ++n) *border_.samples[n].out = greys[n];
   border_.piece.count = 0;
 }
@@ -199,20 +199,19 @@ void RowSampler::push(const TemplateLine& line, const FixedPosition& base, RowSp
     const PieceKind kind{quality_, line.layout};
     kinds_[next_] = kind;
     layPiece(kind, piece);
-    announcePiece(kind, piece);
-    sampleOldest();
+    sampleOldest(&piece);
     n += count;
   }
 }
 
-void RowSampler::sampleOldest() {
+void RowSampler::sampleOldest(const Piece* ahead) {
   next_ = next_ == kAhead ? 0 : next_ + 1;
-  if (pieces_[next_].count > 0) samplePiece(kinds_[next_], pieces_[next_]);
+  samplePiece(kinds_[next_], pieces_[next_], ahead);
   pieces_[next_].count = 0;
 }
 
 void RowSampler::finish() {
-  for (std::size_t n = 0; n <= kAhead; ++n) sampleOldest();
+  for (std::size_t n = 0; n <= kAhead; ++n) sampleOldest(nullptr);
   if (border_.piece.count > 0) sampleBorder();
 }
 

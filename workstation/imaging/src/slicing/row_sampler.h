@@ -29,7 +29,7 @@ class RowSampler {
   Quality quality_;
   /// Pieces between announcing and sampling. In bricks a piece is sampled in about 0.1 us, which is less than the memory takes to answer.
   static constexpr std::size_t kAhead = 4;
-  void sampleOldest();
+  void sampleOldest(const Piece* ahead);
 
   std::array<Piece, kAhead + 1> pieces_;
   std::array<PieceKind, kAhead + 1> kinds_{};
