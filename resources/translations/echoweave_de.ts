@@ -4,6 +4,14 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>This processor has no %1; choose one of: %2.</source>
+        <translation>Dieser Prozessor hat kein %1; eines von diesen wählen: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no instruction set that can be chosen; choose one of: %2.</source>
+        <translation>„%1“ ist kein Befehlssatz, der sich wählen lässt; einen von diesen wählen: %2.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;</source>
         <translation>„%1“</translation>
     </message>
@@ -8505,6 +8513,18 @@
     <message>
         <source>Stop measuring</source>
         <translation>Die Messung anhalten</translation>
+    </message>
+    <message>
+        <source>Voxels are read in bricks: a slice takes %1 ms, as they lie %2 ms.</source>
+        <translation>Voxel werden in Blöcken gelesen: eine Schicht braucht %1 ms, so wie sie liegen %2 ms.</translation>
+    </message>
+    <message>
+        <source>Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.</source>
+        <translation>Voxel werden gelesen, wie sie liegen: eine Schicht braucht %1 ms, in Blöcken %2 ms.</translation>
+    </message>
+    <message>
+        <source>Timed on this machine when the first volume of about this size was opened: slices of 200 x 200 pixels in eight directions, one thread</source>
+        <translation>Auf diesem Rechner gemessen, als das erste Volumen etwa dieser Größe geöffnet wurde: Schichten von 200 x 200 Pixeln in acht Richtungen, ein Thread</translation>
     </message>
     <message>
         <source>Time each setting on the open volume, around the present pose</source>

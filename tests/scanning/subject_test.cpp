@@ -1,20 +1,48 @@
 #include "ew/scanning/scanner.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
 
 #include "scanning/small_scan.h"
 
 namespace ew::subject_test {
 
-TEST(ScanVoxels, SmallVolumesAreScannedAsTheyLieAndLargeOnesFromBricks) {
+TEST(ScanVoxels, AreScannedInTheLayoutThatWasTimedToBeFasterOnce) {
+  const std::filesystem::path cache = std::filesystem::temp_directory_path() / ("echoweave_layouts_" + std::to_string(getpid()));
+  ASSERT_EQ(setenv("ECHOWEAVE_CACHE", cache.c_str(), 1), 0);
   const auto small = ScanVoxels::of(test::waves());
   ASSERT_TRUE(small);
   EXPECT_EQ(small->bricks(), nullptr);
-  const auto large = ScanVoxels::of(test::waves(330));
+  EXPECT_FALSE(small->layoutTimes());
+
+  const auto large = ScanVoxels::of(test::waves(130));
   ASSERT_TRUE(large);
-  EXPECT_NE(large->bricks(), nullptr);
+  ASSERT_TRUE(large->layoutTimes());
+  EXPECT_EQ(large->bricks() != nullptr, large->layoutTimes()->bricksAreFaster());
+  const auto again = ScanVoxels::of(test::waves(140));  // between the same powers of two
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->layoutTimes()->rows_us, large->layoutTimes()->rows_us);
+
+  for (const bool bricks : {true, false}) {
+    auto kept = nlohmann::json::parse(std::ifstream(cache / "layouts.json"));
+    for (auto& [key, times] : kept.items()) times = {{"rows_us", 100.0}, {"bricks_us", bricks ? 50.0 : 200.0}};
+    std::ofstream(cache / "layouts.json") << kept;
+    const auto chosen = ScanVoxels::of(test::waves(130));
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->bricks() != nullptr, bricks);
+  }
+  for (const char* damaged : {"[", "[]", "{\"x\": 1}"}) {
+    std::ofstream(cache / "layouts.json") << damaged;
+    EXPECT_TRUE(ScanVoxels::of(test::waves(130))->layoutTimes()) << damaged;
+  }
+  ASSERT_EQ(unsetenv("ECHOWEAVE_CACHE"), 0);
+  std::filesystem::remove_all(cache);
 }
 
 TEST(ScanVoxels, BricksShowTheSamePixelsUnlessTheyZoomOut) {

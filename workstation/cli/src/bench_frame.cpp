@@ -14,6 +14,7 @@
 #include "ew/imaging/effects/focus.h"
 #include "ew/imaging/effects/slice_thickness.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/layout_times.h"
 #include "ew/imaging/scan_conversion.h"
 #include "ew/library/case.h"
 #include "ew/scanning/scanner.h"
@@ -56,8 +57,9 @@ struct World {
   int side = 0;
   Probe probe;
   BenchField field;
-  Volume volume;  ///< the field; later with a bright ball in it
-  Volume labels;  ///< 1 in the ball, 2 in a ball of fluid beside it
+  Volume volume;      ///< the field; later with a bright ball in it
+  ScanVoxels voxels;  ///< of the volume as it is, in the layout that is faster
+  Volume labels;      ///< 1 in the ball, 2 in a ball of fluid beside it
   std::vector<Pose> poses;
   std::vector<float> gaps_mm;  ///< of a face of which a sixth lies in air
 
@@ -67,6 +69,16 @@ struct World {
 
 constexpr double kBall_mm = 14.0;
 constexpr glm::dvec3 kFluid_mm{25.0, 10.0, 8.0};
+
+/// As ScanVoxels::of lays them out, timed here and now instead of remembered.
+Result<void> layOut(World& world, Progress& progress) {
+  const auto shared = std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &world.volume);
+  auto bricked = ScanVoxels::inBricks(shared, 1, progress);
+  if (!bricked) return passOn(bricked.error());
+  const bool faster = timeLayouts(world.volume.view(), *bricked->bricks()).bricksAreFaster();
+  world.voxels = faster ? std::move(*bricked) : ScanVoxels::asStored(shared);
+  return {};
+}
 
 void paintBalls(World& world) {
   const Grid& grid = world.volume.grid;
@@ -130,7 +142,7 @@ void addFrames(std::vector<FrameSetting>& settings, const World& world, FrameSet
                bool withGaps = false) {
   const auto shared = [](const Volume& volume) { return std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &volume); };
   if (withLabels) setting.scene.tissues = benchTissues();
-  ScanSubject subject = subjectOf(ScanVoxels::asStored(shared(world.volume)), setting.method);
+  ScanSubject subject = subjectOf(world.voxels, setting.method);
   if (withLabels) {
     subject.labels = shared(world.labels);
     subject.placedLabels = world.volume.grid;
@@ -170,7 +182,7 @@ void addBareBeams(std::vector<FrameSetting>& settings, const World& world, Frame
   state->picture = GreyImage(world.options.width_px, world.options.height_px);
   setting.frame = [state, &world, quality = setting.knobs.quality](const Pose& pose) {
     rowsOf(state->grid, world.volume.grid.worldToVoxel() * pose.probeToWorld, glm::dvec2(0.0), state->rows);
-    sampleRows(quality, SliceSource(world.volume.view()), state->rows, viewOf(state->lines), state->scratch);
+    sampleRows(quality, world.voxels.source(world.volume.grid, 0.0), state->rows, viewOf(state->lines), state->scratch);
     accumulatePlane(viewOf(std::as_const(state->lines)), 1.0F, true, viewOf(state->beams));
     scanConvert(state->table, viewOf(std::as_const(state->beams)), 0, state->picture.height, viewOf(state->picture));
     return static_cast<const std::uint8_t*>(state->picture.pixels.data());
@@ -472,8 +484,8 @@ void addToReport(const std::vector<FrameSetting>& settings, const World& world, 
                                    {"limit", limit},
                                    {"met", value <= limit}});
   };
-  must("every effect on", settingNamed(settings, "everything", "everything"), 0.5);
-  must("neutral plan", settingNamed(settings, "sampling", "linear"), 0.2);
+  must("every effect on", settingNamed(settings, "everything", "everything"), world.side <= 256 ? 0.25 : 0.35);
+  must("neutral plan", settingNamed(settings, "sampling", "linear"), 0.12);
 }
 
 Result<void> checkOptions(const FrameBenchOptions& options) {
@@ -509,6 +521,7 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
     auto made = makeWorld(options, side, *probe, part);
     if (!made) return passOn(made.error());
     World& world = **made;
+    if (auto laid = layOut(world, part); !laid) return passOn(laid.error());
     std::vector<FrameSetting> settings = settingsOf(world);
     for (FrameSetting& setting : settings) {
       if (part.cancelRequested()) return stopped();
@@ -522,6 +535,13 @@ Result<json> benchFrame(const FrameBenchOptions& options, Progress& progress) {
     }
     // Only now, for the field alone has an exact answer: strong interfaces, so that every effect has something to do.
     paintBalls(world);
+    if (auto laid = layOut(world, part); !laid) return passOn(laid.error());
+    std::vector<FrameSetting> painted = settingsOf(world);
+    for (std::size_t at = 0; at < settings.size(); ++at) {
+      painted[at].psnr_db = settings[at].psnr_db;
+      painted[at].worst_grey = settings[at].worst_grey;
+    }
+    settings = std::move(painted);
     if (!timeSettings(settings, world, part)) return stopped();
     addToReport(settings, world, report);
   }

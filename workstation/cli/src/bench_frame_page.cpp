@@ -61,7 +61,7 @@ std::vector<BenchSection> frameSections(const json& report) {
     for (const auto& must : report["must_show"])
       if (must["name"].get<std::string>().find(of) != std::string::npos)
         times.text += " " + must["name"].get<std::string>() + ": " + fixedText(must["value"].get<double>(), 3) + ", wanted at most " +
-                      fixedText(must["limit"].get<double>(), 1) + (must["met"].get<bool>() ? "." : ": NOT MET.");
+                      fixedText(must["limit"].get<double>(), 2) + (must["met"].get<bool>() ? "." : ": NOT MET.");
     sections.push_back(std::move(times));
 
     BenchSection sampling = sectionOf(report, "sampling", side, "Sampling a frame" + of,

@@ -7,15 +7,16 @@
 
 #include "ew/core/contract.h"
 #include "ew/tracking/hand.h"
+#include "kept_layouts.h"
 
 namespace ew {
 namespace {
 
 constexpr int kLevels = 4;  // the coarsest an eighth as fine as the volume
+constexpr std::size_t kSmall_bytes = std::size_t{1} << 20;
 
-/// Whether bricks make slices faster and at least half of the free memory stays free.
-bool bricksPay(const Volume& volume) {
-  if (!worthBricking(volume.grid.dims)) return false;
+/// Whether bricks leave at least half of the free memory free.
+bool bricksFit(const Volume& volume) {
   const double free_bytes = static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   return static_cast<double>(bricksForecast_bytes(volume.grid.dims, kLevels)) <= 0.5 * free_bytes;
 }
@@ -39,11 +40,26 @@ Result<ScanVoxels> ScanVoxels::inBricks(std::shared_ptr<const Volume> volume, in
 
 Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress& progress) {
   EW_EXPECTS(volume != nullptr);
-  if (!bricksPay(*volume)) return asStored(std::move(volume));
+  if (isSmall(*volume) || !bricksFit(*volume)) return asStored(std::move(volume));
+  std::optional<LayoutTimes> times = readLayoutTimes(cacheFolder(), volume->echo.size());
+  ScanVoxels stored = asStored(volume);
+  stored.layoutTimes_ = times;
+  if (times && !times->bricksAreFaster()) return stored;
   auto bricked = inBricks(volume, kLevels, progress);
-  if (bricked || bricked.error().code == ErrorCode::cancelled) return bricked;
-  return asStored(std::move(volume));  // memory ran out after all
+  if (!bricked) {
+    if (bricked.error().code == ErrorCode::cancelled) return bricked;
+    return stored;  // memory ran out after all
+  }
+  if (!times) {
+    times = timeLayouts(volume->view(), *bricked->bricks_);
+    keepLayoutTimes(cacheFolder(), volume->echo.size(), *times);
+  }
+  stored.layoutTimes_ = bricked->layoutTimes_ = times;
+  if (!times->bricksAreFaster()) return stored;
+  return bricked;
 }
+
+bool ScanVoxels::isSmall(const Volume& volume) { return volume.echo.size() <= kSmall_bytes; }
 
 ScanVoxels ScanVoxels::of(std::shared_ptr<const MappedVolume> mapped) {
   EW_EXPECTS(mapped != nullptr);

@@ -46,6 +46,7 @@ class CostPanel final : public QDialog {
   void take(const Result<void>& outcome, const CostOfAccuracy& result);
   void useFastest();
   void showAll();
+  void showLayout();
 
   Session& session_;
   Jobs& jobs_;
@@ -54,6 +55,7 @@ class CostPanel final : public QDialog {
   QString problem_;
   QString about_;  ///< what the present figures were measured with
   QLabel* reference_ = nullptr;
+  QLabel* layout_ = nullptr;
   QWidget* curves_ = nullptr;
   QButtonGroup* curve_ = nullptr;
   CostChart* chart_ = nullptr;

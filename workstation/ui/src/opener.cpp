@@ -376,7 +376,7 @@ void Opener::showVolume(const ScanVoxels& voxels, const QString& title, bool kee
 }
 
 void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& title, std::function<bool()> mayShow) {
-  if (!worthBricking(volume->grid.dims)) {
+  if (ScanVoxels::isSmall(*volume)) {
     if (mayShow()) showVolume(ScanVoxels::asStored(std::move(volume)), title, true);
     return;
   }

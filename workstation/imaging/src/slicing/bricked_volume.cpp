@@ -141,11 +141,6 @@ Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int
   return made;
 }
 
-bool worthBricking(const glm::ivec3& dims) {
-  constexpr double kCache_bytes = 32.0 * 1024.0 * 1024.0;
-  return static_cast<double>(dims.x) * static_cast<double>(dims.y) * static_cast<double>(dims.z) > kCache_bytes;
-}
-
 std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels) {
   std::uint64_t sum = Bricks(dims).bytes();
   glm::ivec3 size = dims;

@@ -10,7 +10,7 @@
 namespace ew {
 
 /// How voxels lie in memory: i, j, k after one another, or in bricks that each fill one line of the cache
-/// (resources/decisions/0013 says when which is used, and the figures behind it).
+/// (timeLayouts tells which is faster; resources/decisions/0013 and 0030 have the figures).
 enum class VoxelLayout { linear, bricked };
 
 /// Voxels as the slicers read them; someone else owns the memory.
@@ -45,10 +45,6 @@ class BrickedVolume {
 /// @param levels >= 1: the finest in bricks, and levels - 1 coarser ones
 /// @error cancelled (within 0.1 s), tooLarge (no memory)
 [[nodiscard]] Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
-
-/// Whether weave and linear slices of a volume of these dims are faster from bricks: where the voxels no longer fit the processor's cache,
-/// from 32 MiB on. Smaller ones are faster as they lie (resources/decisions/0013).
-[[nodiscard]] bool worthBricking(const glm::ivec3& dims);
 
 /// Bytes that bricksOf holds for a volume of these dims.
 [[nodiscard]] std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels);

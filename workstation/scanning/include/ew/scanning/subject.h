@@ -9,6 +9,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/layout_times.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slice_source.h"
 #include "ew/io/mapped_volume.h"
@@ -22,7 +23,8 @@ struct Provenance;
 class ScanVoxels {
  public:
   ScanVoxels() = default;
-  /// Bricks are made beside the volume where they make slices faster and at least half of the free memory stays free (decision 0013).
+  /// Bricks are made beside the volume where they make slices faster and at least half of the free memory stays free. Which layout is
+  /// faster is timed at the first volume of about this size, which takes a tenth of a second, and kept in the cache (decision 0030).
   /// @error cancelled
   [[nodiscard]] static Result<ScanVoxels> of(std::shared_ptr<const Volume> volume, Progress& progress = noProgress());
   /// The volume as it lies: for a few slices that are not worth the bricks.
@@ -33,6 +35,10 @@ class ScanVoxels {
   [[nodiscard]] static ScanVoxels of(std::shared_ptr<const MappedVolume> mapped);
 
   [[nodiscard]] bool empty() const { return volume_ == nullptr && mapped_ == nullptr; }
+  /// Too small for a layout to matter: a megabyte at most, which the processor keeps near.
+  [[nodiscard]] static bool isSmall(const Volume& volume);
+  /// What a slice costs from either layout; nothing where that was not asked.
+  [[nodiscard]] const std::optional<LayoutTimes>& layoutTimes() const { return layoutTimes_; }
   /// The grid of the voxels' own, before anybody placed them.
   [[nodiscard]] const Grid& grid() const;
   /// @param placed where they lie now, of the same dims as grid()
@@ -49,6 +55,7 @@ class ScanVoxels {
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const BrickedVolume> bricks_;
   std::shared_ptr<const MappedVolume> mapped_;
+  std::optional<LayoutTimes> layoutTimes_;
 };
 
 /// What is scanned: voxels, where they lie, and what is known of them. A value that is cheap to copy: voxels are shared, and placing it
