@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "cli/cli_world.h"
 #include "ew/cli/run_command.h"
+#include "ew/core/simd.h"
 #include "ew/core/version.h"
 
 namespace ew::test::usage_test {
@@ -68,7 +71,9 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.png"},
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--interpolation", "cubic"},
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--clip", "1", "2", "3"},
-                                                    {"bench", "slicing", "--side", "3"}};
+                                                    {"bench", "slicing", "--side", "3"},
+                                                    {"plugins", "--simd", "mmx"},
+                                                    {"bench", "slicing", "--simd", "avx"}};
   for (const auto& words : wrong) {
     const auto outcome = run(words);
     std::string line;
@@ -80,6 +85,25 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
     EXPECT_EQ(outcome.err.substr(outcome.err.size() - 2), ".\n") << outcome.err;
   }
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Usage, TheInstructionSetHoldsForOneCommandAndStandsInItsReport) {
+  const TemporaryFolder folder;
+  const auto simdOf = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"plugins", "--report", folder / "r.json"});
+    EXPECT_EQ(run(words).status, 0);
+    return nlohmann::json::parse(std::ifstream(folder / "r.json"))["simd"].get<std::string>();
+  };
+  const std::string best = bestSimd();
+  EXPECT_EQ(simdOf({"--simd", "scalar"}), "scalar");
+  EXPECT_EQ(simdOf({}), best);
+  const EnvironmentValue asked("ECHOWEAVE_SIMD", "scalar");
+  EXPECT_EQ(simdOf({}), "scalar");
+  EXPECT_EQ(simdOf({"--simd", "best"}), best);
+  const EnvironmentValue wrong("ECHOWEAVE_SIMD", "mmx");
+  const auto refused = run({"plugins"});
+  EXPECT_EQ(refused.status, cli::kWrongUsage);
+  EXPECT_NE(refused.err.find("ECHOWEAVE_SIMD"), std::string::npos) << refused.err;
 }
 
 TEST(Usage, VerboseAddsTheParticularsOfAnErrorOnASecondLine) {

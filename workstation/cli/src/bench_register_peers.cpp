@@ -133,12 +133,14 @@ Result<PeerRun> runElastix(const RegisterPeer& peer, const fs::path& fixed, cons
   return PeerRun{std::move(*field), *registered};
 }
 
-Result<PeerRun> runPlastimatch(const fs::path& fixed, const fs::path& moving, const fs::path& folder, Progress& progress) {
-  const auto stage = [](const std::string& coarser, const std::string& grid_mm, const std::string& iterations) {
-    return "[STAGE]\nxform=bspline\noptim=lbfgsb\nimpl=plastimatch\nthreading=single\nmetric=mse\nregularization=analytic\n"
-           "regularization_lambda=0.5\nmax_its=" +
-           iterations + "\nres=" + coarser + " " + coarser + " " + coarser + "\ngrid_spac=" + grid_mm + " " + grid_mm + " " + grid_mm +
-           "\n";
+/// Smoothness is weighed by hand: what the measures count differs by orders of magnitude.
+Result<PeerRun> runPlastimatch(const RegisterPeer& peer, const fs::path& fixed, const fs::path& moving, const fs::path& folder,
+                               Progress& progress) {
+  const bool mutual = peer.setting.find("mutual") != std::string::npos;
+  const auto stage = [&](const std::string& coarser, const std::string& grid_mm, const std::string& iterations) {
+    return "[STAGE]\nxform=bspline\noptim=lbfgsb\nimpl=plastimatch\nthreading=single\nmetric=" + std::string(mutual ? "mi" : "mse") +
+           "\nregularization=analytic\nregularization_lambda=" + (mutual ? "0.0001" : "0.5") + "\nmax_its=" + iterations +
+           "\nres=" + coarser + " " + coarser + " " + coarser + "\ngrid_spac=" + grid_mm + " " + grid_mm + " " + grid_mm + "\n";
   };
   const std::string command = "[GLOBAL]\nfixed=" + fixed.string() + "\nmoving=" + moving.string() +
                               "\nvf_out=" + (folder / "field.mha").string() + "\n\n" + stage("4", "24", "60") + stage("2", "16", "50") +
@@ -156,14 +158,16 @@ Result<PeerRun> runPlastimatch(const fs::path& fixed, const fs::path& moving, co
 std::vector<RegisterPeer> registerPeers() {
   return {{"elastix", "B-splines of 8 mm, normalised correlation"},
           {"elastix", "B-splines of 8 mm, mutual information"},
-          {"plastimatch", "B-splines of 8 mm, squared differences"}};
+          {"plastimatch", "B-splines of 8 mm, squared differences"},
+          {"plastimatch", "B-splines of 8 mm, mutual information"}};
 }
 
 bool isInstalled(const std::string& program) { return findProgram(program).has_value(); }
 
 Result<PeerRun> runPeer(const RegisterPeer& peer, const fs::path& fixed, const fs::path& moving, const fs::path& folder,
                         Progress& progress) {
-  return peer.program == "elastix" ? runElastix(peer, fixed, moving, folder, progress) : runPlastimatch(fixed, moving, folder, progress);
+  return peer.program == "elastix" ? runElastix(peer, fixed, moving, folder, progress)
+                                   : runPlastimatch(peer, fixed, moving, folder, progress);
 }
 
 }  // namespace ew
