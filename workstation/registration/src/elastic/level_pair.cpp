@@ -319,7 +319,6 @@ struct LineScratch {
     rows.right = floats.data() + 3 * kProducts * width;
     rows.stride = static_cast<int>(width);
   }
-  void clear() { std::fill(floats.begin(), floats.end(), 0.0F); }
 };
 
 /// Adds one layer of samples to a cell's moments: its rows' sums between the cell's ends in x, spread over its ends in z.
@@ -365,26 +364,24 @@ void LevelPair::pointAt(int j, int k, RowPair& pair) const {
 }
 
 /// One line of cells. A sample adds the products of its gradient to the 8 x 8 couplings of its cell's nodes, each weighted by two of the
-/// trilinear weights. Those are products over the axes, so that samples are first summed along y in each column (accumulateRow), then along
-/// x in each cell (gatherCell), then along z: 27 sums of 10 products a cell instead of 64 blocks a sample. addCell unfolds them.
+/// trilinear weights. Those are products over the axes, so that samples are first summed along y in each column (accumulateRows), then
+/// along x in each cell (gatherCell), then along z: 27 sums of 10 products a cell instead of 64 blocks a sample. addCell unfolds them.
 /// resources/docs/registration.md, "Elastic, three-dimensional".
 /// @param moments of the line's cells; null: sums alone
 void LevelPair::sumLine(std::size_t cy, std::size_t cz, const CostOptions& options, float* moments, std::array<double, kSums>& part) const {
   LineScratch scratch(moments != nullptr ? static_cast<std::size_t>(fixed_->stride) + kOverrun : 0);
-  RowPair pair;
-  pair.count = fixed_->dims.x;
-  pair.perScale2 = static_cast<float>(1.0 / (options.scale * options.scale));
-  pair.ofFixed = static_cast<float>(options.ofFixed);
+  std::vector<RowPair> pairs(static_cast<std::size_t>(begin_[1][cy + 1] - begin_[1][cy]));
+  for (RowPair& pair : pairs) {
+    pair.perScale2 = static_cast<float>(1.0 / (options.scale * options.scale));
+    pair.ofFixed = static_cast<float>(options.ofFixed);
+  }
   for (int k = begin_[2][cz]; k < begin_[2][cz + 1]; ++k) {
-    scratch.clear();
     Sums rowSums{};
-    for (int j = begin_[1][cy]; j < begin_[1][cy + 1]; ++j) {
-      pointAt(j, k, pair);
-      if (moments != nullptr) {
-        accumulateRow(pair, scratch.rows, rowSums);
-      } else {
-        sumRow(pair, rowSums);
-      }
+    for (std::size_t n = 0; n < pairs.size(); ++n) pointAt(begin_[1][cy] + static_cast<int>(n), k, pairs[n]);
+    if (moments != nullptr) {
+      accumulateRows(pairs, fixed_->dims.x, scratch.rows, rowSums);
+    } else {
+      sumRows(pairs, fixed_->dims.x, rowSums);
     }
     for (std::size_t s = 0; s < kSums; ++s) part[s] += static_cast<double>(rowSums[s]);
     if (moments == nullptr) continue;

@@ -144,84 +144,113 @@ void sampleRow(const RowField& field, const RowSource& source, int count, float*
   sampleRowOf<false>(field, source, count, values, weights);
 }
 
-template <bool withProducts>
-void accumulate(const RowPair& pair, const RowSums& rows, Sums& sums) {
+/// What the rows of a line of cells add up to at a vector of samples: it stays in the first-level cache while row after row is added, which
+/// whole rows of forty floats a sample do not.
+struct Column {
+  HWY_ALIGN float products[3 * kProducts][hn::MaxLanes(Floats())];
+  HWY_ALIGN float right[2 * 4][hn::MaxLanes(Floats())];
+};
+
+HWY_INLINE void addTo(float* sum, VecF weight, VecF value) {
   const Floats d;
-  using V = decltype(hn::Zero(d));
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto one = hn::Set(d, 1.0F), perScale2 = hn::Set(d, pair.perScale2);
-  const auto sx = hn::Set(d, pair.slope[0]), sy = hn::Set(d, pair.slope[1]), sz = hn::Set(d, pair.slope[2]);
-  const auto ofFixed = hn::Set(d, pair.ofFixed), ofMoved = hn::Set(d, 1.0F - pair.ofFixed);
-  const float t = pair.share;
-  const auto t0 = hn::Set(d, (1.0F - t) * (1.0F - t)), t1 = hn::Set(d, t * (1.0F - t)), t2 = hn::Set(d, t * t);
-  const auto r0 = hn::Set(d, 1.0F - t), r1 = hn::Set(d, t);
-  V total[kSums];
-  for (V& s : total) s = hn::Zero(d);
-  for (int i = 0; i < pair.count; i += lanes) {
-    auto weight = hn::LoadU(d, pair.movedWeights + i);
-    if (pair.fixedWeights != nullptr) weight = hn::Mul(weight, hn::LoadU(d, pair.fixedWeights + i));
-    const auto f = hn::LoadU(d, pair.fixed + i), w = hn::LoadU(d, pair.moved + i);
+  hn::Store(hn::MulAdd(weight, value, hn::Load(d, sum)), d, sum);
+}
+
+/// Adds samples i and following of a row.
+template <bool withProducts>
+HWY_INLINE void accumulate(const RowPair& pair, int i, VecF (&total)[kSums], [[maybe_unused]] Column& column) {
+  const Floats d;
+  auto weight = hn::LoadU(d, pair.movedWeights + i);
+  if (pair.fixedWeights != nullptr) weight = hn::Mul(weight, hn::LoadU(d, pair.fixedWeights + i));
+  const auto f = hn::LoadU(d, pair.fixed + i), w = hn::LoadU(d, pair.moved + i);
+  const auto r = hn::Sub(f, w);
+  const auto rr = hn::Mul(r, r);
+  const auto one = hn::Set(d, 1.0F);
+  const auto robust = hn::Div(one, hn::MulAdd(rr, hn::Set(d, pair.perScale2), one));
+  total[0] = hn::Add(total[0], weight);
+  total[1] = hn::MulAdd(weight, hn::Mul(rr, robust), total[1]);
+  total[2] = hn::MulAdd(weight, f, total[2]);
+  total[3] = hn::MulAdd(weight, w, total[3]);
+  total[4] = hn::MulAdd(weight, hn::Mul(f, f), total[4]);
+  total[5] = hn::MulAdd(weight, hn::Mul(w, w), total[5]);
+  total[6] = hn::MulAdd(weight, hn::Mul(f, w), total[6]);
+  if constexpr (withProducts) {
     const auto fRight = hn::LoadU(d, pair.fixed + i + 1), wRight = hn::LoadU(d, pair.moved + i + 1);
     const auto fBelow = hn::LoadU(d, pair.fixedNear[1] + i), wBelow = hn::LoadU(d, pair.movedNear[1] + i);
     const auto fBehind = hn::LoadU(d, pair.fixedNear[3] + i), wBehind = hn::LoadU(d, pair.movedNear[3] + i);
-    const auto r = hn::Sub(f, w);
-    const auto rr = hn::Mul(r, r);
-    const auto robust = hn::Div(one, hn::MulAdd(rr, perScale2, one));
-    const auto weighted = hn::Mul(weight, hn::Mul(robust, robust));
-    const auto wr = hn::Mul(weight, r);
-    total[0] = hn::Add(total[0], weight);
-    total[1] = hn::MulAdd(weight, hn::Mul(rr, robust), total[1]);
-    total[2] = hn::MulAdd(weight, f, total[2]);
-    total[3] = hn::MulAdd(weight, w, total[3]);
-    total[4] = hn::MulAdd(weight, hn::Mul(f, f), total[4]);
-    total[5] = hn::MulAdd(weight, hn::Mul(w, w), total[5]);
-    total[6] = hn::MulAdd(weight, hn::Mul(f, w), total[6]);
+    const auto sx = hn::Set(d, pair.slope[0]), sy = hn::Set(d, pair.slope[1]), sz = hn::Set(d, pair.slope[2]);
+    const auto fx = hn::Mul(sx, hn::Sub(fRight, hn::LoadU(d, pair.fixed + i - 1)));
+    const auto wx = hn::Mul(sx, hn::Sub(wRight, hn::LoadU(d, pair.moved + i - 1)));
+    const auto fy = hn::Mul(sy, hn::Sub(fBelow, hn::LoadU(d, pair.fixedNear[0] + i)));
+    const auto wy = hn::Mul(sy, hn::Sub(wBelow, hn::LoadU(d, pair.movedNear[0] + i)));
+    const auto fz = hn::Mul(sz, hn::Sub(fBehind, hn::LoadU(d, pair.fixedNear[2] + i)));
+    const auto wz = hn::Mul(sz, hn::Sub(wBehind, hn::LoadU(d, pair.movedNear[2] + i)));
+    const auto weighted = hn::Mul(weight, hn::Mul(robust, robust)), wr = hn::Mul(weight, r);
+    total[7] = hn::MulAdd(weight, rr, total[7]);
+    total[8] = hn::MulAdd(wr, hn::Sub(fRight, wRight), total[8]);
+    total[9] = hn::MulAdd(wr, hn::Sub(fBelow, wBelow), total[9]);
+    total[10] = hn::MulAdd(wr, hn::Sub(fBehind, wBehind), total[10]);
+    total[11] = hn::MulAdd(weighted, hn::MulAdd(fx, wx, hn::MulAdd(fy, wy, hn::Mul(fz, wz))), total[11]);
+    const auto energy =
+        hn::Add(hn::MulAdd(fx, fx, hn::MulAdd(fy, fy, hn::Mul(fz, fz))), hn::MulAdd(wx, wx, hn::MulAdd(wy, wy, hn::Mul(wz, wz))));
+    total[12] = hn::MulAdd(weighted, hn::Mul(hn::Set(d, 0.5F), energy), total[12]);
+    total[13] = hn::Add(total[13], weighted);
+    total[14] = hn::MulAdd(weighted, rr, total[14]);
+    const auto ofFixed = hn::Set(d, pair.ofFixed), ofMoved = hn::Set(d, 1.0F - pair.ofFixed);
+    const VecF gx = hn::MulAdd(ofFixed, fx, hn::Mul(ofMoved, wx)), gy = hn::MulAdd(ofFixed, fy, hn::Mul(ofMoved, wy)),
+               gz = hn::MulAdd(ofFixed, fz, hn::Mul(ofMoved, wz));
+    const VecF ax = hn::Mul(weighted, gx), ay = hn::Mul(weighted, gy), az = hn::Mul(weighted, gz);
+    const float t = pair.share;
+    const auto t0 = hn::Set(d, (1.0F - t) * (1.0F - t)), t1 = hn::Set(d, t * (1.0F - t)), t2 = hn::Set(d, t * t);
+    const auto addProduct = [&](int q, VecF product) {
+      addTo(column.products[q], t0, product);
+      addTo(column.products[kProducts + q], t1, product);
+      addTo(column.products[2 * kProducts + q], t2, product);
+    };
+    addProduct(0, hn::Mul(ax, gx));
+    addProduct(1, hn::Mul(ax, gy));
+    addProduct(2, hn::Mul(ax, gz));
+    addProduct(3, ax);
+    addProduct(4, hn::Mul(ay, gy));
+    addProduct(5, hn::Mul(ay, gz));
+    addProduct(6, ay);
+    addProduct(7, hn::Mul(az, gz));
+    addProduct(8, az);
+    addProduct(9, weighted);
+    const auto r0 = hn::Set(d, 1.0F - t), r1 = hn::Set(d, t);
+    const auto addRight = [&](int q, VecF value) {
+      addTo(column.right[q], r0, value);
+      addTo(column.right[4 + q], r1, value);
+    };
+    addRight(0, hn::Mul(ax, r));
+    addRight(1, hn::Mul(ay, r));
+    addRight(2, hn::Mul(az, r));
+    addRight(3, hn::Mul(weighted, r));
+  }
+}
+
+template <bool withProducts>
+void accumulateAll(const RowPair* pairs, int rowCount, int count, const RowSums& rows, Sums& sums) {
+  const Floats d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  VecF total[kSums];
+  for (VecF& s : total) s = hn::Zero(d);
+  Column column;
+  for (int i = 0; i < count; i += lanes) {
+    if constexpr (withProducts) column = Column{};
+    for (int n = 0; n < rowCount; ++n) accumulate<withProducts>(pairs[n], i, total, column);
     if constexpr (withProducts) {
-      const auto fx = hn::Mul(sx, hn::Sub(fRight, hn::LoadU(d, pair.fixed + i - 1)));
-      const auto wx = hn::Mul(sx, hn::Sub(wRight, hn::LoadU(d, pair.moved + i - 1)));
-      const auto fy = hn::Mul(sy, hn::Sub(fBelow, hn::LoadU(d, pair.fixedNear[0] + i)));
-      const auto wy = hn::Mul(sy, hn::Sub(wBelow, hn::LoadU(d, pair.movedNear[0] + i)));
-      const auto fz = hn::Mul(sz, hn::Sub(fBehind, hn::LoadU(d, pair.fixedNear[2] + i)));
-      const auto wz = hn::Mul(sz, hn::Sub(wBehind, hn::LoadU(d, pair.movedNear[2] + i)));
-      total[7] = hn::MulAdd(weight, rr, total[7]);
-      total[8] = hn::MulAdd(wr, hn::Sub(fRight, wRight), total[8]);
-      total[9] = hn::MulAdd(wr, hn::Sub(fBelow, wBelow), total[9]);
-      total[10] = hn::MulAdd(wr, hn::Sub(fBehind, wBehind), total[10]);
-      total[11] = hn::MulAdd(weighted, hn::MulAdd(fx, wx, hn::MulAdd(fy, wy, hn::Mul(fz, wz))), total[11]);
-      const auto energy =
-          hn::Add(hn::MulAdd(fx, fx, hn::MulAdd(fy, fy, hn::Mul(fz, fz))), hn::MulAdd(wx, wx, hn::MulAdd(wy, wy, hn::Mul(wz, wz))));
-      total[12] = hn::MulAdd(weighted, hn::Mul(hn::Set(d, 0.5F), energy), total[12]);
-      total[13] = hn::Add(total[13], weighted);
-      total[14] = hn::MulAdd(weighted, rr, total[14]);
-      const V gx = hn::MulAdd(ofFixed, fx, hn::Mul(ofMoved, wx)), gy = hn::MulAdd(ofFixed, fy, hn::Mul(ofMoved, wy)),
-              gz = hn::MulAdd(ofFixed, fz, hn::Mul(ofMoved, wz));
-      const V ax = hn::Mul(weighted, gx), ay = hn::Mul(weighted, gy), az = hn::Mul(weighted, gz);
-      const V product[kProducts] = {
-          hn::Mul(ax, gx), hn::Mul(ax, gy), hn::Mul(ax, gz), ax, hn::Mul(ay, gy), hn::Mul(ay, gz), ay, hn::Mul(az, gz), az, weighted};
-      float* out = rows.products + i;
-      const std::ptrdiff_t stride = rows.stride;
-      for (int q = 0; q < kProducts; ++q) {
-        float* at = out + q * stride;
-        hn::StoreU(hn::MulAdd(t0, product[q], hn::LoadU(d, at)), d, at);
-        at += kProducts * stride;
-        hn::StoreU(hn::MulAdd(t1, product[q], hn::LoadU(d, at)), d, at);
-        at += kProducts * stride;
-        hn::StoreU(hn::MulAdd(t2, product[q], hn::LoadU(d, at)), d, at);
-      }
-      const V right[4] = {hn::Mul(ax, r), hn::Mul(ay, r), hn::Mul(az, r), hn::Mul(weighted, r)};
-      for (int q = 0; q < 4; ++q) {
-        float* at = rows.right + i + q * stride;
-        hn::StoreU(hn::MulAdd(r0, right[q], hn::LoadU(d, at)), d, at);
-        at += 4 * stride;
-        hn::StoreU(hn::MulAdd(r1, right[q], hn::LoadU(d, at)), d, at);
-      }
+      for (int q = 0; q < 3 * kProducts; ++q) hn::StoreU(hn::Load(d, column.products[q]), d, rows.products + q * rows.stride + i);
+      for (int q = 0; q < 2 * 4; ++q) hn::StoreU(hn::Load(d, column.right[q]), d, rows.right + q * rows.stride + i);
     }
   }
   for (std::size_t s = 0; s < kSums; ++s) sums[s] += hn::GetLane(hn::SumOfLanes(d, total[s]));
 }
 
-void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums) { accumulate<true>(pair, rows, sums); }
-void sumRow(const RowPair& pair, Sums& sums) { accumulate<false>(pair, {}, sums); }
+void accumulateRows(const RowPair* pairs, int rowCount, int count, const RowSums& rows, Sums& sums) {
+  accumulateAll<true>(pairs, rowCount, count, rows, sums);
+}
+void sumRows(const RowPair* pairs, int rowCount, int count, Sums& sums) { accumulateAll<false>(pairs, rowCount, count, {}, sums); }
 
 void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right) {
   const Floats d;
@@ -287,16 +316,20 @@ HWY_AFTER_NAMESPACE();
 namespace ew::registration {
 
 HWY_EXPORT(sampleRow);
-HWY_EXPORT(accumulateRow);
-HWY_EXPORT(sumRow);
+HWY_EXPORT(accumulateRows);
+HWY_EXPORT(sumRows);
 HWY_EXPORT(gatherCell);
 HWY_EXPORT(addMoments);
 
 void sampleRow(const RowField& field, const RowSource& source, int count, float* values, float* weights) {
   HWY_DYNAMIC_DISPATCH(sampleRow)(field, source, count, values, weights);
 }
-void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums) { HWY_DYNAMIC_DISPATCH(accumulateRow)(pair, rows, sums); }
-void sumRow(const RowPair& pair, Sums& sums) { HWY_DYNAMIC_DISPATCH(sumRow)(pair, sums); }
+void accumulateRows(std::span<const RowPair> pairs, int count, const RowSums& rows, Sums& sums) {
+  HWY_DYNAMIC_DISPATCH(accumulateRows)(pairs.data(), static_cast<int>(pairs.size()), count, rows, sums);
+}
+void sumRows(std::span<const RowPair> pairs, int count, Sums& sums) {
+  HWY_DYNAMIC_DISPATCH(sumRows)(pairs.data(), static_cast<int>(pairs.size()), count, sums);
+}
 void gatherCell(const RowSums& rows, const float* along, int begin, int end, float* products, float* right) {
   HWY_DYNAMIC_DISPATCH(gatherCell)(rows, along, begin, end, products, right);
 }

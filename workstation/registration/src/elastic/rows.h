@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace ew::registration {
 
@@ -55,14 +56,13 @@ struct RowPair {
   float share = 0.0F;          ///< of the node above
   float perScale2 = 1.0F;      ///< 1 / c^2 of the robust weight 1 / (1 + r^2 / c^2)^2
   float ofFixed = 0.5F;        ///< share of the fixed image's gradient in the normal equations
-  int count = 0;
 };
 
-/// Adds a row to `sums` and `rows`.
-void accumulateRow(const RowPair& pair, const RowSums& rows, Sums& sums);
+/// Adds rows of `count` samples to `sums`, and writes what they add up to into `rows`, whole vectors: up to kOverrun floats beyond.
+void accumulateRows(std::span<const RowPair> pairs, int count, const RowSums& rows, Sums& sums);
 
 /// Cost and correlations only: no products.
-void sumRow(const RowPair& pair, Sums& sums);
+void sumRows(std::span<const RowPair> pairs, int count, Sums& sums);
 
 /// Adds the rows' sums over samples [begin, end) of a cell to its moments. `along` holds (1-s)^2, s(1-s), s^2, 1-s and s per sample, in
 /// 5 rows of `stride` floats.
