@@ -61,6 +61,11 @@ ew_build() {
   local targets=()
   [ $# -eq 0 ] || targets=(--target "$@")
   export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+  # A build folder knows where its sources lay: one that was copied or moved would go on building those of the other place.
+  if [ -f "build/$preset/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "build/$preset/CMakeCache.txt"; then
+    ew_say "build/$preset was made for another folder; it is made anew."
+    rm -rf "build/$preset"
+  fi
   if [ ! -f "build/$preset/build.ninja" ]; then
     local log
     log=$(mktemp)
