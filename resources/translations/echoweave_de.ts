@@ -8516,15 +8516,15 @@
     </message>
     <message>
         <source>Voxels are read in bricks: a slice takes %1 ms, as they lie %2 ms.</source>
-        <translation>Voxel werden in Blöcken gelesen: eine Schicht braucht %1 ms, so wie sie liegen %2 ms.</translation>
+        <translation>Voxel werden in Blöcken gelesen: ein Schnitt braucht %1 ms, so wie sie liegen %2 ms.</translation>
     </message>
     <message>
         <source>Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.</source>
-        <translation>Voxel werden gelesen, wie sie liegen: eine Schicht braucht %1 ms, in Blöcken %2 ms.</translation>
+        <translation>Voxel werden gelesen, wie sie liegen: ein Schnitt braucht %1 ms, in Blöcken %2 ms.</translation>
     </message>
     <message>
         <source>Timed on this machine when the first volume of about this size was opened: slices of 200 x 200 pixels in eight directions, one thread</source>
-        <translation>Auf diesem Rechner gemessen, als das erste Volumen etwa dieser Größe geöffnet wurde: Schichten von 200 x 200 Pixeln in acht Richtungen, ein Thread</translation>
+        <translation>Auf diesem Rechner gemessen, als das erste Volumen etwa dieser Größe geöffnet wurde: Schnitte von 200 x 200 Pixeln in acht Richtungen, ein Thread</translation>
     </message>
     <message>
         <source>Time each setting on the open volume, around the present pose</source>
