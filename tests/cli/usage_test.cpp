@@ -72,7 +72,7 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--interpolation", "cubic"},
                                                     {"reconstruct", "s.igs.mha", "-o", folder / "v.mha", "--clip", "1", "2", "3"},
                                                     {"bench", "slicing", "--side", "3"},
-                                                    {"plugins", "--simd", "mmx"},
+                                                    {"plugins", "list", "--simd", "mmx"},
                                                     {"bench", "slicing", "--simd", "avx"}};
   for (const auto& words : wrong) {
     const auto outcome = run(words);
@@ -90,7 +90,7 @@ TEST(Usage, WrongWordsAreOneSentenceAndStatusTwo) {
 TEST(Usage, TheInstructionSetHoldsForOneCommandAndStandsInItsReport) {
   const TemporaryFolder folder;
   const auto simdOf = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {"plugins", "--report", folder / "r.json"});
+    words.insert(words.begin(), {"plugins", "list", "--report", folder / "r.json"});
     EXPECT_EQ(run(words).status, 0);
     return nlohmann::json::parse(std::ifstream(folder / "r.json"))["simd"].get<std::string>();
   };
@@ -101,7 +101,7 @@ TEST(Usage, TheInstructionSetHoldsForOneCommandAndStandsInItsReport) {
   EXPECT_EQ(simdOf({}), "scalar");
   EXPECT_EQ(simdOf({"--simd", "best"}), best);
   const EnvironmentValue wrong("ECHOWEAVE_SIMD", "mmx");
-  const auto refused = run({"plugins"});
+  const auto refused = run({"plugins", "list"});
   EXPECT_EQ(refused.status, cli::kWrongUsage);
   EXPECT_NE(refused.err.find("ECHOWEAVE_SIMD"), std::string::npos) << refused.err;
 }
