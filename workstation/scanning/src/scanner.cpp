@@ -37,8 +37,8 @@ void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
 
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
   EW_EXPECTS(subject_.has_value());
-  maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr,
-                   state.pan);
+  maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
+                   subject_->tissue != nullptr);
 }
 
 Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
@@ -47,6 +47,10 @@ Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
   // Zooming out, a weave undersamples as the paper's does; the better qualities read a coarser level.
   input.echo = subject_->voxels.source(subject_->placedGrid, state.knobs.quality == Quality::weave ? 0.0 : geometry().pixel_mm);
   if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
+  if (subject_->tissue) {
+    input.tissue = subject_->tissue.get();
+    input.tissueGrid = subject_->placedTissue;
+  }
   input.pose = state.pose;
   input.gaps_mm = state.gaps_mm;
   input.time_s = state.time_s;

@@ -84,6 +84,7 @@ Result<void> ScanVoxels::unchanged() const { return mapped_ ? mapped_->unchanged
 void ScanSubject::place(const Transform<frame::World, frame::World>& ownToWorld) {
   placedGrid = placed(voxels.grid(), ownToWorld);
   if (labels) placedLabels = placed(labels->grid, ownToWorld);
+  if (tissue) placedTissue = placed(tissue->grid, ownToWorld);
 }
 
 std::optional<ScanState> firstState(const ScanSubject& subject, const std::vector<Probe>& probes) {

@@ -50,6 +50,12 @@ inline constexpr std::tuple kSceneEffects{
     PlainEffect{&Scene::gainAndDgc,
                 {"gain_and_dgc", EW_TRANSLATE_NOOP("ew::EffectInfo", "Gain and TGC"), EW_TRANSLATE_NOOP("ew::EffectInfo", "gain and TGC"),
                  EW_TRANSLATE_NOOP("ew::EffectInfo", "Gain and depth compensation act on the image"), ""}},
+    EffectOf<LiveEchoesEffect>{
+        &Scene::liveEchoes,
+        {"live_echoes", EW_TRANSLATE_NOOP("ew::EffectInfo", "Live echoes"), EW_TRANSLATE_NOOP("ew::EffectInfo", "live echoes"),
+         EW_TRANSLATE_NOOP("ew::EffectInfo", "Speckle is formed anew for every image, where the tissue is known"), "Shift+F2"},
+        {&LiveEchoesEffect::haze_db, EW_TRANSLATE_NOOP("ew::EffectInfo", "Side lobes: what echoes beside a line add to it"),
+         EW_TRANSLATE_NOOP("ew::EffectInfo", "−%1 dB"), -1.0, 0, -80.0, -10.0, 1.0, 5.0}},
     EffectOf<FocusEffect>{
         &Scene::focus,
         {"focus", EW_TRANSLATE_NOOP("ew::EffectInfo", "Beam width and focus"), EW_TRANSLATE_NOOP("ew::EffectInfo", "beam width"),

@@ -20,7 +20,7 @@ void transpose(ImageView<const std::uint8_t> linesAsRows, ImageView<std::uint8_t
 }  // namespace
 
 void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
-                         const Grid& grid) {
+                         double spacing_mm) {
   const auto has = [&](StepKind kind) {
     return std::any_of(plan.steps.begin(), plan.steps.end(), [kind](const Step& step) { return step.kind == kind; });
   };
@@ -29,7 +29,6 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   knobs_ = withCarrierOf(probe, knobs);
   scene_ = scene;
   greyPerDb_ = 255.0 / scene.recordedDynamicRange_db;
-  const double spacing_mm = beamSpacing_mm(geometry, grid);
   if (gridFrom_.changesTo(probe, knobs.steering_rad, knobs.trapezoid, geometry.depth_mm, spacing_mm))
     grid_ = makeBeamGrid(probe, knobs, geometry.depth_mm, spacing_mm);
   const int lineCount = static_cast<int>(grid_.lines.size());
@@ -55,6 +54,12 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   }
   if (has(StepKind::noise) && noiseFrom_.changesTo(grid_, *scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db))
     noise_ = noiseLevels(*scene.noise, knobs_.carrier_hz, scene.recordedDynamicRange_db, grid_);
+  isLive_ = has(StepKind::scatterers);
+  if (isLive_) {
+    const EchoBeams beams = echoBeamsOf(probe, knobs_, scene, geometry.depth_mm);
+    if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid))
+      live_.configure(probe, knobs_, scene, beams, grid_);
+  }
   hasLabels_ = false;
   if (has(StepKind::attenuation)) losses_ = makeTissueLosses(scene, knobs_.carrier_hz, grid_.sampleSpacing_mm);
   if (has(StepKind::labels) && (labels_.width != lineCount || labels_.height != grid_.samples))
@@ -149,11 +154,23 @@ void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
   });
 }
 
-void BeamPath::attenuate(Bands& bands, std::span<ThreadScratch> scratch) {
+void BeamPath::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
+  live_.scatter(level, probeToVoxel, bands);
+  hasField_ = true;
+}
+
+void BeamPath::takeEnvelope(Bands& bands) {
+  live_.takeEnvelope(greyPerDb_, bands, viewOf(echoes_));
+  hasField_ = false;
+}
+
+void BeamPath::attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
+                         std::span<ThreadScratch> scratch) {
+  if (hasField_) return live_.lose(labels, probeToLabel, bands);
   bands.run(echoes_.width, [&](int firstLine, int count, int slot) {
-    ImageView<const std::uint8_t> labels;
-    if (hasLabels_) labels = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};
-    ew::attenuate(*scene_.attenuation, losses_, labels, greyPerDb_, knobs_.carrier_hz, grid_.sampleSpacing_mm, lines(firstLine, count),
+    ImageView<const std::uint8_t> tissue;
+    if (hasLabels_) tissue = {labels_.pixels.data() + firstLine, count, labels_.height, labels_.width};
+    ew::attenuate(*scene_.attenuation, losses_, tissue, greyPerDb_, knobs_.carrier_hz, grid_.sampleSpacing_mm, lines(firstLine, count),
                   scratch[static_cast<std::size_t>(slot)].row);
   });
 }
@@ -176,6 +193,7 @@ void BeamPath::focusByKernels(Bands& bands, std::span<ThreadScratch> scratch) {
 }
 
 void BeamPath::addNoise(std::uint64_t frameNumber, Bands& bands) {
+  if (hasField_) return live_.addNoise(*scene_.noise, frameNumber, bands);
   bands.run(echoes_.height,
             [&](int firstRow, int count, int) { ew::addNoise(noise_, greyPerDb_, frameNumber, firstRow, depths(firstRow, count)); });
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "echoes/live_echoes.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/effects/attenuation.h"
@@ -30,10 +31,13 @@ class BeamPath {
  public:
   /// Makes the tables that the steps of `plan` need, and again only when what they depend on changed.
   void configure(const Plan& plan, const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
-                 const Grid& grid);
+                 double spacing_mm);
 
   /// From here on the frame is seen from this place.
   void place(const Transform<frame::Voxel, frame::Probe>& probeToVoxel) { probeToVoxel_ = probeToVoxel; }
+  /// Live echoes: their field, and their envelope as the levels that all other steps take.
+  void scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands);
+  void takeEnvelope(Bands& bands);
   void sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
   void addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
   /// Without labels the effects go by grey level.
@@ -42,7 +46,9 @@ class BeamPath {
   /// How well each line touches. @return whether any does not
   bool findContact(std::span<const float> gaps_mm);
   void loseContact(Bands& bands, std::span<ThreadScratch> scratch);
-  void attenuate(Bands& bands, std::span<ThreadScratch> scratch);
+  /// Of live echoes by labels while their field is there, otherwise of levels.
+  void attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
+                 std::span<ThreadScratch> scratch);
   void reverberate();
   void focusByRows(Bands& bands, std::span<ThreadScratch> scratch);
   void focusByKernels(Bands& bands, std::span<ThreadScratch> scratch);
@@ -82,6 +88,10 @@ class BeamPath {
   std::vector<float> noise_;
   MadeFrom<BeamGrid, NoiseEffect, double, double> noiseFrom_;
   TissueLosses losses_;
+  LiveEchoes live_;
+  MadeFrom<Probe, EchoBeams, Scene, BeamGrid, double, bool> liveFrom_;
+  bool isLive_ = false;
+  bool hasField_ = false;   ///< live echoes whose envelope was not taken yet
   bool hasLabels_ = false;  ///< of the frame in work
 
   Transform<frame::Voxel, frame::Probe> probeToVoxel_;

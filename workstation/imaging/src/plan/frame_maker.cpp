@@ -25,6 +25,7 @@ struct Asked {
   int width = 0;
   int height = 0;
   bool hasLabels = false;
+  bool hasTissue = false;
   Pan pan;
   bool operator==(const Asked&) const = default;
 };
@@ -40,7 +41,7 @@ struct FrameMaker::Parts {
   explicit Parts(int threads) : bands_(threads), scratch_(static_cast<std::size_t>(bands_.threads())) {}
 
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels,
-                 const Pan& pan);
+                 const Pan& pan, bool hasTissue);
   ImageView<const std::uint8_t> make(const FrameInput& input);
 
   Plan plan_;  ///< of the last frame
@@ -86,8 +87,8 @@ FrameMaker::~FrameMaker() = default;
 FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                           bool hasLabels, const Pan& pan) {
-  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan);
+                           bool hasLabels, const Pan& pan, bool hasTissue) {
+  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan, hasTissue);
 }
 Picture FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
 Picture FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
@@ -109,14 +110,14 @@ PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
 const Spans& FrameMaker::spans() const { return parts_->spans_; }
 
 void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                                  bool hasLabels, const Pan& pan) {
+                                  bool hasLabels, const Pan& pan, bool hasTissue) {
   EW_EXPECTS(width >= 1 && height >= 1);
   const auto isAsked = [&](const Asked& last) {
-    return last.width == width && last.height == height && last.hasLabels == hasLabels && last.knobs == knobs && last.probe == probe &&
-           last.scene == scene && last.grid == grid && last.pan == pan;
+    return last.width == width && last.height == height && last.hasLabels == hasLabels && last.hasTissue == hasTissue &&
+           last.knobs == knobs && last.probe == probe && last.scene == scene && last.grid == grid && last.pan == pan;
   };
   if (asked_ && isAsked(*asked_)) return;
-  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, pan};
+  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, pan};
   knobs_ = limited(knobs);
   scene_ = limited(scene);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
@@ -134,13 +135,15 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   }
   picture_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
 
-  const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, grid, spans_);
-  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
-  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
+  const double spacing_mm = detail::isLive(scene_, hasTissue) ? detail::liveSpacing_mm(probe, knobs_, scene_, geometry_.depth_mm)
+                                                              : detail::beamSpacing_mm(geometry_, grid);
+  const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, spacing_mm, spans_);
+  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false, hasTissue);
+  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true, hasTissue);
   plan_ = touching_;
   plan_.steps.reserve(lifted_.steps.size());
   times_.reserve(lifted_.steps.size());
-  beams_.configure(lifted_, probe, knobs_, scene_, geometry_, grid);
+  beams_.configure(lifted_, probe, knobs_, scene_, geometry_, spacing_mm);
 
   const bool hasStrip = knobs_.mode != DisplayMode::bMode;
   if (!hasStrip) {
@@ -201,6 +204,12 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
 
 void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
   switch (kind) {
+    case StepKind::scatterers:
+      EW_EXPECTS(input.tissue != nullptr);
+      return beams_.scatter({VolumeView<const std::uint8_t>{input.tissue->level.data(), input.tissueGrid}},
+                            input.tissueGrid.worldToVoxel() * input.pose.probeToWorld, bands_);
+    case StepKind::envelope:
+      return beams_.takeEnvelope(bands_);
     case StepKind::sampleWeave:
     case StepKind::sampleLinear:
     case StepKind::sampleCubic:
@@ -214,7 +223,7 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::contact:
       return beams_.loseContact(bands_, scratch_);
     case StepKind::attenuation:
-      return beams_.attenuate(bands_, scratch_);
+      return beams_.attenuate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
     case StepKind::reverberation:
       return beams_.reverberate();
     case StepKind::focusStretch:

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "echoes/echo_layout.h"
 #include "ew/core/contract.h"
 #include "ew/core/translatable.h"
 #include "ew/imaging/effects/noise.h"
@@ -25,6 +26,7 @@ struct StepInfo {
 // 0.8 mm (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is
 // worth next to the others, not what it takes on another machine. Planes beside the middle one cost what sampling does, M-mode one beam.
 constexpr StepInfo kSteps[] = {
+    {StepKind::scatterers, "live echoes", EW_TRANSLATE_NOOP("ew::StepKind", "live echoes"), 0.0, 20.0},
     {StepKind::sampleWeave, "weave", EW_TRANSLATE_NOOP("ew::StepKind", "sample nearest"), 1.5, 3.3},
     {StepKind::sampleLinear, "linear", EW_TRANSLATE_NOOP("ew::StepKind", "sample linear"), 3.0, 5.5},
     {StepKind::sampleCubic, "cubic", EW_TRANSLATE_NOOP("ew::StepKind", "sample cubic"), 9.3, 13.0},
@@ -37,6 +39,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::focusStretch, "focus (stretch)", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 1.0},
     {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
+    {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
     {StepKind::scanConversion, "scan conversion", EW_TRANSLATE_NOOP("ew::StepKind", "scan conversion"), 1.2, 0.0},
     {StepKind::edges, "edges", EW_TRANSLATE_NOOP("ew::StepKind", "edges"), 0.45, 0.0},
@@ -88,10 +91,13 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 }
 
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
-              bool hasGaps) {
+              bool hasGaps, bool hasTissue) {
   const Knobs usable = limited(knobs);
-  return detail::planOf(probe, usable, limited(scene), geometry, grid,
-                        detail::frameSizeOf(probe, geometry, grid, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
+  const Scene limitedScene = limited(scene);
+  const double spacing_mm = detail::isLive(limitedScene, hasTissue) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
+                                                                    : detail::beamSpacing_mm(geometry, grid);
+  return detail::planOf(probe, usable, limitedScene, geometry, grid,
+                        detail::frameSizeOf(probe, geometry, spacing_mm, fanSpans(probe, usable, geometry)), hasLabels, hasGaps, hasTissue);
 }
 
 namespace detail {
@@ -103,12 +109,18 @@ double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid) {
   return geometry.depth_mm / std::clamp(std::ceil(geometry.depth_mm / wanted_mm), kFewest, kMost);
 }
 
-FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Grid& grid, const Spans& spans) {
+double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm) {
+  const double wanted_mm = echoSpacing_mm(echoBeamsOf(probe, withCarrierOf(probe, knobs), scene, depth_mm), *scene.liveEchoes);
+  constexpr double kFewest = 200.0, kMost = 4000.0;
+  return depth_mm / std::clamp(std::ceil(depth_mm / wanted_mm), kFewest, kMost);
+}
+
+FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, double spacing_mm, const Spans& spans) {
   FrameSize size;
   for (const auto& row : spans)
     for (const RowSpan& span : row) size.pixels += span.end - span.begin;
   size.lines = probe.lines;
-  size.samples = static_cast<int>(std::lround(geometry.depth_mm / beamSpacing_mm(geometry, grid))) + 1;
+  size.samples = static_cast<int>(std::lround(geometry.depth_mm / spacing_mm)) + 1;
   return size;
 }
 
@@ -129,13 +141,14 @@ Tone toneOf(const Knobs& knobs, const Scene& scene) {
 }
 
 Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-            const FrameSize& size, bool hasLabels, bool hasGaps) {
+            const FrameSize& size, bool hasLabels, bool hasGaps, bool hasTissue) {
   const double samples = static_cast<double>(size.lines) * size.samples;
   const bool losesContact = scene.contact && hasGaps;
   const bool focuses = scene.focus && scene.focus->strength > 0.0;
   const bool hasNoise = scene.noise && isNoiseSeen(*scene.noise, scene, withCarrierOf(probe, knobs).carrier_hz, geometry.depth_mm);
   Plan plan;
-  plan.onBeams = losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise;
+  const bool live = isLive(scene, hasTissue);
+  plan.onBeams = live || losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise;
   const auto add = [&](StepKind kind, double times = 1.0) {
     const StepInfo& cost = infoOf(kind);
     plan.steps.push_back({kind, 1e-3 * times * (cost.pixel_ns * size.pixels + cost.sample_ns * samples)});
@@ -146,8 +159,16 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     plan.steps.push_back({kind, 1e-3 * planes * (plan.onBeams ? cost.sample_ns * samples : cost.pixel_ns * size.pixels)});
   };
 
-  addSampling(samplingOf(knobs.quality));
-  if (plan.onBeams) {
+  if (live) {
+    const bool tissuesDecide = hasLabels && !scene.tissues.empty();
+    add(StepKind::scatterers);
+    if (scene.attenuation && tissuesDecide) add(StepKind::attenuation);
+    if (hasNoise) add(StepKind::noise);
+    add(StepKind::envelope);
+    if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
+    if (losesContact) add(StepKind::contact);
+    if (scene.reverberation) add(StepKind::reverberation);
+  } else if (addSampling(samplingOf(knobs.quality)); plan.onBeams) {
     if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);
     const bool tissuesDecide = scene.attenuation && hasLabels && !scene.tissues.empty();
     if (tissuesDecide) add(StepKind::labels);

@@ -16,8 +16,14 @@ struct FrameSize {
 /// samples to the depth. Finer than that, a volume has nothing to show.
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
+/// Whether frames of this scene form their echoes anew.
+[[nodiscard]] inline bool isLive(const Scene& scene, bool hasTissue) { return hasTissue && scene.liveEchoes.has_value(); }
+/// Sample distance of live echoes, mm: as their pulse asks for.
+[[nodiscard]] double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
 /// Everything there is to sample for a picture.
-[[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, const Grid& grid, const Spans& spans);
+/// @param spacing_mm of samples along beams
+[[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, double spacing_mm, const Spans& spans);
 
 /// The knobs with a carrier the probe has: the nearest one to what was asked, its own when nothing was.
 [[nodiscard]] Knobs withCarrierOf(const Probe& probe, const Knobs& knobs);
@@ -28,6 +34,6 @@ struct FrameSize {
 /// makePlan for what was brought within limits and counted already.
 /// @param hasGaps whether parts of the face are off the skin
 [[nodiscard]] Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                          const FrameSize& size, bool hasLabels, bool hasGaps);
+                          const FrameSize& size, bool hasLabels, bool hasGaps, bool hasTissue);
 
 }  // namespace ew::detail

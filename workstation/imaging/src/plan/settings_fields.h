@@ -55,6 +55,17 @@ void visitFields(Visitor& field, const Knobs*) {
 }
 
 template <class Visitor>
+void visitFields(Visitor& field, const LiveEchoesEffect*) {
+  field.count("looks", &LiveEchoesEffect::looks, 1, 5);
+  field.number("scatterers_per_cell", &LiveEchoesEffect::scatterersPerCell, 1.0, 10.0, say<"in the smallest resolution cell">);
+  field.number("samples_per_pulse", &LiveEchoesEffect::samplesPerPulse, 3.0, 10.0, say<"along a line">);
+  field.number("reach", &LiveEchoesEffect::reach, 1.0, 3.0, say<"of the slice, in standard deviations">);
+  field.number("aperture_share", &LiveEchoesEffect::apertureShare, 0.2, 1.0, say<"of the probe's widest aperture">);
+  field.number("line_filter_width", &LiveEchoesEffect::lineFilterWidth, 1.0, 3.0, say<"1 without a filter across lines">);
+  field.number("haze_db", &LiveEchoesEffect::haze_db, -80.0, -10.0, say<"below the echoes beside a line">);
+}
+
+template <class Visitor>
 void visitFields(Visitor& field, const FocusEffect*) {
   field.number("strength", &FocusEffect::strength, 0.0, 3.0, say<"1 as physics has it">);
 }

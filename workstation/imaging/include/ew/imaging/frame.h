@@ -15,11 +15,13 @@
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
+#include "ew/imaging/tissue_maps.h"
 
 namespace ew {
 
 /// One thing a frame has to do, in the order it is done.
 enum class StepKind {
+  scatterers,  ///< live echoes: the field of the scatterers in the slice, under the beams
   sampleWeave,
   sampleLinear,
   sampleCubic,
@@ -32,6 +34,7 @@ enum class StepKind {
   focusStretch,
   focusKernel,
   noise,
+  envelope,  ///< of live echoes: pulse, looks, logarithm
   mMode,
   scanConversion,
   edges,
@@ -62,8 +65,9 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan);
 /// range and grey map are one table.
 /// @param hasLabels whether frames come with a label volume
 /// @param hasGaps   whether parts of the face are off the skin, beyond what gel fills
+/// @param hasTissue whether frames come with tissue maps: then a scene with live echoes forms them, and samples no volume
 [[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                            bool hasLabels = false, bool hasGaps = false);
+                            bool hasLabels = false, bool hasGaps = false, bool hasTissue = false);
 
 /// Time of one step of one frame.
 struct StepTime {
@@ -75,6 +79,8 @@ struct StepTime {
 struct FrameInput {
   SliceSource echo;    ///< its grid's place in the world may differ from the one configured (a moved volume needs no new tables)
   SliceSource labels;  ///< of the tissues of the scene, on any grid; empty: grey levels decide
+  const TissueMaps* tissue = nullptr;  ///< from which live echoes are formed
+  Grid tissueGrid;                     ///< its place in the world
   Pose pose;
   std::span<const float> gaps_mm;  ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
   double time_s = 0.0;             ///< of the M-mode strip
@@ -93,7 +99,7 @@ class FrameMaker {
   /// Rebuilds what depends on these values, and only when they changed.
   /// @param pan what a zoomed picture shows; the viewer's, not the machine's: it is no knob
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                 bool hasLabels = false, const Pan& pan = {});
+                 bool hasLabels = false, const Pan& pan = {}, bool hasTissue = false);
 
   /// The picture for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.

@@ -63,9 +63,22 @@ struct ContactEffect {
   bool operator==(const ContactEffect&) const = default;
 };
 
+/// effects/live_echoes.h: echoes formed anew for each frame from what is known of the tissue; acts on subjects with tissue maps alone.
+struct LiveEchoesEffect {
+  int looks = 3;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
+  double scatterersPerCell = 3.5;  ///< in the smallest resolution cell, 1..10; below 3 speckle is no longer fully developed
+  double samplesPerPulse = 6.0;    ///< along a line, within the pulse's full width at half maximum, 3..10
+  double reach = 2.2;             ///< of the elevational beam, in standard deviations, 1..3: what lies farther beside the slice is left out
+  double apertureShare = 0.7;     ///< of the probe's widest aperture that is active, 0.2..1
+  double lineFilterWidth = 1.25;  ///< how much neighbouring lines, added up, widen the beam, 1..3
+  double haze_db = -29.0;         ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
+  bool operator==(const LiveEchoesEffect&) const = default;
+};
+
 /// What a case says its scene calls for; the plan runs nothing else. An effect that is absent costs nothing.
 struct Scene {
   bool gainAndDgc = true;
+  std::optional<LiveEchoesEffect> liveEchoes = std::nullopt;
   double recordedDynamicRange_db = 60.0;  ///< what 0..255 of the volume span, 20..120
   std::optional<FocusEffect> focus = std::nullopt;
   std::optional<SliceThicknessEffect> sliceThickness = std::nullopt;

@@ -12,6 +12,7 @@
 #include "ew/imaging/layout_times.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slice_source.h"
+#include "ew/imaging/tissue_maps.h"
 #include "ew/io/mapped_volume.h"
 #include "ew/library/case.h"
 #include "ew/scanning/state.h"
@@ -66,6 +67,8 @@ struct ScanSubject {
   Grid placedGrid;                                         ///< where they lie; of the dims of their own grid
   std::shared_ptr<const Volume> labels = nullptr;          ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
   Grid placedLabels = {};                                  ///< where the labels lie
+  std::shared_ptr<const TissueMaps> tissue = nullptr;      ///< from which live echoes are formed; null: nobody knows
+  Grid placedTissue = {};                                  ///< where they lie
   Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
   std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
   std::optional<Pose> startPose = {};                      ///< where whoever scans begins

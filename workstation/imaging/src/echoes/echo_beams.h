@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+#include "ew/imaging/scene.h"
+
+namespace ew::detail {
+
+/// The two-way point spread function of a probe with its settings: Gaussian in every direction, amplitude exp(-x^2 / 2 sigma^2). With z the
+/// depth, L the wavelength, D the aperture, F a transmit focus and s = 1.4 L / 2.355 (width of an apodised aperture's focus a F-number):
+///   transmit   t = s N sqrt(1 + ((z - F) / Z)^2), N = max(2, F / D), Z = 2 pi (s N)^2 / L; each depth from the focus that is narrowest
+///   receive    r = s max(2, z / D): focused at every depth
+///   lateral    t r / sqrt(t^2 + r^2), times the width of the line filter (machines add up neighbouring lines)
+///   elevation  w sqrt(1 + ((z - F_e) / Z_e)^2): a lens, opened to the elements' height at the face
+/// Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the haze of
+/// echo_lines.h stands for them), one carrier at every depth.
+struct EchoBeams {
+  double wavelength_mm = 0.44;
+  double axialSigma_mm = 0.2;  ///< of each look
+  int looks = 1;
+  double pulseSigma_mm = 0.2;  ///< of the whole pulse, with one look
+
+  struct Transmit {
+    double focus_mm = 80.0;
+    double waist_mm = 1.0;
+    double range_mm = 40.0;
+    bool operator==(const Transmit&) const = default;
+  };
+  std::array<Transmit, kMostFoci> transmits{};
+  int foci = 1;
+  bool focuses = true;  ///< else as narrow everywhere as at the focus
+  double receivePerDepth = 0.01;
+  double receiveLeast_mm = 0.2;
+  double lateralScale = 1.0;
+
+  bool isSlice = true;  ///< the elevational beam is as thick as the probe's; else as thin everywhere as at its focus
+  double lensFocus_mm = 80.0;
+  double lensWaist_mm = 1.0;
+  double lensNearRange_mm = 20.0;
+  double lensFarRange_mm = 40.0;
+  bool operator==(const EchoBeams&) const = default;
+
+  [[nodiscard]] double lateralSigma_mm(double depth_mm) const;
+  [[nodiscard]] double elevationalSigma_mm(double depth_mm) const;
+  /// Looks are taken at wave numbers (both ways) this far apart: intensities of neighbours correlate by 1/e^2.
+  [[nodiscard]] double lookStep_radPerMm() const { return 2.0 / axialSigma_mm; }
+};
+
+/// @param knobs within limits, with a carrier the probe has
+[[nodiscard]] EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+/// Full width at half maximum over the standard deviation of a Gaussian.
+inline constexpr double kFwhmOfSigma = 2.3548200450309493;
+
+}  // namespace ew::detail

@@ -1,0 +1,134 @@
+#include "echo_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace ew::detail {
+namespace {
+
+constexpr double kLateralReach = 3.0;  // standard deviations of the lateral beam
+constexpr double kRowsPerSigma = 2.0;  // of the fine grid, at the narrowest place of the beam
+constexpr int kMostPadding = 64;       // rows beside the fan
+constexpr double kCoarsest_mm = 0.5;   // the lattice is this times a power of the root of two: probes of nearly the same resolution, and
+                                       // neighbouring settings, see the same scatterers
+
+void layRows(EchoLayout& layout) {
+  const auto lines = static_cast<int>(layout.grid.lines.size());
+  double finest = std::numeric_limits<double>::infinity();  // standard deviation in lines
+  for (int s = 0; s < layout.grid.samples; s += 8) {
+    const double depth_mm = layout.grid.depth_mm(s);
+    finest = std::min(finest, layout.beams.lateralSigma_mm(depth_mm) / std::max(layout.grid.lineSpacing_mm(depth_mm), 1e-3));
+  }
+  layout.rowsPerLine = std::clamp(static_cast<int>(std::ceil(kRowsPerSigma / finest)), 1, 8);
+  double widest = 1.0;
+  for (int s = 0; s < layout.grid.samples; ++s) {
+    const double depth_mm = layout.grid.depth_mm(s);
+    widest = std::max(widest, kLateralReach * layout.beams.lateralSigma_mm(depth_mm) / std::max(layout.rowSpacing_mm(depth_mm), 1e-6));
+  }
+  layout.rowPadding = static_cast<int>(std::ceil(std::min<double>(widest, kMostPadding)));
+  layout.rows = (lines - 1) * layout.rowsPerLine + 1 + 2 * layout.rowPadding;
+  layout.columnPadding = static_cast<int>(std::ceil(4.0 * layout.beams.axialSigma_mm / layout.grid.sampleSpacing_mm)) + 2;
+  layout.columns = layout.grid.samples + 2 * layout.columnPadding;
+  layout.tiles = (layout.columns + kTileColumns - 1) / kTileColumns;
+}
+
+/// The squares of the lateral beam have the integral 1, whatever its width: speckle keeps its level with depth.
+void layLateral(EchoLayout& layout) {
+  layout.lateral.assign(static_cast<std::size_t>(layout.tiles), {});
+  layout.reachOfTile.assign(static_cast<std::size_t>(layout.tiles), 1);
+  constexpr int kWidth = 2 * (kTileColumns + 1);  // one column more: scatterers are shared by two
+  for (int tile = 0; tile < layout.tiles; ++tile) {
+    std::vector<double> sigma(kTileColumns + 1), spacing(kTileColumns + 1);
+    int& reach = layout.reachOfTile[static_cast<std::size_t>(tile)];
+    for (int c = 0; c <= kTileColumns; ++c) {
+      const double depth_mm = std::clamp(layout.depthOfColumn_mm(tile * kTileColumns + c), 0.0, layout.depth_mm);
+      spacing[static_cast<std::size_t>(c)] = std::max(layout.rowSpacing_mm(depth_mm), 1e-6);
+      sigma[static_cast<std::size_t>(c)] = layout.beams.lateralSigma_mm(depth_mm) / spacing[static_cast<std::size_t>(c)];
+      reach = std::max(reach, static_cast<int>(std::ceil(kLateralReach * sigma[static_cast<std::size_t>(c)])));
+    }
+    reach = std::min(reach, layout.rowPadding);
+    std::vector<float>& weights = layout.lateral[static_cast<std::size_t>(tile)];
+    weights.resize(static_cast<std::size_t>((reach + 1) * kWidth));
+    for (int c = 0; c <= kTileColumns; ++c) {
+      const double width = sigma[static_cast<std::size_t>(c)];
+      double power = 0.0;
+      for (int t = -reach; t <= reach; ++t) power += std::exp(-(t * t) / (width * width));
+      const double strength = 1.0 / std::sqrt(power * spacing[static_cast<std::size_t>(c)]);
+      for (int t = 0; t <= reach; ++t) {
+        const auto weight = static_cast<float>(strength * std::exp(-0.5 * t * t / (width * width)));
+        weights[static_cast<std::size_t>(t * kWidth + 2 * c)] = weights[static_cast<std::size_t>(t * kWidth + 2 * c + 1)] = weight;
+      }
+    }
+  }
+}
+
+void layPulse(EchoLayout& layout) {
+  // Scatterers are shared by two columns; that adds a sixth of a step's square to the variance, which the pulse leaves out.
+  const double columns = layout.beams.axialSigma_mm / layout.grid.sampleSpacing_mm, sigma = std::sqrt(columns * columns - 1.0 / 6.0);
+  const int reach = std::min(layout.columnPadding - 1, static_cast<int>(std::ceil(3.2 * sigma)));
+  double power = 0.0;
+  for (int t = -reach; t <= reach; ++t) power += std::exp(-(t * t) / (sigma * sigma));
+  for (int t = 0; t <= reach; ++t)
+    layout.pulse.push_back(static_cast<float>(std::exp(-0.5 * t * t / (sigma * sigma)) / std::sqrt(power * layout.grid.sampleSpacing_mm)));
+}
+
+void layLooks(EchoLayout& layout) {
+  const int looks = layout.beams.looks;
+  for (int look = 0; look < looks; ++look) {
+    const double step = (look - 0.5 * (looks - 1)) * layout.beams.lookStep_radPerMm() * layout.grid.sampleSpacing_mm;
+    std::vector<float>& turn = layout.turns.emplace_back();
+    for (int column = 0; column < layout.columns; ++column) {
+      turn.push_back(static_cast<float>(std::cos(step * column)));
+      turn.push_back(static_cast<float>(-std::sin(step * column)));
+    }
+  }
+  if (looks == 1) return;
+  // The mean of the logarithm rises with the number of looks: their averaged amplitude has the mean sqrt(pi) / 2 and the squared
+  // coefficient of variation 4 / pi - 1 over the independent looks among them.
+  const double independent = looks * looks / (looks + 2.0 * (looks - 1) * std::exp(-2.0));
+  const double mean_db = 10.0 * std::log10(0.25 * std::numbers::pi) - 0.5 * 8.685889638 * (4.0 / std::numbers::pi - 1.0) / independent;
+  layout.lookScale = std::pow(10.0, -0.05 * (mean_db + kMeanOfLog_db));
+}
+
+/// As few scatterers as the smallest resolution cell needs.
+double pitchOf(const EchoLayout& layout, double scatterersPerCell) {
+  double cell_mm3 = std::numeric_limits<double>::infinity();
+  for (int n = 0; n <= 64; ++n) {
+    const double depth_mm = layout.depth_mm * n / 64.0;
+    cell_mm3 = std::min(cell_mm3, layout.beams.lateralSigma_mm(depth_mm) * layout.beams.elevationalSigma_mm(depth_mm));
+  }
+  cell_mm3 *= layout.beams.axialSigma_mm * kFwhmOfSigma * kFwhmOfSigma * kFwhmOfSigma;
+  const double steps = std::floor(2.0 * std::log2(std::cbrt(cell_mm3 / scatterersPerCell) / kCoarsest_mm));
+  return kCoarsest_mm * std::exp2(0.5 * std::clamp(steps, -6.0, 4.0));
+}
+
+}  // namespace
+
+double EchoLayout::reachBetween_mm(double nearer_mm, double farther_mm) const {
+  const auto at = [this](double depth) { return reach * beams.elevationalSigma_mm(std::clamp(depth, 0.0, depth_mm)); };
+  return std::max(at(nearer_mm), at(farther_mm));  // narrowest in the focus, wider to both sides
+}
+
+double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect) {
+  return kFwhmOfSigma * beams.axialSigma_mm / effect.samplesPerPulse;
+}
+
+EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams, BeamGrid grid) {
+  EchoLayout layout;
+  layout.beams = beams;
+  layout.grid = std::move(grid);
+  layout.fan = fanShapeOf(probe, knobs);
+  layout.depth_mm = layout.grid.depth_mm(layout.grid.samples - 1);
+  layout.reach = effect.reach;
+  layRows(layout);
+  layout.pitch_mm = pitchOf(layout, effect.scatterersPerCell);
+  layLateral(layout);
+  layPulse(layout);
+  layLooks(layout);
+  return layout;
+}
+
+}  // namespace ew::detail

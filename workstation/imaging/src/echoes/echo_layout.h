@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "echo_beams.h"
+#include "ew/imaging/beam_grid.h"
+#include "probes/fan_shape.h"
+
+namespace ew::detail {
+
+/// Columns along the lines that are filled together: their part of the fine grid stays in the processor's second cache.
+inline constexpr int kTileColumns = 64;
+
+/// What live echoes know before the first frame: the fine grid on which scatterers are added up, rows across the lines and columns along
+/// them, and the weights of the beams and of the pulse.
+struct EchoLayout {
+  EchoBeams beams;
+  BeamGrid grid;
+  FanShape fan;
+  double depth_mm = 0.0;
+  double reach = 2.2;     ///< of the elevational beam, in standard deviations
+  double pitch_mm = 0.8;  ///< of the lattice that has one scatterer in each cell
+
+  int rowsPerLine = 2;
+  int rowPadding = 0;
+  int rows = 0;
+  int columnPadding = 0;
+  int columns = 0;
+  int tiles = 0;
+
+  /// Lateral beam, symmetric: by tile, by distance in rows 0 .. reachOfTile, a weight per column, twice (real and imaginary parts).
+  std::vector<std::vector<float>> lateral;
+  std::vector<int> reachOfTile;
+  std::vector<float> pulse;               ///< by distance in columns
+  std::vector<std::vector<float>> turns;  ///< by look: the phase that brings its carrier to the middle, per column, as (cos, sin)
+  double lookScale = 1.0;                 ///< keeps the mean level that one look has
+
+  [[nodiscard]] double depthOfColumn_mm(double column) const { return (column - columnPadding) * grid.sampleSpacing_mm; }
+  [[nodiscard]] double rowSpacing_mm(double atDepth_mm) const { return grid.lineSpacing_mm(atDepth_mm) / rowsPerLine; }
+  /// Half of the slice that is looked at, at most between two depths.
+  [[nodiscard]] double reachBetween_mm(double nearer_mm, double farther_mm) const;
+};
+
+/// Distance of samples along a line that the pulse of these beams asks for.
+[[nodiscard]] double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect);
+
+/// @param grid made with echoSpacing_mm
+[[nodiscard]] EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams,
+                                      BeamGrid grid);
+
+/// Of the mean of an exponential variable's logarithm, below the logarithm of its mean.
+inline constexpr double kMeanOfLog_db = 2.507;
+
+}  // namespace ew::detail

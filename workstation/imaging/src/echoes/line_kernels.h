@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ew::detail {
+
+/// What a tile of added-up scatterers becomes: one row of complex numbers for each line.
+struct LateralTask {
+  std::int32_t* tile = nullptr;  ///< rows x width; its bits are turned into floats in place
+  int rows = 0;
+  int width = 0;  ///< of a row, real and imaginary parts together
+  float unit = 1.0F;
+  const float* weights = nullptr;  ///< (reach + 1) x width
+  int reach = 0;
+  int firstRow = 0;  ///< of the first line
+  int rowsPerLine = 1;
+  int lines = 0;
+  float* out = nullptr;
+  std::int64_t outStride = 0;
+};
+/// Every kernel here gives the same bits on every instruction set.
+void filterLaterally(const LateralTask& task);
+
+/// out[n] = in[n] * factor[n / 2]: complex numbers times real ones.
+void scaleComplex(const float* factor, int count, float* inOut);
+
+/// out += weight * i^quarter * in, complex numbers.
+void addTurned(const float* in, float weight, int quarter, int count, float* out);
+
+/// inOut += strength[n] times a complex number whose parts are nearly normal with deviation 1, hashed from key and n.
+void addComplexNoise(std::uint64_t key, const float* strength, int count, float* inOut);
+
+/// out = in times turn, complex numbers.
+void turnComplex(const float* in, const float* turn, int count, float* out);
+
+/// out[s] += share |sum over t of pulse[|t|] in[s + t]|, complex numbers of which `reach` are there on both sides of in[0 .. samples - 1].
+void addEnvelope(const float* in, const float* pulse, int reach, float share, int samples, float* out);
+
+/// inOut = 255 + perDoubling log2(inOut), amplitudes below 1e-9 counting as that.
+void toLevels(float perDoubling, int count, float* inOut);
+
+/// One step of a march along all lines at once: amplitude = blur(amplitude) 2^(-loss), not above `most`; gain += weight amplitude^2.
+/// @param amplitude, loss, gain `lines` values; blur weighs each neighbour with `aside` (the outermost lines go on)
+/// @param scratch lines values
+void marchLosses(const float* loss_log2, float aside, float most, float weight, int lines, float* amplitude, float* scratch, float* gain);
+
+}  // namespace ew::detail

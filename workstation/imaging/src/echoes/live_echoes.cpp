@@ -1,0 +1,178 @@
+#include "live_echoes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ew/imaging/effects/noise.h"
+#include "line_kernels.h"
+
+namespace ew::detail {
+namespace {
+
+constexpr int kTileWidth = 2 * (kTileColumns + 1);
+constexpr double kHazeReach_mm = 8.0;
+constexpr int kLobesOnASide = 4;
+constexpr double kNoHaze_db = -80.0;
+
+/// Finalizer of SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a bijection that spreads every bit.
+std::uint64_t spread(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid) {
+  const LiveEchoesEffect effect = scene.liveEchoes.value_or(LiveEchoesEffect{});
+  carrier_hz_ = knobs.carrier_hz;
+  layout_ = echoLayoutOf(probe, knobs, effect, beams, grid);
+  stride_ = std::ptrdiff_t{2} * layout_.tiles * kTileColumns;
+  field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
+  overflow_.assign(2 * static_cast<std::size_t>(layout_.tiles) * layout_.grid.lines.size(), 0.0F);
+  losses_.configure(layout_, probe, scene, knobs.carrier_hz);
+  layHaze(effect.haze_db);
+}
+
+/// Side lobes: a few lines on both sides, turned so that they do not add up in step.
+void LiveEchoes::layHaze(double haze_db) {
+  lobes_.clear();
+  if (!(haze_db > kNoHaze_db)) return;
+  const double each = std::sqrt(std::pow(10.0, 0.1 * haze_db) / (2 * kLobesOnASide));
+  for (int n = 1; n <= kLobesOnASide; ++n)
+    for (const int side : {-1, 1}) {
+      Lobe& lobe = lobes_.emplace_back(Lobe{static_cast<float>(each), (n + (side > 0 ? 2 : 0)) % 4, {}});
+      for (int tile = 0; tile < layout_.tiles; ++tile) {
+        const double depth_mm = std::clamp(layout_.depthOfColumn_mm((tile + 0.5) * kTileColumns), 0.0, layout_.depth_mm);
+        const double spacing_mm = std::max(layout_.grid.lineSpacing_mm(depth_mm), 1e-3);
+        lobe.offset.push_back(side * std::max(n, static_cast<int>(std::lround(kHazeReach_mm * n / kLobesOnASide / spacing_mm))));
+      }
+    }
+}
+
+void LiveEchoes::fillTile(int tile, const ScatterTask& task, const EchoPlace& place, const glm::ivec3& dims, Scratch& scratch) {
+  const auto lines = static_cast<int>(layout_.grid.lines.size());
+  scratch.tile.assign(static_cast<std::size_t>(layout_.rows) * kTileWidth, 0);
+  findBlocks(layout_, place, dims, tile, scratch.blocks);
+  ScatterTask mine = task;
+  mine.tile = scratch.tile.data();
+  mine.firstColumn = static_cast<float>(layout_.columnPadding - tile * kTileColumns);
+  mine.lastColumn = static_cast<float>(kTileColumns);
+  addScatterers(mine, scratch.blocks.data(), scratch.blocks.size());
+
+  scratch.line.resize(static_cast<std::size_t>(lines) * kTileWidth);
+  LateralTask lateral;
+  lateral.tile = scratch.tile.data();
+  lateral.rows = layout_.rows;
+  lateral.width = kTileWidth;
+  lateral.unit = static_cast<float>(kDepositUnit);
+  lateral.weights = layout_.lateral[static_cast<std::size_t>(tile)].data();
+  lateral.reach = layout_.reachOfTile[static_cast<std::size_t>(tile)];
+  lateral.firstRow = layout_.rowPadding;
+  lateral.rowsPerLine = layout_.rowsPerLine;
+  lateral.lines = lines;
+  lateral.out = scratch.line.data();
+  lateral.outStride = kTileWidth;
+  filterLaterally(lateral);
+  for (int line = 0; line < lines; ++line) {
+    const float* from = scratch.line.data() + static_cast<std::ptrdiff_t>(line) * kTileWidth;
+    std::copy(from, from + 2 * kTileColumns, lineAt(line) + std::ptrdiff_t{2} * tile * kTileColumns);
+    std::copy(from + 2 * kTileColumns, from + kTileWidth, overflow_.data() + 2 * (static_cast<std::ptrdiff_t>(tile) * lines + line));
+  }
+}
+
+void LiveEchoes::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
+  scratch_.resize(static_cast<std::size_t>(bands.threads()));
+  noiseKey_.reset();
+  const EchoPlace place = echoPlaceOf(layout_, level.grid, probeToVoxel);
+  const ScatterTask task = scatterTaskOf(layout_, place, level);
+  bands.run(layout_.tiles, [&](int first, int count, int slot) {
+    for (int tile = first; tile < first + count; ++tile)
+      fillTile(tile, task, place, level.grid.dims, scratch_[static_cast<std::size_t>(slot)]);
+  });
+  const auto lines = static_cast<int>(layout_.grid.lines.size());
+  for (int line = 0; line < lines; ++line)
+    for (int tile = 1; tile < layout_.tiles; ++tile) {
+      const float* over = overflow_.data() + 2 * (static_cast<std::ptrdiff_t>(tile - 1) * lines + line);
+      float* at = lineAt(line) + std::ptrdiff_t{2} * tile * kTileColumns;
+      at[0] += over[0];
+      at[1] += over[1];
+    }
+}
+
+void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+  losses_.walk(labels, probeToLabel, bands);
+  bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
+    Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+    mine.gains.resize(static_cast<std::size_t>(layout_.columns));
+    for (int line = first; line < first + count; ++line) {
+      losses_.gainsOf(line, mine.gains);
+      scaleComplex(mine.gains.data(), layout_.columns, lineAt(line));
+    }
+  });
+}
+
+void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands&) {
+  noise_.resize(static_cast<std::size_t>(layout_.columns));
+  for (int column = 0; column < layout_.columns; ++column) {
+    const double level_db = noiseLevel_db(noise, carrier_hz_, std::max(layout_.depthOfColumn_mm(column), 0.0));
+    // The pulse's filter has the power 1 / spacing.
+    noise_[static_cast<std::size_t>(column)] =
+        static_cast<float>(std::sqrt(0.5 * std::pow(10.0, 0.1 * level_db) * layout_.grid.sampleSpacing_mm));
+  }
+  noiseKey_ = spread(frameNumber + 0x9e3779b97f4a7c15ULL);
+}
+
+void LiveEchoes::addHaze(int line, std::span<float> out) {
+  const auto lines = static_cast<int>(layout_.grid.lines.size());
+  for (const Lobe& lobe : lobes_)
+    for (int tile = 0; tile < layout_.tiles; ++tile) {
+      const int other = line + lobe.offset[static_cast<std::size_t>(tile)];
+      if (other < 0 || other >= lines) continue;
+      const int first = tile * kTileColumns, count = std::min(kTileColumns, layout_.columns - first);
+      addTurned(lineAt(other) + std::ptrdiff_t{2} * first, lobe.weight, lobe.quarter, count, out.data() + 2 * first);
+    }
+}
+
+void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes) {
+  const int samples = layout_.grid.samples;
+  const auto share = static_cast<float>(layout_.lookScale / static_cast<double>(layout_.turns.size()));
+  const auto perDoubling = static_cast<float>(20.0 * std::log10(2.0) * greyPerDb);
+  constexpr int kGroup = 8;  // lines that are written side by side
+  bands.run((echoes.width + kGroup - 1) / kGroup, [&](int firstGroup, int groups, int slot) {
+    Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+    mine.line.resize(std::max(mine.line.size(), static_cast<std::size_t>(2 * layout_.columns)));
+    mine.turned.resize(static_cast<std::size_t>(2 * layout_.columns));
+    mine.levels.resize(static_cast<std::size_t>(kGroup * samples));
+    for (int group = firstGroup; group < firstGroup + groups; ++group) {
+      const int first = kGroup * group, count = std::min(kGroup, echoes.width - first);
+      for (int n = 0; n < count; ++n) {
+        const float* own = lineAt(first + n);
+        std::copy(own, own + 2 * layout_.columns, mine.line.begin());
+        addHaze(first + n, mine.line);
+        if (noiseKey_) {
+          const std::uint64_t key = spread(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
+          addComplexNoise(key, noise_.data(), layout_.columns, mine.line.data());
+        }
+        float* levels = mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples;
+        std::fill(levels, levels + samples, 0.0F);
+        for (const std::vector<float>& turn : layout_.turns) {
+          const float* in = mine.line.data();
+          if (layout_.turns.size() > 1) {
+            turnComplex(in, turn.data(), layout_.columns, mine.turned.data());
+            in = mine.turned.data();
+          }
+          addEnvelope(in + 2 * layout_.columnPadding, layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1, share, samples,
+                      levels);
+        }
+        toLevels(perDoubling, samples, levels);
+      }
+      for (int s = 0; s < samples; ++s) {
+        float* row = echoes.row(s) + first;
+        for (int n = 0; n < count; ++n) row[n] = mine.levels[static_cast<std::size_t>(n * samples + s)];
+      }
+    }
+  });
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "echo_layout.h"
+#include "echo_losses.h"
+#include "ew/imaging/bands.h"
+#include "ew/imaging/beam_grid.h"
+#include "ew/imaging/slice_source.h"
+#include "scatterers.h"
+
+namespace ew::detail {
+
+/// Forms the echoes of a frame anew from scatterers that are fixed in the tissue: complex field on the fine grid, beams, losses, noise,
+/// pulse, envelope, logarithm. Its steps are called in this order; between them the field lies as one row of complex numbers a line.
+/// Source: scatterers seen through a separable point spread function, as resources/docs/forward-model.md; no code is shared with it.
+class LiveEchoes {
+ public:
+  /// @param grid made with echoSpacing_mm
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid);
+
+  /// @param level of TissueMaps, in rows
+  void scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands);
+  void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
+  void addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands& bands);
+  /// @param greyPerDb of the levels
+  /// @param echoes (lines x samples)
+  void takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes);
+
+ private:
+  struct Scratch {
+    std::vector<ScatterBlock> blocks;
+    std::vector<std::int32_t> tile;
+    std::vector<float> line, turned, levels, gains;
+  };
+  [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }
+  void fillTile(int tile, const ScatterTask& task, const EchoPlace& place, const glm::ivec3& dims, Scratch& scratch);
+  void addHaze(int line, std::span<float> out);
+  void layHaze(double haze_db);
+
+  EchoLayout layout_;
+  EchoLosses losses_;
+  double carrier_hz_ = 3.5e6;
+  std::vector<Scratch> scratch_;
+  std::vector<float> field_;     ///< lines x columns complex numbers, padded to whole tiles
+  std::vector<float> overflow_;  ///< by tile and line: what belongs to the next tile's first column
+  std::ptrdiff_t stride_ = 0;
+  std::vector<float> noise_;  ///< strength by column
+  std::optional<std::uint64_t> noiseKey_;
+  struct Lobe {
+    float weight = 0.0F;
+    int quarter = 0;
+    std::vector<int> offset;  ///< in lines, by tile
+  };
+  std::vector<Lobe> lobes_;
+};
+
+}  // namespace ew::detail

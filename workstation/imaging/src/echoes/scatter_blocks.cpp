@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "scatterers.h"
+
+namespace ew::detail {
+namespace {
+
+constexpr double kDecibelPerLevel = 60.0 / 255.0;
+constexpr double kLateralMargin = 3.0;  // standard deviations of the lateral beam that are seen beside the fan
+constexpr int kAngles = 17;             // across the fan, of the box around a piece of it
+
+/// A piece of the slab that a tile sees: a box in the probe frame, and ranges.
+struct Piece {
+  glm::dvec3 lowest_mm{std::numeric_limits<double>::infinity()};
+  glm::dvec3 highest_mm{-std::numeric_limits<double>::infinity()};
+  double nearest_mm = 0.0;
+  double farthest_mm = 0.0;
+  double beside_mm = 0.0;  ///< seen beyond the outermost lines
+};
+
+Piece pieceOf(const EchoLayout& layout, int tile) {
+  Piece piece;
+  // The lens bends ranges by less than a millimetre, a scatterer is shared by two columns.
+  constexpr double kBent_mm = 1.5;
+  piece.nearest_mm = layout.depthOfColumn_mm(tile * kTileColumns) - kBent_mm;
+  piece.farthest_mm = layout.depthOfColumn_mm((tile + 1) * kTileColumns) + kBent_mm;
+  const double aside_mm = layout.reachBetween_mm(piece.nearest_mm, piece.farthest_mm);
+  const double deep_mm = std::clamp(piece.farthest_mm, 0.0, layout.depth_mm),
+               shallow_mm = std::clamp(piece.nearest_mm, 0.0, layout.depth_mm);
+  piece.beside_mm = kLateralMargin * std::max(layout.beams.lateralSigma_mm(deep_mm), layout.beams.lateralSigma_mm(shallow_mm));
+  for (int n = 0; n < kAngles; ++n) {
+    const FanShape::Line line = layout.fan.lineAt(2.0 * n / (kAngles - 1) - 1.0);
+    for (const double range_mm : {piece.nearest_mm, piece.farthest_mm}) {
+      const glm::dvec2 at = line.origin_mm + range_mm * line.direction;
+      piece.lowest_mm = glm::min(piece.lowest_mm, glm::dvec3(at, -aside_mm));
+      piece.highest_mm = glm::max(piece.highest_mm, glm::dvec3(at, aside_mm));
+    }
+  }
+  // Between two of the angles an arc bulges.
+  const double step_rad = 2.0 * layout.fan.halfAngle_rad / (kAngles - 1);
+  const double bulge_mm = (layout.fan.apexToFace_mm + std::abs(piece.farthest_mm)) * (1.0 - std::cos(0.5 * step_rad));
+  const glm::dvec3 margin_mm(piece.beside_mm + bulge_mm, piece.beside_mm + bulge_mm, 0.0);
+  piece.lowest_mm -= margin_mm;
+  piece.highest_mm += margin_mm;
+  return piece;
+}
+
+/// Whether a ball may touch the piece.
+bool touches(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
+  if (fan.kind == FanShape::Kind::parallel) {
+    const double across_mm = p_mm.x - p_mm.y * std::tan(fan.steering_rad);
+    return std::abs(across_mm) < fan.halfWidth_mm + (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
+  }
+  const double y_mm = p_mm.y + fan.apexToFace_mm;
+  if (fan.kind == FanShape::Kind::sector) {
+    const double rho_mm = std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm;
+    if (rho_mm < piece.nearest_mm - radius_mm || rho_mm > piece.farthest_mm + radius_mm) return false;
+  }
+  // Distance beyond the outermost line, as far as it is a straight one.
+  const double beyond_mm = std::abs(p_mm.x) * std::cos(fan.halfAngle_rad) - y_mm * std::sin(fan.halfAngle_rad);
+  return fan.halfAngle_rad > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
+}
+
+/// Whole numbers n of first .. last with low <= start + n * step <= high.
+void narrow(double start, double step, double low, double high, int& first, int& last) {
+  if (std::abs(step) < 1e-12) {
+    if (start < low || start > high) last = first - 1;
+    return;
+  }
+  const double a = (low - start) / step, b = (high - start) / step;
+  first = std::max(first, static_cast<int>(std::ceil(std::clamp(std::min(a, b), -1e8, 1e8))));
+  last = std::min(last, static_cast<int>(std::floor(std::clamp(std::max(a, b), -1e8, 1e8))));
+}
+
+}  // namespace
+
+EchoPlace echoPlaceOf(const EchoLayout& layout, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
+  EchoPlace place;
+  place.voxelsPerCell = layout.pitch_mm / grid.spacing_mm;
+  glm::dmat4 voxelToCell(1.0);
+  for (int axis = 0; axis < 3; ++axis) voxelToCell[axis][axis] = 1.0 / place.voxelsPerCell[axis];
+  place.probeToCell = voxelToCell * probeToVoxel.matrix;
+  place.cellToProbe = glm::inverse(place.probeToCell);
+  return place;
+}
+
+ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, const SliceSource& level) {
+  ScatterTask task;
+  for (int axis = 0; axis < 3; ++axis) task.cellToProbe_mm[static_cast<std::size_t>(axis)] = glm::vec3(place.cellToProbe[axis]);
+  task.voxelsPerCell = glm::vec3(place.voxelsPerCell);
+  task.level = level.voxels;
+  task.levelEnd = level.voxels + level.grid.voxelCount();
+  task.dims = level.grid.dims;
+  // One scatterer in each cell has the power of the cell's volume; equal magnitudes and random signs, so that few of them give speckle the
+  // statistics of many.
+  const double waist = layout.beams.lensWaist_mm;
+  const double scale = std::pow(layout.pitch_mm, 1.5) / std::sqrt(waist * std::sqrt(std::numbers::pi)) / kDepositUnit;
+  task.log2PerLevel = static_cast<float>(0.05 * kDecibelPerLevel * std::log2(10.0));
+  task.log2OfZero = static_cast<float>(0.05 * (kMeanOfLog_db - 255.0 * kDecibelPerLevel) * std::log2(10.0) + std::log2(scale));
+
+  const FanShape& fan = layout.fan;
+  task.kind = fan.kind;
+  task.apex_mm = static_cast<float>(fan.apexToFace_mm);
+  task.shear = static_cast<float>(std::tan(fan.steering_rad));
+  task.perCosine = static_cast<float>(1.0 / std::cos(fan.steering_rad));
+  const double halfRows = 0.5 * static_cast<double>(layout.grid.lines.size() - 1) * layout.rowsPerLine;
+  task.rowsPerUnit = static_cast<float>(halfRows / (fan.kind == FanShape::Kind::sector ? fan.halfAngle_rad : fan.halfWidth_mm));
+  task.middleRow = static_cast<float>(layout.rowPadding + halfRows);
+  task.columnsPerMm = static_cast<float>(1.0 / layout.grid.sampleSpacing_mm);
+  task.turnsPerMm = static_cast<float>(2.0 / layout.beams.wavelength_mm);
+  task.lastRow = static_cast<float>(layout.rows) - 0.6F;
+  task.lensFocus_mm = static_cast<float>(layout.beams.lensFocus_mm);
+  task.nearPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensNearRange_mm) : 0.0F;
+  task.farPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensFarRange_mm) : 0.0F;
+  task.waistPerMm2 = static_cast<float>(0.5 / (waist * waist));
+  task.cut = static_cast<float>(0.5 * layout.reach * layout.reach);
+  return task;
+}
+
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int tile, std::vector<ScatterBlock>& blocks) {
+  blocks.clear();
+  const Piece piece = pieceOf(layout, tile);
+  const double radius_mm = 0.5 * std::sqrt(3.0) * kBlockCells * layout.pitch_mm;
+  glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p(corner & 1 ? piece.lowest_mm.x : piece.highest_mm.x, corner & 2 ? piece.lowest_mm.y : piece.highest_mm.y,
+                       corner & 4 ? piece.lowest_mm.z : piece.highest_mm.z);
+    const glm::dvec3 cell(place.probeToCell * glm::dvec4(p, 1.0));
+    lowest = glm::min(lowest, cell);
+    highest = glm::max(highest, cell);
+  }
+  // Only where there are voxels.
+  lowest = glm::max(lowest, glm::dvec3(0.0));
+  highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
+  const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
+  if (!glm::all(glm::lessThan(lowest, highest))) return;
+  const glm::dvec3 blockStep(place.cellToProbe[0] * double{kBlockCells});
+  const double low_z = piece.lowest_mm.z - radius_mm, high_z = piece.highest_mm.z + radius_mm;
+  for (int k = begin.z; k <= end.z; ++k)
+    for (int j = begin.y; j <= end.y; ++j) {
+      const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
+      int first = begin.x, last = end.x;
+      narrow(start.z, blockStep.z, low_z, high_z, first, last);
+      narrow(start.y, blockStep.y, piece.lowest_mm.y - radius_mm, piece.highest_mm.y + radius_mm, first, last);
+      narrow(start.x, blockStep.x, piece.lowest_mm.x - radius_mm, piece.highest_mm.x + radius_mm, first, last);
+      for (int i = first; i <= last; ++i) {
+        if (!touches(layout.fan, piece, start + static_cast<double>(i) * blockStep, radius_mm)) continue;
+        const glm::dvec3 cell = double{kBlockCells} * glm::dvec3(i, j, k);
+        const glm::dvec3 voxel = cell * place.voxelsPerCell, whole = glm::floor(voxel);
+        ScatterBlock& block = blocks.emplace_back();
+        for (int axis = 0; axis < 3; ++axis)
+          block.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(kBlockCells * glm::ivec3(i, j, k)[axis]);
+        block.probe_mm = glm::vec3(place.cellToProbe * glm::dvec4(cell, 1.0));
+        block.voxel = glm::ivec3(whole);
+        block.voxelFraction = glm::vec3(voxel - whole);
+      }
+    }
+}
+
+}  // namespace ew::detail

@@ -1,0 +1,267 @@
+#include "scatterers.h"
+
+#include <cstring>
+
+// The instruction sets left out would only repeat the code of a neighbour.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "echoes/scatterers.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "effects/powers-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ew::detail {
+namespace HWY_NAMESPACE {
+namespace {
+
+using namespace ew::HWY_NAMESPACE;  // powers-inl.h
+
+using D = hn::ScalableTag<float>;
+using DI = hn::RebindToSigned<D>;
+using DU = hn::RebindToUnsigned<D>;
+using F = hn::Vec<D>;
+using I = hn::Vec<DI>;
+using U = hn::Vec<DU>;
+
+HWY_INLINE F set(float value) { return hn::Set(D(), value); }
+HWY_INLINE F plus(F a, F b) { return hn::Add(a, b); }
+HWY_INLINE F times(F a, F b) { return hn::Mul(a, b); }
+
+/// A bijection that spreads every bit: multiply and shift, constants of C. Wellons' search for low bias (public domain).
+HWY_INLINE U spread(U x) {
+  const DU du;
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(du, 0x21f0aaadU));
+  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(du, 0x735a2d97U));
+  return hn::Xor(x, hn::ShiftRight<15>(x));
+}
+
+/// Ten bits of a hash as a place within a cell, 0..1.
+template <int kShift>
+HWY_INLINE F placeOf(U hash) {
+  const auto bits = hn::And(hn::ShiftRight<kShift>(hash), hn::Set(DU(), 1023U));
+  return times(plus(hn::ConvertTo(D(), hn::BitCast(DI(), bits)), set(0.5F)), set(1.0F / 1024.0F));
+}
+
+/// Four bytes from each place; lanes beyond `last` take the bytes that end there and shift them.
+HWY_INLINE I bytesAt(const std::uint8_t* from, I offset, std::int32_t last) {
+  const DI di;
+  const auto safe = hn::Min(offset, hn::Set(di, last));
+#if HWY_TARGET <= HWY_AVX2
+  const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(from), safe);
+#else
+  HWY_ALIGN std::int32_t offsets[hn::MaxLanes(di)], words[hn::MaxLanes(di)];
+  hn::Store(safe, di, offsets);
+  for (std::size_t n = 0; n < hn::Lanes(di); ++n) std::memcpy(&words[n], from + offsets[n], sizeof(words[n]));
+  const auto word = hn::Load(di, words);
+#endif
+  const auto beyond = hn::Sub(offset, safe);
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(beyond, hn::Zero(di))))) return word;
+  const DU du;
+  return hn::BitCast(di, hn::Shr(hn::BitCast(du, word), hn::BitCast(du, hn::ShiftLeft<3>(hn::Min(beyond, hn::Set(di, 3))))));
+}
+
+/// The first two of four bytes, blended.
+HWY_INLINE F blendBytes(I word, F t) {
+  const DI di;
+  const auto low = hn::ConvertTo(D(), hn::And(word, hn::Set(di, 255)));
+  const auto high = hn::ConvertTo(D(), hn::And(hn::ShiftRight<8>(word), hn::Set(di, 255)));
+  return plus(low, times(hn::Sub(high, low), t));
+}
+
+HWY_INLINE F nearestWhole(F x) {
+  const auto magic = set(12582912.0F);  // 1.5 * 2^23: adding it leaves no room for a fraction
+  return hn::Sub(plus(x, magic), magic);
+}
+
+/// Arc tangent for |h| <= 0.8, error below 1e-7 (least squares at Chebyshev points).
+HWY_INLINE F arcTangent(F h) {
+  const auto u = times(h, h);
+  auto p = set(0.015623872F);
+  for (const float c : {-0.053944063F, 0.097827117F, -0.140202142F, 0.199736924F, -0.333323335F, 0.999999937F})
+    p = plus(times(p, u), set(c));
+  return times(p, h);
+}
+
+/// Row and range (mm along its line) of points of the probe frame.
+template <FanShape::Kind kKind>
+HWY_INLINE void placeOnLines(const ScatterTask& task, F x, F y, F& row, F& range) {
+  const auto apex = set(task.apex_mm);
+  F across;
+  if constexpr (kKind == FanShape::Kind::parallel) {
+    across = hn::Sub(x, times(y, set(task.shear)));
+    range = times(y, set(task.perCosine));
+  } else if constexpr (kKind == FanShape::Kind::trapezoid) {
+    const auto fromApex = hn::Max(plus(y, apex), set(1e-3F));
+    across = hn::Div(times(x, apex), fromApex);
+    range = hn::Div(times(y, hn::Sqrt(plus(times(across, across), times(apex, apex)))), apex);
+  } else {
+    const auto down = plus(y, apex);
+    const auto radius = hn::Sqrt(plus(times(x, x), times(down, down)));
+    // tan(angle / 2): no quadrants to tell apart. Behind the apex it grows without end and the row falls off the grid.
+    const auto half = hn::Div(x, plus(plus(radius, down), set(1e-6F)));
+    const auto clamped = hn::Min(hn::Max(half, set(-0.8F)), set(0.8F));
+    across = plus(times(set(2.0F), arcTangent(clamped)), times(set(16.0F), hn::Sub(half, clamped)));
+    range = hn::Sub(radius, apex);
+  }
+  row = plus(set(task.middleRow), times(set(task.rowsPerUnit), across));
+}
+
+/// (cos, -sin) of the phase of so many turns.
+HWY_INLINE void phaseOf(F turns, F& re, F& im) {
+  const auto part = hn::Sub(turns, nearestWhole(turns));  // -0.5 .. 0.5
+  const auto a = times(part, part);
+  // sin and cos of pi * part, then of twice the angle.
+  auto s = set(-0.0073704309F);
+  for (const float c : {0.0821458866F, -0.5992645293F, 2.5501640399F, -5.1677127800F, 3.1415926536F}) s = plus(times(s, a), set(c));
+  s = times(s, part);
+  auto c = set(-0.0258068914F);
+  for (const float k : {0.2353306304F, -1.3352627689F, 4.0587121264F, -4.9348022005F, 1.0F}) c = plus(times(c, a), set(k));
+  re = hn::Sub(set(1.0F), times(set(2.0F), times(s, s)));
+  im = times(set(-2.0F), times(s, c));
+}
+
+/// Mean level at places within a block, between the eight voxels around them; 0 outside.
+HWY_INLINE F levelAt(const ScatterTask& task, const ScatterBlock& block, const std::uint8_t* from, std::int32_t last,
+                     const glm::ivec3& base, F u, F v, F w) {
+  const DI di;
+  const auto x = plus(set(block.voxelFraction.x), times(u, set(task.voxelsPerCell.x)));
+  const auto y = plus(set(block.voxelFraction.y), times(v, set(task.voxelsPerCell.y)));
+  const auto z = plus(set(block.voxelFraction.z), times(w, set(task.voxelsPerCell.z)));
+  const auto i = hn::ConvertTo(di, x), j = hn::ConvertTo(di, y), k = hn::ConvertTo(di, z);
+  const auto tx = hn::Sub(x, hn::ConvertTo(D(), i)), ty = hn::Sub(y, hn::ConvertTo(D(), j)), tz = hn::Sub(z, hn::ConvertTo(D(), k));
+  const auto wholeI = hn::Add(i, hn::Set(di, block.voxel.x)), wholeJ = hn::Add(j, hn::Set(di, block.voxel.y)),
+             wholeK = hn::Add(k, hn::Set(di, block.voxel.z));
+  const auto outside = [&](I at, int voxels) { return hn::Or(hn::Lt(at, hn::Zero(di)), hn::Gt(at, hn::Set(di, voxels - 2))); };
+  const auto missed = hn::Or(hn::Or(outside(wholeI, task.dims.x), outside(wholeJ, task.dims.y)), outside(wholeK, task.dims.z));
+  const std::int32_t row = task.dims.x, plane = task.dims.x * task.dims.y;
+  const auto offset =
+      hn::Add(hn::Sub(wholeI, hn::Set(di, base.x)), hn::Add(hn::Mul(hn::Sub(wholeJ, hn::Set(di, base.y)), hn::Set(di, row)),
+                                                            hn::Mul(hn::Sub(wholeK, hn::Set(di, base.z)), hn::Set(di, plane))));
+  const auto safe = hn::IfThenZeroElse(missed, offset);
+  const auto at = [&](std::int32_t more) { return blendBytes(bytesAt(from, hn::Add(safe, hn::Set(di, more)), last), tx); };
+  const auto near = at(0), far = at(plane);
+  const auto nearer = plus(near, times(hn::Sub(at(row), near), ty));
+  const auto farther = plus(far, times(hn::Sub(at(row + plane), far), ty));
+  return hn::IfThenZeroElse(hn::RebindMask(D(), missed), plus(nearer, times(hn::Sub(farther, nearer), tz)));
+}
+
+/// Adds what is inside to the tile, shared by two neighbouring columns.
+HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F part, F re, F im) {
+  const D d;
+  const DI di;
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  HWY_ALIGN std::int32_t cells[kLanes], quads[4 * kLanes];
+  const auto laterRe = times(re, part), laterIm = times(im, part);
+  hn::Store(cell, di, cells);
+  hn::StoreInterleaved4(hn::NearestInt(hn::Sub(re, laterRe)), hn::NearestInt(hn::Sub(im, laterIm)), hn::NearestInt(laterRe),
+                        hn::NearestInt(laterIm), di, quads);
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, inside, bits);
+  std::uint64_t left = 0;
+  std::memcpy(&left, bits, sizeof(left));
+  const hn::CappedTag<std::int32_t, 4> quad;
+  for (; left != 0; left &= left - 1) {
+    const auto n = static_cast<std::size_t>(__builtin_ctzll(left));
+    std::int32_t* at = task.tile + cells[n];
+#if HWY_TARGET == HWY_SCALAR
+    for (std::size_t part_ = 0; part_ < 4; ++part_) at[part_] += quads[4 * n + part_];
+#else
+    hn::StoreU(hn::Add(hn::LoadU(quad, at), hn::LoadU(quad, quads + 4 * n)), quad, at);
+#endif
+  }
+}
+
+template <FanShape::Kind kKind>
+HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block) {
+  const D d;
+  const DI di;
+  const DU du;
+  constexpr int kCells = kBlockCells * kBlockCells * kBlockCells;
+  static_assert(kBlockCells == 4);
+  // Offsets count from the block's first voxel inside the map, so that they stay small in a volume of any size.
+  const glm::ivec3 base = glm::clamp(block.voxel, glm::ivec3(0), glm::max(task.dims - 1, 0));
+  const std::uint8_t* from = task.level + (static_cast<std::ptrdiff_t>(base.z) * task.dims.y + base.y) * task.dims.x + base.x;
+  const auto last = static_cast<std::int32_t>(std::min<std::ptrdiff_t>(task.levelEnd - from - 4, 1 << 30));
+  for (int first = 0; first < kCells; first += static_cast<int>(hn::Lanes(d))) {
+    const auto number = hn::Iota(di, first);
+    const auto i = hn::And(number, hn::Set(di, 3)), j = hn::And(hn::ShiftRight<2>(number), hn::Set(di, 3)), k = hn::ShiftRight<4>(number);
+    const auto term = [&](I at, std::size_t axis, std::uint32_t factor) {
+      return hn::Mul(hn::Add(hn::BitCast(du, at), hn::Set(du, block.cell[axis])), hn::Set(du, factor));
+    };
+    const auto hash = spread(
+        hn::Add(hn::Add(term(i, 0, 0x9E3779B1U), term(j, 1, 0x85EBCA77U)), hn::Add(term(k, 2, 0xC2B2AE3DU), hn::Set(du, task.seed))));
+    const auto u = plus(hn::ConvertTo(d, i), placeOf<0>(hash)), v = plus(hn::ConvertTo(d, j), placeOf<10>(hash)),
+               w = plus(hn::ConvertTo(d, k), placeOf<20>(hash));
+    const auto along = [&](int axis) {
+      return plus(plus(set(block.probe_mm[axis]), times(u, set(task.cellToProbe_mm[0][axis]))),
+                  plus(times(v, set(task.cellToProbe_mm[1][axis])), times(w, set(task.cellToProbe_mm[2][axis]))));
+    };
+    const auto x = along(0), y = along(1), z = along(2);
+    F row, range;
+    placeOnLines<kKind>(task, x, y, row, range);
+
+    // Elevational beam: amplitude, and the lens' wavefront, r + z^2 / 2R with R = (off^2 + range^2) / off.
+    const auto off = hn::Sub(range, set(task.lensFocus_mm));
+    const auto perRange = hn::IfThenElse(hn::Lt(off, hn::Zero(d)), set(task.nearPerMm), set(task.farPerMm));
+    const auto q = times(off, perRange);
+    const auto widening = plus(set(1.0F), times(q, q));
+    const auto z2 = times(z, z);
+    const auto exponent = hn::Div(times(z2, set(task.waistPerMm2)), widening);
+    const auto path = plus(range, hn::Div(times(times(set(0.5F), z2), times(q, perRange)), widening));
+    const auto column = plus(set(task.firstColumn), times(set(task.columnsPerMm), path));
+    const auto inside = hn::And(hn::And(hn::Lt(exponent, set(task.cut)), hn::And(hn::Gt(row, set(-0.4F)), hn::Lt(row, set(task.lastRow)))),
+                                hn::And(hn::Ge(column, hn::Zero(d)), hn::Lt(column, set(task.lastColumn))));
+    if (hn::AllFalse(d, inside)) continue;
+    const auto level = levelAt(task, block, from, last, base, u, v, w);
+    const auto sounding = hn::And(inside, hn::Gt(level, hn::Zero(d)));
+    if (hn::AllFalse(d, sounding)) continue;
+
+    const auto strength = plus(set(task.log2OfZero), times(level, set(task.log2PerLevel)));
+    const auto fall = times(hn::IfThenElseZero(inside, exponent), set(1.44269504F));
+    const auto amplitude = hn::Div(exp2Of(d, hn::Sub(strength, fall)), hn::Sqrt(hn::Sqrt(widening)));
+    const auto sign = hn::BitCast(d, hn::And(spread(hash), hn::Set(du, 0x80000000U)));
+    const auto kept = hn::Xor(hn::IfThenElseZero(sounding, amplitude), sign);
+    F re, im;
+    phaseOf(hn::IfThenElseZero(inside, times(path, set(task.turnsPerMm))), re, im);
+    const auto wholeRow = hn::NearestInt(hn::IfThenElseZero(inside, row));
+    const auto insideColumn = hn::IfThenElseZero(inside, column);
+    const auto wholeColumn = hn::ConvertTo(di, insideColumn);
+    const auto part = hn::Sub(insideColumn, hn::ConvertTo(d, wholeColumn));
+    const auto cell = hn::ShiftLeft<1>(hn::Add(hn::Mul(wholeRow, hn::Set(di, kTileColumns + 1)), wholeColumn));
+    deposit(task, sounding, cell, part, times(kept, re), times(kept, im));
+  }
+}
+
+void addScatterersOf(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count) {
+  for (std::size_t n = 0; n < count; ++n) {
+    switch (task.kind) {
+      case FanShape::Kind::parallel:
+        addBlock<FanShape::Kind::parallel>(task, blocks[n]);
+        break;
+      case FanShape::Kind::trapezoid:
+        addBlock<FanShape::Kind::trapezoid>(task, blocks[n]);
+        break;
+      case FanShape::Kind::sector:
+        addBlock<FanShape::Kind::sector>(task, blocks[n]);
+        break;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace ew::detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ew::detail {
+
+HWY_EXPORT(addScatterersOf);
+
+void addScatterers(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count) {
+  HWY_DYNAMIC_DISPATCH(addScatterersOf)(task, blocks, count);
+}
+
+}  // namespace ew::detail
+#endif

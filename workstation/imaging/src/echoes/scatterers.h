@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "echo_layout.h"
+#include "ew/imaging/slice_source.h"
+
+namespace ew::detail {
+
+/// Cells along each edge of a block of the lattice, whose scatterers are made together.
+inline constexpr int kBlockCells = 4;
+
+/// Amplitudes are added up as whole multiples of this: whole numbers have the same sum in any order, and so with any number of threads.
+inline constexpr double kDepositUnit = 0x1p-20;
+
+/// What the vector code of scatterers needs for a frame and a tile.
+struct ScatterTask {
+  std::uint32_t seed = 1;
+  // Lattice to probe and to the voxels of the level map.
+  std::array<glm::vec3, 3> cellToProbe_mm{};  ///< columns: one cell along i, j, k
+  glm::vec3 voxelsPerCell{1.0F};
+  const std::uint8_t* level = nullptr;
+  const std::uint8_t* levelEnd = nullptr;
+  glm::ivec3 dims{0};
+  float log2PerLevel = 0.0F;  ///< of the amplitude
+  float log2OfZero = 0.0F;    ///< where the level is 0, everything that multiplies amplitudes included
+
+  // Lines, as FanShape.
+  FanShape::Kind kind = FanShape::Kind::sector;
+  float apex_mm = 0.0F;
+  float shear = 0.0F;        ///< parallel: tangent of the steering
+  float perCosine = 1.0F;    ///< parallel: 1 / cosine of the steering
+  float rowsPerUnit = 1.0F;  ///< of angle (sector) or of width on the face
+  float middleRow = 0.0F;
+  float columnsPerMm = 1.0F;
+  float firstColumn = 0.0F;  ///< where depth 0 lies, from the tile's first column on
+  float turnsPerMm = 1.0F;   ///< of the carrier's phase, both ways
+  float lastRow = 0.0F;
+  float lastColumn = 0.0F;  ///< of the tile, itself left out
+
+  // Elevational beam.
+  float lensFocus_mm = 0.0F;
+  float nearPerMm = 0.0F;
+  float farPerMm = 0.0F;
+  float waistPerMm2 = 0.0F;
+  float cut = 2.5F;  ///< exponent where the beam ends
+
+  std::int32_t* tile = nullptr;  ///< rows x (kTileColumns + 1) complex numbers
+};
+
+/// One block: where its lowest corner lies.
+struct ScatterBlock {
+  std::array<std::uint32_t, 3> cell{};
+  glm::vec3 probe_mm{0.0F};
+  glm::ivec3 voxel{0};            ///< whole part
+  glm::vec3 voxelFraction{0.0F};  ///< 0..1
+};
+
+/// Adds the scatterers of these blocks to the tile. The same bits on every instruction set.
+void addScatterers(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count);
+
+/// Where the tissue lies in the probe frame, in the lattice's own cells.
+struct EchoPlace {
+  glm::dmat4 cellToProbe{1.0};
+  glm::dmat4 probeToCell{1.0};
+  glm::dvec3 voxelsPerCell{1.0};
+};
+[[nodiscard]] EchoPlace echoPlaceOf(const EchoLayout& layout, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
+
+[[nodiscard]] ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, const SliceSource& level);
+
+/// The blocks that the beams of a tile may see.
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int tile, std::vector<ScatterBlock>& blocks);
+
+}  // namespace ew::detail
