@@ -39,11 +39,11 @@ void layRows(EchoLayout& layout) {
 void layLateral(EchoLayout& layout) {
   layout.lateral.assign(static_cast<std::size_t>(layout.tiles), {});
   layout.reachOfTile.assign(static_cast<std::size_t>(layout.tiles), 1);
-  constexpr int kWidth = 2 * (kTileColumns + 1);  // one column more: scatterers are shared by two
+  constexpr int kWidth = 2 * kTileColumns;
   for (int tile = 0; tile < layout.tiles; ++tile) {
-    std::vector<double> sigma(kTileColumns + 1), spacing(kTileColumns + 1);
+    std::vector<double> sigma(kTileColumns), spacing(kTileColumns);
     int& reach = layout.reachOfTile[static_cast<std::size_t>(tile)];
-    for (int c = 0; c <= kTileColumns; ++c) {
+    for (int c = 0; c < kTileColumns; ++c) {
       const double depth_mm = std::clamp(layout.depthOfColumn_mm(tile * kTileColumns + c), 0.0, layout.depth_mm);
       spacing[static_cast<std::size_t>(c)] = std::max(layout.rowSpacing_mm(depth_mm), 1e-6);
       sigma[static_cast<std::size_t>(c)] = layout.beams.lateralSigma_mm(depth_mm) / spacing[static_cast<std::size_t>(c)];
@@ -52,7 +52,7 @@ void layLateral(EchoLayout& layout) {
     reach = std::min(reach, layout.rowPadding);
     std::vector<float>& weights = layout.lateral[static_cast<std::size_t>(tile)];
     weights.resize(static_cast<std::size_t>((reach + 1) * kWidth));
-    for (int c = 0; c <= kTileColumns; ++c) {
+    for (int c = 0; c < kTileColumns; ++c) {
       const double width = sigma[static_cast<std::size_t>(c)];
       double power = 0.0;
       for (int t = -reach; t <= reach; ++t) power += std::exp(-(t * t) / (width * width));

@@ -9,7 +9,7 @@
 
 namespace ew::detail {
 
-/// Columns along the lines that are filled together: their part of the fine grid stays in the processor's second cache.
+/// Columns along the lines that are filtered together: their part of the fine grid stays in the processor's second cache.
 inline constexpr int kTileColumns = 64;
 
 /// What live echoes know before the first frame: the fine grid on which scatterers are added up, rows across the lines and columns along
@@ -27,7 +27,7 @@ struct EchoLayout {
   int rows = 0;
   int columnPadding = 0;
   int columns = 0;
-  int tiles = 0;
+  int tiles = 0;  ///< of kTileColumns
 
   /// Lateral beam, symmetric: by tile, by distance in rows 0 .. reachOfTile, a weight per column, twice (real and imaginary parts).
   std::vector<std::vector<float>> lateral;

@@ -9,15 +9,55 @@
 namespace ew::detail {
 namespace {
 
-constexpr double kStep_mm = 0.5;
+constexpr double kStep_mm = 0.7;
 constexpr double kBlurPerAperture = 0.27 * 0.29 * 0.29;
 constexpr double kFNumber = 2.0;
 constexpr double kLongestRelease_mm = 0.8;
 
-/// Means of two tables over the eight voxels around a point; the table's value for label 0 outside.
-struct Blended {
-  float own = 0.0F;
-  float reflection = 0.0F;
+/// Means of two tables over the eight voxels around a point; the tables' values for label 0 outside.
+struct LabelBlend {
+  const SliceSource& labels;
+  const std::array<float, 256>& own;
+  const std::array<float, 256>& reflection;
+  glm::vec3 last = glm::vec3(labels.grid.dims - 1);
+  std::ptrdiff_t row = labels.grid.dims.x;
+  std::ptrdiff_t plane = row * labels.grid.dims.y;
+
+  void at(const glm::vec3& p, float& ownAt, float& reflectionAt) const {
+    // Not a number compares false.
+    if (!(p.x >= 0.0F && p.y >= 0.0F && p.z >= 0.0F && p.x < last.x && p.y < last.y && p.z < last.z)) {
+      ownAt = own[0];
+      reflectionAt = reflection[0];
+      return;
+    }
+    const int i = static_cast<int>(p.x), j = static_cast<int>(p.y), k = static_cast<int>(p.z);
+    const std::uint8_t* first = labels.voxels + i + row * j + plane * k;
+    std::array<std::uint16_t, 4> pairs;
+    std::memcpy(&pairs[0], first, 2);
+    std::memcpy(&pairs[1], first + row, 2);
+    std::memcpy(&pairs[2], first + plane, 2);
+    std::memcpy(&pairs[3], first + row + plane, 2);
+    const auto even = static_cast<std::uint16_t>(*first * 0x0101U);
+    if (((pairs[0] ^ even) | (pairs[1] ^ even) | (pairs[2] ^ even) | (pairs[3] ^ even)) == 0) {
+      ownAt = own[*first];
+      reflectionAt = reflection[*first];
+      return;
+    }
+    const glm::vec3 t = p - glm::vec3(i, j, k);
+    ownAt = blended(own, pairs, t);
+    reflectionAt = blended(reflection, pairs, t);
+  }
+
+ private:
+  [[nodiscard]] static float blended(const std::array<float, 256>& table, const std::array<std::uint16_t, 4>& pairs, const glm::vec3& t) {
+    std::array<float, 4> along;
+    for (std::size_t n = 0; n < pairs.size(); ++n) {
+      const float low = table[pairs[n] & 0xFFU], high = table[pairs[n] >> 8];
+      along[n] = low + t.x * (high - low);
+    }
+    const float near = along[0] + t.y * (along[1] - along[0]), far = along[2] + t.y * (along[3] - along[2]);
+    return near + t.z * (far - near);
+  }
 };
 
 }  // namespace
@@ -53,6 +93,7 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   own_db_.resize(kPlanes * samples);
   reflection_.resize(kPlanes * samples);
   gains_.resize(samples);
+  ways_.resize(static_cast<std::size_t>(lines_));
   amplitude_.resize(static_cast<std::size_t>(lines_));
   waiting_.resize(static_cast<std::size_t>(lines_));
   loss_.resize(static_cast<std::size_t>(lines_));
@@ -60,47 +101,24 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
 }
 
 void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
-  const glm::ivec3 dims = labels.grid.dims;
-  const std::ptrdiff_t row = dims.x, plane = static_cast<std::ptrdiff_t>(dims.x) * dims.y;
-  const auto at = [&](const glm::dvec3& p) {
-    const glm::dvec3 limited = glm::clamp(p, glm::dvec3(0.0), glm::dvec3(dims - 1) - 1e-6);
-    if (limited != p) return Blended{perStep_db_[0], reflection_db_[0]};
-    const glm::ivec3 whole(limited);
-    const glm::vec3 t(limited - glm::dvec3(whole));
-    const std::uint8_t* first = labels.voxels + whole.x + row * whole.y + plane * whole.z;
-    std::array<std::uint16_t, 4> pairs;
-    std::memcpy(&pairs[0], first, 2);
-    std::memcpy(&pairs[1], first + row, 2);
-    std::memcpy(&pairs[2], first + plane, 2);
-    std::memcpy(&pairs[3], first + row + plane, 2);
-    const auto even = static_cast<std::uint16_t>(*first * 0x0101U);
-    if (((pairs[0] ^ even) | (pairs[1] ^ even) | (pairs[2] ^ even) | (pairs[3] ^ even)) == 0)
-      return Blended{perStep_db_[*first], reflection_db_[*first]};
-    const auto blended = [&](const std::array<float, 256>& table) {
-      const auto along = [&](std::uint16_t pair) {
-        const float low = table[pair & 0xFFU], high = table[pair >> 8];
-        return low + t.x * (high - low);
-      };
-      const float near = along(pairs[0]) + t.y * (along(pairs[1]) - along(pairs[0]));
-      const float far = along(pairs[2]) + t.y * (along(pairs[3]) - along(pairs[2]));
-      return near + t.z * (far - near);
-    };
-    return Blended{blended(perStep_db_), blended(reflection_db_)};
-  };
+  const LabelBlend blend{labels, perStep_db_, reflection_db_};
   const glm::dmat4& m = probeToLabel.matrix;
+  for (std::size_t line = 0; line < ways_.size(); ++line) {
+    const BeamGrid::Line& way = layout_->grid.lines[line];
+    ways_[line] = {glm::vec3(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), glm::vec3(m * glm::dvec4(way.direction, 0.0, 0.0))};
+  }
+  const glm::vec3 aside(m[2]);
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 0; p < kPlanes; ++p)
       for (int s = firstStep; s < firstStep + count; ++s) {
         // Halfway to the step before, where its loss lies.
-        const double depth_mm = std::max(s - 0.5, 0.0) * step_mm_;
-        const double aside_mm = kAside[static_cast<std::size_t>(p)] * static_cast<double>(elevation_mm_[static_cast<std::size_t>(s)]);
-        const std::size_t first = indexOf(p, s);
+        const auto depth_mm = static_cast<float>(std::max(s - 0.5, 0.0) * step_mm_);
+        const glm::vec3 offset = kAside[static_cast<std::size_t>(p)] * elevation_mm_[static_cast<std::size_t>(s)] * aside;
+        float* own = own_db_.data() + indexOf(p, s);
+        float* reflection = reflection_.data() + indexOf(p, s);
         for (int line = 0; line < lines_; ++line) {
-          const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
-          const glm::dvec4 place(way.origin_mm + depth_mm * way.direction, aside_mm, 1.0);
-          const Blended found = at(glm::dvec3(m * place));
-          own_db_[first + static_cast<std::size_t>(line)] = found.own;
-          reflection_[first + static_cast<std::size_t>(line)] = found.reflection;
+          const Way& way = ways_[static_cast<std::size_t>(line)];
+          blend.at(way.start + offset + depth_mm * way.perMm, own[line], reflection[line]);
         }
       }
   });
@@ -126,17 +144,17 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   }
 }
 
-void EchoLosses::gainsOf(int line, std::span<float> gains) const {
+void EchoLosses::gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const {
+  ofSteps.resize(static_cast<std::size_t>(steps_));
+  for (int s = 0; s < steps_; ++s) ofSteps[static_cast<std::size_t>(s)] = gains_[indexOf(0, s) + static_cast<std::size_t>(line)];
   const auto last = static_cast<float>(steps_ - 1) - 1e-3F;
   const auto perColumn = static_cast<float>(layout_->grid.sampleSpacing_mm / step_mm_);
   const float first = -static_cast<float>(layout_->columnPadding) * perColumn;
   for (std::size_t column = 0; column < gains.size(); ++column) {
     const float step = std::clamp(first + static_cast<float>(column) * perColumn, 0.0F, last);
     const auto whole = static_cast<int>(step);
-    const float t = step - static_cast<float>(whole);
-    const float here = gains_[indexOf(0, whole) + static_cast<std::size_t>(line)],
-                next = gains_[indexOf(0, whole + 1) + static_cast<std::size_t>(line)];
-    gains[column] = here + t * (next - here);
+    const float here = ofSteps[static_cast<std::size_t>(whole)], next = ofSteps[static_cast<std::size_t>(whole) + 1];
+    gains[column] = here + (step - static_cast<float>(whole)) * (next - here);
   }
 }
 

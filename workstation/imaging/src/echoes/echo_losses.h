@@ -25,17 +25,24 @@ class EchoLosses {
   /// @param labels on a grid of their own
   void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   /// Of the amplitudes of a line, at each column.
-  void gainsOf(int line, std::span<float> gains) const;
+  /// @param ofSteps scratch memory
+  void gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const;
 
  private:
   static constexpr int kPlanes = 3;
   static constexpr std::array<float, kPlanes> kWeights{0.5F, 0.25F, 0.25F};
-  static constexpr std::array<double, kPlanes> kAside{0.0, -0.75, 0.75};  ///< standard deviations of the elevational beam
+  static constexpr std::array<float, kPlanes> kAside{0.0F, -0.75F, 0.75F};  ///< standard deviations of the elevational beam
 
   [[nodiscard]] std::size_t indexOf(int plane, int step) const {
     return (static_cast<std::size_t>(plane) * static_cast<std::size_t>(steps_) + static_cast<std::size_t>(step)) *
            static_cast<std::size_t>(lines_);
   }
+
+  /// A line in voxels of the labels.
+  struct Way {
+    glm::vec3 start;
+    glm::vec3 perMm;
+  };
 
   const EchoLayout* layout_ = nullptr;
   int lines_ = 0;
@@ -50,6 +57,7 @@ class EchoLosses {
   std::vector<float> own_db_;        ///< by plane, step, line
   std::vector<float> reflection_;    ///< likewise
   std::vector<float> gains_;         ///< by step, line
+  std::vector<Way> ways_;
   std::vector<float> amplitude_, waiting_, scratch_, loss_;
 };
 

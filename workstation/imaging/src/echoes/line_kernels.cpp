@@ -26,27 +26,29 @@ HWY_INLINE void lateralSums(D d, const LateralTask& task, const std::int32_t* mi
   for (int v = 0; v < kVectors; ++v)
     sum[v] = hn::Mul(hn::LoadU(d, task.weights + x + v * step), hn::BitCast(d, hn::LoadU(di, middle + x + v * step)));
   for (int t = 1; t <= task.reach; ++t) {
-    const std::ptrdiff_t off = static_cast<std::ptrdiff_t>(t) * task.width;
+    const std::ptrdiff_t off = t * task.stride, weights = static_cast<std::ptrdiff_t>(t) * task.width;
     for (int v = 0; v < kVectors; ++v) {
       const auto above = hn::BitCast(d, hn::LoadU(di, middle - off + x + v * step)),
                  below = hn::BitCast(d, hn::LoadU(di, middle + off + x + v * step));
-      sum[v] = hn::Add(sum[v], hn::Mul(hn::LoadU(d, task.weights + off + x + v * step), hn::Add(above, below)));
+      sum[v] = hn::Add(sum[v], hn::Mul(hn::LoadU(d, task.weights + weights + x + v * step), hn::Add(above, below)));
     }
   }
   for (int v = 0; v < kVectors; ++v) hn::StoreU(sum[v], d, out + x + v * step);
 }
 
 void filterLaterallyOf(const LateralTask& task) {
-  const int values = task.rows * task.width;
-  forColumns(values, [&](auto d, int x) HWY_ATTR {
-    const hn::RebindToSigned<decltype(d)> di;
-    const auto amplitude = hn::Mul(hn::ConvertTo(d, hn::LoadU(di, task.tile + x)), hn::Set(d, task.unit));
-    hn::StoreU(hn::BitCast(di, amplitude), di, task.tile + x);
-  });
+  for (int row = 0; row < task.rows; ++row) {
+    std::int32_t* values = task.tile + row * task.stride;
+    forColumns(task.width, [&](auto d, int x) HWY_ATTR {
+      const hn::RebindToSigned<decltype(d)> di;
+      const auto amplitude = hn::Mul(hn::ConvertTo(d, hn::LoadU(di, values + x)), hn::Set(d, task.unit));
+      hn::StoreU(hn::BitCast(di, amplitude), di, values + x);
+    });
+  }
   const hn::ScalableTag<float> whole;
   const auto lanes = static_cast<int>(hn::Lanes(whole));
   for (int line = 0; line < task.lines; ++line) {
-    const std::int32_t* middle = task.tile + static_cast<std::ptrdiff_t>(task.firstRow + line * task.rowsPerLine) * task.width;
+    const std::int32_t* middle = task.tile + (task.firstRow + line * task.rowsPerLine) * task.stride;
     float* out = task.out + line * task.outStride;
     int x = 0;
     for (; x + 4 * lanes <= task.width; x += 4 * lanes) lateralSums<4>(whole, task, middle, x, out);

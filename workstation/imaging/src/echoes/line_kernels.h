@@ -6,9 +6,10 @@ namespace ew::detail {
 
 /// What a tile of added-up scatterers becomes: one row of complex numbers for each line.
 struct LateralTask {
-  std::int32_t* tile = nullptr;  ///< rows x width; its bits are turned into floats in place
+  std::int32_t* tile = nullptr;  ///< its first column; its bits are turned into floats in place
+  std::int64_t stride = 0;       ///< of a row
   int rows = 0;
-  int width = 0;  ///< of a row, real and imaginary parts together
+  int width = 0;  ///< of the tile, real and imaginary parts together
   float unit = 1.0F;
   const float* weights = nullptr;  ///< (reach + 1) x width
   int reach = 0;

@@ -9,7 +9,6 @@
 namespace ew::detail {
 namespace {
 
-constexpr int kTileWidth = 2 * (kTileColumns + 1);
 constexpr double kHazeReach_mm = 8.0;
 constexpr int kLobesOnASide = 4;
 constexpr double kNoHaze_db = -80.0;
@@ -29,7 +28,8 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   layout_ = echoLayoutOf(probe, knobs, effect, beams, grid);
   stride_ = std::ptrdiff_t{2} * layout_.tiles * kTileColumns;
   field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
-  overflow_.assign(2 * static_cast<std::size_t>(layout_.tiles) * layout_.grid.lines.size(), 0.0F);
+  fineStride_ = stride_ + 2;  // scatterers are shared by two columns
+  fine_.resize(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows));
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   layHaze(effect.haze_db);
 }
@@ -50,54 +50,45 @@ void LiveEchoes::layHaze(double haze_db) {
     }
 }
 
-void LiveEchoes::fillTile(int tile, const ScatterTask& task, const EchoPlace& place, const glm::ivec3& dims, Scratch& scratch) {
-  const auto lines = static_cast<int>(layout_.grid.lines.size());
-  scratch.tile.assign(static_cast<std::size_t>(layout_.rows) * kTileWidth, 0);
-  findBlocks(layout_, place, dims, tile, scratch.blocks);
-  ScatterTask mine = task;
-  mine.tile = scratch.tile.data();
-  mine.firstColumn = static_cast<float>(layout_.columnPadding - tile * kTileColumns);
-  mine.lastColumn = static_cast<float>(kTileColumns);
-  addScatterers(mine, scratch.blocks.data(), scratch.blocks.size());
+void LiveEchoes::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
+  scratch_.resize(static_cast<std::size_t>(bands.threads()));
+  noiseKey_.reset();
+  const EchoPlace place = echoPlaceOf(layout_, level.grid, probeToVoxel);
+  ScatterTask task = scatterTaskOf(layout_, place, level);
+  task.field = fine_.data();
+  task.stride = static_cast<std::int32_t>(fineStride_);
+  bands.run(layout_.rows, [&](int first, int count, int) { std::fill_n(fine_.data() + first * fineStride_, count * fineStride_, 0); });
+  // Every other piece, then those between: two threads never add to the same place.
+  const int pieces = piecesOf(layout_);
+  for (const int odd : {0, 1})
+    bands.run((pieces + 1 - odd) / 2, [&](int first, int count, int slot) {
+      Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+      for (int n = first; n < first + count; ++n) {
+        findBlocks(layout_, place, level.grid.dims, 2 * n + odd, mine.blocks);
+        addScatterers(task, mine.blocks.data(), mine.blocks.size());
+      }
+    });
+  bands.run(layout_.tiles, [&](int first, int count, int) {
+    for (int tile = first; tile < first + count; ++tile) filterTile(tile);
+  });
+}
 
-  scratch.line.resize(static_cast<std::size_t>(lines) * kTileWidth);
+void LiveEchoes::filterTile(int tile) {
+  const std::ptrdiff_t firstValue = std::ptrdiff_t{2} * tile * kTileColumns;
   LateralTask lateral;
-  lateral.tile = scratch.tile.data();
+  lateral.tile = fine_.data() + firstValue;
+  lateral.stride = fineStride_;
   lateral.rows = layout_.rows;
-  lateral.width = kTileWidth;
+  lateral.width = 2 * kTileColumns;
   lateral.unit = static_cast<float>(kDepositUnit);
   lateral.weights = layout_.lateral[static_cast<std::size_t>(tile)].data();
   lateral.reach = layout_.reachOfTile[static_cast<std::size_t>(tile)];
   lateral.firstRow = layout_.rowPadding;
   lateral.rowsPerLine = layout_.rowsPerLine;
-  lateral.lines = lines;
-  lateral.out = scratch.line.data();
-  lateral.outStride = kTileWidth;
+  lateral.lines = static_cast<int>(layout_.grid.lines.size());
+  lateral.out = field_.data() + firstValue;
+  lateral.outStride = stride_;
   filterLaterally(lateral);
-  for (int line = 0; line < lines; ++line) {
-    const float* from = scratch.line.data() + static_cast<std::ptrdiff_t>(line) * kTileWidth;
-    std::copy(from, from + 2 * kTileColumns, lineAt(line) + std::ptrdiff_t{2} * tile * kTileColumns);
-    std::copy(from + 2 * kTileColumns, from + kTileWidth, overflow_.data() + 2 * (static_cast<std::ptrdiff_t>(tile) * lines + line));
-  }
-}
-
-void LiveEchoes::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
-  scratch_.resize(static_cast<std::size_t>(bands.threads()));
-  noiseKey_.reset();
-  const EchoPlace place = echoPlaceOf(layout_, level.grid, probeToVoxel);
-  const ScatterTask task = scatterTaskOf(layout_, place, level);
-  bands.run(layout_.tiles, [&](int first, int count, int slot) {
-    for (int tile = first; tile < first + count; ++tile)
-      fillTile(tile, task, place, level.grid.dims, scratch_[static_cast<std::size_t>(slot)]);
-  });
-  const auto lines = static_cast<int>(layout_.grid.lines.size());
-  for (int line = 0; line < lines; ++line)
-    for (int tile = 1; tile < layout_.tiles; ++tile) {
-      const float* over = overflow_.data() + 2 * (static_cast<std::ptrdiff_t>(tile - 1) * lines + line);
-      float* at = lineAt(line) + std::ptrdiff_t{2} * tile * kTileColumns;
-      at[0] += over[0];
-      at[1] += over[1];
-    }
 }
 
 void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
@@ -106,7 +97,7 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     mine.gains.resize(static_cast<std::size_t>(layout_.columns));
     for (int line = first; line < first + count; ++line) {
-      losses_.gainsOf(line, mine.gains);
+      losses_.gainsOf(line, mine.levels, mine.gains);
       scaleComplex(mine.gains.data(), layout_.columns, lineAt(line));
     }
   });

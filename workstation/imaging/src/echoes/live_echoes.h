@@ -33,11 +33,10 @@ class LiveEchoes {
  private:
   struct Scratch {
     std::vector<ScatterBlock> blocks;
-    std::vector<std::int32_t> tile;
     std::vector<float> line, turned, levels, gains;
   };
   [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }
-  void fillTile(int tile, const ScatterTask& task, const EchoPlace& place, const glm::ivec3& dims, Scratch& scratch);
+  void filterTile(int tile);
   void addHaze(int line, std::span<float> out);
   void layHaze(double haze_db);
 
@@ -45,9 +44,10 @@ class LiveEchoes {
   EchoLosses losses_;
   double carrier_hz_ = 3.5e6;
   std::vector<Scratch> scratch_;
-  std::vector<float> field_;     ///< lines x columns complex numbers, padded to whole tiles
-  std::vector<float> overflow_;  ///< by tile and line: what belongs to the next tile's first column
+  std::vector<float> field_;  ///< lines x columns complex numbers, padded to whole tiles
   std::ptrdiff_t stride_ = 0;
+  std::vector<std::int32_t> fine_;  ///< the fine grid: rows x columns complex numbers, and one column more
+  std::ptrdiff_t fineStride_ = 0;
   std::vector<float> noise_;  ///< strength by column
   std::optional<std::uint64_t> noiseKey_;
   struct Lobe {

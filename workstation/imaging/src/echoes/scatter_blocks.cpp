@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ew/core/contract.h"
 #include "scatterers.h"
 
 namespace ew::detail {
@@ -10,56 +11,73 @@ namespace {
 
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
 constexpr double kLateralMargin = 3.0;  // standard deviations of the lateral beam that are seen beside the fan
+constexpr double kBent_mm = 1.5;        // the lens bends ranges by less, and a scatterer is shared by two columns
+constexpr double kPiece_mm = 20.0;      // more than a block's diagonal, so that pieces that are not neighbours stay apart
 constexpr int kAngles = 17;             // across the fan, of the box around a piece of it
 
-/// A piece of the slab that a tile sees: a box in the probe frame, and ranges.
+/// A piece of the slab: a box in the probe frame, and ranges.
 struct Piece {
   glm::dvec3 lowest_mm{std::numeric_limits<double>::infinity()};
   glm::dvec3 highest_mm{-std::numeric_limits<double>::infinity()};
   double nearest_mm = 0.0;
   double farthest_mm = 0.0;
+  double reach_mm = 0.0;   ///< beside the slice's middle
   double beside_mm = 0.0;  ///< seen beyond the outermost lines
 };
 
-Piece pieceOf(const EchoLayout& layout, int tile) {
+/// How far the middle of a block may lie from one of its cells, along each axis of the probe frame and in any direction.
+struct BlockSize {
+  glm::dvec3 half_mm{0.0};
+  double radius_mm = 0.0;
+};
+BlockSize sizeOf(const EchoPlace& place) {
+  BlockSize size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 half = 0.5 * kBlockCells * glm::dvec3(place.cellToProbe[axis]);
+    size.half_mm += glm::abs(half);
+    size.radius_mm += glm::dot(half, half);
+  }
+  size.radius_mm = std::sqrt(size.radius_mm);
+  return size;
+}
+
+Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
   Piece piece;
-  // The lens bends ranges by less than a millimetre, a scatterer is shared by two columns.
-  constexpr double kBent_mm = 1.5;
-  piece.nearest_mm = layout.depthOfColumn_mm(tile * kTileColumns) - kBent_mm;
-  piece.farthest_mm = layout.depthOfColumn_mm((tile + 1) * kTileColumns) + kBent_mm;
-  const double aside_mm = layout.reachBetween_mm(piece.nearest_mm, piece.farthest_mm);
-  const double deep_mm = std::clamp(piece.farthest_mm, 0.0, layout.depth_mm),
-               shallow_mm = std::clamp(piece.nearest_mm, 0.0, layout.depth_mm);
+  // Blocks in front of the face and beyond the last sample may reach in.
+  constexpr double kBeyond_mm = 20.0;
+  piece.nearest_mm = number == 0 ? -kBeyond_mm : number * kPiece_mm;
+  piece.farthest_mm = number + 1 == piecesOf(layout) ? layout.depth_mm + kBeyond_mm : (number + 1) * kPiece_mm;
+  const double nearest_mm = std::max(piece.nearest_mm, -size.radius_mm - kBent_mm);
+  const double farthest_mm = std::min(piece.farthest_mm, layout.depth_mm + size.radius_mm + kBent_mm);
+  const double shallow_mm = std::clamp(nearest_mm - size.radius_mm, 0.0, layout.depth_mm),
+               deep_mm = std::clamp(farthest_mm + size.radius_mm, 0.0, layout.depth_mm);
+  piece.reach_mm = layout.reachBetween_mm(shallow_mm, deep_mm);
   piece.beside_mm = kLateralMargin * std::max(layout.beams.lateralSigma_mm(deep_mm), layout.beams.lateralSigma_mm(shallow_mm));
   for (int n = 0; n < kAngles; ++n) {
     const FanShape::Line line = layout.fan.lineAt(2.0 * n / (kAngles - 1) - 1.0);
-    for (const double range_mm : {piece.nearest_mm, piece.farthest_mm}) {
+    for (const double range_mm : {nearest_mm, farthest_mm}) {
       const glm::dvec2 at = line.origin_mm + range_mm * line.direction;
-      piece.lowest_mm = glm::min(piece.lowest_mm, glm::dvec3(at, -aside_mm));
-      piece.highest_mm = glm::max(piece.highest_mm, glm::dvec3(at, aside_mm));
+      piece.lowest_mm = glm::min(piece.lowest_mm, glm::dvec3(at, -piece.reach_mm));
+      piece.highest_mm = glm::max(piece.highest_mm, glm::dvec3(at, piece.reach_mm));
     }
   }
   // Between two of the angles an arc bulges.
   const double step_rad = 2.0 * layout.fan.halfAngle_rad / (kAngles - 1);
-  const double bulge_mm = (layout.fan.apexToFace_mm + std::abs(piece.farthest_mm)) * (1.0 - std::cos(0.5 * step_rad));
-  const glm::dvec3 margin_mm(piece.beside_mm + bulge_mm, piece.beside_mm + bulge_mm, 0.0);
-  piece.lowest_mm -= margin_mm;
-  piece.highest_mm += margin_mm;
+  const double bulge_mm = (layout.fan.apexToFace_mm + std::abs(farthest_mm)) * (1.0 - std::cos(0.5 * step_rad));
+  const glm::dvec3 margin_mm(piece.beside_mm + bulge_mm, bulge_mm, 0.0);
+  piece.lowest_mm -= margin_mm + size.half_mm;
+  piece.highest_mm += margin_mm + size.half_mm;
   return piece;
 }
 
-/// Whether a ball may touch the piece.
-bool touches(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
-  if (fan.kind == FanShape::Kind::parallel) {
-    const double across_mm = p_mm.x - p_mm.y * std::tan(fan.steering_rad);
-    return std::abs(across_mm) < fan.halfWidth_mm + (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
-  }
-  const double y_mm = p_mm.y + fan.apexToFace_mm;
-  if (fan.kind == FanShape::Kind::sector) {
-    const double rho_mm = std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm;
-    if (rho_mm < piece.nearest_mm - radius_mm || rho_mm > piece.farthest_mm + radius_mm) return false;
-  }
+/// Whether the middle of a block lies in the piece's ranges, and the block may touch its lines.
+bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
+  const FanShape::Place place = fan.placeOf(glm::dvec2(p_mm));
+  if (place.depth_mm < piece.nearest_mm || place.depth_mm >= piece.farthest_mm) return false;
+  if (fan.kind == FanShape::Kind::parallel)
+    return (std::abs(place.across) - 1.0) * fan.halfWidth_mm < (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
   // Distance beyond the outermost line, as far as it is a straight one.
+  const double y_mm = p_mm.y + fan.apexToFace_mm;
   const double beyond_mm = std::abs(p_mm.x) * std::cos(fan.halfAngle_rad) - y_mm * std::sin(fan.halfAngle_rad);
   return fan.halfAngle_rad > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
 }
@@ -111,7 +129,9 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   task.middleRow = static_cast<float>(layout.rowPadding + halfRows);
   task.columnsPerMm = static_cast<float>(1.0 / layout.grid.sampleSpacing_mm);
   task.turnsPerMm = static_cast<float>(2.0 / layout.beams.wavelength_mm);
+  task.firstColumn = static_cast<float>(layout.columnPadding);
   task.lastRow = static_cast<float>(layout.rows) - 0.6F;
+  task.lastColumn = static_cast<float>(layout.columns);
   task.lensFocus_mm = static_cast<float>(layout.beams.lensFocus_mm);
   task.nearPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensNearRange_mm) : 0.0F;
   task.farPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensFarRange_mm) : 0.0F;
@@ -120,10 +140,13 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   return task;
 }
 
-void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int tile, std::vector<ScatterBlock>& blocks) {
+int piecesOf(const EchoLayout& layout) { return std::max(1, static_cast<int>(layout.depth_mm / kPiece_mm)); }
+
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int number, std::vector<ScatterBlock>& blocks) {
   blocks.clear();
-  const Piece piece = pieceOf(layout, tile);
-  const double radius_mm = 0.5 * std::sqrt(3.0) * kBlockCells * layout.pitch_mm;
+  const BlockSize size = sizeOf(place);
+  EW_EXPECTS(2.0 * (size.radius_mm + kBent_mm) < kPiece_mm);
+  const Piece piece = pieceOf(layout, size, number);
   glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p(corner & 1 ? piece.lowest_mm.x : piece.highest_mm.x, corner & 2 ? piece.lowest_mm.y : piece.highest_mm.y,
@@ -135,19 +158,16 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ive
   // Only where there are voxels.
   lowest = glm::max(lowest, glm::dvec3(0.0));
   highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
-  const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
   if (!glm::all(glm::lessThan(lowest, highest))) return;
+  const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
   const glm::dvec3 blockStep(place.cellToProbe[0] * double{kBlockCells});
-  const double low_z = piece.lowest_mm.z - radius_mm, high_z = piece.highest_mm.z + radius_mm;
   for (int k = begin.z; k <= end.z; ++k)
     for (int j = begin.y; j <= end.y; ++j) {
       const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
       int first = begin.x, last = end.x;
-      narrow(start.z, blockStep.z, low_z, high_z, first, last);
-      narrow(start.y, blockStep.y, piece.lowest_mm.y - radius_mm, piece.highest_mm.y + radius_mm, first, last);
-      narrow(start.x, blockStep.x, piece.lowest_mm.x - radius_mm, piece.highest_mm.x + radius_mm, first, last);
+      for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], piece.lowest_mm[axis], piece.highest_mm[axis], first, last);
       for (int i = first; i <= last; ++i) {
-        if (!touches(layout.fan, piece, start + static_cast<double>(i) * blockStep, radius_mm)) continue;
+        if (!belongs(layout.fan, piece, start + static_cast<double>(i) * blockStep, size.radius_mm)) continue;
         const glm::dvec3 cell = double{kBlockCells} * glm::dvec3(i, j, k);
         const glm::dvec3 voxel = cell * place.voxelsPerCell, whole = glm::floor(voxel);
         ScatterBlock& block = blocks.emplace_back();
@@ -156,6 +176,7 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ive
         block.probe_mm = glm::vec3(place.cellToProbe * glm::dvec4(cell, 1.0));
         block.voxel = glm::ivec3(whole);
         block.voxelFraction = glm::vec3(voxel - whole);
+        block.reach_mm = static_cast<float>(piece.reach_mm);
       }
     }
 }

@@ -146,11 +146,33 @@ HWY_INLINE F levelAt(const ScatterTask& task, const ScatterBlock& block, const s
   return hn::IfThenZeroElse(hn::RebindMask(D(), missed), plus(nearer, times(hn::Sub(farther, nearer), tz)));
 }
 
-/// Adds what is inside to the tile, shared by two neighbouring columns.
-HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F part, F re, F im) {
+/// Deposits that wait until the memory has answered.
+struct Pending {
+  static constexpr std::size_t kMost = 96;
+  std::size_t count = 0;
+  std::int32_t* at[kMost];
+  HWY_ALIGN std::int32_t quads[4 * kMost];
+
+  HWY_INLINE void flush() {
+    for (std::size_t n = 0; n < count; ++n) {
+#if HWY_TARGET == HWY_SCALAR
+      for (std::size_t part = 0; part < 4; ++part) at[n][part] += quads[4 * n + part];
+#else
+      const hn::CappedTag<std::int32_t, 4> quad;
+      hn::StoreU(hn::Add(hn::LoadU(quad, at[n]), hn::Load(quad, quads + 4 * n)), quad, at[n]);
+#endif
+    }
+    count = 0;
+  }
+};
+
+/// Queues what is inside, shared by two neighbouring columns.
+HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F part, F re, F im, Pending& pending) {
   const D d;
   const DI di;
   constexpr std::size_t kLanes = hn::MaxLanes(d);
+  static_assert(2 * kLanes <= Pending::kMost);
+  if (pending.count + kLanes > Pending::kMost) pending.flush();
   HWY_ALIGN std::int32_t cells[kLanes], quads[4 * kLanes];
   const auto laterRe = times(re, part), laterIm = times(im, part);
   hn::Store(cell, di, cells);
@@ -160,20 +182,28 @@ HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F p
   hn::StoreMaskBits(d, inside, bits);
   std::uint64_t left = 0;
   std::memcpy(&left, bits, sizeof(left));
-  const hn::CappedTag<std::int32_t, 4> quad;
   for (; left != 0; left &= left - 1) {
     const auto n = static_cast<std::size_t>(__builtin_ctzll(left));
-    std::int32_t* at = task.tile + cells[n];
-#if HWY_TARGET == HWY_SCALAR
-    for (std::size_t part_ = 0; part_ < 4; ++part_) at[part_] += quads[4 * n + part_];
-#else
-    hn::StoreU(hn::Add(hn::LoadU(quad, at), hn::LoadU(quad, quads + 4 * n)), quad, at);
-#endif
+    std::int32_t* at = task.field + cells[n];
+    __builtin_prefetch(at, 1);
+    pending.at[pending.count] = at;
+    std::memcpy(pending.quads + 4 * pending.count, quads + 4 * n, 4 * sizeof(std::int32_t));
+    ++pending.count;
   }
 }
 
+/// Asks for the voxels that a block will read.
+HWY_INLINE void announce(const ScatterTask& task, const ScatterBlock& block) {
+  const glm::ivec3 reach = glm::ivec3(task.voxelsPerCell * static_cast<float>(kBlockCells)) + 2;
+  const glm::ivec3 from = glm::clamp(block.voxel, glm::ivec3(0), task.dims - 1),
+                   to = glm::clamp(block.voxel + reach, glm::ivec3(0), task.dims - 1);
+  for (int k = from.z; k <= to.z; ++k)
+    for (int j = from.y; j <= to.y; ++j)
+      __builtin_prefetch(task.level + (static_cast<std::ptrdiff_t>(k) * task.dims.y + j) * task.dims.x + from.x);
+}
+
 template <FanShape::Kind kKind>
-HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block) {
+HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, Pending& pending) {
   const D d;
   const DI di;
   const DU du;
@@ -184,8 +214,12 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block) {
   const std::uint8_t* from = task.level + (static_cast<std::ptrdiff_t>(base.z) * task.dims.y + base.y) * task.dims.x + base.x;
   const auto last = static_cast<std::int32_t>(std::min<std::ptrdiff_t>(task.levelEnd - from - 4, 1 << 30));
   for (int first = 0; first < kCells; first += static_cast<int>(hn::Lanes(d))) {
+    // In the order of a curve that fills little cubes one after another: a vector that the beams miss is missed as a whole.
     const auto number = hn::Iota(di, first);
-    const auto i = hn::And(number, hn::Set(di, 3)), j = hn::And(hn::ShiftRight<2>(number), hn::Set(di, 3)), k = hn::ShiftRight<4>(number);
+    const auto bit = [&](auto shifted, int value) { return hn::And(shifted, hn::Set(di, value)); };
+    const auto i = hn::Or(bit(number, 1), bit(hn::ShiftRight<2>(number), 2)),
+               j = hn::Or(bit(hn::ShiftRight<1>(number), 1), bit(hn::ShiftRight<3>(number), 2)),
+               k = hn::Or(bit(hn::ShiftRight<2>(number), 1), bit(hn::ShiftRight<4>(number), 2));
     const auto term = [&](I at, std::size_t axis, std::uint32_t factor) {
       return hn::Mul(hn::Add(hn::BitCast(du, at), hn::Set(du, block.cell[axis])), hn::Set(du, factor));
     };
@@ -197,7 +231,9 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block) {
       return plus(plus(set(block.probe_mm[axis]), times(u, set(task.cellToProbe_mm[0][axis]))),
                   plus(times(v, set(task.cellToProbe_mm[1][axis])), times(w, set(task.cellToProbe_mm[2][axis]))));
     };
-    const auto x = along(0), y = along(1), z = along(2);
+    const auto z = along(2);
+    if (hn::AllTrue(d, hn::Gt(hn::Abs(z), set(block.reach_mm)))) continue;
+    const auto x = along(0), y = along(1);
     F row, range;
     placeOnLines<kKind>(task, x, y, row, range);
 
@@ -228,25 +264,28 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block) {
     const auto insideColumn = hn::IfThenElseZero(inside, column);
     const auto wholeColumn = hn::ConvertTo(di, insideColumn);
     const auto part = hn::Sub(insideColumn, hn::ConvertTo(d, wholeColumn));
-    const auto cell = hn::ShiftLeft<1>(hn::Add(hn::Mul(wholeRow, hn::Set(di, kTileColumns + 1)), wholeColumn));
-    deposit(task, sounding, cell, part, times(kept, re), times(kept, im));
+    const auto cell = hn::ShiftLeft<1>(hn::Add(hn::Mul(wholeRow, hn::Set(di, task.stride / 2)), wholeColumn));
+    deposit(task, sounding, cell, part, times(kept, re), times(kept, im), pending);
   }
 }
 
 void addScatterersOf(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count) {
+  Pending pending;
   for (std::size_t n = 0; n < count; ++n) {
+    if (n + 1 < count) announce(task, blocks[n + 1]);
     switch (task.kind) {
       case FanShape::Kind::parallel:
-        addBlock<FanShape::Kind::parallel>(task, blocks[n]);
+        addBlock<FanShape::Kind::parallel>(task, blocks[n], pending);
         break;
       case FanShape::Kind::trapezoid:
-        addBlock<FanShape::Kind::trapezoid>(task, blocks[n]);
+        addBlock<FanShape::Kind::trapezoid>(task, blocks[n], pending);
         break;
       case FanShape::Kind::sector:
-        addBlock<FanShape::Kind::sector>(task, blocks[n]);
+        addBlock<FanShape::Kind::sector>(task, blocks[n], pending);
         break;
     }
   }
+  pending.flush();
 }
 
 }  // namespace

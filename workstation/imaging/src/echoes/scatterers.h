@@ -17,7 +17,7 @@ inline constexpr int kBlockCells = 4;
 /// Amplitudes are added up as whole multiples of this: whole numbers have the same sum in any order, and so with any number of threads.
 inline constexpr double kDepositUnit = 0x1p-20;
 
-/// What the vector code of scatterers needs for a frame and a tile.
+/// What the vector code of scatterers needs for a frame.
 struct ScatterTask {
   std::uint32_t seed = 1;
   // Lattice to probe and to the voxels of the level map.
@@ -37,10 +37,10 @@ struct ScatterTask {
   float rowsPerUnit = 1.0F;  ///< of angle (sector) or of width on the face
   float middleRow = 0.0F;
   float columnsPerMm = 1.0F;
-  float firstColumn = 0.0F;  ///< where depth 0 lies, from the tile's first column on
+  float firstColumn = 0.0F;  ///< where depth 0 lies
   float turnsPerMm = 1.0F;   ///< of the carrier's phase, both ways
   float lastRow = 0.0F;
-  float lastColumn = 0.0F;  ///< of the tile, itself left out
+  float lastColumn = 0.0F;  ///< itself left out
 
   // Elevational beam.
   float lensFocus_mm = 0.0F;
@@ -49,7 +49,8 @@ struct ScatterTask {
   float waistPerMm2 = 0.0F;
   float cut = 2.5F;  ///< exponent where the beam ends
 
-  std::int32_t* tile = nullptr;  ///< rows x (kTileColumns + 1) complex numbers
+  std::int32_t* field = nullptr;  ///< complex numbers, row after row
+  std::int32_t stride = 0;        ///< of a row
 };
 
 /// One block: where its lowest corner lies.
@@ -58,9 +59,10 @@ struct ScatterBlock {
   glm::vec3 probe_mm{0.0F};
   glm::ivec3 voxel{0};            ///< whole part
   glm::vec3 voxelFraction{0.0F};  ///< 0..1
+  float reach_mm = 0.0F;          ///< of the beams there, beside the slice's middle
 };
 
-/// Adds the scatterers of these blocks to the tile. The same bits on every instruction set.
+/// Adds the scatterers of these blocks to the field. The same bits on every instruction set.
 void addScatterers(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count);
 
 /// Where the tissue lies in the probe frame, in the lattice's own cells.
@@ -73,7 +75,9 @@ struct EchoPlace {
 
 [[nodiscard]] ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, const SliceSource& level);
 
-/// The blocks that the beams of a tile may see.
-void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int tile, std::vector<ScatterBlock>& blocks);
+/// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
+/// once; what two pieces that are not neighbours add to the field does not overlap.
+[[nodiscard]] int piecesOf(const EchoLayout& layout);
+void findBlocks(const EchoLayout& layout, const EchoPlace& place, const glm::ivec3& dims, int piece, std::vector<ScatterBlock>& blocks);
 
 }  // namespace ew::detail
