@@ -1448,6 +1448,10 @@
         <translation>Lücken entlang des Schwenks werden gefüllt</translation>
     </message>
     <message>
+        <source>Finding the surfaces</source>
+        <translation>Die Grenzflächen werden gesucht</translation>
+    </message>
+    <message>
         <source>Films cannot be written, because a part of the program is missing; install EchoWeave again.</source>
         <translation>Filme können nicht geschrieben werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
     </message>

@@ -20,6 +20,7 @@ struct PhantomArguments {
   std::string patient;
   std::string volume;
   std::string labels;
+  std::string level;
   double spacing_mm = 1.0;
   std::uint64_t seed = 1;
   int threads = 0;
@@ -101,7 +102,7 @@ Result<Surfaces> wantedSurfaces(const std::vector<std::string>& words) {
 
 Result<void> announcePhantom(const PhantomArguments& arguments, const Surfaces& surfaces, Run& run) {
   if (auto kept = run.input(arguments.patient); !kept) return kept;
-  for (const auto& file : {arguments.volume, arguments.labels})
+  for (const auto& file : {arguments.volume, arguments.labels, arguments.level})
     if (!file.empty())
       if (auto announced = run.output(file, ".mha .mhd"); !announced) return announced;
   if (!arguments.truth.empty())
@@ -147,6 +148,7 @@ Result<void> makeVoxels(const PhantomArguments& arguments, const Patient& patien
   options.spacing_mm = arguments.spacing_mm;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
+  options.maps = !arguments.level.empty();
   PartOfProgress voxelising(run.progress, from, 0.9);
   auto made = [&] {
     const StepClock clock(run.report, "voxelise");
@@ -161,23 +163,30 @@ Result<void> makeVoxels(const PhantomArguments& arguments, const Patient& patien
     run.say("Wrote " + arguments.volume + ".");
   }
   if (!arguments.labels.empty()) {
-    PartOfProgress writing(run.progress, 0.97, 1.0);
+    PartOfProgress writing(run.progress, 0.97, 0.99);
     made->volume.echo = std::move(made->labels);
     if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.labels), writing); !written) return written;
     run.say("Wrote " + arguments.labels + ".");
+  }
+  if (made->maps) {
+    PartOfProgress writing(run.progress, 0.99, 1.0);
+    made->volume.echo = std::move(made->maps->level);
+    if (auto written = writeVolume(made->volume, run.outputs.staged(arguments.level), writing); !written) return written;
+    run.say("Wrote " + arguments.level + " with " + counted(made->maps->surfaces.size(), "reflecting surface") + ".");
   }
   return {};
 }
 
 Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
-  const bool voxelsWanted = !arguments.volume.empty() || !arguments.labels.empty();
+  const bool voxelsWanted = !arguments.volume.empty() || !arguments.labels.empty() || !arguments.level.empty();
   const bool sweepWanted = !arguments.sweep.sweep.empty();
   const auto surfaces = wantedSurfaces(arguments.surfaces);
   if (!surfaces) return passOn(surfaces.error());
   if (auto announced = announcePhantom(arguments, *surfaces, run); !announced) return passOn(announced.error());
   if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty())
-    return failure(ErrorCode::badUsage, say<"Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --truth TRUTH.json, --surface "
-                                            "ORGAN=FILE, --sweep SWEEP.json -o SWEEP.igs.mha, or several.">());
+    return failure(ErrorCode::badUsage,
+                   say<"Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --level LEVEL.mha, --truth TRUTH.json, --surface "
+                       "ORGAN=FILE, --sweep SWEEP.json -o SWEEP.igs.mha, or several.">());
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 
@@ -214,6 +223,8 @@ void addPhantom(CLI::App& root, Selection& selection) {
   app.add_option("--volume", arguments->volume, "Echo levels with speckle: .mha or .mhd")->type_name("TRUTH.mha");
   app.add_option("--labels", arguments->labels, "Which organ owns a voxel (0: none); the numbers are listed when done")
       ->type_name("LABELS.mha");
+  app.add_option("--level", arguments->level, "Echo levels without speckle, borders and shadows, as live echoes are formed from them")
+      ->type_name("LEVEL.mha");
   app.add_option("--sweep", arguments->sweep.sweep, "Scan the patient as this file says: probe, path, machine, tracker")
       ->type_name("SWEEP.json");
   app.add_option("-o,--output", arguments->sweep.output, "The recording of the sweep: a tracked sequence")->type_name("SWEEP.igs.mha");

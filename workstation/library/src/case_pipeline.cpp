@@ -21,6 +21,7 @@
 #include "ew/phantom/patient.h"
 #include "ew/stitching/chain.h"
 #include "guarded_case.h"
+#include "kept_maps.h"
 #include "machine_speed.h"
 #include "old_results.h"
 #include "preparation_clock.h"
@@ -34,6 +35,8 @@ using PatientPtr = std::shared_ptr<const Patient>;
 
 /// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
 constexpr int kPreparationFormat = 4;
+/// The same for the maps of tissue alone.
+constexpr int kMapsFormat = 1;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, say<"Preparing the case was stopped.">()); }
@@ -102,7 +105,11 @@ double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
   return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
 }
 
-double voxeliseWork(double spacing_mm) { return 6.0 / std::pow(spacing_mm, 3); }  // a trunk of about six litres, in million voxels
+/// Whether maps of tissue are made, from which echoes are formed live: what is known of a patient that no sweep recorded.
+bool wantsMaps(const Case& opened) { return opened.volume.sweeps.empty(); }
+
+/// A trunk of about six litres, in million voxels. Maps take as long again.
+double voxeliseWork(const Case& opened) { return (wantsMaps(opened) ? 12.0 : 6.0) / std::pow(opened.volume.recipeSpacing_mm, 3); }
 
 /// Keeps the promise that fractions never move backwards where work turns out to have to be done again.
 class MonotonicProgress final : public Progress {
@@ -202,7 +209,7 @@ class Preparation {
     const auto add = [&](PreparationStep kind, double work) { steps.push_back({static_cast<int>(kind), speed.of(kind) * work}); };
     if (plan.sweeps.empty()) {
       add(PreparationStep::patient, 1.0);
-      add(PreparationStep::voxelise, voxeliseWork(opened.volume.recipeSpacing_mm));
+      add(PreparationStep::voxelise, voxeliseWork(opened));
       return steps;
     }
     bool hasPatient = false;
@@ -249,11 +256,19 @@ class Preparation {
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
     auto voxels = voxelise(**patient,
-                           {.spacing_mm = case_.volume.recipeSpacing_mm, .threads = options_.threads, .maxBytes = options_.maxBytes}, most);
+                           {.spacing_mm = case_.volume.recipeSpacing_mm,
+                            .threads = options_.threads,
+                            .maxBytes = options_.maxBytes,
+                            .maps = !plan_.maps.empty()},
+                           most);
     if (!voxels) return passOn(voxels.error());
-    keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, voxeliseWork(case_.volume.recipeSpacing_mm), clock_.sinceBegin_s());
+    keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, voxeliseWork(case_), clock_.sinceBegin_s());
     Prepared made{std::move(voxels->volume), {}};
     made.labels = {made.volume.grid, std::move(voxels->labels), {}};
+    if (voxels->maps) {
+      made.maps = std::make_shared<TissueMaps>(std::move(*voxels->maps));
+      if (auto kept = keepMaps(store_, kMaps, plan_.maps, *made.maps); !kept) return passOn(kept.error());
+    }
     PartOfProgress rest(clock_, 0.9, 1.0);
     if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, rest); !kept) return passOn(kept.error());
     keepTruth();
@@ -455,7 +470,11 @@ Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress
   auto labels =
       plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
   if (!labels) return passOn(labels.error());
-  return Prepared{std::move(*volume), std::move(*labels)};
+  Prepared done{std::move(*volume), std::move(*labels)};
+  if (plan.maps.empty()) return done;
+  done.maps = readKeptMaps(store, kMaps, plan.maps, done.volume.grid);
+  if (!done.maps) return damagedInCache(store, kMaps, plan.maps);
+  return done;
 }
 
 /// Folders of chains that were stopped and never gone on with.
@@ -505,6 +524,7 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   }
   plan.volume = whole.text();
   plan.labels = ContentKey().add("labels").add(plan.volume).add(opened.volume.reconstruct.labelsSpacing_mm).text();
+  if (wantsMaps(opened)) plan.maps = ContentKey().add("maps").add(kMapsFormat).add(plan.volume).text();
   plan.truth = ContentKey().add("truth").add(kPreparationFormat).add(*patient).text();
   return plan;
 }
@@ -516,12 +536,12 @@ Result<CasePlan> planOf(const Case& opened) {
 }
 
 const std::vector<std::string>& preparationSteps() {
-  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kTruths};
+  static const std::vector<std::string> names = {kRecordings, kSweeps, kVolumes, kLabels, kMaps, kTruths};
   return names;
 }
 
 bool CasePlan::isDoneIn(const StepStore& store) const {
-  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels));
+  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && (maps.empty() || store.find(kMaps, maps));
 }
 
 bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }

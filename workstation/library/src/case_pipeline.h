@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ew/imaging/probe.h"
+#include "ew/imaging/tissue_maps.h"
 #include "ew/io/step_store.h"
 #include "ew/library/preparation.h"
 #include "ew/phantom/virtual_sweep.h"
@@ -13,8 +15,9 @@ namespace ew {
 
 /// What a preparation made. A part without voxels is one that it does not make.
 struct Prepared {
-  Volume volume;  ///< with coverage
-  Volume labels;  ///< a label per voxel in its `echo`
+  Volume volume;                               ///< with coverage
+  Volume labels;                               ///< a label per voxel in its `echo`
+  std::shared_ptr<TissueMaps> maps = nullptr;  ///< on the volume's grid; null where the case asks for none
 };
 
 /// The folders of the cache, below steps, in which results of preparations lie: each with what was made in a step, under its key.
@@ -22,6 +25,7 @@ inline constexpr const char* kRecordings = "recordings";  ///< of sweeps, until 
 inline constexpr const char* kSweeps = "sweeps";          ///< reconstructed
 inline constexpr const char* kVolumes = "volumes";        ///< joined, or voxelised with their labels
 inline constexpr const char* kLabels = "labels";          ///< of joined volumes
+inline constexpr const char* kMaps = "maps";              ///< of tissue, beside voxelised volumes
 inline constexpr const char* kTruths = "truths";
 [[nodiscard]] const std::vector<std::string>& preparationSteps();
 
@@ -42,6 +46,7 @@ struct CasePlan {
   std::vector<PlannedSweep> sweeps;  ///< none: the patient is voxelised
   std::string volume;                ///< key in kVolumes
   std::string labels;                ///< key in kLabels
+  std::string maps;                  ///< key in kMaps; empty: none are made
   std::string truth;                 ///< key in kTruths
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache

@@ -33,6 +33,7 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   if (!made) return passOn(made.error());
   found.volume = std::move(made->volume);
   found.labels = std::move(made->labels);
+  found.tissue = std::move(made->maps);
   found.tissues = std::move(*tissues);
   return found;
 }
@@ -47,7 +48,7 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
     PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
     auto loaded = readVolume(*file, first);
     if (!loaded) return passOn(loaded.error());
-    CaseEcho read{std::move(loaded->volume), std::nullopt, {}, std::move(loaded->notes)};
+    CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .tissues = {}, .notes = std::move(loaded->notes)};
     if (opened.volume.labels.empty()) return read;
     auto labelFile = volumeOfCase(opened.folder, opened.volume.labels, "volume.labels");
     if (!labelFile) return passOn(labelFile.error());
@@ -62,6 +63,7 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
   if (auto rigid = checkRigid(opened.volume.fileToWorld); !rigid) return passOn(rigid.error());
   found->volume.grid = placed(found->volume.grid, opened.volume.fileToWorld);
   if (found->labels) found->labels->grid = placed(found->labels->grid, opened.volume.fileToWorld);
+  if (found->tissue) found->tissue->grid = placed(found->tissue->grid, opened.volume.fileToWorld);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "echo_levels.h"
 #include "ew/phantom/speckle.h"
 
 namespace ew::phantom {
@@ -12,15 +13,9 @@ namespace {
 // As in sampleDistance: how far a first-order distance may exceed the true one before a part of the body is wrongly left out.
 constexpr double kScattererReserve = 1.5;
 constexpr double kHalfDiagonal = 0.8660254037844386;
-constexpr double kDecibelPerLevel = 60.0 / 255.0;
-constexpr double kMeanOfLog_db = 2.507;
-constexpr std::uint64_t kScattererTextureSeed = 0x7465787475726521ull;  // as voxelise: the same grains
 constexpr std::uint64_t kAmplitudeSeed = 0x616d706c69747564ull;
 constexpr std::uint64_t kFacetSeed = 0x66616365745f5f31ull;
-constexpr int kFacetsPerCell = 2;  // along each edge
-// A perfect mirror stands this far above full white: fat on soft tissue (reflection coefficient 0.08) is then bright, not burnt.
-constexpr double kPerfectMirror = 2.7;
-constexpr double kLeastReflection = 1e-4;
+constexpr int kFacetsPerCell = 2;        // along each edge
 constexpr double kCoincident_mm = 0.05;  // surfaces nearer than this are one
 constexpr double kNormalStep_mm = 0.05;
 constexpr double kStraight = 0.04;           // of the pitch: how far a distance may curve within a cell before it is asked exactly
@@ -28,16 +23,11 @@ constexpr double kRough_db = -9.0;           // scattered by a bone's or gas' su
 constexpr double kSmoothRough_db = -18.0;    // and by a capsule or vessel wall
 constexpr double kAllRoundScattered = 0.65;  // of a border that shines all round, half as wide as drawn: the beam widens it again
 constexpr double kAllRoundWidth = 0.6;
-constexpr double kFineGrain = 0.35;  // a texture's finer grains: size, and strength where they stand out (small vessels, septa)
-constexpr double kFineStrength = 2.2;
 constexpr double kGlintScattered = 0.18;  // as voxelise: of a border's extra brightness, what comes from its layer of tissue
 
 double unit16(std::uint64_t hash, int shift) { return (static_cast<double>((hash >> shift) & 0xFFFFu) + 0.5) / 65536.0; }
 
 }  // namespace
-
-double specklePowerAt(double level) { return std::pow(10.0, 0.1 * ((level - 255.0) * kDecibelPerLevel + kMeanOfLog_db)); }
-double amplitudeAt(double level) { return std::pow(10.0, 0.05 * (level - 255.0) * kDecibelPerLevel); }
 
 /// Makes one block by halving it until a part lies in one tissue or is a single cell.
 class ScattererField::Filler {
@@ -209,14 +199,7 @@ class ScattererField::Filler {
 
   void addScatterer(const glm::ivec3& cell, const glm::dvec3& place, std::size_t number, const std::vector<Near>& near) {
     const Tissue& tissue = patient_.tissues[number];
-    double level = tissue.echoLevel;
-    if (tissue.texture.level > 0.0) {
-      const glm::dvec3 grain(place.x, tissue.texture.followsTheSkin ? patient_.skin->distance_mm(place) : place.y, place.z);
-      const std::uint64_t seed = 1 + kScattererTextureSeed * (number + 1);
-      const double fine = valueNoise(~seed, grain / (kFineGrain * tissue.texture.scale_mm));
-      level += tissue.texture.level * (valueNoise(seed, grain / tissue.texture.scale_mm) + kFineStrength * fine * std::abs(fine));
-    }
-    level = withBorders(level, place, near);
+    const double level = withBorders(tissueLevelAt(patient_, number, place), place, near);
     const double kept = tissue.scatterers_perMm3 ? std::min(1.0, *tissue.scatterers_perMm3 * volume_) : 1.0;
     if (!(kept > 0.0) || (tissue.speckle <= 0.0 && level <= tissue.echoLevel)) return;
     const std::uint64_t hash = hashOf(cell, kAmplitudeSeed);
@@ -293,10 +276,8 @@ class ScattererField::Filler {
       } else {
         const auto outside = impedanceAt(foot + 2.0 * kCoincident_mm * normal);
         if (!outside) continue;
-        const double inside = patient_.tissues[organ.tissue].impedance_mrayl;
-        const double reflection = std::abs(inside - *outside) / (inside + *outside);
-        if (reflection < kLeastReflection) continue;
-        mirror = kPerfectMirror * reflection;
+        mirror = mirroredBetween(patient_.tissues[organ.tissue].impedance_mrayl, *outside);
+        if (!(mirror > 0.0)) continue;
       }
       const double area = spacing * spacing;
       ScattererBlock::Facet facet;

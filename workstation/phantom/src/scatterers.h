@@ -85,10 +85,4 @@ class ScattererField {
   mutable std::array<Shard, kShards> shards_;
 };
 
-/// Power of the echoes of fully developed speckle whose mean grey level after log compression is `level`, 1 for full white: 60 dB over 255
-/// levels, and the mean of the logarithm of an exponential variable lies 2.507 dB below the logarithm of its mean.
-[[nodiscard]] double specklePowerAt(double level);
-/// Amplitude of a steady echo at a grey level.
-[[nodiscard]] double amplitudeAt(double level);
-
 }  // namespace ew::phantom

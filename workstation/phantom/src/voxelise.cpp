@@ -4,9 +4,11 @@
 #include <stdexcept>
 
 #include "anatomy.h"
+#include "echo_levels.h"
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"
+#include "reflecting_surfaces.h"
 
 namespace ew {
 namespace {
@@ -50,11 +52,15 @@ class Painter {
     }
   }
 
-  [[nodiscard]] Look at(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near) const {
+  /// @param distances_mm becomes those of the organs that are not hidden here
+  [[nodiscard]] Look at(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
+                        std::vector<double>& distances_mm) const {
     Look look;
+    distances_mm.clear();
     double remaining = 1.0;
     for (const Organ* organ : near) {
       const double d = organ->shape->distance_mm(p_mm);
+      distances_mm.push_back(d);
       if (organ->border) addBorder(*organ, p_mm, d, remaining, look);
       if (d < 0.0 && look.label == 0) look.label = static_cast<int>(organ - patient_.organs.data()) + 1;
       // The part of the voxel that the organ fills, so that edges are not stairs.
@@ -119,6 +125,43 @@ class Painter {
   const VoxeliseOptions& options_;
 };
 
+/// The tissue itself, as TissueMaps keeps it.
+class MapPainter {
+ public:
+  MapPainter(const Patient& patient, double spacing_mm)
+      : patient_(patient), spacing_mm_(spacing_mm), surfaces_(patient, kWithinVoxel * spacing_mm) {}
+
+  /// How much of a voxel lies inside the skin.
+  [[nodiscard]] double bodyPart(double skin_mm) const { return std::clamp(0.5 - skin_mm / spacing_mm_, 0.0, 1.0); }
+
+  /// Mean level of a voxel; what it shares with another tissue or with the air adds up as power.
+  [[nodiscard]] std::uint8_t levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
+                                     const std::vector<double>& distances_mm) const {
+    double remaining = bodyPart(skin_mm), power = 0.0;
+    const auto add = [&](std::size_t number, double weight) {
+      const Tissue& tissue = patient_.tissues[number];
+      if (tissue.speckle > 0.0) power += weight * power_.of(phantom::tissueLevelAt(tissue, number, p_mm, skin_mm));
+    };
+    for (std::size_t n = 0; n < distances_mm.size() && remaining >= 1e-3; ++n) {
+      const double part = std::clamp(0.5 - distances_mm[n] / spacing_mm_, 0.0, 1.0);
+      if (part <= 0.0) continue;
+      add(near[n]->tissue, remaining * part);
+      remaining *= 1.0 - part;
+    }
+    if (remaining >= 1e-3) add(patient_.backgroundTissue, remaining);
+    return static_cast<std::uint8_t>(power_.level(power));
+  }
+  [[nodiscard]] const phantom::SurfaceFinder& surfaces() const { return surfaces_; }
+
+ private:
+  static constexpr double kWithinVoxel = 0.9;  // half a voxel's diagonal is 0.87
+
+  const Patient& patient_;
+  double spacing_mm_;
+  phantom::PowerOfLevel power_;
+  phantom::SurfaceFinder surfaces_;
+};
+
 tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
 
 /// Takes memory piece by piece, because a page is only found when it is first touched: a gigabyte takes longer than a user waits.
@@ -161,11 +204,18 @@ class VolumePainter {
         made_(made),
         grid_(made.volume.grid),
         painter_(patient, options),
+        maps_(patient, options.spacing_mm),
         radius_mm_(0.5 * std::sqrt(3.0) * (kBlock - 1) * options.spacing_mm),
-        strips_((grid_.dims.y + kStrip - 1) / kStrip) {}
+        strips_((grid_.dims.y + kStrip - 1) / kStrip) {
+    if (made.maps) feetOfPiece_.resize(static_cast<std::size_t>(pieces()));
+  }
 
   [[nodiscard]] int pieces() const { return (grid_.dims.z + kBlock - 1) / kBlock * strips_; }
   void paintPiece(int piece);
+  /// Of the surfaces, once all pieces are painted. @return false when cancelled
+  [[nodiscard]] bool spread(Progress& progress) {
+    return spreadSurfaces(maps_.surfaces(), feetOfPiece_, options_.threads, progress, *made_.maps);
+  }
   [[nodiscard]] bool outOfMemory() const { return outOfMemory_; }
   [[nodiscard]] bool stopped() const { return stopped_; }
 
@@ -183,8 +233,15 @@ class VolumePainter {
              static_cast<std::size_t>(in.x);
     }
   };
-  void paintBlock(const glm::ivec3& first, const Strip& strip, std::vector<const Organ*>& near);
-  void paintRow(int begin, int end, int j, int k, const float* speckle, const std::vector<const Organ*>& near);
+  /// What is known around a block or voxel at hand.
+  struct Around {
+    std::vector<const Organ*> near{};
+    std::vector<double> distances_mm{};
+    std::vector<phantom::SurfaceFoot> feet{};  ///< of the piece
+  };
+  void paintBlock(const glm::ivec3& first, const Strip& strip, Around& around);
+  void paintRow(int begin, int end, int j, int k, const float* speckle, Around& around);
+  void map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double skin_mm, Around& around);
 
   const Patient& patient_;
   const VoxeliseOptions& options_;
@@ -192,6 +249,8 @@ class VolumePainter {
   VoxelisedPatient& made_;
   const Grid& grid_;
   Painter painter_;
+  MapPainter maps_;
+  std::vector<std::vector<phantom::SurfaceFoot>> feetOfPiece_{};
   Decibel decibel_;
   double radius_mm_;  ///< of a block
   int strips_;        ///< of a slab
@@ -202,41 +261,46 @@ class VolumePainter {
 void VolumePainter::paintPiece(int piece) {
   Strip strip{.first = {0, (piece % strips_) * kStrip, (piece / strips_) * kBlock}, .size = {}};
   strip.size = glm::min(glm::ivec3(grid_.dims.x, kStrip, kBlock), grid_.dims - strip.first);
-  std::vector<const Organ*> near;
+  Around around;
   try {
     SpeckleScratch scratch;
     specklePower(options_.seed, strip.first, strip.size, scratch, strip.power);
-    near.reserve(patient_.organs.size());
+    around.near.reserve(patient_.organs.size());
+    around.distances_mm.reserve(patient_.organs.size());
+    for (int j = strip.first.y; j < strip.first.y + strip.size.y && !stopped_; j += kBlock) {
+      for (int i = 0; i < grid_.dims.x && !stopped_; i += kBlock) paintBlock({i, j, strip.first.z}, strip, around);
+      if (progress_.cancelRequested()) stopped_ = true;
+    }
+    around.feet.shrink_to_fit();
   } catch (const std::bad_alloc&) {
     outOfMemory_ = true;
     stopped_ = true;
   }
-  for (int j = strip.first.y; j < strip.first.y + strip.size.y && !stopped_; j += kBlock) {
-    for (int i = 0; i < grid_.dims.x && !stopped_; i += kBlock) paintBlock({i, j, strip.first.z}, strip, near);
-    if (progress_.cancelRequested()) stopped_ = true;
-  }
+  if (made_.maps) feetOfPiece_[static_cast<std::size_t>(piece)] = std::move(around.feet);
 }
 
-void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, std::vector<const Organ*>& near) {
+void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, Around& around) {
   const glm::ivec3 last = glm::min(first + kBlock, grid_.dims);
   const glm::dvec3 centre = grid_.origin_mm + options_.spacing_mm * (glm::dvec3(first) + 0.5 * (kBlock - 1));
-  if (patient_.skin->distance_mm(centre) > kReserve * radius_mm_) return;
-  painter_.select(centre, radius_mm_, near);
+  if (patient_.skin->distance_mm(centre) > kReserve * (radius_mm_ + (made_.maps ? 0.5 * options_.spacing_mm : 0.0))) return;
+  painter_.select(centre, radius_mm_, around.near);
   for (int k = first.z; k < last.z; ++k) {
     for (int j = first.y; j < last.y; ++j) {
       if (stopped_) return;
       if (progress_.cancelRequested()) stopped_ = true;  // at every row: an anatomy may take a millisecond for a voxel
-      paintRow(first.x, last.x, j, k, strip.at({first.x, j, k}), near);
+      paintRow(first.x, last.x, j, k, strip.at({first.x, j, k}), around);
     }
   }
 }
 
-void VolumePainter::paintRow(int begin, int end, int j, int k, const float* speckle, const std::vector<const Organ*>& near) {
+void VolumePainter::paintRow(int begin, int end, int j, int k, const float* speckle, Around& around) {
   for (int i = begin; i < end; ++i, ++speckle) {
     const glm::dvec3 p = grid_.origin_mm + options_.spacing_mm * glm::dvec3(i, j, k);
     const double skin = patient_.skin->distance_mm(p);
+    if (skin >= 0.0 && !(made_.maps && maps_.bodyPart(skin) > 0.0)) continue;
+    const Look look = painter_.at(p, skin, around.near, around.distances_mm);
+    if (made_.maps) map({i, j, k}, p, skin, around);
     if (skin >= 0.0) continue;
-    const Look look = painter_.at(p, skin, near);
     const std::size_t at = grid_.indexOf(i, j, k);
     made_.volume.echo[at] = painter_.greyOf(look, static_cast<double>(decibel_.of(*speckle)), p);
     made_.volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
@@ -244,41 +308,55 @@ void VolumePainter::paintRow(int begin, int end, int j, int k, const float* spec
   }
 }
 
+void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double skin_mm, Around& around) {
+  made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] = maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm);
+  auto foot = maps_.surfaces().nearest(p_mm, around.near, around.distances_mm);
+  if (!foot) return;
+  foot->voxel = voxel;
+  around.feet.push_back(*foot);
+}
+
 }  // namespace
 
-double voxeliseForecast_bytes(const Patient& patient, double spacing_mm) {
+double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool maps) {
   const Grid grid = gridOf(patient, spacing_mm);
   const double slice = static_cast<double>(grid.dims.x) * grid.dims.y;
   const double perThread = static_cast<double>(grid.dims.x) * kStrip * (kBlock * 4.0 + (kBlock + 4.0) * 8.0 + 8.0);
-  return slice * grid.dims.z * 3.0 + perThread * threadCount(0);
+  const double bytes = slice * grid.dims.z * 3.0 + perThread * threadCount(0);
+  if (!maps) return bytes;
+  return bytes + slice * grid.dims.z * (3.0 + phantom::kSurfaceBytesPerVoxel) + phantom::spreadForecast_bytes(grid, 0);
 }
 
 Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
   if (!(options.spacing_mm >= 0.01 && options.spacing_mm <= 1000.0))
     return failure(ErrorCode::badField, say<"The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.">(textOf(options.spacing_mm)),
                    {{"field", "spacing_mm"}});
-  const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm);
+  const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm, options.maps);
   if (forecast > static_cast<double>(options.maxBytes)) return tooLargeAt(options, forecast);
 
   VoxelisedPatient made;
   Volume& volume = made.volume;
   volume.grid = gridOf(patient, options.spacing_mm);
   if (const auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
-  const std::size_t voxels = volume.grid.voxelCount();
+  if (options.maps) made.maps.emplace().grid = volume.grid;
   try {
-    if (!zeros(volume.echo, voxels, progress) || !zeros(volume.coverage, voxels, progress) || !zeros(made.labels, voxels, progress))
-      return stoppedByUser();
+    std::vector<std::vector<std::uint8_t>*> taken{&volume.echo, &volume.coverage, &made.labels};
+    if (made.maps) taken.insert(taken.end(), {&made.maps->level, &made.maps->surfaceDistance, &made.maps->surfaceKind});
+    for (std::vector<std::uint8_t>* values : taken)
+      if (!zeros(*values, volume.grid.voxelCount(), progress)) return stoppedByUser();
+
+    VolumePainter painter(patient, options, progress, made);
+    PartOfProgress painting(progress, 0.0, made.maps ? 0.9 : 1.0), spreading(progress, 0.9, 1.0);
+    const bool finished = forEachTask(painter.pieces(), options.threads, painting, say<"Building the virtual patient">(),
+                                      [&](int piece) { painter.paintPiece(piece); });
+    if (painter.outOfMemory()) return tooLargeAt(options, forecast);
+    if (!finished || painter.stopped()) return stoppedByUser();
+    if (made.maps && !painter.spread(spreading)) return stoppedByUser();
   } catch (const std::bad_alloc&) {
     return tooLargeAt(options, forecast);
   } catch (const std::length_error&) {
     return tooLargeAt(options, forecast);
   }
-
-  VolumePainter painter(patient, options, progress, made);
-  const bool finished = forEachTask(painter.pieces(), options.threads, progress, say<"Building the virtual patient">(),
-                                    [&](int piece) { painter.paintPiece(piece); });
-  if (painter.outOfMemory()) return tooLargeAt(options, forecast);
-  if (!finished || painter.stopped()) return stoppedByUser();
   return made;
 }
 

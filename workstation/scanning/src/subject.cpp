@@ -121,7 +121,12 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
   if (!echo) return passOn(echo.error());
   auto voxels = ScanVoxels::of(std::make_shared<const Volume>(std::move(echo->volume)), bricking);
   if (!voxels) return passOn(voxels.error());
-  CaseContents contents{std::move(*voxels), nullptr, std::move(echo->tissues), opened.volume.fileToWorld, std::move(echo->notes)};
+  CaseContents contents{.voxels = std::move(*voxels),
+                        .labels = {},
+                        .tissue = std::move(echo->tissue),
+                        .tissues = std::move(echo->tissues),
+                        .fileToWorld = opened.volume.fileToWorld,
+                        .notes = std::move(echo->notes)};
   if (echo->labels) contents.labels = std::make_shared<const Volume>(std::move(*echo->labels));
   return contents;
 }
@@ -133,6 +138,7 @@ Transform<frame::World, frame::World> ownToWorldOf(const Case& edited, const Cas
 ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
   ScanSubject subject = subjectOf(contents.voxels, titleForTrainees(edited));
   subject.labels = contents.labels;
+  subject.tissue = contents.tissue;
   subject.scene = sceneWithTissues(edited.scene, contents.tissues);
   subject.probes = edited.probes;
   subject.startPose = edited.startPose;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/tissue_maps.h"
 #include "ew/stitching/join.h"
 
 namespace ew {
@@ -171,6 +173,7 @@ struct CaseList {
 struct CaseEcho {
   Volume volume;                         ///< echo levels
   std::optional<Volume> labels;          ///< its `echo` holds a label per voxel; none when the case names no labels
+  std::shared_ptr<TissueMaps> tissue;    ///< of a recipe without sweeps: what live echoes are formed from; null for everything else
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
 };
@@ -181,8 +184,8 @@ struct PreparationOptions {
   std::filesystem::path keepSweeps = {};  ///< a folder for the recordings (NAME.igs.mha) of the sweeps that are made; empty: not kept
 };
 
-/// Echo and labels of a case, both placed in the world: from its files, or from its recipe by way of the cache, making them when they
-/// are not there (see preparation.h).
+/// Echo, labels and maps of tissue of a case, all placed in the world: from its files, or from its recipe by way of the cache, making them
+/// when they are not there (see preparation.h).
 /// @error as readVolume, readLabelVolume, readPatient, voxelise, readSweepRecipe, recordSweep, openSweep, makeSweepVolume, runChain;
 /// cancelled (within 0.5 s);
 ///        notWritable for the cache is recovered (noted), not an error

@@ -12,6 +12,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/tissue_maps.h"
 #include "ew/phantom/body_shape.h"
 
 namespace ew {
@@ -116,10 +117,15 @@ struct VoxeliseOptions {
   std::uint64_t seed = 1;  ///< of the speckle; the same patient and seed give the same voxels on every machine and thread count
   int threads = 0;
   std::uint64_t maxBytes = 16ull << 30;
+  bool maps = false;  ///< TissueMaps, too
 };
 struct VoxelisedPatient {
   Volume volume;  ///< inside the patient's stated box; coverage absent outside the skin
   std::vector<std::uint8_t> labels;
+  /// When asked for: what live echoes are formed from, on the volume's grid. Reflecting surfaces are borders of organs, and boundaries of
+  /// organs without one where the impedance of tissues differs enough for a grey level of 60; the skin's own surface is none of them.
+  /// Distances to surfaces are right to 0.05 mm within a voxel of them; a voxel beside the rim of a surface has none.
+  std::optional<TissueMaps> maps = {};
 };
 
 /// Samples the anatomy on a grid: echo with speckle, bright organ borders, shadow-free truth, and a label per voxel.
@@ -130,6 +136,6 @@ struct VoxelisedPatient {
 [[nodiscard]] Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
 
 /// Bytes that voxelise holds at its peak at this spacing.
-[[nodiscard]] double voxeliseForecast_bytes(const Patient& patient, double spacing_mm);
+[[nodiscard]] double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool maps = false);
 
 }  // namespace ew

@@ -67,14 +67,14 @@ struct ScanSubject {
   Grid placedGrid;                                         ///< where they lie; of the dims of their own grid
   std::shared_ptr<const Volume> labels = nullptr;          ///< which tissue each voxel is, on a grid of its own; null: grey levels decide
   Grid placedLabels = {};                                  ///< where the labels lie
-  std::shared_ptr<const TissueMaps> tissue = nullptr;      ///< from which live echoes are formed; null: nobody knows
-  Grid placedTissue = {};                                  ///< where they lie
+  std::shared_ptr<const TissueMaps> tissue = nullptr;      ///< what live echoes are formed from; null: nothing is known but the voxels
+  Grid placedTissue = {};                                  ///< where the maps of tissue lie
   Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
   std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
   std::optional<Pose> startPose = {};                      ///< where whoever scans begins
   std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
 
-  /// Moves voxels and labels to where `ownToWorld` (rigid, mm) takes the grids of their own.
+  /// Moves voxels, labels and maps of tissue to where `ownToWorld` (rigid, mm) takes the grids of their own.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
 };
 
@@ -92,6 +92,7 @@ struct ScanSubject {
 struct CaseContents {
   ScanVoxels voxels;
   std::shared_ptr<const Volume> labels;                   ///< null when the case has none
+  std::shared_ptr<const TissueMaps> tissue;               ///< what live echoes are formed from; null when the case has none
   std::vector<TissueAcoustics> tissues;                   ///< of the labels, as the recipe has them
   Transform<frame::World, frame::File> fileToWorld = {};  ///< the grids are placed with it
   std::vector<Message> notes;

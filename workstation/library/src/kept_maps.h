@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ew/imaging/tissue_maps.h"
+#include "ew/io/step_store.h"
+
+namespace ew {
+
+/// Keeps maps of tissue as a result: each map a file of one byte a voxel, the surfaces in the result's data.
+/// @error notWritable
+[[nodiscard]] Result<void> keepMaps(const StepStore& store, const char* step, const std::string& key, const TissueMaps& maps);
+
+/// @param grid of the volume they belong to, and theirs
+/// @return null when they are not there as they were kept
+[[nodiscard]] std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* step, const std::string& key, const Grid& grid);
+
+}  // namespace ew
