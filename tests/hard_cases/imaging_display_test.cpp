@@ -26,7 +26,7 @@ TEST(HardTables, AnyToneBehindSlidersAlternatingBetweenExtremesKeepsEveryRowMono
   std::vector<std::uint8_t> table;
   for (const double far : {1e-17, 1.0, 1e4})
     for (const double range_db : {20.0, 59.0, 120.0})
-      for (const GreyMap map : {GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright})
+      for (const GreyMap map : {GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright, GreyMap::clinical})
         for (const double gain : {0.0, 1.0, 1e4}) {
           buildGainTable(gain, {0, far, 0, far, 0, far, 0, far}, {.dynamicRange_db = range_db, .map = map}, rows, table);
           for (std::size_t row = 0; row < rows.size(); ++row)

@@ -33,6 +33,9 @@ Knobs knobsOf(double value) {
   Knobs knobs;
   knobs.gain = value;
   knobs.dgc.fill(value);
+  knobs.gainLaw = value > 1.0 ? GainLaw::decibel : static_cast<GainLaw>(99);
+  knobs.gain_db = value;
+  knobs.tgc_db.fill(value);
   knobs.depth_mm = value;
   knobs.focus_mm = value;
   knobs.moreFoci_mm.fill(value);

@@ -19,13 +19,17 @@ Knobs anyKnobs() {
   Knobs knobs;
   knobs.gain = anyNumber(0, 20);
   for (double& factor : knobs.dgc) factor = anyNumber(0, 4);
+  knobs.gainLaw = *rc::gen::element(GainLaw::automatic, GainLaw::decibel, GainLaw::paper);
+  knobs.gain_db = anyNumber(-30, 30);
+  for (double& slider_db : knobs.tgc_db) slider_db = anyNumber(-20, 20);
   knobs.depth_mm = *rc::gen::element(0.0, 0.1, 160.0, 1000.0);
   knobs.focus_mm = *rc::gen::element(0.0, 80.0, 33.3);
   for (double& focus : knobs.moreFoci_mm) focus = *rc::gen::element(0.0, 0.0, 120.5);
   knobs.focusMethod = *rc::gen::element(FocusMethod::rowStretch, FocusMethod::lateralKernel);
   knobs.carrier_hz = *rc::gen::element(0.0, 1e5, 3.5e6);
   knobs.dynamicRange_db = *rc::gen::element(0.0, 20.0, 47.3);
-  knobs.greyMap = *rc::gen::element(GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright);
+  knobs.greyMap =
+      *rc::gen::element(GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright, GreyMap::clinical, GreyMap::automatic);
   knobs.edgeEnhancement = anyNumber(0, 1);
   knobs.persistence = anyNumber(0, 0.95);
   knobs.elevationPlanes = 2 * *rc::gen::inRange(1, 5) + 1;
@@ -112,6 +116,21 @@ TEST(SettingsJson, OldFilesAreStillRead) {
   EXPECT_EQ(*scene, Scene{.gainAndDgc = false});
 }
 
+TEST(SettingsJson, FilesOfBeforeThereWereDecibelsMeanThePapersFactors) {
+  const auto read = [](const json& document) { return knobsFromJson(document, verbatim("knobs")).value(); };
+  // As a recording of version 1.0 has them: every key of its time.
+  json old = toJson(Knobs{.gain = 1.4});
+  for (const char* later : {"gain_law", "gain_db", "tgc_db"}) old.erase(later);
+  old["grey_map"] = "linear";
+  EXPECT_EQ(read(old), (Knobs{.gain = 1.4, .gainLaw = GainLaw::paper, .greyMap = GreyMap::linear}));
+  EXPECT_EQ(read({{"dgc", {1, 1, 1, 1, 1, 1, 2, 2}}}).gainLaw, GainLaw::paper);
+  EXPECT_EQ(read({{"gain_db", 3}}).gainLaw, GainLaw::decibel) << "who gives decibels means them";
+  EXPECT_EQ(read({{"tgc_db", {0, 0, 0, 0, 0, 0, 2, 2}}}).gainLaw, GainLaw::decibel);
+  EXPECT_EQ(read({{"gain_db", 3}, {"gain", 2}}).gainLaw, GainLaw::automatic);
+  EXPECT_EQ(read({{"gain_db", 3}, {"gain_law", "paper"}}).gainLaw, GainLaw::paper);
+  EXPECT_EQ(read(json::object()), Knobs{});
+}
+
 TEST(SettingsJson, SeveralFociAreAList) {
   const auto knobs = knobsFromJson({{"focus_mm", {40, 80, 0, 120}}}, verbatim("knobs"));
   ASSERT_TRUE(knobs);
@@ -131,6 +150,10 @@ TEST(SettingsJson, WhatCannotBeUsedIsNamedWithWhatWasFoundAndExpected) {
   for (const Wrong& wrong : {Wrong{R"({"gain": "loud"})", "gain", "\"loud\"", "number from 0"},
                              {R"({"gain": -1})", "gain", "-1", "0 to 1"},
                              {R"({"dgc": [1, 2, 3]})", "dgc", "[1,2,3]", "8 factors"},
+                             {R"({"gain_db": 31})", "gain_db", "31", "-30 to 30"},
+                             {R"({"tgc_db": [1, 2, 3]})", "tgc_db", "[1,2,3]", "8 numbers of decibels"},
+                             {R"({"tgc_db": [0, 0, 0, 0, 0, 0, 0, 21]})", "tgc_db", "21", "-20 to 20"},
+                             {R"({"gain_law": "loud"})", "gain_law", "\"loud\"", "\"automatic\", \"decibel\" or \"paper\""},
                              {R"({"zoom": 0.5})", "zoom", "0.5", "1 to 8"},
                              {R"({"quality": "best"})", "quality", "\"best\"", "\"weave\", \"linear\" or \"cubic\""},
                              {R"({"elevation_planes": 4})", "elevation_planes", "4", "odd number from 3 to 9"},
@@ -189,6 +212,8 @@ TEST(Limited, BringsEveryNumberIntoItsRangeAndTakesTheDefaultForWhatIsNone) {
   Knobs knobs;
   knobs.gain = kNan;
   knobs.dgc = {kNan, kInf, -1, 1, 1, 1, 1, 1};
+  knobs.gain_db = 77.0;
+  knobs.tgc_db = {kNan, kInf, -kInf};
   knobs.carrier_hz = 5.0;
   knobs.persistence = 2.0;
   knobs.elevationPlanes = 6;
@@ -200,6 +225,8 @@ TEST(Limited, BringsEveryNumberIntoItsRangeAndTakesTheDefaultForWhatIsNone) {
   EXPECT_EQ(usable.dgc[0], 1.0);
   EXPECT_EQ(usable.dgc[1], 1e6);
   EXPECT_EQ(usable.dgc[2], 0.0);
+  EXPECT_EQ(usable.gain_db, 30.0);
+  EXPECT_EQ(usable.tgc_db, (std::array<double, kDgcSliders>{0.0, 20.0, -20.0}));
   EXPECT_EQ(usable.carrier_hz, 1e5);
   EXPECT_EQ(usable.persistence, 0.95);
   EXPECT_EQ(usable.elevationPlanes, 7);

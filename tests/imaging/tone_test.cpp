@@ -15,7 +15,7 @@ namespace {
 
 using Sliders = std::array<double, kDgcSliders>;
 constexpr Sliders kOnes{1, 1, 1, 1, 1, 1, 1, 1};
-constexpr std::array kMaps = {GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright};
+constexpr std::array kMaps = {GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright, GreyMap::clinical};
 
 std::vector<std::uint8_t> tableOf(double gain, const Sliders& dgc, const Tone& tone, const std::vector<double>& rows) {
   std::vector<std::uint8_t> table;
@@ -54,21 +54,26 @@ TEST(Tone, OfTheRecordedRangeAndTheLinearMapIsNeutralAndGivesThePlainTable) {
   }
 }
 
-TEST(Tone, ShowsALevelAtItsDistanceBelowWhiteInDecibels) {
+TEST(Tone, ShowsALevelThatIsNotFaintAtItsDistanceBelowWhiteInDecibels) {
   EXPECT_TRUE(rc::check("levels", [] {
     const Tone tone{.recordedDynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121)),
                     .dynamicRange_db = static_cast<double>(*rc::gen::inRange(20, 121))};
-    const double level = *rc::gen::inRange(0, 25501) / 100.0;
+    const double level = *rc::gen::inRange(1600, 25501) / 100.0;
     const double below_db = (255.0 - level) / 255.0 * tone.recordedDynamicRange_db;
     RC_ASSERT(std::abs(shownLevel(tone, level) - 255.0 * std::clamp(1.0 - below_db / tone.dynamicRange_db, 0.0, 1.0)) < 1e-9);
   }));
 }
 
-TEST(Tone, NarrowerThanRecordedBlackensTheWeakestAndWiderTurnsBlackGrey) {
+TEST(Tone, NarrowerThanRecordedBlackensTheWeakestAndWiderLeavesBlackBlack) {
   EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 85.0), 0.0, 1e-9) << "85 of 255 lies 40 dB below white";
   EXPECT_EQ(shownLevel({.dynamicRange_db = 40.0}, 60.0), 0.0);
   EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0}, 170.0), 127.5, 1e-9);
-  EXPECT_NEAR(shownLevel({.dynamicRange_db = 90.0}, 0.0), 85.0, 1e-9);
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 90.0}, 51.0), 119.0, 1e-9) << "48 dB below white of 90";
+  for (const double range_db : {61.0, 90.0, 120.0}) {
+    EXPECT_NEAR(shownLevel({.dynamicRange_db = range_db}, 0.0), 0.0, 1e-9) << "outside stays outside";
+    for (int n = 1; n <= 400; ++n)
+      ASSERT_GT(shownLevel({.dynamicRange_db = range_db}, n / 10.0), shownLevel({.dynamicRange_db = range_db}, (n - 1) / 10.0));
+  }
   for (const double range_db : {20.0, 40.0, 90.0, 120.0}) EXPECT_EQ(shownLevel({.dynamicRange_db = range_db}, 255.0), 255.0);
 }
 
@@ -79,6 +84,25 @@ TEST(GreyMaps, KeepBlackWhiteAndTheOrder) {
     EXPECT_NEAR(shownLevel(tone, 255.0), 255.0, 1e-9);
     for (int n = 1; n <= 2550; ++n) ASSERT_GE(shownLevel(tone, n / 10.0), shownLevel(tone, (n - 1) / 10.0)) << n;
   }
+}
+
+TEST(GreyMaps, ClinicalGoesThroughWhatWasMeasuredAndRejectsTheWeakest) {
+  const Tone clinical{.map = GreyMap::clinical};
+  EXPECT_FALSE(clinical.isNeutral());
+  constexpr std::array kMeasured = {std::pair{80, 24},  std::pair{90, 32},  std::pair{100, 43},  std::pair{110, 55},
+                                    std::pair{120, 68}, std::pair{130, 85}, std::pair{150, 126}, std::pair{170, 183}};
+  for (const auto& [ours, shown] : kMeasured) EXPECT_NEAR(shownLevel(clinical, ours), shown, 1e-9);
+  for (double below_db = 52.0; below_db <= 60.0; below_db += 0.5) EXPECT_EQ(shownLevel(clinical, 255.0 * (1.0 - below_db / 60.0)), 0.0);
+  EXPECT_GT(shownLevel(clinical, 255.0 * (1.0 - 49.0 / 60.0)), 0.5);
+  EXPECT_NEAR(shownLevel({.dynamicRange_db = 40.0, .map = GreyMap::clinical}, 170.0), shownLevel(clinical, 127.5), 1e-9)
+      << "the curve is of the range that is shown";
+}
+
+RC_GTEST_PROP(GreyMaps, RiseWithoutAJump, ()) {
+  const Tone tone{.map = *rc::gen::elementOf(kMaps)};
+  const double level = *rc::gen::inRange(0, 255000) / 1000.0;
+  const double rise = shownLevel(tone, level + 0.001) - shownLevel(tone, level);
+  RC_ASSERT(rise >= -1e-12 && rise < 0.0035);
 }
 
 TEST(GreyMaps, AreTheCurvesTheyPromise) {

@@ -196,6 +196,10 @@ TEST(WholeFrame, AllocatesNothingOnceWarm) {
     for (const FocusMethod method : {FocusMethod::lateralKernel, FocusMethod::rowStretch}) {
       Knobs knobs = everyKnob();
       knobs.focusMethod = method;
+      if (method == FocusMethod::rowStretch) {
+        knobs.gainLaw = GainLaw::decibel;
+        knobs.gain_db = 4.0;
+      }
       const Scene scene = everyEffect();
       const Probe probe = convexProbe();
       FrameMaker maker(threads);
@@ -252,7 +256,11 @@ TEST(WholeFrame, ReconfiguredGivesTheSamePixelsAsANewOne) {
     Scene scene;
     const auto maybe = [&] { return random() % 2 == 0; };
     if (maybe()) knobs.gain = 1.7;
-    if (maybe()) knobs.greyMap = GreyMap::bright;
+    if (maybe()) knobs.gainLaw = GainLaw::decibel;
+    if (maybe()) knobs.gain_db = maybe() ? 6.0 : -6.0;
+    if (maybe()) knobs.tgc_db[2] = 12.0;
+    if (maybe()) knobs.dynamicRange_db = 75.0;
+    if (maybe()) knobs.greyMap = maybe() ? GreyMap::bright : GreyMap::clinical;
     if (maybe()) knobs.quality = Quality::weave;
     if (maybe()) knobs.zoom = 2.5;
     if (maybe()) knobs.depth_mm = 90.0;

@@ -265,6 +265,11 @@ class FrameSettings {
 
   void addSingleKnobs() {
     alone("gain and TGC", [](FrameSetting& s) { s.knobs.gain = 1.2, s.knobs.dgc = everyKnob().dgc; });
+    alone("gain and TGC in decibels", [](FrameSetting& s) {
+      s.knobs.gainLaw = GainLaw::decibel;
+      s.knobs.gain_db = 2.0;
+      s.knobs.tgc_db = {-2, -1, 0, 0, 1, 2, 3, 4};
+    });
     alone("dynamic range, grey map", [](FrameSetting& s) { s.knobs.dynamicRange_db = 50.0, s.knobs.greyMap = GreyMap::soft; });
     alone("edge enhancement", [](FrameSetting& s) { s.knobs.edgeEnhancement = 0.4; });
     alone("persistence", [](FrameSetting& s) { s.knobs.persistence = 0.3; });

@@ -384,8 +384,10 @@ void addScan(CLI::App& root, Selection& selection) {
                          [arguments](Run& run) { return scan(*arguments, run); });
   app.footer(app.get_footer() +
              "\n\nKNOBS.json is one object; what is missing stays neutral:\n"
-             "  { \"gain\": 1.2, \"dgc\": [1, 1, 1, 1, 1.2, 1.4, 1.6, 1.8], \"depth_mm\": 160, \"focus_mm\": [60, 100] }\n" +
+             "  { \"gain_db\": 3, \"tgc_db\": [-6, -3, 0, 0, 0, 2, 4, 6], \"depth_mm\": 160, \"focus_mm\": [60, 100] }\n" +
              knobsManual() +
+             "Without \"gain_law\" the one acts whose values are given: gain_db and tgc_db in decibels along the beams, or gain and dgc,\n"
+             "factors on grey levels by rows (Eq. 3-5).\n"
              "With \"mode\": \"m\" the output is the strip of one beam over the poses, which are 1/30 s apart (--rate).\n"
              "SCENE.json is one object; an effect that is missing does not run:\n"
              "  { \"focus\": true, \"attenuation\": { \"expected_db_per_cm_mhz\": 0.5 } }\n" +

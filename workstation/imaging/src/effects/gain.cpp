@@ -3,47 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/faint_level.h"
+#include "effects/monotone_curve.h"
+
 namespace ew {
 namespace {
 
 using Sliders = std::array<double, kDgcSliders>;
 
-/// Slopes at the sliders per slider distance.
-Sliders slopesOf(const Sliders& sliders) {
-  Sliders slope{};
-  for (std::size_t k = 1; k + 1 < sliders.size(); ++k) {
-    const double before = sliders[k] - sliders[k - 1];
-    const double after = sliders[k + 1] - sliders[k];
-    slope[k] = before * after > 0.0 ? 0.5 * (before + after) : 0.0;
-  }
-  // Fritsch & Carlson, section 4: slopes inside the circle of radius three secants keep each interval monotone.
-  for (std::size_t k = 0; k + 1 < sliders.size(); ++k) {
-    const double secant = sliders[k + 1] - sliders[k];
-    if (secant == 0.0) {
-      slope[k] = slope[k + 1] = 0.0;
-      continue;
-    }
-    const double length = std::hypot(slope[k] / secant, slope[k + 1] / secant);
-    if (length > 3.0) {
-      slope[k] *= 3.0 / length;
-      slope[k + 1] *= 3.0 / length;
-    }
-  }
-  return slope;
-}
+constexpr double kClinicalReject = 255.0 * (1.0 - 52.0 / 60.0);
 
-double curveAt(const Sliders& sliders, const Sliders& slope, double position) {
-  const double t = position * kDgcSliders - 0.5;
-  if (!(t > 0.0)) return sliders.front();
-  if (t >= kDgcSliders - 1.0) return sliders.back();
-  const auto k = static_cast<std::size_t>(t);
-  const double s = t - static_cast<double>(k);
-  const double r = 1.0 - s;
-  const double value =
-      (1.0 + 2.0 * s) * r * r * sliders[k] + s * r * r * slope[k] + s * s * (3.0 - 2.0 * s) * sliders[k + 1] - s * s * r * slope[k + 1];
-  // In exact arithmetic the curve is inside; this keeps the last bit inside as well.
-  const auto [low, high] = std::minmax(sliders[k], sliders[k + 1]);
-  return std::clamp(value, low, high);
+/// The curve through the sliders; places are counted in sliders.
+MonotoneCurve<kDgcSliders> curveThrough(const Sliders& sliders) {
+  static constexpr Sliders kPlaces{0, 1, 2, 3, 4, 5, 6, 7};
+  return {kPlaces, sliders, 0.0, 0.0};
+}
+double curveAt(const MonotoneCurve<kDgcSliders>& curve, double position) { return curve.at(position * kDgcSliders - 0.5); }
+
+/// The clinical map of shownLevel, 0..255 both ways.
+const MonotoneCurve<11>& clinicalCurve() {
+  static const MonotoneCurve<11> curve({0, kClinicalReject, 80, 90, 100, 110, 120, 130, 150, 170, 255},
+                                       {0, 0, 24, 32, 43, 55, 68, 85, 126, 183, 255}, 0.0, (255.0 - 183.0) / (255.0 - 170.0));
+  return curve;
 }
 
 // NaN compares false. A thousand already makes every level above 0 white, and infinity times 0 is not a number.
@@ -51,21 +32,28 @@ double usableFactor(double factor) { return factor > 0.0 ? std::min(factor, 1e9)
 
 double usableRange_db(double range_db, double otherwise_db) { return std::clamp(range_db > 0.0 ? range_db : otherwise_db, 20.0, 120.0); }
 
-/// 255 f(x) of shownLevel with its numbers worked out: f = first x + second x^2 + third x^3.
+/// 255 f(x) of shownLevel with its numbers worked out: f = first x + second x^2 + third x^3, or the clinical curve.
 struct ToneCurve {
   double recordedOverShown = 1.0;
+  double lift = 0.0;  ///< levels below 0 that a wider range makes 0
   double first = 1.0, second = 0.0, third = 0.0;
+  const MonotoneCurve<11>* clinical = nullptr;
 
   explicit ToneCurve(const Tone& tone) {
     const double recorded_db = usableRange_db(tone.recordedDynamicRange_db, 60.0);
-    recordedOverShown = recorded_db / usableRange_db(tone.dynamicRange_db, recorded_db);
+    const double shown_db = usableRange_db(tone.dynamicRange_db, recorded_db);
+    recordedOverShown = recorded_db / shown_db;
+    lift = std::max(0.0, 255.0 * (shown_db / recorded_db - 1.0));
     if (tone.map == GreyMap::soft) first = 2.0, second = -3.0, third = 2.0;
     if (tone.map == GreyMap::contrast) first = 0.0, second = 3.0, third = -2.0;
     if (tone.map == GreyMap::bright) first = 1.7, second = -0.7;
+    if (tone.map == GreyMap::clinical) clinical = &clinicalCurve();
   }
-  [[nodiscard]] bool isIdentity() const { return recordedOverShown == 1.0 && first == 1.0; }
+  [[nodiscard]] bool isIdentity() const { return recordedOverShown == 1.0 && first == 1.0 && clinical == nullptr; }
   [[nodiscard]] double at(double level) const {
-    const double x = std::max(1.0 - (255.0 - level) * (recordedOverShown / 255.0), 0.0);
+    const double opened = lift > 0.0 ? withBlackOpened(level, lift) : level;
+    const double x = std::max(1.0 - (255.0 - opened) * (recordedOverShown / 255.0), 0.0);
+    if (clinical != nullptr) return clinical->at(255.0 * x);
     return 255.0 * x * (first + x * (second + x * third));
   }
 };
@@ -76,13 +64,13 @@ void fillGainTable(double gain, const Sliders& dgc, std::span<const double> rowP
                    std::vector<std::uint8_t>& table) {
   Sliders sliders{};
   std::transform(dgc.begin(), dgc.end(), sliders.begin(), usableFactor);
-  const Sliders slope = slopesOf(sliders);
+  const auto curve = curveThrough(sliders);
   const double usableGain = usableFactor(gain);
   table.resize(256 * rowPosition.size());
   std::uint8_t* row = table.data();
   double factorBefore = -1.0;
   for (const double position : rowPosition) {
-    const double factor = curveAt(sliders, slope, position);
+    const double factor = curveAt(curve, position);
     if (factor == factorBefore) {
       // Sliders in a line, and all rows above the face and below the bottom.
       std::copy(row - 256, row, row);
@@ -99,7 +87,7 @@ void fillGainTable(double gain, const Sliders& dgc, std::span<const double> rowP
 
 }  // namespace
 
-double dgcAt(const std::array<double, kDgcSliders>& sliders, double position) { return curveAt(sliders, slopesOf(sliders), position); }
+double dgcAt(const std::array<double, kDgcSliders>& sliders, double position) { return curveAt(curveThrough(sliders), position); }
 
 void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std::span<const double> rowPosition,
                     std::vector<std::uint8_t>& table) {

@@ -91,11 +91,12 @@ std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, dou
   return levels;
 }
 
-void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t frameNumber, int firstRow, ImageView<float> echoes) {
+void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t frameNumber, int firstRow, ImageView<float> echoes,
+              double lift_db) {
   EW_EXPECTS(greyPerDb > 0.0);
   EW_EXPECTS(firstRow >= 0 && static_cast<std::size_t>(firstRow) + static_cast<std::size_t>(echoes.height) <= levels.size());
   const float perDoubling = levelsPerDoubling(greyPerDb);
-  const auto unseen = static_cast<float>(-kNoiseUnseen_db * greyPerDb);
+  const auto unseen = static_cast<float>(-(kNoiseUnseen_db + lift_db) * greyPerDb);
   for (int y = 0; y < echoes.height; ++y) {
     const float level = levels[static_cast<std::size_t>(firstRow + y)];
     if (!(level > unseen)) continue;

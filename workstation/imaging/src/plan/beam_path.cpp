@@ -60,6 +60,8 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
     if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid))
       live_.configure(probe, knobs_, scene, beams, grid_);
   }
+  gainSetting_ = beamGainOf(knobs, scene);
+  if (has(StepKind::gain) && gainFrom_.changesTo(grid_, gainSetting_)) gain_ = makeBeamGain(gainSetting_, grid_);
   hasLabels_ = false;
   if (has(StepKind::attenuation)) losses_ = makeTissueLosses(scene, knobs_.carrier_hz, grid_.sampleSpacing_mm);
   if (has(StepKind::labels) && (labels_.width != lineCount || labels_.height != grid_.samples))
@@ -192,10 +194,20 @@ void BeamPath::focusByKernels(Bands& bands, std::span<ThreadScratch> scratch) {
   });
 }
 
+void BeamPath::openBlack(Bands& bands) {
+  bands.run(echoes_.height, [&](int firstRow, int count, int) { ew::openBlack(gain_, firstRow, depths(firstRow, count)); });
+}
+
 void BeamPath::addNoise(std::uint64_t frameNumber, Bands& bands) {
   if (hasField_) return live_.addNoise(*scene_.noise, frameNumber, bands);
-  bands.run(echoes_.height,
-            [&](int firstRow, int count, int) { ew::addNoise(noise_, greyPerDb_, frameNumber, firstRow, depths(firstRow, count)); });
+  const double lift_db = gainSetting_.largestLift_db();
+  bands.run(echoes_.height, [&](int firstRow, int count, int) {
+    ew::addNoise(noise_, greyPerDb_, frameNumber, firstRow, depths(firstRow, count), lift_db);
+  });
+}
+
+void BeamPath::amplify(Bands& bands) {
+  bands.run(echoes_.height, [&](int firstRow, int count, int) { ew::amplify(gain_, firstRow, depths(firstRow, count)); });
 }
 
 void BeamPath::convert(Bands& bands, ImageView<std::uint8_t> picture) const {

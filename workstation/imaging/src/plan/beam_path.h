@@ -8,6 +8,7 @@
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/effects/attenuation.h"
+#include "ew/imaging/effects/beam_gain.h"
 #include "ew/imaging/effects/focus.h"
 #include "ew/imaging/effects/reverberation.h"
 #include "ew/imaging/effects/slice_thickness.h"
@@ -52,7 +53,9 @@ class BeamPath {
   void reverberate();
   void focusByRows(Bands& bands, std::span<ThreadScratch> scratch);
   void focusByKernels(Bands& bands, std::span<ThreadScratch> scratch);
+  void openBlack(Bands& bands);
   void addNoise(std::uint64_t frameNumber, Bands& bands);
+  void amplify(Bands& bands);
   void convert(Bands& bands, ImageView<std::uint8_t> picture) const;
 
   /// One line of the levels as they are now, rounded; `beam` holds one value a sample.
@@ -87,6 +90,9 @@ class BeamPath {
   MadeFrom<BeamGrid, BeamModel> samplesOfRowFrom_;
   std::vector<float> noise_;
   MadeFrom<BeamGrid, NoiseEffect, double, double> noiseFrom_;
+  BeamGain gain_;
+  BeamGainSetting gainSetting_;
+  MadeFrom<BeamGrid, BeamGainSetting> gainFrom_;
   TissueLosses losses_;
   LiveEchoes live_;
   MadeFrom<Probe, EchoBeams, Scene, BeamGrid, double, bool> liveFrom_;

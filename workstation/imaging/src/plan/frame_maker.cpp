@@ -11,6 +11,7 @@
 #include "ew/imaging/effects/persistence.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/m_mode.h"
+#include "ew/imaging/resolved.h"
 #include "planning.h"
 
 namespace ew {
@@ -119,7 +120,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   if (asked_ && isAsked(*asked_)) return;
   asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, pan};
   knobs_ = limited(knobs);
-  scene_ = limited(scene);
+  scene_ = detail::knownScene(limited(scene), hasTissue);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);
@@ -135,11 +136,11 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   }
   picture_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
 
-  const double spacing_mm = detail::isLive(scene_, hasTissue) ? detail::liveSpacing_mm(probe, knobs_, scene_, geometry_.depth_mm)
-                                                              : detail::beamSpacing_mm(geometry_, grid);
+  const double spacing_mm =
+      formsEchoes(scene_) ? detail::liveSpacing_mm(probe, knobs_, scene_, geometry_.depth_mm) : detail::beamSpacing_mm(geometry_, grid);
   const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, spacing_mm, spans_);
-  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false, hasTissue);
-  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true, hasTissue);
+  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
+  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
   plan_ = touching_;
   plan_.steps.reserve(lifted_.steps.size());
   times_.reserve(lifted_.steps.size());
@@ -164,8 +165,9 @@ void FrameMaker::Parts::makeGreyTables(bool hasStrip) {
     return;
   }
   const Knobs neutral;
-  const double gain = scene_.gainAndDgc ? knobs_.gain : neutral.gain;
-  const auto& dgc = scene_.gainAndDgc ? knobs_.dgc : neutral.dgc;
+  const bool hasGain = detail::hasPaperGain(knobs_, scene_);
+  const double gain = hasGain ? knobs_.gain : neutral.gain;
+  const auto& dgc = hasGain ? knobs_.dgc : neutral.dgc;
   const Tone tone = detail::toneOf(knobs_, scene_);
   if (tableFrom_.changesTo(gain, dgc, tone)) buildGainTable(gain, dgc, tone, rowPosition_, table_);
   if (!hasStrip || !beamTableFrom_.changesTo(gain, dgc, tone, beam_.size())) return;
@@ -230,8 +232,12 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
       return beams_.focusByRows(bands_, scratch_);
     case StepKind::focusKernel:
       return beams_.focusByKernels(bands_, scratch_);
+    case StepKind::black:
+      return beams_.openBlack(bands_);
     case StepKind::noise:
       return beams_.addNoise(input.number, bands_);
+    case StepKind::gain:
+      return beams_.amplify(bands_);
     case StepKind::mMode:
       return drawStrip(input);
     case StepKind::scanConversion:

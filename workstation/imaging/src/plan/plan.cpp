@@ -8,6 +8,7 @@
 #include "ew/core/translatable.h"
 #include "ew/imaging/effects/noise.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/resolved.h"
 #include "planning.h"
 
 namespace ew {
@@ -38,8 +39,10 @@ constexpr StepInfo kSteps[] = {
     {StepKind::reverberation, "reverberation", EW_TRANSLATE_NOOP("ew::StepKind", "reverberation"), 0.0, 0.2},
     {StepKind::focusStretch, "focus (stretch)", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 1.0},
     {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
+    {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.1},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
     {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
+    {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
     {StepKind::scanConversion, "scan conversion", EW_TRANSLATE_NOOP("ew::StepKind", "scan conversion"), 1.2, 0.0},
     {StepKind::edges, "edges", EW_TRANSLATE_NOOP("ew::StepKind", "edges"), 0.45, 0.0},
@@ -65,14 +68,19 @@ StepKind samplingOf(Quality quality) {
   return StepKind::sampleLinear;
 }
 
+double shownDynamicRange_db(const Knobs& knobs, const Scene& scene) {
+  return knobs.dynamicRange_db > 0.0 ? knobs.dynamicRange_db : scene.recordedDynamicRange_db;
+}
+
 bool hasTable(const Knobs& knobs, const Scene& scene) {
   const bool gains = knobs.gain != 1.0 || std::any_of(knobs.dgc.begin(), knobs.dgc.end(), [](double factor) { return factor != 1.0; });
-  return (scene.gainAndDgc && gains) || !detail::toneOf(knobs, scene).isNeutral();
+  return (gains && detail::hasPaperGain(knobs, scene)) || !detail::toneOf(knobs, scene).isNeutral();
 }
 
 /// Whether noise shows anywhere: it grows with depth.
-bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz, double depth_mm) {
-  return noiseLevel_db(noise, carrier_hz, depth_mm) > -scene.recordedDynamicRange_db - kNoiseUnseen_db;
+/// @param lift_db how far below recorded black levels come into sight
+bool isNoiseSeen(const NoiseEffect& noise, const Scene& scene, double carrier_hz, double depth_mm, double lift_db) {
+  return noiseLevel_db(noise, carrier_hz, depth_mm) > -scene.recordedDynamicRange_db - kNoiseUnseen_db - lift_db;
 }
 
 }  // namespace
@@ -93,11 +101,11 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
               bool hasGaps, bool hasTissue) {
   const Knobs usable = limited(knobs);
-  const Scene limitedScene = limited(scene);
-  const double spacing_mm = detail::isLive(limitedScene, hasTissue) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
-                                                                    : detail::beamSpacing_mm(geometry, grid);
+  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue);
+  const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
+                                                      : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
-                        detail::frameSizeOf(probe, geometry, spacing_mm, fanSpans(probe, usable, geometry)), hasLabels, hasGaps, hasTissue);
+                        detail::frameSizeOf(probe, geometry, spacing_mm, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
 }
 
 namespace detail {
@@ -135,20 +143,37 @@ Knobs withCarrierOf(const Probe& probe, const Knobs& knobs) {
   return result;
 }
 
-Tone toneOf(const Knobs& knobs, const Scene& scene) {
+BeamGainSetting beamGainOf(const Knobs& knobs, const Scene& scene) {
   const double recorded_db = scene.recordedDynamicRange_db;
-  return {recorded_db, knobs.dynamicRange_db > 0.0 ? knobs.dynamicRange_db : recorded_db, knobs.greyMap};
+  BeamGainSetting setting{.recordedDynamicRange_db = recorded_db, .dynamicRange_db = recorded_db};
+  if (resolvedGainLaw(knobs, scene) != GainLaw::decibel) return setting;
+  setting.dynamicRange_db = shownDynamicRange_db(knobs, scene);
+  if (!scene.gainAndDgc) return setting;
+  setting.gain_db = knobs.gain_db;
+  setting.tgc_db = knobs.tgc_db;
+  return setting;
 }
 
+Tone toneOf(const Knobs& knobs, const Scene& scene) {
+  const bool isOnBeams = resolvedGainLaw(knobs, scene) == GainLaw::decibel;
+  const double recorded_db = scene.recordedDynamicRange_db;
+  return {recorded_db, isOnBeams ? recorded_db : shownDynamicRange_db(knobs, scene), resolvedGreyMap(knobs, scene)};
+}
+
+bool hasPaperGain(const Knobs& knobs, const Scene& scene) { return scene.gainAndDgc && resolvedGainLaw(knobs, scene) == GainLaw::paper; }
+
 Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-            const FrameSize& size, bool hasLabels, bool hasGaps, bool hasTissue) {
+            const FrameSize& size, bool hasLabels, bool hasGaps) {
   const double samples = static_cast<double>(size.lines) * size.samples;
   const bool losesContact = scene.contact && hasGaps;
   const bool focuses = scene.focus && scene.focus->strength > 0.0;
-  const bool hasNoise = scene.noise && isNoiseSeen(*scene.noise, scene, withCarrierOf(probe, knobs).carrier_hz, geometry.depth_mm);
+  const BeamGainSetting gain = beamGainOf(knobs, scene);
+  const bool hasNoise =
+      scene.noise && isNoiseSeen(*scene.noise, scene, withCarrierOf(probe, knobs).carrier_hz, geometry.depth_mm, gain.largestLift_db());
   Plan plan;
-  const bool live = isLive(scene, hasTissue);
-  plan.onBeams = live || losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise;
+  const bool live = formsEchoes(scene);
+  plan.onBeams =
+      live || losesContact || scene.sliceThickness || scene.attenuation || scene.reverberation || focuses || hasNoise || !gain.isNeutral();
   const auto add = [&](StepKind kind, double times = 1.0) {
     const StepInfo& cost = infoOf(kind);
     plan.steps.push_back({kind, 1e-3 * times * (cost.pixel_ns * size.pixels + cost.sample_ns * samples)});
@@ -168,6 +193,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
     if (scene.reverberation) add(StepKind::reverberation);
+    if (!gain.isNeutral()) add(StepKind::gain);
   } else if (addSampling(samplingOf(knobs.quality)); plan.onBeams) {
     if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);
     const bool tissuesDecide = scene.attenuation && hasLabels && !scene.tissues.empty();
@@ -176,7 +202,9 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     if (scene.attenuation) add(StepKind::attenuation);
     if (scene.reverberation) add(StepKind::reverberation);
     if (focuses) add(knobs.focusMethod == FocusMethod::rowStretch ? StepKind::focusStretch : StepKind::focusKernel);
+    if (gain.largestLift_db() > 0.0) add(StepKind::black);
     if (hasNoise) add(StepKind::noise);
+    if (!gain.isNeutral()) add(StepKind::gain);
   } else {
     const double largestVoxel_mm = std::max({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
     if (knobs.quality == Quality::weave && geometry.pixel_mm < largestVoxel_mm) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ew/imaging/effects/beam_gain.h"
 #include "ew/imaging/effects/gain.h"
 #include "ew/imaging/frame.h"
 
@@ -16,8 +17,11 @@ struct FrameSize {
 /// samples to the depth. Finer than that, a volume has nothing to show.
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
-/// Whether frames of this scene form their echoes anew.
-[[nodiscard]] inline bool isLive(const Scene& scene, bool hasTissue) { return hasTissue && scene.liveEchoes.has_value(); }
+/// The scene without what cannot be done for want of tissue maps.
+[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue) {
+  if (!hasTissue) scene.liveEchoes.reset();
+  return scene;
+}
 /// Sample distance of live echoes, mm: as their pulse asks for.
 [[nodiscard]] double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 
@@ -28,12 +32,18 @@ struct FrameSize {
 /// The knobs with a carrier the probe has: the nearest one to what was asked, its own when nothing was.
 [[nodiscard]] Knobs withCarrierOf(const Probe& probe, const Knobs& knobs);
 
-/// The dynamic range and grey map that follow gain and DGC.
+/// What acts on beams, in decibels; neutral by the paper's law.
+[[nodiscard]] BeamGainSetting beamGainOf(const Knobs& knobs, const Scene& scene);
+
+/// The dynamic range and grey map that follow gain and DGC; in decibels the range is on beams already.
 [[nodiscard]] Tone toneOf(const Knobs& knobs, const Scene& scene);
+
+/// Whether the paper's gain and DGC act.
+[[nodiscard]] bool hasPaperGain(const Knobs& knobs, const Scene& scene);
 
 /// makePlan for what was brought within limits and counted already.
 /// @param hasGaps whether parts of the face are off the skin
 [[nodiscard]] Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                          const FrameSize& size, bool hasLabels, bool hasGaps, bool hasTissue);
+                          const FrameSize& size, bool hasLabels, bool hasGaps);
 
 }  // namespace ew::detail

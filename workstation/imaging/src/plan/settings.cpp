@@ -36,6 +36,10 @@ class Limiter {
     for (std::size_t n = 0; n < N; ++n) limit((setting_.*field)[n], (kDefault.*field)[n], lowest, highest);
   }
   template <std::size_t N>
+  void decibels(const char* key, std::array<double, N> T::*field, double lowest_db, double highest_db) {
+    factors(key, field, lowest_db, highest_db);
+  }
+  template <std::size_t N>
   void foci(const char*, double T::*first, std::array<double, N> T::*more, double lowest, double highest) {
     limit(setting_.*first, kDefault.*first, lowest, highest);
     for (double& focus : setting_.*more) limit(focus, 0.0, lowest, highest);
@@ -89,6 +93,7 @@ Scene limited(const Scene& scene) {
 Scene sceneWithEverything() {
   Scene scene;
   for (const EffectInfo& effect : sceneEffects()) effect.switchTo(scene, true);
+  scene.liveEchoes.reset();  // of known tissue alone
   return scene;
 }
 

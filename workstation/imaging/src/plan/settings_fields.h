@@ -18,8 +18,14 @@ using Words = std::array<std::pair<const char*, E>, N>;
 inline constexpr Words<Quality, 3> kQualityWords{{{"weave", Quality::weave}, {"linear", Quality::linear}, {"cubic", Quality::cubic}}};
 inline constexpr Words<FocusMethod, 2> kFocusMethodWords{
     {{"row_stretch", FocusMethod::rowStretch}, {"lateral_kernel", FocusMethod::lateralKernel}}};
-inline constexpr Words<GreyMap, 4> kGreyMapWords{
-    {{"linear", GreyMap::linear}, {"soft", GreyMap::soft}, {"contrast", GreyMap::contrast}, {"bright", GreyMap::bright}}};
+inline constexpr Words<GainLaw, 3> kGainLawWords{
+    {{"automatic", GainLaw::automatic}, {"decibel", GainLaw::decibel}, {"paper", GainLaw::paper}}};
+inline constexpr Words<GreyMap, 6> kGreyMapWords{{{"automatic", GreyMap::automatic},
+                                                  {"linear", GreyMap::linear},
+                                                  {"soft", GreyMap::soft},
+                                                  {"contrast", GreyMap::contrast},
+                                                  {"bright", GreyMap::bright},
+                                                  {"clinical", GreyMap::clinical}}};
 inline constexpr Words<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}}};
 
 inline constexpr double kLargestSteering_deg = 60.0;  // probes allow less
@@ -34,6 +40,9 @@ template <class Visitor>
 void visitFields(Visitor& field, const Knobs*) {
   field.number("gain", &Knobs::gain, 0.0, 1e6, say<"a factor; 1 is neutral">);
   field.factors("dgc", &Knobs::dgc, 0.0, 1e6);
+  field.choice("gain_law", &Knobs::gainLaw, kGainLawWords);
+  field.number("gain_db", &Knobs::gain_db, -30.0, 30.0, say<"decibels; 0 is neutral">);
+  field.decibels("tgc_db", &Knobs::tgc_db, -20.0, 20.0);
   field.number("depth_mm", &Knobs::depth_mm, 0.0, 1000.0, say<"0 for the probe's own">);
   field.foci("focus_mm", &Knobs::focus_mm, &Knobs::moreFoci_mm, 0.0, 1000.0);
   field.choice("focus_method", &Knobs::focusMethod, kFocusMethodWords);

@@ -33,6 +33,9 @@ struct Wording {
   static Message count(int lowest, int highest) { return wholeRangeText(lowest, highest); }
   static Message oddCount(int lowest, int highest) { return say<"an odd number from %1 to %2">(lowest, highest); }
   static Message factors(std::size_t count) { return say<"a list of %1 factors of at least 0, near to far (1 is neutral)">(count); }
+  static Message decibels(std::size_t count, double lowest_db, double highest_db) {
+    return say<"a list of %1 numbers of decibels, each %2, near to far (0 is neutral)">(count, rangeText(lowest_db, highest_db));
+  }
   static Message foci(std::size_t most) { return say<"a depth in mm, 0 for half of the depth, or a list of up to %1 depths">(most); }
   template <class E, std::size_t N>
   static Message choice(const detail::Words<E, N>& words) {
@@ -75,6 +78,12 @@ class Reader {
   template <std::size_t N>
   void factors(const char* key, std::array<double, N> T::*field, double lowest, double highest) {
     const auto values = fields_.numbers(known(key), N, N, lowest, highest, false, Wording::factors(N));
+    std::copy(values.begin(), values.end(), (setting_.*field).begin());
+  }
+  template <std::size_t N>
+  void decibels(const char* key, std::array<double, N> T::*field, double lowest_db, double highest_db) {
+    const Message expected = Wording::decibels(N, lowest_db, highest_db);
+    const auto values = fields_.numbers(known(key), N, N, lowest_db, highest_db, false, expected);
     std::copy(values.begin(), values.end(), (setting_.*field).begin());
   }
   template <std::size_t N>
@@ -176,6 +185,10 @@ class Writer {
     object[key] = setting_.*field;
   }
   template <std::size_t N>
+  void decibels(const char* key, std::array<double, N> T::*field, double, double) {
+    object[key] = setting_.*field;
+  }
+  template <std::size_t N>
   void foci(const char* key, double T::*first, std::array<double, N> T::*more, double, double) {
     std::vector<double> all{setting_.*first};
     all.insert(all.end(), (setting_.*more).begin(), (setting_.*more).end());
@@ -267,6 +280,10 @@ class Manual {
     add(key, Wording::factors(N));
   }
   template <std::size_t N>
+  void decibels(const char* key, std::array<double, N> T::*, double lowest_db, double highest_db) {
+    add(key, Wording::decibels(N, lowest_db, highest_db));
+  }
+  template <std::size_t N>
   void foci(const char* key, double T::*, std::array<double, N> T::*, double, double) {
     add(key, Wording::foci(N + 1));
   }
@@ -317,8 +334,22 @@ std::string manualOf() {
 
 }  // namespace
 
+namespace {
+
+/// The law that a document means which names none: that of the values it gives. Files of before there were two give factors.
+GainLaw gainLawMeantBy(const json& document) {
+  const bool factors = document.contains("gain") || document.contains("dgc");
+  const bool decibels = document.contains("gain_db") || document.contains("tgc_db");
+  if (factors == decibels) return GainLaw::automatic;
+  return factors ? GainLaw::paper : GainLaw::decibel;
+}
+
+}  // namespace
+
 Result<Knobs> knobsFromJson(const json& document, const Message& where, json* unknown) {
-  return settingFrom<Knobs>(document, where, unknown);
+  auto knobs = settingFrom<Knobs>(document, where, unknown);
+  if (knobs && !document.contains("gain_law")) knobs->gainLaw = gainLawMeantBy(document);
+  return knobs;
 }
 
 Result<Scene> sceneFromJson(const json& document, const Message& where, json* unknown) {

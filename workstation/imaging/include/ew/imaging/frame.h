@@ -33,13 +33,15 @@ enum class StepKind {
   reverberation,
   focusStretch,
   focusKernel,
+  black,  ///< recorded black, opened for a gain in decibels
   noise,
   envelope,  ///< of live echoes: pulse, looks, logarithm
+  gain,  ///< gain, TGC and dynamic range in decibels
   mMode,
   scanConversion,
   edges,
   persistence,
-  table,  ///< gain, DGC, dynamic range and grey map
+  table,  ///< the paper's gain, DGC and dynamic range; grey map
 };
 /// In plans, reports and benchmarks.
 const char* nameOf(StepKind kind);
@@ -62,7 +64,7 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan);
 /// The steps that this setting calls for. Left out are: every effect the scene does not have, a table that changes nothing, knobs at their
 /// neutral setting, noise that cannot be seen, contact while everything touches; and beams, when no step needs them (a linear array that
 /// steers or fans out does not: the display grid is clipped to its fan; M-mode does not: its beam is sampled alone). Gain, DGC, dynamic
-/// range and grey map are one table.
+/// range and grey map are one table; in decibels all but the grey map are a step on beams.
 /// @param hasLabels whether frames come with a label volume
 /// @param hasGaps   whether parts of the face are off the skin, beyond what gel fills
 /// @param hasTissue whether frames come with tissue maps: then a scene with live echoes forms them, and samples no volume

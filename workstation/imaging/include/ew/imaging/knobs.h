@@ -13,8 +13,15 @@ enum class FocusMethod {
   lateralKernel,  ///< every depth is blurred by the width its beam has there
 };
 
-/// How grey levels are shown after the dynamic range; see effects/gain.h for the curves.
-enum class GreyMap { linear, soft, contrast, bright };
+/// How gain and TGC act. The values of the law that does not act are kept and do nothing.
+enum class GainLaw {
+  automatic,  ///< what suits the scene (resolved.h): decibels for echoes formed anew, the paper's for a recorded volume
+  decibel,    ///< a machine's: `gain_db` and `tgc_db` along the beams, before the picture is made (effects/beam_gain.h)
+  paper,      ///< Eq. 3-5: `gain` and `dgc` are factors on grey levels, by rows of the picture (effects/gain.h)
+};
+
+/// How grey levels are shown after the dynamic range; see effects/gain.h for the curves, resolved.h for what suits a scene.
+enum class GreyMap { linear, soft, contrast, bright, clinical, automatic };
 
 /// What the scan view shows.
 enum class DisplayMode { bMode, mMode, both };
@@ -26,13 +33,16 @@ inline constexpr int kMostFoci = 4;
 struct Knobs {
   double gain = 1.0;                                            ///< factor of Eq. 3, >= 0; 1 is neutral
   std::array<double, kDgcSliders> dgc{1, 1, 1, 1, 1, 1, 1, 1};  ///< factors of Eq. 4, near to far, >= 0; 1 is neutral
-  double depth_mm = 0.0;                                        ///< 0: the probe's default depth
-  double focus_mm = 0.0;                                        ///< depth of the focus mark; 0: half of the depth
-  std::array<double, kMostFoci - 1> moreFoci_mm{};              ///< further foci, 0: not used
+  GainLaw gainLaw = GainLaw::automatic;
+  double gain_db = 0.0;                             ///< -30..30; 0 is neutral
+  std::array<double, kDgcSliders> tgc_db{};         ///< near to far, -20..20; 0 is neutral
+  double depth_mm = 0.0;                            ///< 0: the probe's default depth
+  double focus_mm = 0.0;                            ///< depth of the focus mark; 0: half of the depth
+  std::array<double, kMostFoci - 1> moreFoci_mm{};  ///< further foci, 0: not used
   FocusMethod focusMethod = FocusMethod::lateralKernel;
   double carrier_hz = 0.0;       ///< one of the probe's frequencies; 0: the probe's own
   double dynamicRange_db = 0.0;  ///< shown range below full white, 20..120; 0: the range the volume was recorded with
-  GreyMap greyMap = GreyMap::linear;
+  GreyMap greyMap = GreyMap::automatic;
   double edgeEnhancement = 0.0;  ///< 0 (neutral)..1
   double persistence = 0.0;      ///< share of the last picture that stays, 0 (neutral)..0.95
   int elevationPlanes = 5;       ///< planes the slice thickness is averaged over, odd, 3..9; acts when the scene has a slice thickness

@@ -12,7 +12,8 @@ namespace ew {
 
 /// Knobs and scenes as JSON: one form for knob files, scene files, cases and recordings. Keys are snake_case with their unit, angles in
 /// degrees (`steering_deg`), `focus_mm` a number or a list of up to four, an effect `true`, `false` or an object of its parameters, a
-/// tissue an object with its `label`. A missing key keeps the default.
+/// tissue an object with its `label`. A missing key keeps the default; a missing `gain_law` is that of the values given (`gain`, `dgc`:
+/// the paper's; `gain_db`, `tgc_db`: decibels), so that files from before there was a choice mean what they meant.
 /// @param where how error sentences call the document: verbatim("knobs.json"), say<"the scene of case.json">()
 /// @param unknown when given, keys that are not known are put there, in objects as they were found in (a tissue's with its label), and
 ///                are no errors

@@ -11,7 +11,7 @@
 
 namespace ew {
 
-/// The DGC factor at `position` of the depth (0 at the face, 1 at the bottom): a curve through the eight sliders, which sit at the
+/// The DGC factor (or TGC in dB) at `position` of the depth (0 at the face, 1 at the bottom): a curve through the eight sliders, at the
 /// middles of eight equal depth bands, constant beyond the first and the last. It never leaves the range of two neighbouring sliders
 /// (monotone cubic Hermite interpolation, Fritsch & Carlson, SIAM J. Numer. Anal. 17(2), 1980; slopes are the mean of the neighbouring
 /// secants, 0 at the first and last slider so that the curve runs smoothly into its constant ends).
@@ -28,8 +28,7 @@ void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, std
 /// Ranges are brought into 20..120 dB; one that is no number above 0 counts as 60 (recorded) or as the recorded one (shown).
 struct Tone {
   double recordedDynamicRange_db = 60.0;  ///< what 0..255 span
-  double dynamicRange_db =
-      60.0;  ///< shown: full white stays, levels this far below it become black; wider than recorded: black becomes grey
+  double dynamicRange_db = 60.0;          ///< shown: full white stays, levels this far below it become black
   GreyMap map = GreyMap::linear;
   bool operator==(const Tone&) const = default;
   [[nodiscard]] bool isNeutral() const { return map == GreyMap::linear && dynamicRange_db == recordedDynamicRange_db; }
@@ -42,7 +41,12 @@ struct Tone {
 ///   soft      f = 2 x - S(x)         half the slope in the middle greys, twice at both ends: flatter tissue, nothing lost in the dark
 ///   contrast  f = S(x)               the slope 1.5 in the middle greys, 0 at both ends
 ///   bright    f = 1.7 x - 0.7 x^2    darker greys lifted: the middle grey by 35 %
-/// A level that is not a number counts as 0.
+///   clinical  a monotone curve (as dgcAt's) from 0 at x = 0 and at the reject, x = 2/15 (52 dB below full white of 60), through 255 f =
+///             24, 32, 43, 55, 68, 85, 126, 183 at 255 x = 80, 90, 100, 110, 120, 130, 150, 170, to 255 at 255
+/// The clinical curve was measured: grey levels of a convex machine's liver sweep against ours of equal rank (forward model, 60 dB). Dark
+/// tissue on black, a long bright tail; weak noise and clutter are rejected. `automatic` is resolved before (resolved.h); here it is
+/// linear. Black of a recorded volume stays black: with a range wider than recorded, levels below kFaintLevel are shown between black and
+/// where they belong, as openBlack has them (effects/beam_gain.h). A level that is not a number counts as 0.
 [[nodiscard]] double shownLevel(const Tone& tone, double level);
 
 /// buildGainTable with `tone` behind it, in one table and one rounding: tables fuse. A neutral tone gives the table without it.

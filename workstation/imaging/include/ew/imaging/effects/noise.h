@@ -30,11 +30,13 @@ inline constexpr double kNoiseUnseen_db = 28.0;
 ///   10^(level' / s) = 10^(level / s) + 10^(levels[row] / s) (-ln u),  s = 10 greyPerDb, u even in (0, 1) from a hash of frame, row and
 ///   line.
 /// The same bits for the same frame number on every instruction set, in every band and with any number of threads. Error below 0.003
-/// levels at 60 dB. Rows whose level lies kNoiseUnseen_db or more below black are left as they are.
+/// levels at 60 dB. Rows whose level lies kNoiseUnseen_db or more below what is black at last are left as they are.
 /// @param levels      of the whole grid
 /// @param greyPerDb   > 0
 /// @param firstRow    the grid's row that echoes.row(0) is; echoes holds all lines
+/// @param lift_db     how far below recorded black levels will come into sight at most (BeamGainSetting::largestLift_db)
 /// Cost on one core of a server of 2023 (AVX-512, shared): 2.4 ns a sample that is not left as it is.
-void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t frameNumber, int firstRow, ImageView<float> echoes);
+void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t frameNumber, int firstRow, ImageView<float> echoes,
+              double lift_db = 0.0);
 
 }  // namespace ew
