@@ -30,6 +30,7 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
   fineStride_ = stride_ + 2;  // scatterers are shared by two columns
   fine_.resize(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows));
+  surfaces_.configure(layout_);
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   layHaze(effect.haze_db);
 }
@@ -50,7 +51,10 @@ void LiveEchoes::layHaze(double haze_db) {
     }
 }
 
-void LiveEchoes::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
+void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
+                         Bands& bands) {
+  const Transform<frame::Voxel, frame::Probe> probeToVoxel = placed.worldToVoxel() * probeToWorld;
+  const SliceSource level(VolumeView<const std::uint8_t>{maps.level.data(), placed});
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   noiseKey_.reset();
   const EchoPlace place = echoPlaceOf(layout_, level.grid, probeToVoxel);
@@ -68,6 +72,7 @@ void LiveEchoes::scatter(const SliceSource& level, const Transform<frame::Voxel,
         addScatterers(task, mine.blocks.data(), mine.blocks.size());
       }
     });
+  if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, bands, fine_.data(), fineStride_);
   bands.run(layout_.tiles, [&](int first, int count, int) {
     for (int tile = first; tile < first + count; ++tile) filterTile(tile);
   });

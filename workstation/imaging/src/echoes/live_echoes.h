@@ -7,6 +7,7 @@
 
 #include "echo_layout.h"
 #include "echo_losses.h"
+#include "echo_surfaces.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/slice_source.h"
@@ -22,8 +23,8 @@ class LiveEchoes {
   /// @param grid made with echoSpacing_mm
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid);
 
-  /// @param level of TissueMaps, in rows
-  void scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands);
+  /// @param placed where the maps lie now
+  void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
   void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   void addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands& bands);
   /// @param greyPerDb of the levels
@@ -41,6 +42,7 @@ class LiveEchoes {
   void layHaze(double haze_db);
 
   EchoLayout layout_;
+  EchoSurfaces surfaces_;
   EchoLosses losses_;
   double carrier_hz_ = 3.5e6;
   std::vector<Scratch> scratch_;

@@ -156,8 +156,9 @@ void BeamPath::loseContact(Bands& bands, std::span<ThreadScratch> scratch) {
   });
 }
 
-void BeamPath::scatter(const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands) {
-  live_.scatter(level, probeToVoxel, bands);
+void BeamPath::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
+                       Bands& bands) {
+  live_.scatter(maps, placed, probeToWorld, bands);
   hasField_ = true;
 }
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "echo_layout.h"
+#include "ew/imaging/bands.h"
+#include "ew/imaging/tissue_maps.h"
+
+namespace ew::detail {
+
+/// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
+/// strong as the surface lies square to it:
+///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + r),  A as ReflectingSurface::echoLevel says, b the incidence, r rough and of random sign,
+/// u uneven within 3 to 6 mm, so that a capsule is a broken line. In the field all mirrors have one phase: laterally they add up to a line
+/// as wide as the beam, and a surface that leans in elevation is spread over the depths at which it is met.
+/// Source: incidence as facts of the field have it (20 dB at 20 degrees for capsules and diaphragm); the formula is ours.
+class EchoSurfaces {
+ public:
+  void configure(const EchoLayout& layout);
+  /// Adds to the fine grid, in units of kDepositUnit. Every line has rows of its own.
+  /// @param maps with surfaces
+  void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands, std::int32_t* fine,
+           std::ptrdiff_t stride) const;
+
+ private:
+  struct Crossing;
+  void addLine(int line, const struct SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const;
+  void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,
+               std::ptrdiff_t stride) const;
+
+  const EchoLayout* layout_ = nullptr;
+  std::vector<float> mirrorScale_;  ///< by column: of a mirror's amplitude, to what is added to each row
+  std::vector<float> roughScale_;   ///< the same of what is rough
+};
+
+}  // namespace ew::detail
