@@ -23,6 +23,15 @@ struct LabelBlend {
   std::ptrdiff_t row = labels.grid.dims.x;
   std::ptrdiff_t plane = row * labels.grid.dims.y;
 
+  /// Asks for the voxels around a point.
+  void announce(const glm::vec3& p) const {
+    if (!(p.x >= 0.0F && p.y >= 0.0F && p.z >= 0.0F && p.x < last.x && p.y < last.y && p.z < last.z)) return;
+    const std::uint8_t* first = labels.voxels + static_cast<int>(p.x) + row * static_cast<int>(p.y) + plane * static_cast<int>(p.z);
+    __builtin_prefetch(first);
+    __builtin_prefetch(first + row);
+    __builtin_prefetch(first + plane);
+    __builtin_prefetch(first + row + plane);
+  }
   void at(const glm::vec3& p, float& ownAt, float& reflectionAt) const {
     // Not a number compares false.
     if (!(p.x >= 0.0F && p.y >= 0.0F && p.z >= 0.0F && p.x < last.x && p.y < last.y && p.z < last.z)) {
@@ -108,6 +117,7 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
     ways_[line] = {glm::vec3(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), glm::vec3(m * glm::dvec4(way.direction, 0.0, 0.0))};
   }
   const glm::vec3 aside(m[2]);
+  const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 0; p < kPlanes; ++p)
       for (int s = firstStep; s < firstStep + count; ++s) {
@@ -118,7 +128,9 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         float* reflection = reflection_.data() + indexOf(p, s);
         for (int line = 0; line < lines_; ++line) {
           const Way& way = ways_[static_cast<std::size_t>(line)];
-          blend.at(way.start + offset + depth_mm * way.perMm, own[line], reflection[line]);
+          const glm::vec3 place = way.start + offset + depth_mm * way.perMm;
+          blend.announce(place + ahead_mm * way.perMm);
+          blend.at(place, own[line], reflection[line]);
         }
       }
   });

@@ -3,71 +3,88 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/matrix_inverse.hpp>
+#include <limits>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 #include "scatterers.h"
 
 namespace ew::detail {
 
+/// A reflecting surface in amplitudes.
+struct Strength {
+  float mirror = 0.0F;
+  float rough = 0.0F;
+  float sharpness = 0.0F;  ///< the mirror falls as exp(-sharpness sin^2 b)
+  bool frontOnly = false;
+};
+
 /// Distances to surfaces as voxels and as places in the probe frame.
 struct SurfaceMap {
   const TissueMaps& maps;
-  glm::dmat4 probeToVoxel;
-  glm::dmat3 slopeToProbe;  ///< takes a slope over voxels to one over mm of the probe frame
+  std::vector<Strength> strengths;
+  glm::mat4 probeToVoxel;
+  glm::mat3 slopeToProbe;  ///< takes a slope over voxels to one over mm of the probe frame
+  glm::vec3 last = glm::vec3(maps.grid.dims - 1);
+  std::ptrdiff_t row = maps.grid.dims.x;
+  std::ptrdiff_t plane = row * maps.grid.dims.y;
 
-  /// Nearest voxel; nothing outside.
-  [[nodiscard]] std::optional<std::size_t> indexAt(const glm::dvec3& voxel) const {
-    const glm::ivec3 nearest(glm::floor(voxel + 0.5));
-    if (!maps.grid.contains(nearest)) return std::nullopt;
-    return maps.grid.indexOf(nearest.x, nearest.y, nearest.z);
-  }
-  /// Between voxels, mm; nothing where one of them knows no surface.
-  [[nodiscard]] std::optional<double> distanceAt(const glm::dvec3& voxel) const {
-    const glm::dvec3 whole = glm::floor(voxel);
-    const glm::ivec3 low(whole);
-    if (low.x < 0 || low.y < 0 || low.z < 0 || !maps.grid.contains(low + 1)) return std::nullopt;
-    const glm::dvec3 t = voxel - whole;
-    const std::uint8_t* first = maps.surfaceDistance.data() + maps.grid.indexOf(low.x, low.y, low.z);
-    const std::ptrdiff_t row = maps.grid.dims.x, plane = row * maps.grid.dims.y;
-    std::array<double, 4> along;
+  /// Between voxels, mm; not a number where one of them knows no surface, and outside.
+  [[nodiscard]] float distanceAt(const glm::vec3& voxel) const {
+    if (!(voxel.x >= 0.0F && voxel.y >= 0.0F && voxel.z >= 0.0F && voxel.x < last.x && voxel.y < last.y && voxel.z < last.z))
+      return kUnknown;
+    const glm::ivec3 low(voxel);
+    const glm::vec3 t = voxel - glm::vec3(low);
+    const std::uint8_t* first = maps.surfaceDistance.data() + low.x + row * low.y + plane * low.z;
+    std::array<float, 4> along;
     for (std::size_t n = 0; n < along.size(); ++n) {
       const std::uint8_t* at = first + (n & 1 ? row : 0) + (n & 2 ? plane : 0);
-      if (at[0] == 0 || at[1] == 0) return std::nullopt;
-      along[n] = at[0] + t.x * (at[1] - at[0]);
+      if (at[0] == 0 || at[1] == 0) return kUnknown;
+      along[n] = static_cast<float>(at[0]) + t.x * static_cast<float>(at[1] - at[0]);
     }
-    const double near = along[0] + t.y * (along[1] - along[0]), far = along[2] + t.y * (along[3] - along[2]);
-    return (near + t.z * (far - near) - 128.0) / TissueMaps::kDistanceStepsPerMm;
+    const float near = along[0] + t.y * (along[1] - along[0]), far = along[2] + t.y * (along[3] - along[2]);
+    constexpr auto kMmPerStep = static_cast<float>(1.0 / TissueMaps::kDistanceStepsPerMm);
+    return (near + t.z * (far - near) - 128.0F) * kMmPerStep;
   }
-  /// Slope of the distance, in the probe frame; nothing beside the rim of a surface.
-  [[nodiscard]] std::optional<glm::dvec3> slopeAt(const glm::dvec3& voxel) const {
-    glm::dvec3 slope;
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 step(0.0);
-      step[axis] = 0.7;
-      const auto above = distanceAt(voxel + step), below = distanceAt(voxel - step);
-      if (!above || !below) return std::nullopt;
-      slope[axis] = (*above - *below) / 1.4;
+  /// Slope of the distance between the voxels around a point where it is known, in the probe frame.
+  [[nodiscard]] glm::vec3 slopeAt(const glm::vec3& voxel) const {
+    const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
+    const glm::vec3 t = voxel - glm::vec3(low);
+    const std::uint8_t* first = maps.surfaceDistance.data() + low.x + row * low.y + plane * low.z;
+    glm::vec3 slope(0.0F);
+    for (int n = 0; n < 8; ++n) {
+      const glm::ivec3 corner(n & 1, (n >> 1) & 1, n >> 2);
+      const glm::vec3 side = 2.0F * glm::vec3(corner) - 1.0F, share = 1.0F - glm::vec3(corner) + side * t;
+      slope += static_cast<float>(first[corner.x + row * corner.y + plane * corner.z]) * side *
+               glm::vec3(share.y * share.z, share.x * share.z, share.x * share.y);
     }
     return slopeToProbe * slope;
   }
+  /// Number in `surfaces`; nothing where none is near.
+  [[nodiscard]] const Strength* surfaceAt(const glm::vec3& voxel) const {
+    const glm::ivec3 nearest(glm::floor(voxel + 0.5F));
+    if (!maps.grid.contains(nearest)) return nullptr;
+    const std::size_t kind = maps.surfaceKind[maps.grid.indexOf(nearest.x, nearest.y, nearest.z)];
+    return kind == 0 || kind > strengths.size() ? nullptr : &strengths[kind - 1];
+  }
+
+  static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 };
 
 namespace {
 
 struct ElevationRay {
-  double sigmas;
-  double weight;
+  float sigmas;
+  float weight;
 };
-// exp(-x^2 / 2) at 0, 0.75 and 1.5 standard deviations; together 1.
-constexpr std::array<ElevationRay, 5> kRays{{{0.0, 0.3223}, {-0.75, 0.2433}, {0.75, 0.2433}, {-1.5, 0.09555}, {1.5, 0.09555}}};
+// exp(-x^2 / 2) at 0 and 0.9 standard deviations; together 1.
+constexpr std::array<ElevationRay, 3> kRays{{{0.0F, 0.4284F}, {-0.9F, 0.2858F}, {0.9F, 0.2858F}}};
 
-constexpr double kFine_mm = 0.3;     // steps near a surface
-constexpr double kBlind_mm = 0.8;    // where no surface is known
-constexpr double kNear_mm = 1.0;     // from here on the way is looked at closely
-constexpr double kReserve_mm = 0.6;  // distances are first order, and between voxels
-constexpr double kGrain_mm = 4.5;    // of unevenness
+constexpr float kFine_mm = 0.3F;    // steps across a surface
+constexpr float kBlind_mm = 0.8F;   // where no surface is known
+constexpr float kClose_mm = 0.35F;  // from here on steps are fine
+constexpr float kTrust = 0.85F;     // of a distance, which is first order, and between voxels
+constexpr double kGrain_mm = 4.5;   // of unevenness
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
 
 std::uint32_t hashOf(const glm::ivec3& at) {
@@ -96,6 +113,9 @@ double unevenAt(const glm::dvec3& mm) {
 
 void EchoSurfaces::configure(const EchoLayout& layout) {
   layout_ = &layout;
+  elevation_mm_.clear();
+  for (double depth_mm = 0.0; depth_mm < layout.depth_mm + 2.0; depth_mm += 1.0)
+    elevation_mm_.push_back(static_cast<float>(layout.beams.elevationalSigma_mm(depth_mm + 0.5)));
   mirrorScale_.resize(static_cast<std::size_t>(layout.columns));
   roughScale_.resize(static_cast<std::size_t>(layout.columns));
   for (int column = 0; column < layout.columns; ++column) {
@@ -115,7 +135,15 @@ void EchoSurfaces::configure(const EchoLayout& layout) {
 
 void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands, std::int32_t* fine,
                        std::ptrdiff_t stride) const {
-  const SurfaceMap map{maps, probeToVoxel.matrix, glm::transpose(glm::dmat3(probeToVoxel.matrix))};
+  std::vector<Strength> strengths;
+  for (const ReflectingSurface& surface : maps.surfaces) {
+    const double amplitude = std::pow(10.0, 0.05 * (surface.echoLevel - 255.0) * kDecibelPerLevel);
+    const double fall = std::sin(surface.fall_deg * std::numbers::pi / 180.0);
+    strengths.push_back({static_cast<float>(amplitude), static_cast<float>(amplitude * std::pow(10.0, 0.05 * surface.rough_db)),
+                         static_cast<float>(0.5 / (fall * fall)), surface.frontOnly});
+  }
+  const SurfaceMap map{maps, std::move(strengths), glm::mat4(probeToVoxel.matrix),
+                       glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)))};
   bands.run(static_cast<int>(layout_->grid.lines.size()), [&](int first, int count, int) {
     for (int line = first; line < first + count; ++line) addLine(line, map, fine, stride);
   });
@@ -123,49 +151,46 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
 
 void EchoSurfaces::addLine(int line, const SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const {
   const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
-  const glm::dvec3 along(way.direction, 0.0);
-  const glm::dvec3 across(way.direction.y, -way.direction.x, 0.0);
+  const glm::vec3 start(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
+      perMm(glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
+  const glm::vec3 aside(map.probeToVoxel[2]);
+  const auto depth_mm = static_cast<float>(layout_->depth_mm);
   for (const ElevationRay& ray : kRays) {
-    const auto voxelAt = [&](double range_mm) {
-      const double aside_mm = ray.sigmas * layout_->beams.elevationalSigma_mm(range_mm);
-      return glm::dvec3(map.probeToVoxel * glm::dvec4(way.origin_mm + range_mm * way.direction, aside_mm, 1.0));
+    const auto voxelAt = [&](float range_mm) {
+      return start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
     };
-    std::optional<double> before;
-    for (double range_mm = 0.0, step_mm = 0.0; range_mm < layout_->depth_mm; range_mm += step_mm) {
-      const glm::dvec3 voxel = voxelAt(range_mm);
-      const auto index = map.indexAt(voxel);
-      const std::uint8_t stored = index ? map.maps.surfaceDistance[*index] : std::uint8_t{0};
-      const double coarse_mm = stored == 0 ? 0.0 : std::abs(stored - 128.0) / TissueMaps::kDistanceStepsPerMm;
-      if (stored == 0 || coarse_mm > kNear_mm) {
-        step_mm = stored == 0 ? kBlind_mm : coarse_mm - kReserve_mm;
-        before.reset();
-        continue;
-      }
-      step_mm = kFine_mm;
-      const auto here = map.distanceAt(voxel);
-      const auto last = std::exchange(before, here);
-      if (!here || !last || (*here < 0.0) == (*last < 0.0) || std::abs(*here - *last) > 1.4 * kFine_mm) continue;
-      const double crossing_mm = range_mm - kFine_mm * *here / (*here - *last);
-      const glm::dvec3 at = voxelAt(crossing_mm);
-      const auto found = map.indexAt(at);
-      const std::uint8_t kind = found ? map.maps.surfaceKind[*found] : std::uint8_t{0};
-      if (kind == 0 || kind > map.maps.surfaces.size()) continue;
-      const ReflectingSurface& surface = map.maps.surfaces[kind - 1U];
-      if (surface.frontOnly && *here > *last) continue;
-      const auto slope = map.slopeAt(at);
-      if (!slope) continue;
-      const double steep = glm::length(*slope), cosine = std::abs(glm::dot(*slope, along)) / std::max(steep, 1e-9);
-      const double sine2 = std::max(0.0, 1.0 - cosine * cosine), fall = std::sin(surface.fall_deg * std::numbers::pi / 180.0);
-      const glm::dvec3 mm = at * map.maps.grid.spacing_mm;
-      const double uneven = std::clamp(2.4 * unevenAt(mm) - 0.35, 0.12, 1.0);
-      const double amplitude = std::pow(10.0, 0.05 * (surface.echoLevel - 255.0) * kDecibelPerLevel) * ray.weight;
-      // Neighbouring rows meet the surface a little earlier or later; where it lies along the line that says nothing.
-      const double lean = std::clamp(
-          -glm::dot(*slope, across) / std::copysign(std::max(std::abs(glm::dot(*slope, along)), 0.2), glm::dot(*slope, along)), -3.0, 3.0);
-      deposit(line, crossing_mm, lean, amplitude * uneven * std::exp(-0.5 * sine2 / (fall * fall)),
-              amplitude * std::pow(10.0, 0.05 * surface.rough_db), hashOf(glm::ivec3(glm::floor(mm / 0.3))), fine, stride);
+    float before = SurfaceMap::kUnknown;
+    for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
+      const float last_mm = step_mm, last = before, here = map.distanceAt(voxelAt(range_mm));
+      before = here;
+      step_mm = std::isnan(here) ? kBlind_mm : std::abs(here) > kClose_mm ? std::max(kTrust * std::abs(here), kFine_mm) : kFine_mm;
+      // Not a number compares false. A jump between two surfaces is no crossing.
+      if (!(here * last <= 0.0F && std::abs(here - last) < 1.4F * last_mm && here != last)) continue;
+      meet(line, range_mm - last_mm * here / (here - last), here < last, ray.weight, map, voxelAt, fine, stride);
     }
   }
+}
+
+template <class VoxelAt>
+void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt,
+                        std::int32_t* fine, std::ptrdiff_t stride) const {
+  const glm::vec3 at = voxelAt(range_mm);
+  const Strength* surface = map.surfaceAt(at);
+  if (surface == nullptr || (surface->frontOnly && !entering)) return;
+  const glm::vec3 slope = map.slopeAt(at);
+  const float steep = glm::length(slope);
+  if (!(steep > 0.0F)) return;
+  const glm::vec2 way(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
+  const float down = glm::dot(glm::vec2(slope), way), cosine = std::min(std::abs(down) / steep, 1.0F);
+  const float sine2 = 1.0F - cosine * cosine;
+  const glm::dvec3 mm = glm::dvec3(at) * map.maps.grid.spacing_mm;
+  const double mirror = static_cast<double>(weight * surface->mirror * std::exp(-sine2 * surface->sharpness));
+  const double uneven = std::clamp(2.4 * unevenAt(mm) - 0.35, 0.12, 1.0);
+  // Neighbouring rows meet the surface a little earlier or later.
+  const float across = slope.x * way.y - slope.y * way.x;
+  const float lean = std::clamp(-across / std::copysign(std::max(std::abs(down), 0.2F), down), -3.0F, 3.0F);
+  deposit(line, static_cast<double>(range_mm), static_cast<double>(lean), uneven * mirror, static_cast<double>(weight * surface->rough),
+          hashOf(glm::ivec3(glm::floor(mm / 0.3))), fine, stride);
 }
 
 void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,

@@ -9,6 +9,8 @@
 
 namespace ew::detail {
 
+struct SurfaceMap;
+
 /// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
 /// strong as the surface lies square to it:
 ///   a = A (u exp(-sin^2 b / (2 sin^2 fall)) + r),  A as ReflectingSurface::echoLevel says, b the incidence, r rough and of random sign,
@@ -24,14 +26,17 @@ class EchoSurfaces {
            std::ptrdiff_t stride) const;
 
  private:
-  struct Crossing;
-  void addLine(int line, const struct SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const;
+  void addLine(int line, const SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const;
+  template <class VoxelAt>
+  void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt, std::int32_t* fine,
+            std::ptrdiff_t stride) const;
   void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,
                std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<float> mirrorScale_;  ///< by column: of a mirror's amplitude, to what is added to each row
-  std::vector<float> roughScale_;   ///< the same of what is rough
+  std::vector<float> elevation_mm_;  ///< one standard deviation, by whole mm of depth
+  std::vector<float> mirrorScale_;   ///< by column: of a mirror's amplitude, to what is added to each row
+  std::vector<float> roughScale_;    ///< the same of what is rough
 };
 
 }  // namespace ew::detail

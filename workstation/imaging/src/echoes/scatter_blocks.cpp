@@ -72,12 +72,15 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
 
 /// Whether the middle of a block lies in the piece's ranges, and the block may touch its lines.
 bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
-  const FanShape::Place place = fan.placeOf(glm::dvec2(p_mm));
-  if (place.depth_mm < piece.nearest_mm || place.depth_mm >= piece.farthest_mm) return false;
-  if (fan.kind == FanShape::Kind::parallel)
-    return (std::abs(place.across) - 1.0) * fan.halfWidth_mm < (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
-  // Distance beyond the outermost line, as far as it is a straight one.
   const double y_mm = p_mm.y + fan.apexToFace_mm;
+  // Without the angle, which only placeOf needs.
+  const double depth_mm = fan.kind == FanShape::Kind::sector ? std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm
+                                                             : fan.placeOf(glm::dvec2(p_mm)).depth_mm;
+  if (depth_mm < piece.nearest_mm || depth_mm >= piece.farthest_mm) return false;
+  if (fan.kind == FanShape::Kind::parallel)
+    return (std::abs(fan.placeOf(glm::dvec2(p_mm)).across) - 1.0) * fan.halfWidth_mm <
+           (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
+  // Distance beyond the outermost line, as far as it is a straight one.
   const double beyond_mm = std::abs(p_mm.x) * std::cos(fan.halfAngle_rad) - y_mm * std::sin(fan.halfAngle_rad);
   return fan.halfAngle_rad > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
 }
