@@ -3908,6 +3908,10 @@
         <translation>eine Liste von %1 Faktoren von mindestens 0, von nah nach fern (1 ist neutral)</translation>
     </message>
     <message>
+        <source>a list of %1 numbers of decibels, each %2, near to far (0 is neutral)</source>
+        <translation>eine Liste von %1 Zahlen in Dezibel, jede %2, von nah nach fern (0 ist neutral)</translation>
+    </message>
+    <message>
         <source>a list of %1 numbers from %2 to %3</source>
         <translation>eine Liste von %1 Zahlen von %2 bis %3</translation>
     </message>
@@ -4654,6 +4658,10 @@
     <message>
         <source>curve</source>
         <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>decibels; 0 is neutral</source>
+        <translation>Dezibel; 0 ist neutral</translation>
     </message>
     <message>
         <source>distance of samples (C100/0001)</source>
@@ -5972,6 +5980,14 @@
     <message>
         <source>focus</source>
         <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
     </message>
     <message>
         <source>noise</source>
@@ -7991,8 +8007,8 @@
         <translation>Verstärkung</translation>
     </message>
     <message>
-        <source>Overall gain (Ctrl+Up, Ctrl+Down)</source>
-        <translation>Gesamtverstärkung (Strg+Auf, Strg+Ab)</translation>
+        <source>Overall gain (Ctrl+Up, Ctrl+Down); double-click for neutral</source>
+        <translation>Gesamtverstärkung (Strg+Auf, Strg+Ab); Doppelklick für neutral</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -8125,6 +8141,14 @@
     <message>
         <source>Brightens everything (G for the next)</source>
         <translation>Hellt alles auf (G für die nächste)</translation>
+    </message>
+    <message>
+        <source>Clinical</source>
+        <translation>Klinisch</translation>
+    </message>
+    <message>
+        <source>As a machine shows the abdomen: black background, dark tissue, bright borders (G for the next)</source>
+        <translation>Wie ein Gerät das Abdomen zeigt: schwarzer Grund, dunkles Gewebe, helle Grenzen (G für die nächste)</translation>
     </message>
     <message>
         <source>off</source>
@@ -8378,6 +8402,26 @@
         <source>How the image is computed, and what that costs</source>
         <translation>Wie das Bild berechnet wird und was das kostet</translation>
     </message>
+    <message>
+        <source>Gain and TGC</source>
+        <translation>Verstärkung und TGC</translation>
+    </message>
+    <message>
+        <source>Decibels</source>
+        <translation>Dezibel</translation>
+    </message>
+    <message>
+        <source>As on a machine: along the beam, noise is amplified with the echoes</source>
+        <translation>Wie am Gerät: entlang des Strahls, Rauschen wird mit den Echos verstärkt</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
+        <source>As in the paper of 1998: factors on grey levels, by rows of the image</source>
+        <translation>Wie im Artikel von 1998: Faktoren auf Grauwerte, nach Zeilen des Bildes</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CostChart</name>
@@ -8550,12 +8594,16 @@
         <translation>TGC zurücksetzen</translation>
     </message>
     <message>
-        <source>Depth gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0)</source>
-        <translation>Tiefenausgleich: ein Regler für jedes Achtel der Tiefe. Ein Klick stellt alle wieder in die Mitte (Strg+0)</translation>
+        <source>Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0), double-click one for itself</source>
+        <translation>Tiefenausgleich: ein Regler für jedes Achtel der Tiefe. Klicken stellt alle wieder in die Mitte (Strg+0), Doppelklick einen allein</translation>
     </message>
     <message>
         <source>%1 to %2 mm: %3 %</source>
         <translation>%1 bis %2 mm: %3 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 dB</source>
+        <translation>%1 bis %2 mm: %3 dB</translation>
     </message>
 </context>
 <context>
@@ -9854,6 +9902,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>%1   Tiefe %2 cm   Verstärkung %3 %</translation>
     </message>
     <message>
+        <source>%1   depth %2 cm   gain %3 dB</source>
+        <translation>%1   Tiefe %2 cm   Verstärkung %3 dB</translation>
+    </message>
+    <message>
         <source>   zoom %1</source>
         <translation>   Zoom %1</translation>
     </message>
@@ -10100,6 +10152,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>depth %1 cm   gain %2 %</source>
         <translation>Tiefe %1 cm   Verstärkung %2 %</translation>
+    </message>
+    <message>
+        <source>depth %1 cm   gain %2 dB</source>
+        <translation>Tiefe %1 cm   Verstärkung %2 dB</translation>
     </message>
     <message>
         <source>   zoom %1</source>

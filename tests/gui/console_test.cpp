@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QToolTip>
 #include <QTranslator>
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,49 @@ class ConsoleTest : public ConsoleFixture {
     QVERIFY(!session().isAdaptive());
     press("freeze");
     QVERIFY(session().isFrozen());
+  }
+
+  void gainAndTgcInDecibelsAreShownWhileHeldAndADoubleClickPutsThemBack() {
+    auto* gain = find<QSlider>("gain");
+    auto* fifth = find<QSlider>("dgc5");
+    QVERIFY2(find<QPushButton>("gainFactors")->isChecked(), "a recorded volume");
+    slide("dgc5", 150);
+    press("gainDecibels");
+    QCOMPARE(static_cast<int>(knobs().gainLaw), static_cast<int>(GainLaw::decibel));
+    QCOMPARE(gain->minimum(), -60);
+    QCOMPARE(gain->maximum(), 60);
+    QCOMPARE(fifth->minimum(), -20);
+    QCOMPARE(fifth->value(), 0);
+    slide("gain", 7);
+    slide("dgc5", -6);
+    QCOMPARE(knobs().gain_db, 3.5);
+    QCOMPARE(knobs().tgc_db[4], -6.0);
+    QCOMPARE(knobs().dgc[4], 1.5);  // kept, and does nothing
+    QVERIFY(find<QLabel>("gainValue")->text().startsWith(QStringLiteral("+3.5")));
+    QVERIFY2(fifth->toolTip().endsWith(QStringLiteral("−6 dB")), qPrintable(fifth->toolTip()));
+    fifth->setSliderDown(true);
+    Q_EMIT fifth->sliderPressed();
+    QVERIFY(QToolTip::text().endsWith(QStringLiteral("−6 dB")));
+    slide("dgc5", 9);
+    QVERIFY2(QToolTip::text().endsWith(QStringLiteral("+9 dB")), qPrintable(QToolTip::text()));
+    fifth->setSliderDown(false);
+    QTest::mouseDClick(fifth, Qt::LeftButton);
+    QTest::mouseDClick(gain, Qt::LeftButton);
+    QCOMPARE(knobs().tgc_db[4], 0.0);
+    QCOMPARE(knobs().gain_db, 0.0);
+    slide("dgc5", 3);
+    press("dgcReset");
+    QVERIFY(knobs().tgc_db == Knobs{}.tgc_db);
+    QCOMPARE(knobs().dgc[4], 1.5);
+    press("gainFactors");
+    QVERIFY2(knobs().gainLaw == GainLaw::automatic, "the usual one of a recorded volume");
+    QCOMPARE(fifth->value(), 150);
+    QTest::mouseDClick(fifth, Qt::LeftButton);
+    QCOMPARE(knobs().dgc[4], 1.0);
+    press("greyClinical");
+    QCOMPARE(static_cast<int>(knobs().greyMap), static_cast<int>(GreyMap::clinical));
+    press("greyLinear");
+    QCOMPARE(static_cast<int>(knobs().greyMap), static_cast<int>(GreyMap::automatic));
   }
 
   void aLinearArraySteersAndFansOutAndAnotherProbeDoesNotOfferIt() {

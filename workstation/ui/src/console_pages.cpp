@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "console_panel.h"
@@ -90,14 +91,7 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                      change([this, v](Knobs& k) { k.dynamicRange_db = v == rounded(session_.scene().recordedDynamicRange_db) ? 0.0 : v; });
                    },
                    [shownRange_db] { return tr("%1 dB").arg(shownRange_db()); }});
-  addSegments(rows, {tr("Grey map"),
-                     QStringLiteral("greyMap"),
-                     {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
-                      {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
-                      {tr("Contrast"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
-                      {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")}},
-                     [this] { return static_cast<int>(session_.knobs().greyMap); },
-                     [this](int i) { change([i](Knobs& k) { k.greyMap = static_cast<GreyMap>(i); }); }});
+  addGreyMaps(rows);
   addSlider(rows, {tr("Edge enhancement"), QStringLiteral("edges"), QStringLiteral("100 %"), tr("Makes borders sharper (B, Shift+B)"), 0,
                    100, 10, [this] { return rounded(session_.knobs().edgeEnhancement * 100.0); },
                    [this](int v) { change([v](Knobs& k) { k.edgeEnhancement = v / 100.0; }); },
@@ -126,6 +120,42 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
                [this] { return session_.knobs().quality == Quality::weave ? 0 : 1; },
                [this](int i) { chooseQuality(i == 0 ? Quality::weave : Quality::linear); }});
   addAdvanced(addFold(rows, tr("Advanced"), QStringLiteral("advanced"), tr("How the image is computed, and what that costs")));
+}
+
+void ConsolePanel::addGreyMaps(QVBoxLayout* rows) {
+  constexpr std::array kMaps{GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright, GreyMap::clinical};
+  addSegments(rows, {tr("Grey map"),
+                     QStringLiteral("greyMap"),
+                     {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
+                      {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
+                      {tr("Contrast"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
+                      {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")},
+                      {tr("Clinical"), QStringLiteral("greyClinical"),
+                       tr("As a machine shows the abdomen: black background, dark tissue, bright borders (G for the next)")}},
+                     [this, kMaps] {
+                       const GreyMap shown = resolvedGreyMap(session_.knobs(), session_.scene());
+                       return static_cast<int>(std::find(kMaps.begin(), kMaps.end(), shown) - kMaps.begin());
+                     },
+                     [this, kMaps](int i) {
+                       const GreyMap chosen = kMaps[static_cast<std::size_t>(i)];
+                       const bool isUsual = chosen == usualGreyMap(formsEchoes(session_.scene()));
+                       change([=](Knobs& k) { k.greyMap = isUsual ? GreyMap::automatic : chosen; });
+                     }});
+}
+
+void ConsolePanel::addGainLaws(QVBoxLayout* rows) {
+  addSegments(
+      rows, {tr("Gain and TGC"),
+             QStringLiteral("gainLaw"),
+             {{tr("Decibels"), QStringLiteral("gainDecibels"), tr("As on a machine: along the beam, noise is amplified with the echoes")},
+              {tr("Factors"), QStringLiteral("gainFactors"), tr("As in the paper of 1998: factors on grey levels, by rows of the image")}},
+             [this] { return session_.gainLaw() == GainLaw::decibel ? 0 : 1; },
+             [this](int i) {
+               const GainLaw chosen = i == 0 ? GainLaw::decibel : GainLaw::paper;
+               const bool isUsual = chosen == usualGainLaw(formsEchoes(session_.scene()));
+               change([=](Knobs& k) { k.gainLaw = isUsual ? GainLaw::automatic : chosen; });
+             },
+             [this] { return session_.scene().gainAndDgc; }});
 }
 
 /// What an engineer asks about: how an image is computed, and what that costs.
@@ -157,6 +187,7 @@ void ConsolePanel::addAdvanced(QVBoxLayout* rows) {
   }
   planes.isInline = true;
   addSegments(rows, std::move(planes));
+  addGainLaws(rows);
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
   QCheckBox* adaptive = addSwitch(line, tr("Adaptive"), QStringLiteral("adaptive"),

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "double_click.h"
 #include "figures.h"
 #include "icons.h"
 
@@ -33,10 +34,7 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   auto* top = new QVBoxLayout;
   top->setContentsMargins(16, 0, 16, 4);
   top->setSpacing(0);
-  addSlider(top,
-            {tr("Gain"), QStringLiteral("gain"), QStringLiteral("300 %"), tr("Overall gain (Ctrl+Up, Ctrl+Down)"), 0, 300, 5,
-             [this] { return rounded(session_.knobs().gain * 100.0); }, [this](int v) { change([v](Knobs& k) { k.gain = v / 100.0; }); },
-             [this] { return tr("%1 %").arg(rounded(session_.knobs().gain * 100.0)); }, [this] { return session_.scene().gainAndDgc; }});
+  addGain(top);
   SliderParts depth{tr("Depth"),
                     QStringLiteral("depth"),
                     QStringLiteral("30.0 cm"),
@@ -78,6 +76,29 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
   connect(&session_, &Session::subjectChanged, this, &ConsolePanel::showAll);
   connect(&session_, &Session::frozenChanged, freeze_, &QPushButton::setChecked);
   showAll();
+}
+
+/// In half decibels, or per cent by the paper's law.
+void ConsolePanel::addGain(QBoxLayout* rows) {
+  const auto inDecibels = [this] { return session_.gainLaw() == GainLaw::decibel; };
+  SliderParts gain;
+  gain.name = tr("Gain");
+  gain.objectName = QStringLiteral("gain");
+  gain.widest = QStringLiteral("−30.0 dB");
+  gain.tip = tr("Overall gain (Ctrl+Up, Ctrl+Down); double-click for neutral");
+  gain.get = [this, inDecibels] { return rounded(inDecibels() ? session_.knobs().gain_db * 2.0 : session_.knobs().gain * 100.0); };
+  gain.set = [this, inDecibels](int v) {
+    change([v, db = inDecibels()](Knobs& k) { (db ? k.gain_db : k.gain) = v / (db ? 2.0 : 100.0); });
+  };
+  gain.text = [this, inDecibels] {
+    return inDecibels() ? tr("%1 dB").arg(signedFigure(session_.knobs().gain_db, 1))
+                        : tr("%1 %").arg(rounded(session_.knobs().gain * 100.0));
+  };
+  gain.isOn = [this] { return session_.scene().gainAndDgc; };
+  gain.range = [inDecibels] { return inDecibels() ? std::pair{-60, 60} : std::pair{0, 300}; };
+  gain.pageNow = [inDecibels] { return inDecibels() ? 4 : 5; };
+  gain.neutral = [inDecibels] { return inDecibels() ? 0 : 100; };
+  addSlider(rows, std::move(gain));
 }
 
 QLabel* ConsolePanel::quietLabel(const QString& text) {
@@ -155,7 +176,9 @@ QSlider* ConsolePanel::addSlider(QBoxLayout* rows, SliderParts parts) {
     set(v);
     if (!isNamed && slider->isSliderDown()) QToolTip::showText(QCursor::pos(), slider->toolTip(), slider);
   });
+  if (parts.neutral) onDoubleClick(slider, [slider, neutral = parts.neutral] { slider->setValue(neutral()); });
   shows_.emplace_back([box, slider, value, parts = std::move(parts)] {
+    if (parts.pageNow) slider->setPageStep(parts.pageNow());
     if (parts.range) {
       const auto [lowest, highest] = parts.range();
       slider->setRange(lowest, highest);
@@ -367,9 +390,6 @@ void ConsolePanel::showNextPage() { pages_->setCurrentIndex((pages_->currentInde
 
 void ConsolePanel::chooseQuality(Quality quality) {
   change([quality](Knobs& k) { k.quality = quality; });
-}
-void ConsolePanel::resetDgc() {
-  change([](Knobs& k) { k.dgc = Knobs{}.dgc; });
 }
 
 }  // namespace ew::ui

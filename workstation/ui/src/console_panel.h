@@ -37,7 +37,6 @@ class ConsolePanel final : public QWidget {
   /// What a key does to the control of that name: moves a slider by its page steps, presses a button or a switch, takes the next of a
   /// choice. A control that is off or not there does nothing.
   void step(const QString& control, int steps);
-  void resetDgc();
   void chooseQuality(Quality quality);
   void showNextPage();
   void refreshIcons();
@@ -61,6 +60,8 @@ class ConsolePanel final : public QWidget {
     std::function<bool()> isOn = [] { return true; };     ///< off: grey
     std::function<bool()> isThere = [] { return true; };  ///< not there: hidden
     std::function<std::pair<int, int>()> range = {};
+    std::function<int()> pageNow = {};  ///< where it changes with the range
+    std::function<int()> neutral = {};  ///< where a double click puts it
   };
   struct Choice {
     QString text, objectName, tip;
@@ -83,7 +84,10 @@ class ConsolePanel final : public QWidget {
   /// No more room than the longest page needs: what is left lies below everything.
   void fitPages();
   QWidget* makePage(const std::function<void(QVBoxLayout*)>& fill);
+  void addGain(QBoxLayout* rows);
   void addImagePage(QVBoxLayout* rows);
+  void addGreyMaps(QVBoxLayout* rows);
+  void addGainLaws(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);

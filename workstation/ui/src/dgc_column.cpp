@@ -4,17 +4,19 @@
 #include <QPainterPath>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "double_click.h"
 #include "ew/imaging/effects/gain.h"
+#include "figures.h"
 #include "icons.h"
 #include "theme.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr int kHighest_percent = 200;
 constexpr int kColumnLeft_px = 8;
 constexpr int kSlider_px = 72;
 constexpr int kSliderHeight_px = 20;
@@ -28,17 +30,15 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
     auto* slider = new QSlider(Qt::Horizontal, this);
     slider->setObjectName(QStringLiteral("dgc%1").arg(i + 1));
     slider->setProperty("onScan", true);
-    slider->setRange(0, kHighest_percent);
-    slider->setSingleStep(2);
-    slider->setPageStep(20);
     slider->setAccessibleName(tr("TGC %1").arg(i + 1));
     sliders_[static_cast<std::size_t>(i)] = slider;
-    connect(slider, &QSlider::valueChanged, this, [this, i](int v) {
+    connect(slider, &QSlider::valueChanged, this, [this, slider, i](int v) {
       if (showing_) return;  // the column is being told, not telling
-      Knobs knobs = session_.knobs();
-      knobs.dgc[static_cast<std::size_t>(i)] = v / 100.0;
-      session_.setKnobs(knobs);
+      set(i, v);
+      if (slider->isSliderDown()) showHeld(slider);
     });
+    connect(slider, &QSlider::sliderPressed, this, [this, slider] { showHeld(slider); });
+    onDoubleClick(slider, [this, slider] { slider->setValue(scale().neutral); });
   }
   reset_ = new QPushButton(tr("TGC"), this);
   reset_->setObjectName(QStringLiteral("dgcReset"));
@@ -48,12 +48,9 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
   reset_->setFocusPolicy(Qt::TabFocus);
   reset_->setAccessibleName(tr("Reset TGC"));
   reset_->setToolTip(
-      tr("Depth gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0)"));
-  connect(reset_, &QPushButton::clicked, this, [this] {
-    Knobs knobs = session_.knobs();
-    knobs.dgc = Knobs{}.dgc;
-    session_.setKnobs(knobs);
-  });
+      tr("Time gain compensation: one slider for each eighth of the depth. Click to put all of them back to the middle (Ctrl+0), "
+         "double-click one for itself"));
+  connect(reset_, &QPushButton::clicked, &session_, &Session::resetTgc);
   connect(&session_, &Session::knobsChanged, this, &DgcColumn::showKnobs);
   connect(&session_, &Session::sceneChanged, this, &DgcColumn::showKnobs);
   connect(&session_, &Session::probeChanged, this, &DgcColumn::showKnobs);
@@ -63,8 +60,24 @@ DgcColumn::DgcColumn(Session& session, QWidget* parent) : QWidget(parent), sessi
 
 void DgcColumn::refreshIcons() { reset_->setIcon(icon(QStringLiteral("reset"), scanTheme().quiet)); }
 
-double DgcColumn::xOf(double factor) const {
-  const double share = std::clamp(factor * 100.0 / kHighest_percent, 0.0, 1.0);
+DgcColumn::Scale DgcColumn::scale() const { return isInDecibels() ? Scale{-20, 20, 0, 1.0} : Scale{0, 200, 100, 100.0}; }
+
+const std::array<double, kDgcSliders>& DgcColumn::values() const { return isInDecibels() ? session_.knobs().tgc_db : session_.knobs().dgc; }
+
+void DgcColumn::set(int slider, int value) {
+  Knobs knobs = session_.knobs();
+  (isInDecibels() ? knobs.tgc_db : knobs.dgc)[static_cast<std::size_t>(slider)] = value / scale().perUnit;
+  session_.setKnobs(knobs);
+}
+
+/// A drag is felt, but how far it went is not.
+void DgcColumn::showHeld(QSlider* slider) {
+  QToolTip::showText(slider->mapToGlobal(QPoint(slider->width(), -slider->height())), slider->toolTip(), slider);
+}
+
+double DgcColumn::xOf(double value) const {
+  const Scale on = scale();
+  const double share = std::clamp((value * on.perUnit - on.lowest) / (on.highest - on.lowest), 0.0, 1.0);
   return kColumnLeft_px + kHandle_px / 2.0 + share * (kSlider_px - kHandle_px);
 }
 
@@ -85,13 +98,18 @@ void DgcColumn::place(double top, double bottom) {
 void DgcColumn::showKnobs() {
   showing_ = true;
   const int depth_mm = static_cast<int>(std::lround(session_.depth_mm()));
-  const Knobs& knobs = session_.knobs();
+  const Scale on = scale();
   for (int i = 0; i < kDgcSliders; ++i) {
     QSlider* slider = sliders_[static_cast<std::size_t>(i)];
-    const int percent = static_cast<int>(std::lround(knobs.dgc[static_cast<std::size_t>(i)] * 100.0));
-    slider->setValue(percent);
+    const double value = values()[static_cast<std::size_t>(i)];
+    slider->setRange(on.lowest, on.highest);
+    slider->setSingleStep(isInDecibels() ? 1 : 2);
+    slider->setPageStep(isInDecibels() ? 3 : 20);
+    slider->setValue(static_cast<int>(std::lround(value * on.perUnit)));
     slider->setEnabled(session_.scene().gainAndDgc);
-    slider->setToolTip(tr("%1 to %2 mm: %3 %").arg(depth_mm * i / kDgcSliders).arg(depth_mm * (i + 1) / kDgcSliders).arg(percent));
+    const int from_mm = depth_mm * i / kDgcSliders, to_mm = depth_mm * (i + 1) / kDgcSliders;
+    slider->setToolTip(isInDecibels() ? tr("%1 to %2 mm: %3 dB").arg(from_mm).arg(to_mm).arg(signedFigure(value, 0))
+                                      : tr("%1 to %2 mm: %3 %").arg(from_mm).arg(to_mm).arg(std::lround(value * on.perUnit)));
   }
   reset_->setEnabled(session_.scene().gainAndDgc);
   showing_ = false;
@@ -105,12 +123,13 @@ void DgcColumn::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setClipRect(QRect(0, kHead_px, width(), height() - kHead_px));
   painter.setPen(QPen(theme.line, 1.0, Qt::DotLine));
-  painter.drawLine(QPointF(xOf(1.0), top_), QPointF(xOf(1.0), bottom_));
+  const double neutral = scale().neutral / scale().perUnit;
+  painter.drawLine(QPointF(xOf(neutral), top_), QPointF(xOf(neutral), bottom_));
   QPainterPath curve;
   constexpr int kPoints = 96;
   for (int i = 0; i <= kPoints; ++i) {
     const double position = static_cast<double>(i) / kPoints;
-    const QPointF at(xOf(dgcAt(session_.knobs().dgc, position)), top_ + (bottom_ - top_) * position);
+    const QPointF at(xOf(dgcAt(values(), position)), top_ + (bottom_ - top_) * position);
     if (i == 0) {
       curve.moveTo(at);
     } else {

@@ -10,8 +10,8 @@ class QSlider;
 
 namespace ew::ui {
 
-/// The eight DGC sliders, each at the middle of its eighth of the depth, with the curve through their handles. A slider whose depth the
-/// zoomed picture does not show is not shown either.
+/// The eight TGC sliders (decibels, or the paper's DGC factors), each at the middle of its eighth of the depth, with the curve through
+/// their handles. A slider whose depth the zoomed picture does not show is not shown either.
 class DgcColumn final : public QWidget {
   Q_OBJECT
 
@@ -28,8 +28,19 @@ class DgcColumn final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// What a slider is told in: values are whole numbers of `perUnit` parts of the knob's unit.
+  struct Scale {
+    int lowest, highest, neutral;
+    double perUnit;
+  };
+  [[nodiscard]] bool isInDecibels() const { return session_.gainLaw() == GainLaw::decibel; }
+  [[nodiscard]] Scale scale() const;
+  [[nodiscard]] const std::array<double, kDgcSliders>& values() const;
+  void set(int slider, int value);
   void showKnobs();
-  [[nodiscard]] double xOf(double factor) const;
+  void showHeld(QSlider* slider);
+  /// @param value in the knob's unit
+  [[nodiscard]] double xOf(double value) const;
 
   Session& session_;
   bool showing_ = false;

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace ew::ui {
 namespace {
@@ -20,6 +21,12 @@ QString figure(double value, int decimals) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale.toString(value, 'f', decimals);
+}
+
+QString signedFigure(double value, int decimals) {
+  const QString plain = figure(std::abs(value), decimals);
+  if (plain == figure(0.0, decimals)) return plain;
+  return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + plain;
 }
 
 int figuresWidth_px(const QFontMetrics& metrics, const QString& text) {

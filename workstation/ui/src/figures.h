@@ -9,6 +9,9 @@ namespace ew::ui {
 /// A number with so many decimals, as the window's language writes it: 3.5, in German 3,5.
 [[nodiscard]] QString figure(double value, int decimals);
 
+/// The same with its sign: +3.5, −3.5 and, when nothing but zeros is left of it, 0.0.
+[[nodiscard]] QString signedFigure(double value, int decimals);
+
 /// Width of `text` when every digit takes the width of the widest one, so that a changing number does not move its neighbours. Qt 5
 /// cannot ask a font for its tabular figures, so the digits are placed one by one.
 [[nodiscard]] int figuresWidth_px(const QFontMetrics& metrics, const QString& text);

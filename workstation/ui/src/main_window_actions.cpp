@@ -185,7 +185,7 @@ void MainWindow::addScanMenu(QMenu& scan) {
   addConsoleAction(scan, tr("Less gain"), "Ctrl+Down", "gain", -1);
   addConsoleAction(scan, tr("Zoom in"), "Z", "zoom", 1);
   addConsoleAction(scan, tr("Zoom out"), "Shift+Z", "zoom", -1);
-  addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->console->resetDgc(); });
+  addMenuAction(scan, tr("Reset TGC"), {keys("Ctrl+0")}, [this] { parts_->session.resetTgc(); });
   scan.addSeparator();
 
   addImageMenu(*scan.addMenu(tr("&Image")));

@@ -25,9 +25,11 @@ const QColor kWords(150, 150, 150);
 
 QString settingsOf(const Session& session) {
   const Knobs& knobs = session.pictureKnobs();
-  QString line = MainWindow::tr("%1   depth %2 cm   gain %3 %")
-                     .arg(words(session.pictureProbe().name), figure(session.geometry().depth_mm / 10.0, 1))
-                     .arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
+  const QString probe = words(session.pictureProbe().name), depth_cm = figure(session.geometry().depth_mm / 10.0, 1);
+  QString line =
+      resolvedGainLaw(knobs, session.pictureScene()) == GainLaw::decibel
+          ? MainWindow::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))
+          : MainWindow::tr("%1   depth %2 cm   gain %3 %").arg(probe, depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += MainWindow::tr("   zoom %1").arg(figure(knobs.zoom, 1));
   return line;
 }

@@ -351,9 +351,10 @@ void ScanView::paintWords(QPainter& painter) {
   painter.drawText(QRect(20, 8, right - 20, 24), Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(words(session_.pictureProbe().name), Qt::ElideRight, right - 20));
   const Knobs& knobs = session_.pictureKnobs();
-  QString line = tr("depth %1 cm   gain %2 %")
-                     .arg(figure(session_.geometry().depth_mm / 10.0, 1))
-                     .arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
+  const QString depth_cm = figure(session_.geometry().depth_mm / 10.0, 1);
+  QString line = resolvedGainLaw(knobs, session_.pictureScene()) == GainLaw::decibel
+                     ? tr("depth %1 cm   gain %2 dB").arg(depth_cm, signedFigure(knobs.gain_db, 1))
+                     : tr("depth %1 cm   gain %2 %").arg(depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
   drawFigures(painter, QRect(20, height() - 32, width() - 100, 24), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.

@@ -197,6 +197,15 @@ double Session::depth_mm() const { return resolvedDepth_mm(probe(), knobs()); }
 
 double Session::focus_mm() const { return knobs().focus_mm > 0.0 ? std::min(knobs().focus_mm, depth_mm()) : depth_mm() / 2.0; }
 
+void Session::resetTgc() {
+  Knobs reset = knobs();
+  if (gainLaw() == GainLaw::decibel)
+    reset.tgc_db = Knobs{}.tgc_db;
+  else
+    reset.dgc = Knobs{}.dgc;
+  setKnobs(reset);
+}
+
 void Session::setHold(const Hold& hold) {
   if (!movedAt_s_ && !frozen_ && !(hold == hand_.hold())) movedAt_s_ = now_s();
   hand_.setHold(hold);

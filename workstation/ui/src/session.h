@@ -11,6 +11,7 @@
 
 #include "ew/imaging/adaptive_quality.h"
 #include "ew/imaging/latency.h"
+#include "ew/imaging/resolved.h"
 #include "ew/scanning/scanner.h"
 #include "ew/tracking/pose_source.h"
 
@@ -60,6 +61,9 @@ class Session final : public QObject {
   [[nodiscard]] const Pan& pan() const { return console().pan; }
   [[nodiscard]] double depth_mm() const;  ///< resolved and within the probe's range
   [[nodiscard]] double focus_mm() const;  ///< resolved
+  [[nodiscard]] GainLaw gainLaw() const { return resolvedGainLaw(knobs(), scene()); }
+  /// The sliders of the law that acts, back to neutral.
+  void resetTgc();
 
   /// Whether quality may fall while the probe moves fast (imaging/adaptive_quality.h). A frozen picture is always made in full.
   void setAdaptive(bool adaptive);
