@@ -39,7 +39,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::reverberation, "reverberation", EW_TRANSLATE_NOOP("ew::StepKind", "reverberation"), 0.0, 0.2},
     {StepKind::focusStretch, "focus (stretch)", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 1.0},
     {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
-    {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.1},
+    {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.3},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
     {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
     {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
