@@ -40,6 +40,19 @@ TEST(PhantomCommand, WritesTruthAndSurfacesOfTheChosenParameters) {
   EXPECT_FALSE(std::filesystem::exists(out / "t.json"));
 }
 
+TEST(PhantomCommand, WritesTheLevelOfTissuesOnTheGridOfTheEcho) {
+  const std::string patient = shippedPatient();
+  ASSERT_FALSE(patient.empty());
+  const TemporaryFolder folder;
+  const auto outcome = run({"phantom", patient, "--volume", folder / "echo.mha", "--level", folder / "level.mha", "--spacing", "6"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto echo = readVolume(folder / "echo.mha"), level = readVolume(folder / "level.mha");
+  ASSERT_TRUE(echo && level);
+  EXPECT_EQ(level->volume.grid, echo->volume.grid);
+  EXPECT_NE(level->volume.echo, echo->volume.echo);
+  EXPECT_NE(outcome.out.find("reflecting surface"), std::string::npos) << outcome.out;
+}
+
 TEST(PhantomCommand, WritesEchoAndLabelsOfOneGridTheSameForEveryThreadCount) {
   const std::string patient = shippedPatient();
   ASSERT_FALSE(patient.empty()) << "a shipped case has a virtual patient";

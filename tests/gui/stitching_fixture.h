@@ -239,9 +239,9 @@ class StitchingFixture : public WindowFixture {
     auto voxels = voxelise(**patient, options, noProgress());
     QVERIFY(voxels.has_value());
     truth_ = std::move(voxels->volume);
-    parts_ = {writePart(QStringLiteral("right lateral.mha"), {36, 12, 40}, {48, 48, 40}),
-              writePart(QStringLiteral("right oblique with a rather long name.mha"), {58, 18, 46}, {48, 46, 40}),
-              writePart(QStringLiteral("midline.mha"), {50, 14, 62}, {46, 48, 38})};
+    parts_ = {writePart(QStringLiteral("right lateral.mha"), {36, 12, 64}, {48, 48, 40}),
+              writePart(QStringLiteral("right oblique with a rather long name.mha"), {58, 18, 70}, {48, 46, 40}),
+              writePart(QStringLiteral("midline.mha"), {50, 14, 86}, {46, 48, 38})};
   }
   void closeAndForget() {
     window_.reset();

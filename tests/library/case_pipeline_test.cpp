@@ -17,6 +17,7 @@
 #include "ew/library/case.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/preparation.h"
+#include "ew/phantom/truth.h"
 #include "ew/phantom/virtual_sweep.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
@@ -465,6 +466,84 @@ TEST_F(CasePipeline, KnowsTheTruthOfItsTargetsAndMeasurements) {
   EXPECT_NE(unknown.error().sentence().find("cyst, across"), std::string::npos) << "says which there are: " << unknown.error();
 }
 
+/// The small case as a recipe without sweeps.
+Case unswept(const fs::path& folder) {
+  json manifest = json::parse(textOf(folder / "case.json"));
+  manifest["volume"] = {{"recipe", "patient.json"}, {"recipe_spacing_mm", 2.0}};
+  writeText(folder / "case.json", manifest.dump());
+  return opened(folder);
+}
+
+TEST_F(CasePipeline, KeepsMapsOfTissueOfARecipeWithoutSweeps) {
+  EXPECT_EQ(loadCaseVolume(opened(folder / "case"), noProgress())->tissue, nullptr) << "of sweeps nothing is known but what they show";
+  const Case drawn = unswept(folder / "case");
+  EXPECT_TRUE(caseNeedsPreparation(drawn));
+  const auto made = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(made) << made.error();
+  ASSERT_TRUE(made->tissue);
+  EXPECT_EQ(made->tissue->grid, made->volume.grid);
+  const auto levelAt = [&](const glm::dvec3& p_mm) {
+    const auto p = glm::ivec3(glm::round((made->tissue->grid.worldToVoxel() * Point<frame::World>{p_mm}).at));
+    return static_cast<int>(made->tissue->level[made->tissue->grid.indexOf(p.x, p.y, p.z)]);
+  };
+  EXPECT_EQ(levelAt({0, -20, 0}), 20);
+  EXPECT_EQ(levelAt({20, -20, 0}), 110);
+  EXPECT_EQ(levelAt({66, 0, 0}), 0);
+  EXPECT_FALSE(caseNeedsPreparation(drawn));
+  const auto again = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_TRUE(again->notes.empty());
+  ASSERT_TRUE(again->tissue);
+  EXPECT_EQ(*again->tissue, *made->tissue);
+}
+
+TEST_F(CasePipeline, EstimatesTheTimeOfARecipeWithoutSweepsFromTheLast) {
+  const Case drawn = unswept(folder / "case");
+  EXPECT_FALSE(estimatePreparation(drawn)->measured);
+  EXPECT_GT(estimatePreparation(drawn)->seconds, 0.0);
+  ASSERT_TRUE(prepareCase(drawn, {}, noProgress()));
+  EXPECT_EQ(estimatePreparation(drawn)->seconds, 0.0);
+  Case finer = drawn;
+  finer.volume.recipeSpacing_mm = 1.5;
+  EXPECT_TRUE(estimatePreparation(finer)->measured);
+}
+
+TEST_F(CasePipeline, PlacesMapsOfTissueWithTheVolume) {
+  Case drawn = unswept(folder / "case");
+  drawn.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
+  const auto made = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(made) << made.error();
+  ASSERT_TRUE(made->tissue);
+  EXPECT_EQ(made->tissue->grid, made->volume.grid);
+}
+
+TEST_F(CasePipeline, MakesDamagedMapsOfTissueAgain) {
+  const Case drawn = unswept(folder / "case");
+  const auto first = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(first) << first.error();
+  int damaged = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "cache/steps/maps")) {
+    if (!entry.is_regular_file() || fs::file_size(entry) == 0 || entry.path().extension() == ".lock") continue;
+    const std::string kept = textOf(entry.path());
+    std::string flipped = kept;
+    flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
+    writeText(entry.path(), flipped);
+    const auto again = loadCaseVolume(drawn, noProgress());
+    ASSERT_TRUE(again) << entry.path() << again.error();
+    EXPECT_EQ(*again->tissue, *first->tissue) << entry.path();
+    EXPECT_FALSE(again->notes.empty()) << entry.path();
+    writeText(entry.path(), kept);
+    ++damaged;
+  }
+  EXPECT_GE(damaged, 4) << "level, distance, kind and the surfaces";
+  fs::remove_all(folder / "cache/steps/maps");
+  EXPECT_TRUE(caseNeedsPreparation(drawn)) << "the volume alone is not enough: a cache of an earlier version";
+  const auto again = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_EQ(*again->tissue, *first->tissue);
+  EXPECT_TRUE(again->notes.empty()) << "nothing was damaged";
+}
+
 TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
   const TemporaryFolder folder;
   const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");
@@ -480,6 +559,9 @@ TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
   ASSERT_TRUE(resources);
   std::size_t swept = 0;
   for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    const auto probes = readProbes(*resources / "probes");
+    for (const std::string& id : each.probes)
+      EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
     if (each.volume.sweeps.empty()) continue;
     ++swept;
     const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
@@ -492,11 +574,48 @@ TEST(ShippedCases, HoldTheirProbesToTheSkinOfTheirPatients) {
       const auto forecast = forecastSweep(**patient, *probe, *recipe);
       EXPECT_TRUE(forecast) << each.id << ", " << file << ": " << forecast.error();
     }
-    const auto probes = readProbes(*resources / "probes");
-    for (const std::string& id : each.probes)
-      EXPECT_TRUE(std::any_of(probes->begin(), probes->end(), [&](const Probe& p) { return p.id == id; })) << each.id << ": " << id;
   }
-  EXPECT_EQ(swept, 5u);
+  EXPECT_EQ(swept, 1u);
+}
+
+/// Share of a fan's body that lies beyond the patient's box, where nothing is known: the picture would end there.
+double shareUnknown(const Patient& patient, const Probe& probe, const glm::dmat4& probeToWorld) {
+  const Bounds box = boxOf(patient);
+  int body = 0, unknown = 0;
+  for (double aside = -1.0; aside <= 1.0; aside += 0.05)
+    for (double depth_mm = 0.0; depth_mm <= probe.defaultDepth_mm; depth_mm += 3.0) {
+      const double angle = probe.halfAngle_rad * aside, radius = probe.radius_mm + depth_mm;
+      const glm::dvec3 p = isSector(probe.kind) ? glm::dvec3(radius * std::sin(angle), radius * std::cos(angle) - probe.radius_mm, 0.0)
+                                                : glm::dvec3(0.5 * probe.width_mm * aside, depth_mm, 0.0);
+      const glm::dvec3 p_world(probeToWorld * glm::dvec4(p, 1.0));
+      if (*signedDistance_mm(patient, "skin surface", p_world) >= 0.0) continue;
+      ++body;
+      if (glm::any(glm::lessThan(p_world, box.lowest_mm)) || glm::any(glm::greaterThan(p_world, box.highest_mm))) ++unknown;
+    }
+  EXPECT_GT(body, 0);
+  return static_cast<double>(unknown) / body;
+}
+
+TEST(ShippedCases, WithoutSweepsKnowEverythingThatTheirPlanesAndPosesSee) {
+  const auto resources = resourceFolder();
+  ASSERT_TRUE(resources);
+  int looked = 0;
+  for (const Case& each : listCases(*shippedCasesFolder()).cases) {
+    if (!each.volume.sweeps.empty()) continue;
+    ++looked;
+    const auto patient = readPatient(each.folder / each.volume.recipe, *resources / "mannequin");
+    ASSERT_TRUE(patient) << each.id << ": " << patient.error();
+    std::vector<std::pair<std::string, glm::dmat4>> views{{"start", each.startPose->probeToWorld.matrix},
+                                                          {"expert", each.expertPose->probeToWorld.matrix}};
+    for (const StandardPlane& plane : planesOf(**patient)) views.emplace_back(plane.name, plane.probeToWorld.matrix);
+    for (const std::string& id : each.probes) {
+      const auto probe = readProbe(*resources / "probes" / (id + ".json"));
+      ASSERT_TRUE(probe) << probe.error();
+      for (const auto& [name, pose] : views)
+        EXPECT_LT(shareUnknown(**patient, *probe, pose), 0.001) << each.id << ", " << id << ", " << name;
+    }
+  }
+  EXPECT_EQ(looked, 6);
 }
 
 }  // namespace

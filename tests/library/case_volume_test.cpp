@@ -209,7 +209,7 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
   const auto first = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(first);
   const auto files = filesIn(folder / "cache");
-  ASSERT_EQ(files.size(), 4u);
+  ASSERT_EQ(files.size(), 8u) << "echo, coverage, labels and what they are; three maps of tissue and their surfaces";
   for (const auto& file : files) {
     for (const int damage : {0, 1, 2}) {
       const std::string whole = textOf(file);
@@ -225,6 +225,7 @@ TEST(LoadCaseVolume, MakesABrokenCacheFileAgain) {
       EXPECT_EQ(again->volume.echo, first->volume.echo) << file << " damage " << damage;
       EXPECT_EQ(again->volume.coverage, first->volume.coverage) << file << " damage " << damage;
       EXPECT_EQ(again->labels->echo, first->labels->echo) << file << " damage " << damage;
+      EXPECT_EQ(*again->tissue, *first->tissue) << file << " damage " << damage;
       EXPECT_EQ(again->notes.size(), 1u) << file << " damage " << damage;
       EXPECT_TRUE(loadCaseVolume(made, noProgress())->notes.empty()) << "mended";
     }
@@ -253,7 +254,7 @@ TEST(LoadCaseVolume, TwoProcessesMayMakeTheSameVolumeAtOnce) {
   const auto echo = loadCaseVolume(made, noProgress());
   ASSERT_TRUE(echo);
   EXPECT_TRUE(echo->notes.empty());
-  EXPECT_EQ(filesIn(folder / "cache").size(), 4u) << "nothing aside is left behind";
+  EXPECT_EQ(filesIn(folder / "cache").size(), 8u) << "nothing aside is left behind";
 }
 
 TEST(LoadCaseVolume, OpensTheCaseAlsoWhenTheCacheCannotBeWritten) {

@@ -104,7 +104,7 @@ TEST(ShippedCases, GiveATraineeNoAnswerAway) {
     EXPECT_LT(std::abs(start[3].x), 1.0) << "in the midline: " << entry;
     EXPECT_NE(manifest.at("start_pose"), manifest.at("expert_pose")) << entry;
   }
-  EXPECT_EQ(cases, 6);
+  EXPECT_EQ(cases, 7);
 }
 
 TEST(PatientSchema, HoldsForEveryRecipeOfTheCasesAndAnatomies) {

@@ -205,6 +205,22 @@ TEST(TissueMaps, TakeBoundariesWithoutBorderWhereImpedancesDiffer) {
   });
 }
 
+TEST(TissueMaps, DrawASurfaceThatTwoOrgansShareOnceWithItsBorder) {
+  // A shell of fat around a ball of muscle: the fat comes first, the muscle has the border.
+  const auto made = mapped(recipeOf(
+      R"({"name": "fat", "tissue": "fat", "shape": {"difference": [{"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [20, 20, 20]}},
+          {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [14, 14, 14]}}]}},
+         {"name": "muscle", "tissue": "even", "border": {"echo_level": 165, "width_mm": 1},
+          "shape": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [14, 14, 14]}}})"));
+  const TissueMaps& maps = *made.maps;
+  forEachVoxel(maps.grid, [&](std::size_t at, const glm::dvec3& p) {
+    const double d = glm::length(p) - 14.0;
+    if (std::abs(d) > 2.5) return;
+    ASSERT_EQ(maps.surfaces[maps.surfaceKind[at] - 1u].name, "muscle") << d;
+    ASSERT_NEAR(distanceAt(maps, at), d, 0.05);
+  });
+}
+
 TEST(TissueMaps, LetWallsOfVesselsShineOverAWiderAngle) {
   const auto made = mapped(recipeOf(R"({"name": "vessel", "tissue": "dark", "border": {"echo_level": 190, "width_mm": 2.2},
       "shape": {"tube": {"points": [[-20, 0, 0, 4], [20, 0, 0, 4]]}}})"));

@@ -64,6 +64,10 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   ScanSubject subject = test::waveSubject();
   subject.labels = subject.voxels.volume();
   subject.placedLabels = subject.placedGrid;
+  auto tissue = std::make_shared<TissueMaps>();
+  tissue->grid = subject.placedGrid;
+  subject.tissue = tissue;
+  subject.placedTissue = tissue->grid;
   ScanState state = test::movingState(60);
   state.scene.noise.reset();
   Scanner scanner;
@@ -74,6 +78,7 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   const Transform<frame::World, frame::World> away{glm::translate(glm::dmat4(1.0), {128.0, -64.0, 32.0})};
   scanner.place(away);
   EXPECT_EQ(scanner.subject()->placedLabels, scanner.subject()->placedGrid);
+  EXPECT_EQ(scanner.subject()->placedTissue, scanner.subject()->placedGrid);
   state.pose.probeToWorld = away * state.pose.probeToWorld;
   const Picture moved = scanner.make(state, 120, 90);
   for (int y = 0; y < 90; ++y)

@@ -544,13 +544,19 @@ bool CasePlan::isDoneIn(const StepStore& store) const {
   return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && (maps.empty() || store.find(kMaps, maps));
 }
 
+bool CasePlan::isDamagedIn(const StepStore& store) const {
+  const auto isDamaged = [&](const char* step, const std::string& key) { return store.claims(step, key) && !store.find(step, key); };
+  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || (!maps.empty() && isDamaged(kMaps, maps));
+}
+
 bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }
 
 PreparationEstimate estimateOf(const Case& opened, const CasePlan& plan) {
   const StepStore store = StepStore::peek(cacheFolder(), preparationSteps());
   if (plan.isDoneIn(store)) return {0.0, true};
   PreparationEstimate estimate;
-  estimate.measured = readMachineSpeed(cacheFolder()).measured;
+  const PreparationStep longest = plan.sweeps.empty() ? PreparationStep::voxelise : PreparationStep::record;
+  estimate.measured = readMachineSpeed(cacheFolder()).isMeasured[static_cast<std::size_t>(longest)];
   for (const auto& step : Preparation::stepsOf(opened, plan, store)) estimate.seconds += step.expected_s;
   return estimate;
 }
@@ -578,7 +584,7 @@ Result<Prepared> makePrepared(const Case& opened, const CasePlan& plan, const Pr
     if (!wasThere && plan.isDoneIn(*cache)) {
       auto cached = readOrNote(*cache);
       if (cached || cached.error().code == ErrorCode::cancelled) return cached;
-    } else if (!wasThere && cache->claims(kVolumes, plan.volume)) {
+    } else if (!wasThere && plan.isDamagedIn(*cache)) {
       notes.push_back(say<"The prepared volume in the cache was damaged and was made again.">());
     }
     if (progress.cancelRequested()) return stopped();

@@ -50,6 +50,8 @@ struct CasePlan {
   std::string truth;                 ///< key in kTruths
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache
+  /// Whether something lies there as a part of it that cannot be used.
+  [[nodiscard]] bool isDamagedIn(const StepStore& store) const;
 };
 
 /// Never throws: the window's own thread asks.

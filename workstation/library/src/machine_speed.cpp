@@ -40,14 +40,14 @@ MachineSpeed readMachineSpeed(const std::filesystem::path& folder) {
     const auto rate = keptRate(kept, kPreparationSteps[n]);
     if (!rate) continue;
     speed.secondsPerWork[n] = *rate;
+    speed.isMeasured[n] = true;
     slower += std::log(*rate / kNominal[n]);
     ++known;
   }
   if (known == 0) return speed;
   // What was never timed is taken to be as much slower as what was.
   for (std::size_t n = 0; n < kPreparationSteps.size(); ++n)
-    if (!keptRate(kept, kPreparationSteps[n])) speed.secondsPerWork[n] *= std::exp(slower / known);
-  speed.measured = keptRate(kept, kPreparationSteps[static_cast<std::size_t>(PreparationStep::record)]).has_value();
+    if (!speed.isMeasured[n]) speed.secondsPerWork[n] *= std::exp(slower / known);
   return speed;
 }
 

@@ -13,7 +13,7 @@ inline constexpr std::array<const char*, 5> kPreparationSteps = {"patient", "vox
 /// Seconds per unit of work of each kind of step, as earlier preparations took them.
 struct MachineSpeed {
   std::array<double, kPreparationSteps.size()> secondsPerWork{};
-  bool measured = false;
+  std::array<bool, kPreparationSteps.size()> isMeasured{};
   [[nodiscard]] double of(PreparationStep kind) const { return secondsPerWork[static_cast<std::size_t>(kind)]; }
 };
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kSurfaceReserve = 1.5;   // as in voxelise: how far a first-order distance may exceed the true one
 constexpr double kSameSurface_mm = 0.05;  // surfaces nearer than this are one
 constexpr double kSlopeStep_mm = 0.05;
+constexpr double kExact_mm = 0.15;
 constexpr double kFaintestLevel = 60.0;  // of a boundary without border that is worth a surface
 constexpr double kThickestWall_mm = 0.9;
 constexpr double kThickestFront_mm = 0.8;
@@ -38,7 +39,8 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, const 
   std::optional<SurfaceFoot> found;
   for (std::size_t n = 0; n < distances_mm.size(); ++n) {
     const double d = distances_mm[n];
-    if (std::abs(d) > kSurfaceReserve * reach_mm_) continue;
+    const double nearest_mm = found ? std::abs(static_cast<double>(found->distance_mm)) : reach_mm_;
+    if (std::abs(d) > kSurfaceReserve * nearest_mm) continue;
     const Organ& organ = *near[n];
     glm::dvec3 slope;
     for (int axis = 0; axis < 3; ++axis) {
@@ -49,10 +51,10 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, const 
     const double steep = glm::length(slope);
     if (!(steep > 0.0) || std::abs(d) > reach_mm_ * steep) continue;
     const glm::dvec3 normal = slope / steep;
-    // A second step of Newton's: first-order distances of curved shapes are off by the square of the first.
-    const double first = d / steep;
-    const double exact = first + organ.shape->distance_mm(p_mm - first * normal) / steep;
-    if (found && std::abs(exact) >= std::abs(static_cast<double>(found->distance_mm))) continue;
+    // A second step of Newton's: first-order distances of curved shapes are off by the square of the first, over their radius.
+    double exact = d / steep;
+    if (std::abs(exact) > kExact_mm) exact += organ.shape->distance_mm(p_mm - exact * normal) / steep;
+    if (found && std::abs(exact) >= nearest_mm) continue;
     const glm::dvec3 foot = p_mm - exact * normal;
     if (isHidden(p_mm, foot, n, near, distances_mm)) continue;
     const auto key = keyAt(foot, normal, organ, near);
@@ -79,6 +81,12 @@ std::optional<std::uint16_t> SurfaceFinder::keyAt(const glm::dvec3& foot_mm, con
                                                   const std::vector<const Organ*>& near) const {
   const auto key = static_cast<std::uint16_t>((&organ - patient_.organs.data()) << 8);
   if (organ.border) return static_cast<std::uint16_t>(key | kBorderKey);
+  // Two organs that share a surface draw it once: with the border, whichever of them has it. Else its sides would change from voxel to
+  // voxel.
+  const auto drawsIt = [&](const Organ* other) {
+    return other != &organ && other->border && std::abs(other->shape->distance_mm(foot_mm)) <= kSameSurface_mm;
+  };
+  if (std::any_of(near.begin(), near.end(), drawsIt)) return std::nullopt;
   const auto outside = tissueAt(foot_mm + 2.0 * kSameSurface_mm * normal, near);
   if (!outside) return std::nullopt;
   const double mirrored = mirroredBetween(patient_.tissues[organ.tissue].impedance_mrayl, patient_.tissues[*outside].impedance_mrayl);
