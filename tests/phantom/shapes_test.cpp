@@ -130,6 +130,52 @@ TEST(Difference, TakesTheOtherPartsAway) {
   EXPECT_NEAR(body->signedDistance_mm({0, 0, 32}), 2.0, 1e-9);
 }
 
+constexpr const char* kPlate = R"("half_space": {"point_mm": [0, 0, 0], "outward": [0, 0, 1]})";
+
+TEST(Relief, IsAsHighOnItsLineAsItSaysAndGoneAtItsHalfWidth) {
+  const auto body =
+      bodyOf(std::string("{") + kPlate + R"(, "relief": [{"points": [[-20, 0, 7], [20, 0, -3]], "half_width_mm": 8, "height_mm": 2.5}]})");
+  const auto heightAt = [&](double x, double y) { return -body->signedDistance_mm({x, y, 0.0}); };
+  EXPECT_NEAR(heightAt(0, 0), 2.5, 1e-9) << "its points are put on the surface";
+  EXPECT_NEAR(body->signedDistance_mm({3, 0, 2.5}), 0.0, 1e-9);
+  EXPECT_NEAR(heightAt(5, 4), 2.5 * 0.75 * 0.75, 1e-9);
+  EXPECT_EQ(heightAt(5, 8), 0.0);
+  EXPECT_EQ(heightAt(28, 0), 0.0);
+  EXPECT_EQ(body->signedDistance_mm({0, 0, -31}), -31.0) << "what lies deep does not know of it";
+  EXPECT_EQ(body->signedDistance_mm({0, 0, 31}), 31.0);
+}
+
+TEST(Relief, RunsOutWhereItsShareOfTheHeightDoes) {
+  const auto body =
+      bodyOf(std::string("{") + kPlate +
+             R"(, "relief": [{"points": [[-20, 0, 0, 0], [0, 0, 0], [20, 0, 0, 0.5]], "half_width_mm": 8, "height_mm": -2}]})");
+  EXPECT_NEAR(body->signedDistance_mm({-20, 0, 0}), 0.0, 1e-9);
+  EXPECT_NEAR(body->signedDistance_mm({0, 0, 0}), 2.0, 1e-9) << "below 0 it is a furrow";
+  EXPECT_NEAR(body->signedDistance_mm({20, 0, 0}), 1.0, 1e-9);
+}
+
+TEST(Relief, ThatIsMirroredIsTheSameOnBothSidesAndNoHigherWhereItsHalvesMeet) {
+  const auto body =
+      bodyOf(std::string("{") + kPlate +
+             R"(, "relief": [{"points": [[0, 0, 0], [9, 4, 0], [20, 0, 0]], "half_width_mm": 6, "height_mm": 2, "mirrored": true}]})");
+  EXPECT_NEAR(body->signedDistance_mm({0, 0, 0}), -2.0, 1e-9);
+  for (double x = 0; x < 30; x += 1.7)
+    for (double y = -9; y < 9; y += 1.3) EXPECT_EQ(body->signedDistance_mm({x, y, 0.3}), body->signedDistance_mm({-x, y, 0.3}));
+}
+
+TEST(Relief, IsRefusedWithItsPlaceWhenItCannotBe) {
+  const testing::Folder folder;
+  const auto sentenceOf = [&](const std::string& relief) {
+    const auto body =
+        readBodyShape(folder.write("body.json", testing::bodyRecipe(std::string("{") + kPlate + R"(, "relief": [)" + relief + "]}")));
+    return body ? std::string("read") : body.error().sentence();
+  };
+  EXPECT_NE(sentenceOf(R"({"points": [], "half_width_mm": 8, "height_mm": 1})").find("points"), std::string::npos);
+  EXPECT_NE(sentenceOf(R"({"points": [[0, 0, 0, 2]], "half_width_mm": 8, "height_mm": 1})").find("share"), std::string::npos);
+  EXPECT_NE(sentenceOf(R"({"points": [[0, 0, 0]], "half_width_mm": 0, "height_mm": 1})").find("half_width_mm"), std::string::npos);
+  EXPECT_NE(sentenceOf(R"({"points": [[0, 0, 0]], "half_width_mm": 8, "height_mm": 11})").find("height_mm"), std::string::npos);
+}
+
 TEST(Mirrored, IsTheSameOnBothSidesAndSmoothInTheMiddle) {
   const auto body =
       bodyOf(R"({"ellipsoid": {"centre_mm": [12, 0, 0], "radii_mm": [20, 15, 15]}, "mirrored": true, "mirror_smoothing_mm": 10})");

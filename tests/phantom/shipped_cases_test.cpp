@@ -17,12 +17,15 @@ nlohmann::json jsonOf(const std::filesystem::path& file) {
   return json;
 }
 
-bool conforms(const nlohmann::json& recipe, std::string* why = nullptr) {
-  static const nlohmann::json text = jsonOf(EW_SOURCE_DIR "/resources/schemas/patient.schema.json");
+bool conforms(const nlohmann::json& recipe, std::string* why = nullptr, const std::string& kind = "patient") {
+  const std::filesystem::path schemas = EW_SOURCE_DIR "/resources/schemas";
+  const nlohmann::json text = jsonOf(schemas / (kind + ".schema.json"));
   valijson::Schema schema;
   valijson::SchemaParser parser;
   const valijson::adapters::NlohmannJsonAdapter schemaAdapter(text);
-  parser.populateSchema(schemaAdapter, schema);
+  parser.populateSchema<valijson::adapters::NlohmannJsonAdapter>(
+      schemaAdapter, schema, [&](const std::string& name) { return new nlohmann::json(jsonOf(schemas / name)); },
+      [](const nlohmann::json* fetched) { delete fetched; });
   valijson::Validator validator;
   valijson::ValidationResults results;
   const valijson::adapters::NlohmannJsonAdapter target(recipe);
@@ -63,6 +66,20 @@ INSTANTIATE_TEST_SUITE_P(Cases, ShippedCase, ::testing::Values("upper-abdomen-ga
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+TEST(ShippedMannequins, FollowTheirSchemaAndCanBeRead) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::shippedMannequin().parent_path())) {
+    std::string why;
+    EXPECT_TRUE(conforms(jsonOf(entry.path()), &why, "mannequin")) << entry.path() << ": " << why;
+    EXPECT_TRUE(readBodyShape(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 4);
+  nlohmann::json wrong = jsonOf(testing::shippedMannequin());
+  wrong["body"]["relief"][0]["height_mm"] = 20;
+  EXPECT_FALSE(conforms(wrong, nullptr, "mannequin"));
+}
 
 TEST_P(ShippedCase, StartsWithTheMarkerTowardsThePatientsRightOrHead) {
   const glm::dvec3 marked(startPose()[0]);

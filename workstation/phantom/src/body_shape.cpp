@@ -6,6 +6,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
 #include "recipe.h"
+#include "whole_recipe.h"
 
 namespace ew {
 namespace {
@@ -29,15 +30,16 @@ constexpr double kBodyReserve = 1.5;
 BodyShape::~BodyShape() = default;
 
 Result<std::unique_ptr<BodyShape>> readBodyShape(const std::filesystem::path& recipe) {
-  const auto json = phantom::readRecipe(recipe, say<"mannequin recipe">());
+  const auto json = phantom::readWholeMannequin(recipe);
   if (!json) return passOn(json.error());
   JsonReading reading = phantom::readingOf(recipe);
   const JsonFields fields(*json, reading);
-  fields.only({"format", "height_mm", "body"});
+  fields.only({"format", "height_mm", "frames", "body"});
   fields.text("name");
   if (!fields.has("body")) fields.refuse("body", say<"a shape">());
   phantom::ShapePtr shape;
-  if (reading.good()) shape = phantom::readShape(fields.object("body"), {});
+  const phantom::NamedFrames frames = phantom::readFrames(fields);
+  if (reading.good()) shape = phantom::readShape(fields.object("body"), {}, frames);
   if (reading.problem()) return passOn(*reading.problem());
   return std::make_unique<RecipeBody>(std::move(shape));
 }

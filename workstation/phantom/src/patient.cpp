@@ -204,7 +204,7 @@ Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, co
   JsonReading reading = phantom::readingOf(file);
   const auto bodyFile = findMannequin(JsonFields(whole->json, reading), file, mannequins);
   if (!bodyFile) return passOn(bodyFile.error());
-  const auto body = phantom::readRecipe(*bodyFile, say<"mannequin recipe">());
+  const auto body = phantom::readWholeMannequin(*bodyFile);
   if (!body) return passOn(body.error());
   return fnv1a(body->dump(), fnv1a(whole->json.dump(), 14695981039346656037ull ^ kVoxelVersion));
 }

@@ -98,6 +98,16 @@ struct LoftSection {
 /// `of` (drawn on the left side, x > 0) and its mirror image; |x| is rounded over `smoothing_mm` so that the midline has no crease.
 [[nodiscard]] ShapePtr makeMirrored(ShapePtr of, double smoothing_mm);
 
+/// Ridges (or, below 0, furrows) on a surface along lines and their mirror images.
+struct ReliefLine {
+  /// Each a spline through its points, or a dot; x, y, z in mm and the share of the height, 0..1. Put on the surface before use.
+  std::vector<std::vector<glm::dvec4>> lines;
+  double halfWidth_mm = 10.0;  ///< > 0; to where nothing is raised any more
+  double height_mm = 0.0;      ///< on the line where its share is 1; falls off as (1 - (r / halfWidth)^2)^2
+};
+/// `of`, its surface raised by the sum of the lines' heights and nowhere by more. Points farther than 30 mm from the surface are as before.
+[[nodiscard]] ShapePtr makeRelief(ShapePtr of, const std::vector<ReliefLine>& lines);
+
 /// Parts joined one after the other, each with its own blend.
 struct BlendedPart {
   ShapePtr shape;

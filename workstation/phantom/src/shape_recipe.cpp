@@ -19,6 +19,10 @@ constexpr std::size_t kMostParts = 500;
 constexpr double kMostSolids = 20000.0;  // asked for one point, a shared one at every use; the shipped bodies have some hundreds
 constexpr int kDeepestUse = 100;         // shapes that use one another: asking a point recurses once for each
 
+constexpr std::size_t kMostReliefPoints = 500;  // each is put on the surface, which asks the shape some dozens of times
+constexpr double kLargestRelief_mm = 100.0;
+constexpr double kHighestRelief_mm = 10.0;  // higher than wide would fold the distance; such a thing is a part
+
 double radian(double degree) { return degree * std::numbers::pi / 180.0; }
 
 /// Turns about x, then y, then z of the world.
@@ -138,6 +142,41 @@ ShapePtr readGrown(const JsonFields& object, const NamedShapes& known) {
   return !object.good() ? nullptr : makeOffset(std::move(of), by);
 }
 
+/// The ridges and furrows on a shape, drawn in a frame as the shape is.
+std::vector<ReliefLine> readRelief(const JsonFields& object, const DrawingFrame* frame) {
+  std::vector<ReliefLine> relief;
+  std::size_t points = 0;
+  for (const JsonFields& each : object.objects("relief", 0, kMostReliefPoints)) {
+    each.only({"points", "half_width_mm", "height_mm", "mirrored"});
+    ReliefLine ridge;
+    ridge.halfWidth_mm = each.number("half_width_mm", 0.5, kLargestRelief_mm);
+    ridge.height_mm = each.number("height_mm", -kHighestRelief_mm, kHighestRelief_mm);
+    ridge.lines.resize(each.flag("mirrored", false) ? 2 : 1);
+    const json& list = each.list("points", 1, kMostReliefPoints);
+    for (std::size_t n = 0; n < list.size() && each.good(); ++n) {
+      glm::dvec4 drawn(0.0, 0.0, 0.0, 1.0);
+      bool fits = list[n].is_array() && (list[n].size() == 3 || list[n].size() == 4);
+      for (std::size_t axis = 0; fits && axis < list[n].size(); ++axis) {
+        const auto number = axis < 3 ? numberWithin(list[n][axis], -kFarthest_mm, kFarthest_mm) : numberWithin(list[n][axis], 0.0, 1.0);
+        fits = number.has_value();
+        drawn[static_cast<int>(axis)] = number.value_or(0.0);
+      }
+      if (!fits)
+        each.refuse("points[" + std::to_string(n) + "]", shown(list[n]),
+                    say<"[x, y, z] in mm, or [x, y, z, share] with a share of the height from 0 to 1">());
+      for (std::size_t side = 0; side < ridge.lines.size(); ++side) {
+        const glm::dvec3 here(side == 0 ? drawn.x : -drawn.x, drawn.y, drawn.z);
+        ridge.lines[side].emplace_back(frame ? frame->toWorld(here) : here, drawn.w);
+      }
+    }
+    points += list.size();
+    if (points > kMostReliefPoints) object.refuse("relief", say<"lines of more than %1 points">(kMostReliefPoints), say<"fewer points">());
+    if (!each.good()) break;
+    relief.push_back(std::move(ridge));
+  }
+  return relief;
+}
+
 /// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, how deep it is nested, and how many solids the
 /// whole shape has so far.
 struct Surroundings {
@@ -180,7 +219,7 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
   static const std::array<std::string, 11> kKinds{"capsule", "difference", "ellipsoid", "grown", "half_space", "intersection",
                                                   "loft",    "of",         "shell",     "tube",  "union"};
   object.only({"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
-               "mirror_smoothing_mm", "of", "shell", "tube", "union"});
+               "mirror_smoothing_mm", "of", "relief", "shell", "tube", "union"});
   if (!object.good()) return nullptr;
   if (around.depth > kDeepestShape) {
     object.refuseWhole(say<"nested too deeply">(), say<"at most %1 shapes inside one another">(kDeepestShape));
@@ -225,6 +264,11 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
   if (around.solids > kMostSolids || shape->depth() > kDeepestUse) {
     refuseCostly(object);
     return nullptr;
+  }
+  if (object.has("relief")) {
+    const std::vector<ReliefLine> relief = readRelief(object, around.frame);
+    if (!object.good()) return nullptr;
+    shape = makeRelief(std::move(shape), relief);
   }
   const bool mirrored = object.flag("mirrored", false);
   const double smoothing = object.number("mirror_smoothing_mm", 0.0, 100.0, 0.0);

@@ -47,19 +47,19 @@ void checkMergeable(const JsonFields& recipe) {
   }
 }
 
-void removeNamed(const JsonFields& remove, json& into) {
-  remove.only(kNamedLists);
-  for (const std::string& list : kNamedLists) {
-    for (const std::string& name : remove.texts(list, 0, 2 * kMostEntries)) {
-      const std::size_t at = into.contains(list) ? placeOf(into[list], name) : 0;
-      if (!into.contains(list) || at == into[list].size())
-        return remove.refuse(list, shown(name), say<"names from the %1 of the recipe that this one extends">(list));
-      into[list].erase(at);
-    }
+void removeNamed(const JsonFields& remove, const std::string& list, json& from) {
+  for (const std::string& name : remove.texts(list, 0, 2 * kMostEntries)) {
+    const std::size_t at = from.is_array() ? placeOf(from, name) : 0;
+    if (!from.is_array() || at == from.size())
+      return remove.refuse(list, shown(name), say<"names from the %1 of the recipe that this one extends">(list));
+    from.erase(at);
   }
 }
 
-void mergeList(const JsonFields& recipe, const std::string& field, json& into) {
+/// Whether an entry whose name is taken changes the fields it gives, or takes the other's place.
+enum class Taken { changed, replaced };
+
+void mergeList(const JsonFields& recipe, const std::string& field, Taken taken, json& into) {
   const std::vector<JsonFields> entries = recipe.objects(field, 0, kMostEntries);
   if (into.is_null()) into = json::array();
   if (into.size() + entries.size() > 2 * kMostEntries)
@@ -74,7 +74,7 @@ void mergeList(const JsonFields& recipe, const std::string& field, json& into) {
     entry.erase("after");
     std::size_t at = placeOf(into, name);
     const bool known = at < into.size();
-    if (known && field != "shapes") {
+    if (known && taken == Taken::changed) {
       json changed = into[at];
       for (const auto& [key, value] : entry.items()) {
         if (value.is_null())
@@ -116,12 +116,16 @@ void mergeParameters(const JsonFields& given, json& into) {
 
 /// `child` on top of `base`.
 json merged(json base, const JsonFields& child) {
-  removeNamed(child.object("remove"), base);
+  const JsonFields remove = child.object("remove");
+  remove.only(kNamedLists);
+  for (const std::string& list : kNamedLists) {
+    if (remove.has(list)) removeNamed(remove, list, base[list]);
+  }
   for (const auto& [field, value] : child.value().items()) {
     if (field == "remove" || field == "extends") continue;
     if (!child.good()) break;
     if (std::find(kNamedLists.begin(), kNamedLists.end(), field) != kNamedLists.end())
-      mergeList(child, field, base[field]);
+      mergeList(child, field, field == "shapes" ? Taken::replaced : Taken::changed, base[field]);
     else if (field == "parameters")
       mergeParameters(child.object(field), base[field]);
     else if (field == "motion")
@@ -310,6 +314,49 @@ std::filesystem::path findNamed(const std::string& name, const std::string& kind
     if (std::filesystem::is_regular_file(candidate, failed)) return candidate;
   }
   return {};
+}
+
+Result<json> readWholeMannequin(const std::filesystem::path& file) {
+  const Message kind = say<"mannequin recipe">();
+  auto recipe = readRecipe(file, kind);
+  if (!recipe || !recipe->contains("extends")) return recipe;
+  JsonReading reading = readingOf(file);
+  const JsonFields fields(*recipe, reading);
+  fields.only({"format", "height_mm", "extends", "frames", "parts", "relief", "remove"});
+  const std::string name = fields.text("extends");
+  if (std::filesystem::path(name).has_parent_path())
+    fields.refuse("extends", say<"the name of a file beside this one or in resources/mannequin, without a folder">());
+  if (reading.problem()) return passOn(*reading.problem());
+  const auto extended = findNamed(name, "mannequin", file, {});
+  if (extended.empty())
+    return failure(ErrorCode::notFound,
+                   say<"%1 extends %2, which is neither beside it nor in resources/mannequin; put it there.">(file.string(), name),
+                   {{"file", file.string()}, {"extends", name}});
+  auto base = readRecipe(extended, kind);
+  if (!base) return base;
+  JsonReading baseReading = readingOf(extended);
+  const JsonFields baseFields(*base, baseReading);
+  if (baseFields.has("extends")) baseFields.refuse("extends", say<"left out in a recipe that another extends">());
+  const JsonFields body = baseFields.object("body");
+  static_cast<void>(body.objects("union", 1, kMostEntries));
+  static_cast<void>(body.objects("relief", 0, kMostEntries));
+  static_cast<void>(baseFields.objects("frames", 0, kMostEntries));
+  if (baseReading.problem()) return passOn(*baseReading.problem());
+
+  const JsonFields remove = fields.object("remove");
+  remove.only({"parts", "relief"});
+  json& parts = (*base)["body"]["union"];
+  json& relief = (*base)["body"]["relief"];
+  removeNamed(remove, "parts", parts);
+  removeNamed(remove, "relief", relief);
+  mergeList(fields, "frames", Taken::changed, (*base)["frames"]);
+  mergeList(fields, "parts", Taken::replaced, parts);
+  mergeList(fields, "relief", Taken::changed, relief);
+  if (reading.problem()) return passOn(*reading.problem());
+  for (const auto& [field, value] : recipe->items()) {
+    if (field == "name" || field == "note" || field == "source" || field == "height_mm") (*base)[field] = value;
+  }
+  return base;
 }
 
 Result<WholeRecipe> readWholeRecipe(const std::filesystem::path& file, const std::filesystem::path& mannequins,

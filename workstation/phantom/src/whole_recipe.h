@@ -20,6 +20,11 @@ struct WholeRecipe {
 [[nodiscard]] std::filesystem::path findNamed(const std::string& name, const std::string& kind, const std::filesystem::path& file,
                                               const std::filesystem::path& folder);
 
+/// A mannequin's recipe as one plain object. "extends" names one beside it or in resources/mannequin that extends none: entries of "parts"
+/// whose name is taken replace those of its body's union, entries of "frames" and of its body's "relief" change the fields they give,
+/// others are added, and "remove" lists names of parts and relief that go. @error as readBodyShape
+[[nodiscard]] Result<nlohmann::json> readWholeMannequin(const std::filesystem::path& file);
+
 /// Merges a recipe into what it extends and works out its expressions.
 /// - "extends" names a recipe beside this one or in resources/anatomy; at most 8 follow one another.
 /// - "remove" lists names of tissues, shapes, organs, measurements and planes that go.
