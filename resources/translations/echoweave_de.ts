@@ -4100,6 +4100,14 @@
         <translation>eine Zahl von 0 bis 60 (wo der Verstärker endet)</translation>
     </message>
     <message>
+        <source>a number from 0 to a fifth of length_mm</source>
+        <translation>eine Zahl von 0 bis zu einem Fünftel von length_mm</translation>
+    </message>
+    <message>
+        <source>a number from 0.001 to half of length_mm</source>
+        <translation>eine Zahl von 0,001 bis zur Hälfte von length_mm</translation>
+    </message>
+    <message>
         <source>a number from 0.1 to 100, in mm</source>
         <translation>eine Zahl von 0,1 bis 100, in mm</translation>
     </message>
@@ -4220,6 +4228,10 @@
         <translation>eine Ebene mit probe_to_world</translation>
     </message>
     <message>
+        <source>a point at least 0.01 mm from the one before</source>
+        <translation>ein Punkt, mindestens 0,01 mm vom vorigen entfernt</translation>
+    </message>
+    <message>
         <source>a point or a plane</source>
         <translation>ein Punkt oder eine Ebene</translation>
     </message>
@@ -4234,6 +4246,10 @@
     <message>
         <source>a probe that is not on the skin needs it</source>
         <translation>ein Schallkopf, der nicht auf der Haut liegt, braucht es</translation>
+    </message>
+    <message>
+        <source>a radius that some of the vessels have</source>
+        <translation>ein Radius, den manche der Gefäße haben</translation>
     </message>
     <message>
         <source>a recipe that does not extend this one in turn</source>
@@ -4568,6 +4584,10 @@
         <translation>höchstens %1 geschachtelte Klammern</translation>
     </message>
     <message>
+        <source>at most %1 of all trees together</source>
+        <translation>höchstens %1 von allen Bäumen zusammen</translation>
+    </message>
+    <message>
         <source>at most %1 shapes inside one another</source>
         <translation>höchstens %1 ineinander geschachtelte Formen</translation>
     </message>
@@ -4678,6 +4698,10 @@
     <message>
         <source>entries, first value and 8 or 16 bits</source>
         <translation>Zahl der Einträge, erster Wert und 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>fewer ends, or an organ of fewer solids</source>
+        <translation>weniger Enden, oder ein Organ aus weniger Körpern</translation>
     </message>
     <message>
         <source>fewer than two cycles can be seen</source>
@@ -5228,8 +5252,8 @@
         <translation>einer von höchstens %1</translation>
     </message>
     <message>
-        <source>one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union</source>
-        <translation>eines von capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union</translation>
+        <source>one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, patches, rough, septa, sheets, shell, tube, union, vessel_tree, vessels_beside</source>
+        <translation>eines von capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, patches, rough, septa, sheets, shell, tube, union, vessel_tree, vessels_beside</translation>
     </message>
     <message>
         <source>one of its numbers is not finite</source>
@@ -5492,6 +5516,10 @@
         <translation>der Name eines mitgelieferten Schallkopfs, etwa convex-3.5, ohne Ordner und Endung</translation>
     </message>
     <message>
+        <source>the name of a vessel_tree</source>
+        <translation>der Name eines vessel_tree</translation>
+    </message>
+    <message>
         <source>the name of a volume or sweep file</source>
         <translation>der Name einer Volumen- oder Schwenkdatei</translation>
     </message>
@@ -5632,6 +5660,10 @@
         <translation>drei Zahlen innerhalb von 1000 m</translation>
     </message>
     <message>
+        <source>three numbers, [x, y, z] in mm</source>
+        <translation>drei Zahlen, [x, y, z] in mm</translation>
+    </message>
+    <message>
         <source>three numbers, in mm</source>
         <translation>drei Zahlen, in mm</translation>
     </message>
@@ -5660,6 +5692,10 @@
         <translation>drei Größen von mindestens 0,1 mm</translation>
     </message>
     <message>
+        <source>three sizes of at least 0.2 mm</source>
+        <translation>drei Größen von mindestens 0,2 mm</translation>
+    </message>
+    <message>
         <source>tissue</source>
         <translation>Gewebe</translation>
     </message>
@@ -5670,6 +5706,14 @@
     <message>
         <source>too long</source>
         <translation>zu lang</translation>
+    </message>
+    <message>
+        <source>too many branches of vessels</source>
+        <translation>zu viele Gefäßäste</translation>
+    </message>
+    <message>
+        <source>too many for an organ of so many solids</source>
+        <translation>zu viele für ein Organ aus so vielen Körpern</translation>
     </message>
     <message>
         <source>true or false</source>

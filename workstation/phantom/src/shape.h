@@ -17,6 +17,8 @@ struct CentreLine {
   std::vector<glm::dvec4> points_mm;
 };
 
+struct VesselTree;
+
 /// An implicit solid: signed distance in mm (negative inside) and a box that holds all of it.
 /// Distances are exact for spheres, capsules, tubes and planes; ellipsoids and lofts give the first-order distance F / |grad F|,
 /// which has the exact sign everywhere and the exact distance on the surface and on the axes.
@@ -29,6 +31,8 @@ class Shape {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
   /// Of a tube, of a tube that is grown, and of blends whose first part is one; null for everything else.
   [[nodiscard]] virtual const CentreLine* centreLine() const { return nullptr; }
+  /// Of a tree of vessels; null for everything else.
+  [[nodiscard]] virtual const VesselTree* vessels() const { return nullptr; }
   /// Solids that one call of distance_mm may ask, a shared one counted at every use: what a point costs.
   [[nodiscard]] double solids() const { return solids_; }
   /// Shapes inside one another on the longest way down, this one included: how deep distance_mm recurses.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ew/core/numbers.h"
+#include "grown_recipe.h"
 #include "recipe.h"
 
 namespace ew::phantom {
@@ -120,14 +121,9 @@ const typename Table::mapped_type* entryNamed(const JsonFields& object, const st
   return nullptr;
 }
 
-ShapePtr named(const JsonFields& object, const std::string& field, const NamedShapes& known) {
-  const ShapePtr* found = entryNamed(object, field, known, say<"a shape described before this one">());
-  return found ? *found : nullptr;
-}
-
 ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
   object.only({"of", "from_depth_mm", "to_depth_mm"});
-  ShapePtr of = named(object, "of", known);
+  ShapePtr of = shapeNamed(object, "of", known);
   const double from = object.number("from_depth_mm", -kLargest_mm, kLargest_mm);
   const double to = object.number("to_depth_mm", -kLargest_mm, kLargest_mm);
   if (object.good() && !(from < to))
@@ -137,7 +133,7 @@ ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
 
 ShapePtr readGrown(const JsonFields& object, const NamedShapes& known) {
   object.only({"of", "by_mm"});
-  ShapePtr of = named(object, "of", known);
+  ShapePtr of = shapeNamed(object, "of", known);
   const double by = object.number("by_mm", -kLargest_mm, kLargest_mm);
   return !object.good() ? nullptr : makeOffset(std::move(of), by);
 }
@@ -216,10 +212,32 @@ void refuseCostly(const JsonFields& object) {
 }
 
 ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
-  static const std::array<std::string, 11> kKinds{"capsule", "difference", "ellipsoid", "grown", "half_space", "intersection",
-                                                  "loft",    "of",         "shell",     "tube",  "union"};
-  object.only({"blend_mm", "capsule", "difference", "ellipsoid", "frame", "grown", "half_space", "intersection", "loft", "mirrored",
-               "mirror_smoothing_mm", "of", "relief", "shell", "tube", "union"});
+  static const std::array<std::string, 17> kKinds{"capsule", "difference", "ellipsoid", "grown",       "half_space",    "intersection",
+                                                  "loft",    "of",         "patches",   "rough",       "septa",         "sheets",
+                                                  "shell",   "tube",       "union",     "vessel_tree", "vessels_beside"};
+  object.only({"blend_mm",
+               "capsule",
+               "difference",
+               "ellipsoid",
+               "frame",
+               "grown",
+               "half_space",
+               "intersection",
+               "loft",
+               "mirrored",
+               "mirror_smoothing_mm",
+               "mirror_smoothing_mm",
+               "of",
+               "patches",
+               "relief",
+               "rough",
+               "septa",
+               "sheets",
+               "shell",
+               "tube",
+               "union",
+               "vessel_tree",
+               "vessels_beside"});
   if (!object.good()) return nullptr;
   if (around.depth > kDeepestShape) {
     object.refuseWhole(say<"nested too deeply">(), say<"at most %1 shapes inside one another">(kDeepestShape));
@@ -232,8 +250,10 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
     kind = each;
   }
   if (kind.empty())
-    object.refuseWhole(say<"without a shape">(),
-                       say<"one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, shell, tube, union">());
+    object.refuseWhole(
+        say<"without a shape">(),
+        say<"one of capsule, difference, ellipsoid, grown, half_space, intersection, loft, of, patches, rough, septa, sheets, "
+            "shell, tube, union, vessel_tree, vessels_beside">());
   if (!object.good()) return nullptr;
 
   if (object.has("frame")) around.frame = entryNamed(object, "frame", around.frames, say<"a frame described before this one">());
@@ -250,7 +270,13 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
   if (kind == "half_space") shape = placed(readHalfSpace(inner), around.frame);
   if (kind == "shell") shape = readShell(inner, around.known);
   if (kind == "grown") shape = readGrown(inner, around.known);
-  if (kind == "of") shape = named(object, "of", around.known);
+  if (kind == "rough") shape = readRough(inner, around.known);
+  if (kind == "sheets") shape = readSheets(inner, around.known);
+  if (kind == "septa") shape = readSepta(inner, around.known);
+  if (kind == "patches") shape = readPatches(inner);
+  if (kind == "vessel_tree") shape = readVesselTree(inner, around.known, around.frame);
+  if (kind == "vessels_beside") shape = readVesselsBeside(inner, around.known);
+  if (kind == "of") shape = shapeNamed(object, "of", around.known);
   if (kind == "union" || kind == "intersection" || kind == "difference") {
     std::vector<BlendedPart> parts = readParts(object, kind, around);
     if (!object.good()) return nullptr;
@@ -277,6 +303,11 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
 }
 
 }  // namespace
+
+ShapePtr shapeNamed(const JsonFields& object, const std::string& field, const NamedShapes& known) {
+  const ShapePtr* found = entryNamed(object, field, known, say<"a shape described before this one">());
+  return found ? *found : nullptr;
+}
 
 NamedFrames readFrames(const JsonFields& recipe) {
   NamedFrames frames;
