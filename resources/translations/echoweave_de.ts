@@ -4,6 +4,30 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>in the smallest resolution cell</source>
+        <translation>in der kleinsten Auflösungszelle</translation>
+    </message>
+    <message>
+        <source>along a line</source>
+        <translation>entlang einer Linie</translation>
+    </message>
+    <message>
+        <source>of the slice, in standard deviations</source>
+        <translation>der Schicht, in Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>of the probe&apos;s widest aperture</source>
+        <translation>der größten Apertur des Schallkopfs</translation>
+    </message>
+    <message>
+        <source>1 without a filter across lines</source>
+        <translation>1 ohne Filter quer zu den Linien</translation>
+    </message>
+    <message>
+        <source>below the echoes beside a line</source>
+        <translation>unter den Echos neben einer Linie</translation>
+    </message>
+    <message>
         <source>This processor has no %1; choose one of: %2.</source>
         <translation>Dieser Prozessor hat kein %1; eines von diesen wählen: %2.</translation>
     </message>
@@ -5843,6 +5867,22 @@
 <context>
     <name>ew::EffectInfo</name>
     <message>
+        <source>Live echoes</source>
+        <translation>Lebendige Echos</translation>
+    </message>
+    <message>
+        <source>live echoes</source>
+        <translation>lebendige Echos</translation>
+    </message>
+    <message>
+        <source>Speckle is formed anew for every image, where the tissue is known</source>
+        <translation>Speckle entsteht für jedes Bild neu, wo das Gewebe bekannt ist</translation>
+    </message>
+    <message>
+        <source>Side lobes: what echoes beside a line add to it</source>
+        <translation>Nebenkeulen: was Echos neben einer Linie zu ihr beitragen</translation>
+    </message>
+    <message>
         <source>Gain and TGC</source>
         <translation>Verstärkung und TGC</translation>
     </message>
@@ -5985,6 +6025,14 @@
 </context>
 <context>
     <name>ew::StepKind</name>
+    <message>
+        <source>live echoes</source>
+        <translation>lebendige Echos</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>Hüllkurve</translation>
+    </message>
     <message>
         <source>sample nearest</source>
         <translation>nächste abtasten</translation>

@@ -226,7 +226,6 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
                "loft",
                "mirrored",
                "mirror_smoothing_mm",
-               "mirror_smoothing_mm",
                "of",
                "patches",
                "relief",
