@@ -26,6 +26,11 @@ glm::dvec3 directionOf(const VesselBranch& branch) {
   return length > 0.0 ? along / length : glm::dvec3(0.0, 0.0, 1.0);
 }
 
+double squaredTo(const glm::dvec3& p_mm, const Bounds& box) {
+  const glm::dvec3 outside = glm::max(glm::max(box.lowest_mm - p_mm, p_mm - box.highest_mm), glm::dvec3(0.0));
+  return glm::dot(outside, outside);
+}
+
 /// Round cones in a hierarchy of boxes.
 class TreeShape final : public Shape {
  public:
@@ -49,22 +54,25 @@ class TreeShape final : public Shape {
 
   double distance_mm(const glm::dvec3& p_mm) const override {
     double nearest = std::numeric_limits<double>::infinity();
+    double nearest2 = nearest;  // its square where it is positive: boxes are compared without a root
     std::array<std::pair<double, int>, 64> waiting;
     std::size_t count = 1;
     waiting[0] = {0.0, 0};
     while (count > 0) {
-      const auto [atLeast, number] = waiting[--count];
-      if (atLeast > 0.0 && atLeast >= nearest) continue;
+      const auto [atLeast2, number] = waiting[--count];
+      if (atLeast2 > 0.0 && atLeast2 >= nearest2) continue;
       const Node& node = nodes_[static_cast<std::size_t>(number)];
       if (node.count > 0) {
         for (std::size_t n = node.first; n < node.first + node.count; ++n) nearest = std::min(nearest, cones_[n].distance_mm(p_mm));
+        nearest2 = nearest > 0.0 ? nearest * nearest : 0.0;
         continue;
       }
       const int left = number + 1, right = node.right;
-      const double toLeft = distanceToBox_mm(p_mm, nodes_[static_cast<std::size_t>(left)].box);
-      const double toRight = distanceToBox_mm(p_mm, nodes_[static_cast<std::size_t>(right)].box);
-      waiting[count++] = toLeft <= toRight ? std::pair{toRight, right} : std::pair{toLeft, left};
-      waiting[count++] = toLeft <= toRight ? std::pair{toLeft, left} : std::pair{toRight, right};
+      const double toLeft = squaredTo(p_mm, nodes_[static_cast<std::size_t>(left)].box);
+      const double toRight = squaredTo(p_mm, nodes_[static_cast<std::size_t>(right)].box);
+      const bool leftFirst = toLeft <= toRight;
+      waiting[count++] = leftFirst ? std::pair{toRight, right} : std::pair{toLeft, left};
+      waiting[count++] = leftFirst ? std::pair{toLeft, left} : std::pair{toRight, right};
     }
     return nearest;
   }
