@@ -16,7 +16,7 @@ find_package(TBB REQUIRED)
 find_package(Qt5 5.15 REQUIRED COMPONENTS Widgets OpenGL Svg)
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonMath CommonTransforms FiltersCore FiltersSources ImagingCore
-  IOGeometry IOPLY InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
+  IOGeometry IOPLY InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 GUISupportQt)
 # GDCM's own package file names programs and VTK bridges of other packages that are not needed here; its libraries are found by name.
 find_path(EW_GDCM_INCLUDE gdcmImageCodec.h PATH_SUFFIXES gdcm-3.0 REQUIRED)
 add_library(ew_gdcm INTERFACE)

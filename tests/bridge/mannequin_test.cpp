@@ -192,5 +192,37 @@ TEST(Mannequin, TheShippedBodyIsAnAdultOfOnePieceFacingMinusY) {
   EXPECT_LT(front->outward.y, -0.8);
 }
 
+TEST(Polygonise, IsFinerWhereTheBodyIsMoreCurvedAndStaysClosed) {
+  /// A ball with a finger.
+  class Finger final : public BodyShape {
+   public:
+    [[nodiscard]] double signedDistance_mm(const glm::dvec3& p) const override {
+      const double along = std::clamp(p.x, 0.0, 380.0);
+      return std::min(glm::length(p) - 300.0, glm::distance(p, glm::dvec3(along, 0.0, 0.0)) - 9.0);
+    }
+    [[nodiscard]] Bounds bounds() const override { return {glm::dvec3(-300.0), {390.0, 300.0, 300.0}}; }
+  } const body;
+  const auto made = polygonise(body, {.cell_mm = 8.0});
+  ASSERT_TRUE(made) << made.error();
+  vtkNew<vtkFeatureEdges> open;
+  open->SetInputData(made->surface);
+  open->BoundaryEdgesOn();
+  open->NonManifoldEdgesOn();
+  open->FeatureEdgesOff();
+  open->ManifoldEdgesOff();
+  open->Update();
+  EXPECT_EQ(open->GetOutput()->GetNumberOfCells(), 0);
+  const SkinVertices vertices = skinVerticesOf(*made);
+  ASSERT_EQ(vertices.points_mm.size(), static_cast<std::size_t>(made->surface->GetNumberOfPoints()));
+  int onFinger = 0;
+  for (std::size_t n = 0; n < vertices.points_mm.size(); ++n) {
+    EXPECT_LT(std::abs(body.signedDistance_mm(vertices.points_mm[n])), 0.9);
+    EXPECT_NEAR(glm::length(vertices.outward[n]), 1.0, 1e-3);
+    onFinger += vertices.points_mm[n].x > 310.0F ? 1 : 0;
+  }
+  const double area_mm2 = 2.0 * 3.1416 * 9.0 * 75.0;
+  EXPECT_GT(onFinger, 3.0 * area_mm2 / (8.0 * 8.0)) << "several times as many as cells of the grid";
+}
+
 }  // namespace
 }  // namespace ew::bridge::mannequin_test

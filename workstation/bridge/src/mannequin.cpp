@@ -145,6 +145,20 @@ Result<Mannequin> fromMesh(const std::filesystem::path& file, const std::string&
 
 }  // namespace
 
+SkinVertices skinVerticesOf(const Mannequin& mannequin) {
+  SkinVertices vertices;
+  vtkPolyData& surface = *mannequin.surface;
+  vtkDataArray& normals = *surface.GetPointData()->GetNormals();
+  for (vtkIdType id = 0; id < surface.GetNumberOfPoints(); ++id) {
+    glm::dvec3 at, outward;
+    surface.GetPoint(id, &at.x);
+    normals.GetTuple(id, &outward.x);
+    vertices.points_mm.emplace_back(at);
+    vertices.outward.emplace_back(outward);
+  }
+  return vertices;
+}
+
 Result<Mannequin> loadMannequin(const std::filesystem::path& file, const MannequinOptions& options, Progress& progress) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(file, problem))

@@ -6,8 +6,7 @@
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkOpenGLPolyDataMapper.h>
-#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -16,16 +15,17 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "camera.h"
 #include "ew/bridge/convert.h"
 #include "ew/core/contract.h"
 #include "fan_picture.h"
+#include "orientation_cube.h"
 #include "probe_model.h"
 
 namespace ew::bridge {
@@ -56,30 +56,14 @@ double distance_mm(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b) {
   return least;
 }
 
-/// Two touches VTK's lighting has no setting for, made in its shader because they cost nothing there: skin that turns away from the
-/// viewer darkens softly, and where the line of sight goes on through the volume the body gives way to the ground, as if it were
-/// translucent there alone. ewAt runs from -1 to 1 over the box; the longer the way through it, the more.
+/// A touch VTK's lighting has no setting for, made in its shader because it costs nothing there: skin that turns away from the viewer
+/// darkens softly.
 void shadeBody(vtkActor& body) {
-  vtkShaderProperty& shader = *body.GetShaderProperty();
-  shader.AddVertexShaderReplacement("//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nout vec4 ewWorld;\n", false);
-  shader.AddVertexShaderReplacement("//VTK::PositionVC::Impl", true, "//VTK::PositionVC::Impl\n  ewWorld = vertexMC;\n", false);
-  shader.AddFragmentShaderReplacement("//VTK::PositionVC::Dec", true, "//VTK::PositionVC::Dec\nin vec4 ewWorld;\n", false);
-  shader.AddFragmentShaderReplacement("//VTK::Light::Impl", true,
-                                      "//VTK::Light::Impl\n"
-                                      "  float ewFacing = clamp(normalVCVSOutput.z, 0.0, 1.0);\n"
-                                      "  vec3 ewShaded = fragOutput0.rgb * mix(ewRim, 1.0, sqrt(ewFacing));\n"
-                                      "  vec4 ewHere = vec4(ewWorld.xyz, 1.0);\n"
-                                      "  vec3 ewAt = vec3(dot(ewBoxI, ewHere), dot(ewBoxJ, ewHere), dot(ewBoxK, ewHere));\n"
-                                      "  vec3 ewAlong = ewAt - ewEyeInBox;\n"
-                                      "  ewAlong += vec3(lessThan(abs(ewAlong), vec3(1e-6))) * 1e-6;\n"
-                                      "  vec3 ewNear = min((-1.0 - ewAt) / ewAlong, (1.0 - ewAt) / ewAlong);\n"
-                                      "  vec3 ewFar = max((-1.0 - ewAt) / ewAlong, (1.0 - ewAt) / ewAlong);\n"
-                                      "  float ewBegin = max(max(ewNear.x, ewNear.y), max(ewNear.z, 0.0));\n"
-                                      "  float ewEnd = min(ewFar.x, min(ewFar.y, ewFar.z));\n"
-                                      "  float ewPath = max(0.0, ewEnd - ewBegin) * length(ewAlong);\n"
-                                      "  float ewThrough = ewWindow * smoothstep(0.0, 1.4, ewPath);\n"
-                                      "  fragOutput0 = vec4(mix(ewShaded, ewGround, ewThrough), fragOutput0.a);\n",
-                                      false);
+  body.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                         "//VTK::Light::Impl\n"
+                                                         "  float ewFacing = clamp(normalVCVSOutput.z, 0.0, 1.0);\n"
+                                                         "  fragOutput0.rgb *= mix(ewRim, 1.0, sqrt(ewFacing));\n",
+                                                         false);
 }
 
 }  // namespace
@@ -95,6 +79,9 @@ SceneColours lightColours() {
   colours.box = {0.33, 0.36, 0.40};
   colours.accent = {0.055, 0.520, 0.575};
   colours.housing = {0.74, 0.75, 0.765};
+  colours.covered = {0.72, 0.80, 0.76};
+  colours.cube = {0.97, 0.975, 0.98};
+  colours.letter = {0.13, 0.15, 0.18};
   return colours;
 }
 
@@ -109,13 +96,14 @@ struct Scene3D::Parts {
   SceneColours colours;
 
   std::shared_ptr<const Mannequin> mannequin;
+  std::vector<float> coverage;  ///< of each corner of its surface; empty: unknown
+  OrientationCube cube;
   vtkNew<vtkActor> body;
   vtkNew<vtkPolyDataMapper> bodyMapper;
 
   vtkNew<vtkActor> box;
   vtkNew<vtkPolyData> boxMesh;
   std::optional<Bounds> volume;
-  glm::dmat4 worldToBox{1.0};  ///< the volume's box becomes [-1, 1] along each of its own axes
 
   vtkNew<vtkActor> housing;
   vtkNew<vtkPolyDataMapper> housingMapper;
@@ -136,24 +124,32 @@ struct Scene3D::Parts {
     bodyLayer->SetBackground2(colours.groundTop.r, colours.groundTop.g, colours.groundTop.b);
     setColour(*body->GetProperty(), colours.skin);
     setColour(*box->GetProperty(), colours.box);
+    colourBody();
+    updateRim();
+    cube.setColours(colours.cube, colours.letter, colours.box);
     fan.setAccent(colours.accent);
     rebuildHousing();
   }
 
-  /// Hands the shader the box the body is to be seen through, and from where.
-  void updateWindow() {
-    vtkUniforms& uniforms = *body->GetShaderProperty()->GetFragmentCustomUniforms();
-    // Row by row, because VTK 9.1 hands its row-major matrix to the column-major shader as it is.
-    const glm::mat4 rows(glm::transpose(worldToBox));
-    uniforms.SetUniform4f("ewBoxI", &rows[0].x);
-    uniforms.SetUniform4f("ewBoxJ", &rows[1].x);
-    uniforms.SetUniform4f("ewBoxK", &rows[2].x);
-    const glm::vec3 eye(glm::dvec3(worldToBox * glm::dvec4(camera.eye_mm(), 1.0)));
-    uniforms.SetUniform3f("ewEyeInBox", &eye.x);
-    uniforms.SetUniformf("ewRim", static_cast<float>(colours.rim));
-    uniforms.SetUniformf("ewWindow", volume ? 0.40F : 0.0F);
-    const glm::vec3 ground(glm::mix(colours.groundBottom, colours.groundTop, 0.5));
-    uniforms.SetUniform3f("ewGround", &ground.x);
+  void updateRim() { body->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("ewRim", static_cast<float>(colours.rim)); }
+
+  /// Skin, and tinted skin where there are data below it.
+  void colourBody() {
+    bodyMapper->SetScalarVisibility(!coverage.empty());
+    if (mannequin == nullptr) return;
+    if (coverage.empty()) return bodyMapper->SetInputData(mannequin->surface);
+    vtkNew<vtkUnsignedCharArray> tints;
+    tints->SetNumberOfComponents(3);
+    tints->SetNumberOfTuples(static_cast<vtkIdType>(coverage.size()));
+    for (std::size_t n = 0; n < coverage.size(); ++n) {
+      const glm::dvec3 colour = glm::mix(colours.skin, colours.covered, static_cast<double>(coverage[n]));
+      for (int channel = 0; channel < 3; ++channel)
+        tints->SetValue(static_cast<vtkIdType>(3 * n) + channel, static_cast<unsigned char>(std::lround(255.0 * colour[channel])));
+    }
+    vtkNew<vtkPolyData> tinted;  // the mannequin's surface is shared and stays as it is
+    tinted->ShallowCopy(mannequin->surface);
+    tinted->GetPointData()->SetScalars(tints);
+    bodyMapper->SetInputData(tinted);
   }
 
   void rebuildHousing() {
@@ -210,6 +206,7 @@ struct Scene3D::Parts {
     const double reach_mm = 0.5 * glm::distance(bounds.lowest_mm, bounds.highest_mm) + 350.0;
     const double toMiddle_mm = glm::distance(eye, 0.5 * (bounds.lowest_mm + bounds.highest_mm));
     const double far_mm = toMiddle_mm + reach_mm;
+    cube.look(camera.forward(), up, {size[0], size[1]});
     vtkView->SetClippingRange(std::max(far_mm / 500.0, std::max(10.0, toMiddle_mm - reach_mm)), far_mm);
   }
 };
@@ -231,11 +228,10 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
     for (const auto& light : lights) layer->AddLight(light);
     window.AddRenderer(layer);
   }
+  p.cube.addTo(window, 1);
   p.body->SetMapper(p.bodyMapper);
+  p.bodyMapper->SetColorModeToDirectScalars();
   p.bodyMapper->ScalarVisibilityOff();
-  // The shader is to see millimetres, not what VTK packs them into.
-  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(p.bodyMapper))
-    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   vtkProperty& skin = *p.body->GetProperty();
   skin.BackfaceCullingOn();
   skin.SetInterpolationToPhong();
@@ -251,6 +247,7 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.box->SetMapper(boxMapper);
   p.box->GetProperty()->LightingOff();
   p.box->GetProperty()->SetLineWidth(1.0F);
+  p.box->GetProperty()->SetOpacity(0.4);  // the tint of the skin says where data are; the box only where the volume ends
   p.box->VisibilityOff();
   p.overlay->AddActor(p.box);
 
@@ -271,10 +268,10 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.applyColours();
   showFrom(CameraPreset::overview);
   p.overviewDue = true;
-  p.updateWindow();  // a window may paint by itself before the first render(), and the shader needs its values then
 }
 
 Scene3D::~Scene3D() {
+  parts_->cube.removeFrom(*parts_->window);
   parts_->window->RemoveRenderer(parts_->overlay);
   parts_->window->RemoveRenderer(parts_->bodyLayer);
 }
@@ -283,12 +280,21 @@ void Scene3D::setMannequin(std::shared_ptr<const Mannequin> mannequin) {
   Parts& p = *parts_;
   const bool first = p.mannequin == nullptr;
   p.mannequin = std::move(mannequin);
-  if (p.mannequin != nullptr) p.bodyMapper->SetInputData(p.mannequin->surface);
+  p.coverage.clear();
+  p.colourBody();
   p.body->SetVisibility(p.mannequin != nullptr);
   if (first) p.camera.frame(p.trunkFraming());
 }
 
 std::shared_ptr<const Mannequin> Scene3D::mannequin() const { return parts_->mannequin; }
+
+void Scene3D::setCoverage(std::vector<float> shares) {
+  Parts& p = *parts_;
+  EW_EXPECTS(shares.empty() ||
+             (p.mannequin != nullptr && static_cast<vtkIdType>(shares.size()) == p.mannequin->surface->GetNumberOfPoints()));
+  p.coverage = std::move(shares);
+  p.colourBody();
+}
 
 void Scene3D::setBodyOpacity(double opacity) { parts_->body->GetProperty()->SetOpacity(std::clamp(opacity, 0.0, 1.0)); }
 
@@ -316,9 +322,6 @@ void Scene3D::setVolumeBox(const Grid& grid) {
   p.boxMesh->SetPoints(points);
   p.boxMesh->SetLines(lines);
   p.box->VisibilityOn();
-  const glm::dvec3 half = 0.5 * glm::dvec3(grid.dims);
-  const glm::dmat4 voxelToBox = glm::scale(glm::dmat4(1.0), 1.0 / half) * glm::translate(glm::dmat4(1.0), glm::dvec3(0.5) - half);
-  p.worldToBox = voxelToBox * grid.worldToVoxel().matrix;
 }
 
 void Scene3D::clearVolumeBox() {
@@ -433,14 +436,19 @@ double Scene3D::mmPerPixelAt(const glm::dvec3& p_world_mm) const {
   return parts_->camera.mmPerPixelAt(p_world_mm);
 }
 
+int Scene3D::cubeSide_px() const {
+  const int* size = parts_->window->GetSize();
+  return OrientationCube::side_px({size[0], size[1]});
+}
+
 glm::dvec3 Scene3D::cameraRight() const { return parts_->camera.right(); }
 glm::dvec3 Scene3D::cameraUp() const { return parts_->camera.up(); }
 
 void Scene3D::render(Edges edges) {
   Parts& p = *parts_;
   p.overlay->SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole picture
+  p.cube.setSmooth(edges == Edges::smooth);
   p.syncCamera();
-  p.updateWindow();
   if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());
   p.window->Render();
 }

@@ -28,9 +28,16 @@ struct Mannequin {
   std::vector<Message> notes;  ///< what was decided about the file, in sentences for the user ("… is in metres …")
 };
 
+/// The corners of the surface's triangles, in its order, and the unit normals there.
+struct SkinVertices {
+  std::vector<glm::vec3> points_mm;
+  std::vector<glm::vec3> outward;
+};
+[[nodiscard]] SkinVertices skinVerticesOf(const Mannequin& mannequin);
+
 struct MannequinOptions {
-  double cell_mm =
-      7.0;  ///< of the grid a recipe's body is sampled on; half as much costs four times the triangles and eight times the time
+  double cell_mm = 7.0;  ///< of the grid a recipe's body is sampled on; half as much costs four times the triangles and eight times the
+                         ///< time. Where the body is more curved, edges are halved up to twice
 };
 
 /// A body from a recipe (.json, see phantom's BodyShape) or a mesh (.stl, .ply, .obj; ASCII or binary). A mesh is taken to be in world

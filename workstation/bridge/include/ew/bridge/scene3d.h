@@ -37,6 +37,9 @@ struct SceneColours {
   glm::dvec3 box{0.78, 0.80, 0.83};
   glm::dvec3 accent{0.310, 0.706, 0.753};
   glm::dvec3 housing{0.72, 0.73, 0.75};
+  glm::dvec3 covered{0.65, 0.71, 0.68};  ///< skin with data below it
+  glm::dvec3 cube{0.30, 0.315, 0.345};   ///< which names the sides
+  glm::dvec3 letter{0.93, 0.94, 0.96};
 };
 [[nodiscard]] SceneColours darkColours();
 [[nodiscard]] SceneColours lightColours();
@@ -44,7 +47,8 @@ struct SceneColours {
 /// What stands in the 3D view: mannequin, volume box, probe, fan; and the camera that looks at it. Draws into a render window it is
 /// given, and only when render() is called. Points on the screen are in device pixels from the window's upper left corner.
 /// The fan, the box and the probe lie in a layer over the body, so the body never hides the fan; a probe behind the body turns
-/// translucent. Body triangles facing away are not drawn; no multisampling, no depth peeling (both cost a multiple on software GL).
+/// translucent. A cube in the lower right corner names the body's sides. Body triangles facing away are not drawn; no multisampling, no
+/// depth peeling (both cost a multiple on software GL).
 class Scene3D {
  public:
   explicit Scene3D(vtkRenderWindow& window);
@@ -55,6 +59,9 @@ class Scene3D {
   void setMannequin(std::shared_ptr<const Mannequin> mannequin);
   [[nodiscard]] std::shared_ptr<const Mannequin> mannequin() const;
   void setBodyOpacity(double opacity);  ///< 0..1; 1 is opaque
+  /// How much of what lies below each corner of the mannequin's surface was recorded, 0..1: the skin is tinted there. Empty, and after
+  /// another mannequin: unknown.
+  void setCoverage(std::vector<float> shares);
 
   void setVolumeBox(const Grid& grid);
   void clearVolumeBox();
@@ -82,6 +89,8 @@ class Scene3D {
   [[nodiscard]] bool isProbeAt(glm::dvec2 at_px) const;
   [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_world_mm) const;
   [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_world_mm) const;
+  /// The square in the window's lower right corner that the cube takes.
+  [[nodiscard]] int cubeSide_px() const;
   [[nodiscard]] glm::dvec3 cameraRight() const;  ///< unit, world
   [[nodiscard]] glm::dvec3 cameraUp() const;     ///< unit, world
 
