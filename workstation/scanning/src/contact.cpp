@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "ew/core/contract.h"
+
 namespace ew {
 namespace {
 
 constexpr double kGel_mm = 3.0;
-constexpr int kPointsOfFace = 17;
 
 }  // namespace
 
@@ -21,10 +22,14 @@ std::vector<float> gapsToSkin_mm(const Probe& probe, const Pose& pose, const Ski
   return gaps_mm;
 }
 
-double contactShare(const std::vector<float>& gaps_mm) {
+double contactShare(const std::vector<float>& gaps_mm) { return contactShare(gaps_mm, std::vector<bool>(gaps_mm.size(), true)); }
+
+double contactShare(const std::vector<float>& gaps_mm, const std::vector<bool>& data) {
+  EW_EXPECTS(data.size() == gaps_mm.size());
   if (gaps_mm.empty()) return 1.0;
-  const auto touching = std::count_if(gaps_mm.begin(), gaps_mm.end(), [](float gap_mm) { return static_cast<double>(gap_mm) <= kGel_mm; });
-  return static_cast<double>(touching) / static_cast<double>(gaps_mm.size());
+  int touching = 0;
+  for (std::size_t n = 0; n < gaps_mm.size(); ++n) touching += static_cast<double>(gaps_mm[n]) <= kGel_mm && data[n] ? 1 : 0;
+  return touching / static_cast<double>(gaps_mm.size());
 }
 
 double usualPress_mm(const Probe& probe) {

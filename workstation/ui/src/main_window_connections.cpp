@@ -33,8 +33,10 @@ void MainWindow::connectSession() {
       parts_->view3d->clearVolumeBox();
       parts_->view3d->setProbeVisible(false);
     }
+    showCoverage();
     showTitle();
   });
+  connect(p.view3d, &View3D::mannequinChanged, this, &MainWindow::showCoverage);
   connect(&p.session, &Session::frozenChanged, this, [this](bool frozen) {
     parts_->freezeAction->setChecked(frozen);
     showRecordingState();
@@ -58,6 +60,14 @@ void MainWindow::connectSession() {
   connect(p.console, &ConsolePanel::costAsked, this, &MainWindow::showCost);
   connect(p.sourcePicker, &SourcePicker::asked, this, &MainWindow::showSource);
   connect(p.sourcePicker, &SourcePicker::askingChanged, p.sourceAction, &QAction::setChecked);
+}
+
+void MainWindow::showCoverage() {
+  const auto mannequin = parts_->view3d->scene().mannequin();
+  if (!mannequin) return;
+  if (!parts_->session.subject()) return parts_->view3d->setCoverage({});
+  const bridge::SkinVertices skin = bridge::skinVerticesOf(*mannequin);
+  parts_->view3d->setCoverage(coverageOfSkin(parts_->session.recorded(), skin.points_mm, skin.outward));
 }
 
 void MainWindow::connectDocument() {

@@ -192,6 +192,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     QImage image = imageOf(picture);
     image.setDevicePixelRatio(devicePixelRatioF());
     painter.drawImage(pictureRect().topLeft(), image);
+    paintUnrecorded(painter);
   }
   if (mode() != DisplayMode::bMode) paintStrip(painter);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -229,6 +230,93 @@ bool ScanView::isBesideVolume() const {
   return !session_.seesVolume();
 }
 
+const ScanView::Veil& ScanView::veil() {
+  const Pose& pose = session_.shownState().pose;
+  const DisplayGeometry& geometry = session_.geometry();
+  const Grid& grid = session_.subject()->placedGrid;
+  if (veil_.pose == pose && veil_.geometry == geometry && veil_.grid == grid) return veil_;
+  veil_ = {pose, geometry, grid, {}, {}, {}, {}, 0.0};
+  const UnrecordedPart part = session_.unrecorded();
+  veil_.end_mm = part.end_mm;
+  veil_.share = part.share;
+  if (!(part.share > 0.0)) return veil_;
+  // A tint that no tissue has, under lines that no beam follows: plain darkness would be taken for a shadow.
+  const QRgb tint = qPremultiply(qRgba(34, 44, 58, 215));
+  QImage cells(part.columns, part.rows, QImage::Format_ARGB32_Premultiplied);
+  cells.fill(Qt::transparent);
+  const int every = part.every_px;
+  QRect used;
+  int widest = 0;
+  for (int row = 0; row < part.rows; ++row) {
+    const std::uint8_t* outside = part.outside.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(part.columns);
+    auto* line = reinterpret_cast<QRgb*>(cells.scanLine(row));
+    int run = 0;
+    for (int column = 0; column < part.columns; ++column) {
+      run = outside[column] != 0 ? run + 1 : 0;
+      if (run == 0) continue;
+      line[column] = tint;
+      used |= QRect(column, row, 1, 1);
+      if (run <= widest) continue;
+      widest = run;
+      veil_.widest_px = QRect((column - run + 1) * every, row * every, run * every, every);
+    }
+  }
+  veil_.at_px = used.topLeft() * every - QPoint(every / 2, every / 2);
+  veil_.image = cells.copy(used).scaled(used.size() * every, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  QPainter hatch(&veil_.image);
+  hatch.setRenderHint(QPainter::Antialiasing);
+  hatch.setCompositionMode(QPainter::CompositionMode_SourceAtop);
+  hatch.setPen(QPen(QColor(112, 136, 164, 120), devicePixelRatioF()));
+  // Anchored to the picture and not to the veil: lines that swim while the probe moves would draw the eye.
+  const double apart = 9.0 * devicePixelRatioF(), height = veil_.image.height();
+  const double phase = std::fmod(veil_.at_px.x() + veil_.at_px.y() + height, apart);
+  for (double x = -height - phase; x < veil_.image.width(); x += apart) hatch.drawLine(QPointF(x + height, 0.0), QPointF(x, height));
+  return veil_;
+}
+
+void ScanView::paintUnrecorded(QPainter& painter) {
+  const Veil& unrecorded = veil();
+  if (unrecorded.image.isNull()) return;
+  const double ratio = devicePixelRatioF();
+  QImage image = unrecorded.image;
+  image.setDevicePixelRatio(ratio);
+  const QRect box = pictureRect();
+  painter.save();
+  painter.setClipRect(box);
+  painter.drawImage(QPointF(box.topLeft()) + QPointF(unrecorded.at_px) / ratio, image);
+  constexpr double kWorthWords = 0.12;
+  painter.setFont(smallFont());
+  const QString what = tr("Nothing recorded here");
+  const QSize room = painter.fontMetrics().boundingRect(what).size() + QSize(16, 6);
+  const QRectF widest(QPointF(box.topLeft()) + QPointF(unrecorded.widest_px.topLeft()) / ratio,
+                      QSizeF(unrecorded.widest_px.size()) / ratio);
+  if (unrecorded.share >= kWorthWords && widest.width() >= room.width() + 8 && session_.seesVolume()) {
+    QRectF label(QPointF(0.0, 0.0), QSizeF(room));
+    label.moveCenter(widest.center());
+    label.moveBottom(std::min(label.bottom(), box.bottom() - 4.0));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(34, 44, 58));
+    painter.drawRoundedRect(label, 4.0, 4.0);
+    painter.setPen(QColor(176, 194, 214));
+    painter.drawText(label, Qt::AlignCenter, what);
+  }
+  painter.restore();
+}
+
+/// Where data end below the middle of the face: from here on a row of dots runs along the scale.
+void ScanView::paintEndOfData(QPainter& painter, double end_mm) {
+  const QRect box = pictureRect();
+  const double x = width() - 24;
+  const auto within = [&](double y) { return std::clamp(y, static_cast<double>(box.top()), static_cast<double>(box.bottom())); };
+  const double from = within(yOfDepth(end_mm)), to = within(yOfDepth(session_.geometry().depth_mm));
+  if (std::abs(to - from) < 4.0) return;
+  const QColor colour(112, 136, 164);
+  painter.setPen(QPen(colour, 2.0));
+  painter.drawLine(QPointF(x - 14.0, from), QPointF(x + 4.0, from));
+  painter.setPen(QPen(colour, 2.0, Qt::DotLine));
+  painter.drawLine(QPointF(x + 3.0, from), QPointF(x + 3.0, to));
+}
+
 void ScanView::paintDepthScale(QPainter& painter) {
   const Theme theme = scanTheme();
   const int x = width() - 24;
@@ -247,6 +335,7 @@ void ScanView::paintDepthScale(QPainter& painter) {
     }
   };
   paintScale(pictureRect(), [this](double mm) { return yOfDepth(mm); });
+  if (mode() != DisplayMode::mMode && veil_.end_mm) paintEndOfData(painter, *veil_.end_mm);
   if (mode() == DisplayMode::both) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });

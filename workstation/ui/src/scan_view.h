@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -57,6 +58,8 @@ class ScanView final : public QWidget {
   void fitMargins();
   [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
+  void paintUnrecorded(QPainter& painter);
+  void paintEndOfData(QPainter& painter, double end_mm);
   void paintDepthScale(QPainter& painter);
   void paintFoci(QPainter& painter);
   void paintMarker(QPainter& painter);
@@ -78,6 +81,19 @@ class ScanView final : public QWidget {
     bool operator==(const Fitted&) const = default;
   };
   Fitted fitted_;  ///< what the margins were fitted to
+  /// What of the picture looks at nothing recorded, kept while the probe rests: a picture with noise comes thirty times a second.
+  struct Veil {
+    Pose pose;
+    DisplayGeometry geometry;
+    Grid grid;
+    QImage image;  ///< to lie on the picture at `at_px`, in device pixels
+    QPoint at_px;
+    QRect widest_px;  ///< the widest run of it in a row
+    std::optional<double> end_mm;
+    double share = 0.0;
+  };
+  [[nodiscard]] const Veil& veil();
+  Veil veil_;
   std::optional<double> recorded_s_;
   QString said_;
   QTimer saidLong_;

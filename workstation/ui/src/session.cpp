@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ew/scanning/contact.h"
+#include "ew/scanning/recorded.h"
 
 namespace ew::ui {
 namespace {
@@ -81,6 +82,7 @@ void Session::show(ScanSubject shown) {
   setFrozen(false);
   Q_EMIT subjectReplaced();
   scanner_.show(std::move(shown));
+  recorded_ = Recorded(*subject());
   recent_.clear();
   adaptive_.reset();
   latency_.clear();
@@ -100,6 +102,7 @@ void Session::clear() {
   setFrozen(false);
   Q_EMIT subjectReplaced();
   scanner_.clear();
+  recorded_ = {};
   picture_ = {};
   Q_EMIT subjectChanged();
   Q_EMIT pictureChanged();
@@ -110,6 +113,7 @@ void Session::place(const Transform<frame::World, frame::World>& ownToWorld) {
   const Grid before = subject()->placedGrid;
   scanner_.place(ownToWorld);
   if (subject()->placedGrid == before) return;
+  recorded_ = Recorded(*subject());
   due();
   Q_EMIT subjectChanged();
 }
@@ -222,7 +226,15 @@ void Session::follow(std::shared_ptr<const PoseSource> source) {
 
 std::optional<double> Session::contact() const {
   if (!skin_ || all_.empty()) return std::nullopt;
-  return contactShare(gapsToSkin_mm(probe(), pose(), *skin_));
+  const Pose here = pose();
+  const std::vector<float> gaps_mm = gapsToSkin_mm(probe(), here, *skin_);
+  return subject() ? contactShare(gaps_mm, dataInFrontOf(recorded_, probe(), here)) : contactShare(gaps_mm);
+}
+
+UnrecordedPart Session::unrecorded() const {
+  constexpr int kEvery_px = 4;
+  if (!subject() || picture_.isEmpty()) return {};
+  return unrecordedPart(recorded_, geometry(), spans(), shown_.pose, geometry().depth_mm, kEvery_px);
 }
 
 bool Session::seesVolume() const { return !picture_.isEmpty() && scanner_.seesVolume(picturePose()); }

@@ -12,6 +12,7 @@
 #include "ew/imaging/adaptive_quality.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/resolved.h"
+#include "ew/scanning/recorded.h"
 #include "ew/scanning/scanner.h"
 #include "ew/tracking/pose_source.h"
 
@@ -86,8 +87,13 @@ class Session final : public QObject {
   [[nodiscard]] Pose pose() const;
   /// On the scan's clock.
   [[nodiscard]] double now_s() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }
-  /// Part of the probe's face that touches the skin, 0..1, counting gaps of up to 3 mm, which gel fills; empty without a skin.
+  /// Part of the probe's face that touches skin below which there are data, 0..1; gaps of up to 3 mm are filled by gel. Empty without a
+  /// skin.
   [[nodiscard]] std::optional<double> contact() const;
+  /// Where the subject has data.
+  [[nodiscard]] const Recorded& recorded() const { return recorded_; }
+  /// What of the present picture looks at nothing recorded.
+  [[nodiscard]] UnrecordedPart unrecorded() const;
   /// Whether any part of the fan, as the picture shows it, lies within the volume.
   [[nodiscard]] bool seesVolume() const;
 
@@ -158,6 +164,7 @@ class Session final : public QObject {
 
   std::vector<Probe> all_, usable_;
   Scanner scanner_{0};
+  Recorded recorded_;
   std::shared_ptr<const Skin> skin_;
   HandOnSkin hand_;
   std::shared_ptr<const PoseSource> source_;  ///< null: the hand

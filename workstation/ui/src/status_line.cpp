@@ -48,7 +48,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   lowered_->setForegroundRole(QPalette::Link);  // the accent
   lowered_->setToolTip(tr("The probe moves fast and frames take long: quality falls until it rests (Adaptive, F9)"));
   position_->setToolTip(tr("Middle of the transducer's face: left, back, up from the mannequin's origin"));
-  contact_->setToolTip(tr("How much of the transducer's face touches the skin"));
+  contact_->setToolTip(tr("How much of the transducer's face touches skin with something recorded below it"));
   for (QLabel* label : {static_cast<QLabel*>(position_), static_cast<QLabel*>(plan_), static_cast<QLabel*>(contact_), edit_, lowered_}) {
     label->setProperty("small", true);
     if (label != lowered_) label->setProperty("quiet", true);

@@ -231,6 +231,11 @@ std::shared_ptr<const Skin> View3D::skin() const {
   return mannequin != nullptr ? mannequin->skin : parts_->bareSkin;
 }
 
+void View3D::setCoverage(std::vector<float> shares) {
+  parts_->scene->setCoverage(std::move(shares));
+  render();
+}
+
 void View3D::setVolumeBox(const Grid& grid) {
   parts_->scene->setVolumeBox(grid);
   render();
@@ -341,14 +346,15 @@ const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
 void View3D::placeOverlays() {
   QLabel& hint = *parts_->hint;
   // In a narrow column the words would take the place of the body; the page of keys (F1) has them too.
-  hint.setVisible(!hint.text().isEmpty() && width() >= kLeastForHint_px);
+  const int cube_px = static_cast<int>(std::ceil(parts_->scene->cubeSide_px() / parts_->canvas->devicePixelRatioF()));
+  hint.setVisible(!hint.text().isEmpty() && width() >= kLeastForHint_px + cube_px);
   // A narrow view wraps the words; it never cuts them.
   hint.setWordWrap(false);
   hint.adjustSize();
   const int room = std::max(80, width() - 2 * kOverlayMargin_px);
-  if (hint.width() > room) {
+  if (const int beside = room - cube_px; hint.width() > beside) {
     hint.setWordWrap(true);
-    hint.resize(room, hint.heightForWidth(room));
+    hint.resize(beside, hint.heightForWidth(beside));
   }
   hint.move(kOverlayMargin_px, height() - kOverlayMargin_px - hint.height());
   parts_->arrangeButtons(room);

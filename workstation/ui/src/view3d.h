@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ew/bridge/mannequin.h"
 #include "ew/bridge/scene3d.h"
@@ -38,6 +39,8 @@ class View3D : public QWidget {
   /// The surface the probe slides on; before a mannequin is set an ellipsoid of a trunk's size, never null.
   [[nodiscard]] std::shared_ptr<const Skin> skin() const;
 
+  /// How much of what lies below each corner of the mannequin's surface was recorded, 0..1; empty: unknown.
+  void setCoverage(std::vector<float> shares);
   void setVolumeBox(const Grid& grid);
   void clearVolumeBox();
 

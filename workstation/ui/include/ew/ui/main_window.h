@@ -151,6 +151,7 @@ class MainWindow final : public QMainWindow {
   void showCost();
   void showKeys();
   void showSource(const QPoint& pixel);
+  void showCoverage();
   void showTitle();
   void showHistory();
   void showPanels();  ///< of the workspace in front, when it has any
