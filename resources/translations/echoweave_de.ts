@@ -236,6 +236,10 @@
         <translation>%1 erweitert %2, das weder daneben noch in resources/anatomy liegt; es dort ablegen.</translation>
     </message>
     <message>
+        <source>%1 extends %2, which is neither beside it nor in resources/mannequin; put it there.</source>
+        <translation>%1 erweitert %2, das weder daneben noch in resources/mannequin liegt; es dort ablegen.</translation>
+    </message>
+    <message>
         <source>%1 finite number</source>
         <translation>%1 endliche Zahl</translation>
     </message>
@@ -4732,6 +4736,10 @@
         <translation>es sind weniger als zwei Zyklen zu sehen</translation>
     </message>
     <message>
+        <source>fewer points</source>
+        <translation>weniger Punkte</translation>
+    </message>
+    <message>
         <source>finite vectors of 2 or 3 numbers</source>
         <translation>endliche Vektoren mit 2 oder 3 Zahlen</translation>
     </message>
@@ -5520,6 +5528,10 @@
         <translation>der Name einer Datei neben dieser oder in resources/anatomy, ohne Ordner</translation>
     </message>
     <message>
+        <source>the name of a file beside this one or in resources/mannequin, without a folder</source>
+        <translation>der Name einer Datei neben dieser oder in resources/mannequin, ohne Ordner</translation>
+    </message>
+    <message>
         <source>the name of a file in resources/mannequin, without a folder</source>
         <translation>der Name einer Datei in resources/mannequin, ohne Ordner</translation>
     </message>
@@ -5698,6 +5710,18 @@
     <message>
         <source>three numbers, mm in the world, of a point</source>
         <translation>drei Zahlen, mm in der Welt, bei einem Punkt</translation>
+    </message>
+    <message>
+        <source>left out in a recipe that another extends</source>
+        <translation>weggelassen in einem Rezept, das ein anderes erweitert</translation>
+    </message>
+    <message>
+        <source>lines of more than %1 points</source>
+        <translation>Linien aus mehr als %1 Punkten</translation>
+    </message>
+    <message>
+        <source>[x, y, z] in mm, or [x, y, z, share] with a share of the height from 0 to 1</source>
+        <translation>[x, y, z] in mm oder [x, y, z, Anteil] mit einem Anteil der Höhe von 0 bis 1</translation>
     </message>
     <message>
         <source>three of one length</source>
@@ -10222,6 +10246,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Noch nichts zu schallen. Einen Fall, ein Volumen oder einen Schwenk öffnen (Strg+O) oder etwas hierher ziehen.</translation>
     </message>
     <message>
+        <source>Nothing recorded here</source>
+        <translation>Hier ist nichts aufgenommen</translation>
+    </message>
+    <message>
         <source>cm</source>
         <translation>cm</translation>
     </message>
@@ -10455,8 +10483,8 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Mitte der Schallkopffläche: links, hinten, oben vom Ursprung des Übungskörpers</translation>
     </message>
     <message>
-        <source>How much of the transducer&apos;s face touches the skin</source>
-        <translation>Wie viel der Schallkopffläche die Haut berührt</translation>
+        <source>How much of the transducer&apos;s face touches skin with something recorded below it</source>
+        <translation>Wie viel der Schallkopffläche Haut berührt, unter der etwas aufgenommen ist</translation>
     </message>
     <message>
         <source>plan: %1 = %2 ms</source>
