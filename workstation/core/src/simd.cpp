@@ -1,6 +1,7 @@
 #include "ew/core/simd.h"
 
 #include <hwy/targets.h>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -44,22 +45,19 @@ std::string bestOf(std::int64_t targets) {
 }  // namespace
 
 Result<void> useSimd(std::string_view word) {
-  if (word.empty() || word == "best") {
-    allowed = available();
-    hwy::GetChosenTarget().Update(allowed);
-    return {};
+  std::int64_t targets = available();
+  if (!word.empty() && word != "best") {
+    const auto found = std::find_if(kSets.begin(), kSets.end(), [word](const InstructionSet& set) { return set.word == word; });
+    const Message asked = verbatim(std::string(word)), here = verbatim(wordsHere());
+    if (found == kSets.end())
+      return failure(ErrorCode::badUsage, say<"'%1' is no instruction set that can be chosen; choose one of: %2.">(asked, here));
+    if ((available() & found->targets) == 0)
+      return failure(ErrorCode::badUsage, say<"This processor has no %1; choose one of: %2.">(asked, here));
+    targets = from(static_cast<std::size_t>(found - kSets.begin()));
   }
-  for (std::size_t n = 0; n < kSets.size(); ++n) {
-    if (kSets[n].word != word) continue;
-    if ((available() & kSets[n].targets) == 0)
-      return failure(ErrorCode::badUsage,
-                     say<"This processor has no %1; choose one of: %2.">(verbatim(std::string(word)), verbatim(wordsHere())));
-    allowed = from(n);
-    hwy::GetChosenTarget().Update(allowed);
-    return {};
-  }
-  return failure(ErrorCode::badUsage, say<"'%1' is no instruction set that can be chosen; choose one of: %2.">(verbatim(std::string(word)),
-                                                                                                               verbatim(wordsHere())));
+  allowed = targets;
+  hwy::GetChosenTarget().Update(targets);
+  return {};
 }
 
 std::string simdInUse() { return bestOf(allowed != 0 ? allowed.load() : available()); }
