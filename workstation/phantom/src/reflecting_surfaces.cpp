@@ -27,14 +27,14 @@ constexpr std::uint16_t kBorderKey = 255;
 constexpr double kBesideInVoxels = 0.9;
 constexpr double kBesidePerMm = 0.35;
 
-constexpr int kSlices = 32;  // spread at once
+constexpr int kSlices = 48;  // spread at once
 constexpr int kMostKinds = 255;
 
 }  // namespace
 
 SurfaceFinder::SurfaceFinder(const Patient& patient, double reach_mm) : patient_(patient), reach_mm_(reach_mm) {}
 
-std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, const std::vector<const Organ*>& near,
+std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
                                                   const std::vector<double>& distances_mm) const {
   std::optional<SurfaceFoot> found;
   for (std::size_t n = 0; n < distances_mm.size(); ++n) {
@@ -56,7 +56,7 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, const 
     if (std::abs(exact) > kExact_mm) exact += organ.shape->distance_mm(p_mm - exact * normal) / steep;
     if (found && std::abs(exact) >= nearest_mm) continue;
     const glm::dvec3 foot = p_mm - exact * normal;
-    if (isHidden(p_mm, foot, n, near, distances_mm)) continue;
+    if (isHidden(foot, std::abs(exact), skin_mm, n, near, distances_mm)) continue;
     const auto key = keyAt(foot, normal, organ, near);
     if (!key) continue;
     found = SurfaceFoot{.voxel = {}, .distance_mm = static_cast<float>(exact), .normal = glm::vec3(normal), .key = *key};
@@ -64,9 +64,9 @@ std::optional<SurfaceFoot> SurfaceFinder::nearest(const glm::dvec3& p_mm, const 
   return found;
 }
 
-bool SurfaceFinder::isHidden(const glm::dvec3& p_mm, const glm::dvec3& foot_mm, std::size_t n, const std::vector<const Organ*>& near,
-                             const std::vector<double>& distances_mm) const {
-  const double step = kSurfaceReserve * glm::length(foot_mm - p_mm) + kSameSurface_mm;
+bool SurfaceFinder::isHidden(const glm::dvec3& foot_mm, double away_mm, double skin_mm, std::size_t n,
+                             const std::vector<const Organ*>& near, const std::vector<double>& distances_mm) const {
+  const double step = kSurfaceReserve * away_mm + kSameSurface_mm;
   for (std::size_t m = 0; m < n; ++m) {
     if (distances_mm[m] > step) continue;
     if (distances_mm[m] < -step) return true;
@@ -74,7 +74,7 @@ bool SurfaceFinder::isHidden(const glm::dvec3& p_mm, const glm::dvec3& foot_mm, 
     if (d < -kSameSurface_mm) return true;
     if (d <= kSameSurface_mm && (near[m]->border || !near[n]->border)) return true;
   }
-  return patient_.skin->distance_mm(foot_mm) > kSameSurface_mm;
+  return skin_mm > -step && patient_.skin->distance_mm(foot_mm) > kSameSurface_mm;
 }
 
 std::optional<std::uint16_t> SurfaceFinder::keyAt(const glm::dvec3& foot_mm, const glm::dvec3& normal, const Organ& organ,

@@ -26,16 +26,17 @@ class SurfaceFinder {
   /// @param reach_mm of surfaces next to a point: half a voxel's diagonal, so that no part of a surface lies between voxels unfound
   SurfaceFinder(const Patient& patient, double reach_mm);
 
+  /// @param skin_mm      distance to the skin at p
   /// @param near         organs that can matter here, by priority, with whatever contains a point within the reach
   /// @param distances_mm of the first of them, at p; of the others nothing is asked, for they are hidden here
-  [[nodiscard]] std::optional<SurfaceFoot> nearest(const glm::dvec3& p_mm, const std::vector<const Organ*>& near,
+  [[nodiscard]] std::optional<SurfaceFoot> nearest(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
                                                    const std::vector<double>& distances_mm) const;
   /// The surface that a key stands for.
   [[nodiscard]] ReflectingSurface surfaceOf(std::uint16_t key) const;
 
  private:
-  [[nodiscard]] bool isHidden(const glm::dvec3& p_mm, const glm::dvec3& foot_mm, std::size_t n, const std::vector<const Organ*>& near,
-                              const std::vector<double>& distances_mm) const;
+  [[nodiscard]] bool isHidden(const glm::dvec3& foot_mm, double away_mm, double skin_mm, std::size_t n,
+                              const std::vector<const Organ*>& near, const std::vector<double>& distances_mm) const;
   /// Nothing where the surface sends too little back, or has no tissue outside.
   [[nodiscard]] std::optional<std::uint16_t> keyAt(const glm::dvec3& foot_mm, const glm::dvec3& normal, const Organ& organ,
                                                    const std::vector<const Organ*>& near) const;

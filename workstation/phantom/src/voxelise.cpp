@@ -138,6 +138,11 @@ class MapPainter {
   [[nodiscard]] std::uint8_t levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
                                      const std::vector<double>& distances_mm) const {
     double remaining = bodyPart(skin_mm), power = 0.0;
+    if (const std::optional<std::size_t> only = onlyTissue(remaining, near, distances_mm)) {
+      const Tissue& tissue = patient_.tissues[*only];
+      if (!(tissue.speckle > 0.0)) return 0;
+      return static_cast<std::uint8_t>(std::clamp(phantom::tissueLevelAt(tissue, *only, p_mm, skin_mm) + 0.5, 0.0, 255.0));
+    }
     const auto add = [&](std::size_t number, double weight) {
       const Tissue& tissue = patient_.tissues[number];
       if (tissue.speckle > 0.0) power += weight * power_.of(phantom::tissueLevelAt(tissue, number, p_mm, skin_mm));
@@ -154,6 +159,17 @@ class MapPainter {
   [[nodiscard]] const phantom::SurfaceFinder& surfaces() const { return surfaces_; }
 
  private:
+  /// The tissue of a voxel that holds one alone.
+  [[nodiscard]] std::optional<std::size_t> onlyTissue(double bodyPart, const std::vector<const Organ*>& near,
+                                                      const std::vector<double>& distances_mm) const {
+    if (bodyPart < 1.0) return std::nullopt;
+    for (std::size_t n = 0; n < distances_mm.size(); ++n) {
+      if (distances_mm[n] >= 0.5 * spacing_mm_) continue;
+      return distances_mm[n] <= -0.5 * spacing_mm_ ? std::optional(near[n]->tissue) : std::nullopt;
+    }
+    return patient_.backgroundTissue;
+  }
+
   static constexpr double kWithinVoxel = 0.9;  // half a voxel's diagonal is 0.87
 
   const Patient& patient_;
@@ -310,7 +326,7 @@ void VolumePainter::paintRow(int begin, int end, int j, int k, const float* spec
 
 void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double skin_mm, Around& around) {
   made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] = maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm);
-  auto foot = maps_.surfaces().nearest(p_mm, around.near, around.distances_mm);
+  auto foot = maps_.surfaces().nearest(p_mm, skin_mm, around.near, around.distances_mm);
   if (!foot) return;
   foot->voxel = voxel;
   around.feet.push_back(*foot);
