@@ -60,12 +60,17 @@ struct SurfaceMap {
     }
     return slopeToProbe * slope;
   }
-  /// Number in `surfaces`; nothing where none is near.
+  /// The surface between whose voxels a crossing lies; none where those of several surfaces mix, between which distances jump.
   [[nodiscard]] const Strength* surfaceAt(const glm::vec3& voxel) const {
-    const glm::ivec3 nearest(glm::floor(voxel + 0.5F));
+    const glm::ivec3 nearest(glm::floor(voxel + 0.5F)), low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
     if (!maps.grid.contains(nearest)) return nullptr;
     const std::size_t kind = maps.surfaceKind[maps.grid.indexOf(nearest.x, nearest.y, nearest.z)];
-    return kind == 0 || kind > strengths.size() ? nullptr : &strengths[kind - 1];
+    if (kind == 0 || kind > strengths.size()) return nullptr;
+    const std::uint8_t* first = maps.surfaceKind.data() + low.x + row * low.y + plane * low.z;
+    int same = 0;
+    for (int n = 0; n < 8; ++n) same += first[(n & 1) + (n & 2 ? row : 0) + (n & 4 ? plane : 0)] == kind ? 1 : 0;
+    constexpr int kEnough = 6;
+    return same >= kEnough ? &strengths[kind - 1] : nullptr;
   }
 
   static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
