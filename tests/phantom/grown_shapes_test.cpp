@@ -122,6 +122,17 @@ TEST(VesselTree, GrowsAroundAnotherOneAndLeavesNoPartOfItsOrganWithoutABranch) {
   EXPECT_LT(farthest, 22.0);
 }
 
+TEST(VesselTree, HasFewerEndsWhereItsOrganHasNoRoomForMore) {
+  VesselGrowth growth = growthInAnEgg(3, 1000);
+  growth.clearance_mm = 40.0;
+  growth.avoid = {makeRoundCone({.from_mm = {60, 0, 0}, .to_mm = {60, 1, 0}, .fromRadius_mm = 1.0, .toRadius_mm = 1.0})};
+  const VesselTree crowded = growVesselTree(growth);
+  EXPECT_GE(endsOf(crowded), 2) << "those of the trunks";
+  EXPECT_LT(endsOf(crowded), 200);
+  growth.within = makeEllipsoid({.centre_mm = {500, 0, 0}, .radii_mm = {2, 2, 2}});
+  EXPECT_EQ(endsOf(growVesselTree(growth)), 2) << "an organ elsewhere: only the trunks";
+}
+
 TEST(VesselTree, IsFiniteEverywhereAndItsSurfaceHasNoHolesAtForks) {
   const VesselTree tree = growVesselTree(growthInAnEgg(9, 200));
   const ShapePtr shape = makeVesselTree(tree, 9);

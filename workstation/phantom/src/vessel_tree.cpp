@@ -17,9 +17,10 @@ constexpr double kNarrowest_cos = 0.8660254037844386;  // 30 degrees
 constexpr double kWidest_cos = 0.17364817766693041;    // 80 degrees
 constexpr double kTrunkStep_mm = 4.0;
 constexpr double kCheckStep_mm = 2.5;
-constexpr int kNearest = 10;      // branches tried for an end
-constexpr int kTriesPerEnd = 250; // places tried before an organ counts as full
-constexpr int kPatience = 8;     // places too near to the tree before nearer ones are taken
+constexpr int kNearest = 10;       // branches tried for an end
+constexpr int kTriesPerEnd = 250;  // places tried before an organ counts as full
+constexpr int kRoomsPerEnd = 60;   // forks looked at closely in all, of each end: an organ without room must not take minutes
+constexpr int kPatience = 8;       // places too near to the tree before nearer ones are taken
 constexpr double kShortest_mm = 1.0;
 constexpr std::uint64_t kPlaceSeed = 0x76657373656c7321ull;
 
@@ -71,7 +72,7 @@ class Grower {
     const int tries = kTriesPerEnd * growth_.ends;
     int failed = 0;
     double patience = 1.0;
-    for (int attempt = 0; attempt < tries && ends_ < growth_.ends && volume > 0.0; ++attempt) {
+    for (int attempt = 0; attempt < tries && rooms_ < kRoomsPerEnd * growth_.ends && ends_ < growth_.ends && volume > 0.0; ++attempt) {
       const std::optional<glm::dvec3> place = placeFor(attempt);
       if (!place) continue;
       // As large as an end's share of the organ would be if it were the last: the first ends lie far apart, the later fill the gaps.
@@ -172,6 +173,7 @@ class Grower {
     for (std::size_t n = 0; n < tried; ++n) addJoints(order[n].second, end, joints);
     std::sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.cost < b.cost; });
     for (const Joint& joint : joints) {
+      ++rooms_;
       if (!hasRoom(joint, end)) continue;
       insert(joint, end);
       return true;
@@ -293,6 +295,7 @@ class Grower {
   std::vector<Part> parts_;
   std::vector<double> areas_;  ///< by ends fed: the square of the radius, of an end's
   int ends_ = 0;
+  int rooms_ = 0;  ///< forks looked at closely
 };
 
 }  // namespace
