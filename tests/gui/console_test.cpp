@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabWidget>
 #include <QToolTip>
 #include <QTranslator>
@@ -59,6 +60,8 @@ class ConsoleTest : public ConsoleFixture {
       if (!label->isVisible() || label->wordWrap()) continue;
       QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + QStringLiteral(": ") + label->text()));
     }
+    for (const QScrollArea* page : window_->console().findChildren<QScrollArea*>())
+      QVERIFY2(!page->isVisible() || page->widget()->width() <= page->viewport()->width(), "a page is wider than the console");
     for (const QAbstractButton* button : window_->findChildren<QAbstractButton*>()) {
       if (!button->isVisible() || button->text().isEmpty()) continue;
       QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));

@@ -124,23 +124,25 @@ void ConsolePanel::addImagePage(QVBoxLayout* rows) {
 
 void ConsolePanel::addGreyMaps(QVBoxLayout* rows) {
   constexpr std::array kMaps{GreyMap::linear, GreyMap::soft, GreyMap::contrast, GreyMap::bright, GreyMap::clinical};
-  addSegments(rows, {tr("Grey map"),
-                     QStringLiteral("greyMap"),
-                     {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
-                      {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
-                      {tr("Contrast"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
-                      {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")},
-                      {tr("Clinical"), QStringLiteral("greyClinical"),
-                       tr("As a machine shows the abdomen: black background, dark tissue, bright borders (G for the next)")}},
-                     [this, kMaps] {
-                       const GreyMap shown = resolvedGreyMap(session_.knobs(), session_.scene());
-                       return static_cast<int>(std::find(kMaps.begin(), kMaps.end(), shown) - kMaps.begin());
-                     },
-                     [this, kMaps](int i) {
-                       const GreyMap chosen = kMaps[static_cast<std::size_t>(i)];
-                       const bool isUsual = chosen == usualGreyMap(formsEchoes(session_.scene()));
-                       change([=](Knobs& k) { k.greyMap = isUsual ? GreyMap::automatic : chosen; });
-                     }});
+  ChoiceParts maps{tr("Grey map"),
+                   QStringLiteral("greyMap"),
+                   {{tr("Linear"), QStringLiteral("greyLinear"), tr("Grey levels as they are (G for the next)")},
+                    {tr("Soft"), QStringLiteral("greySoft"), tr("Lifts dark tissue (G for the next)")},
+                    {tr("Contrast"), QStringLiteral("greyContrast"), tr("Steep in the middle: more contrast (G for the next)")},
+                    {tr("Bright"), QStringLiteral("greyBright"), tr("Brightens everything (G for the next)")},
+                    {tr("Clinical"), QStringLiteral("greyClinical"),
+                     tr("As a machine shows the abdomen: black background, dark tissue, bright borders (G for the next)")}},
+                   [this, kMaps] {
+                     const GreyMap shown = resolvedGreyMap(session_.knobs(), session_.scene());
+                     return static_cast<int>(std::find(kMaps.begin(), kMaps.end(), shown) - kMaps.begin());
+                   },
+                   [this, kMaps](int i) {
+                     const GreyMap chosen = kMaps[static_cast<std::size_t>(i)];
+                     const bool isUsual = chosen == usualGreyMap(formsEchoes(session_.scene()));
+                     change([=](Knobs& k) { k.greyMap = isUsual ? GreyMap::automatic : chosen; });
+                   }};
+  maps.perLine = 3;  // five words side by side are wider than the console
+  addSegments(rows, std::move(maps));
 }
 
 void ConsolePanel::addGainLaws(QVBoxLayout* rows) {

@@ -219,9 +219,14 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
     button->setAccessibleName(parts.name.isEmpty() ? choice.text : parts.name + QStringLiteral(": ") + choice.text);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
-    button->setProperty("segment", i == 0                          ? QStringLiteral("first")
-                                   : i + 1 == parts.choices.size() ? QStringLiteral("last")
-                                                                   : QStringLiteral("true"));
+    const bool isFirst = i % parts.perLine == 0;
+    const bool isLast = i + 1 == parts.choices.size() || (i + 1) % parts.perLine == 0;
+    button->setProperty("segment", isFirst ? QStringLiteral("first") : isLast ? QStringLiteral("last") : QStringLiteral("true"));
+    if (isFirst && i > 0) {
+      column->addLayout(line);
+      line = new QHBoxLayout;
+      line->setSpacing(0);
+    }
     group->addButton(button, static_cast<int>(i));
     line->addWidget(button, 1);
     buttons.push_back(button);

@@ -73,7 +73,8 @@ class ConsolePanel final : public QWidget {
     std::function<void(int)> set;
     std::function<bool()> isOn = [] { return true; };
     std::function<bool()> isThere = [] { return true; };
-    bool isInline = false;  ///< the name stands left of the buttons
+    bool isInline = false;    ///< the name stands left of the buttons
+    std::size_t perLine = 9;  ///< buttons side by side; further ones go below
   };
   /// Without a name the value is told by the tooltip alone.
   QSlider* addSlider(QBoxLayout* rows, SliderParts parts);
