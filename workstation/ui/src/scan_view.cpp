@@ -230,6 +230,41 @@ bool ScanView::isBesideVolume() const {
   return !session_.seesVolume();
 }
 
+namespace {
+
+/// The tint one cell further to all sides, so that it reaches the rim of the fan, where cells are cut.
+void spread(QImage& cells, QRgb tint) {
+  const QImage before = cells;
+  for (int row = 0; row < cells.height(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(cells.scanLine(row));
+    for (int near = std::max(0, row - 1); near <= std::min(cells.height() - 1, row + 1); ++near) {
+      const auto* from = reinterpret_cast<const QRgb*>(before.constScanLine(near));
+      for (int column = 0; column < cells.width(); ++column) {
+        const bool beside = (column > 0 && from[column - 1] != 0) || (column + 1 < cells.width() && from[column + 1] != 0);
+        if (beside || from[column] != 0) line[column] = tint;
+      }
+    }
+  }
+}
+
+/// Leaves only what lies in the fan. @param at_px where the image lies on the picture
+void cutToFan(QImage& image, const QPoint& at_px, const Spans& fan) {
+  for (int y = 0; y < image.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    const int row = y + at_px.y();
+    int done = 0;
+    if (row >= 0 && row < static_cast<int>(fan.size())) {
+      for (const RowSpan& run : fan[static_cast<std::size_t>(row)]) {
+        std::fill(line + done, line + std::clamp(run.begin - at_px.x(), done, image.width()), 0U);
+        done = std::clamp(run.end - at_px.x(), done, image.width());
+      }
+    }
+    std::fill(line + done, line + image.width(), 0U);
+  }
+}
+
+}  // namespace
+
 const ScanView::Veil& ScanView::veil() {
   const Pose& pose = session_.shownState().pose;
   const DisplayGeometry& geometry = session_.geometry();
@@ -261,8 +296,12 @@ const ScanView::Veil& ScanView::veil() {
       veil_.widest_px = QRect((column - run + 1) * every, row * every, run * every, every);
     }
   }
+  // The border to the data moves by a cell as well, about a millimetre: what lies there is torn anyway.
+  spread(cells, tint);
+  used = used.adjusted(-1, -1, 1, 1).intersected(cells.rect());
   veil_.at_px = used.topLeft() * every - QPoint(every / 2, every / 2);
   veil_.image = cells.copy(used).scaled(used.size() * every, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  cutToFan(veil_.image, veil_.at_px, session_.spans());
   QPainter hatch(&veil_.image);
   hatch.setRenderHint(QPainter::Antialiasing);
   hatch.setCompositionMode(QPainter::CompositionMode_SourceAtop);
