@@ -25,10 +25,10 @@ OrientationCube::OrientationCube() {
   cube_->SetYMinusFaceText("A");
   cube_->SetZPlusFaceText("H");
   cube_->SetZMinusFaceText("F");
-  // Letters stand upright, on the head's side readable from the front.
+  // Letters stand upright, on the head's side as seen from the front.
   cube_->SetXFaceTextRotation(0.0);
   cube_->SetYFaceTextRotation(0.0);
-  cube_->SetZFaceTextRotation(-90.0);
+  cube_->SetZFaceTextRotation(0.0);
   cube_->SetFaceTextScale(0.62);
   cube_->GetTextEdgesProperty()->SetLineWidth(1.0F);
   cube_->GetCubeProperty()->SetAmbient(0.35);
