@@ -11,9 +11,8 @@ namespace ew::detail {
 namespace {
 
 constexpr double kApodisedWidth = 1.4;
-constexpr double kFNumber = 2.0;      // apertures open with depth at least this far
-constexpr double kPulseCycles = 2.0;  // full width at half maximum of the pulse's amplitude
-constexpr double kNoRange_mm = 1e6;   // of a beam that does not widen
+constexpr double kFNumber = 2.0;     // apertures open with depth at least this far
+constexpr double kNoRange_mm = 1e6;  // of a beam that does not widen
 
 double rayleighRange_mm(double oneWaySigma_mm, double wavelength_mm) {
   return 2.0 * std::numbers::pi * oneWaySigma_mm * oneWaySigma_mm / wavelength_mm;
@@ -43,8 +42,8 @@ EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene
   EchoBeams beams;
   beams.wavelength_mm = kSpeedOfSound_mmPerS / knobs.carrier_hz;
   beams.looks = effect.looks;
-  beams.axialSigma_mm = 0.25 * (beams.looks + 1) * kPulseCycles * beams.wavelength_mm / kFwhmOfSigma;
-  beams.pulseSigma_mm = 0.5 * kPulseCycles * beams.wavelength_mm / kFwhmOfSigma;
+  beams.axialSigma_mm = 0.25 * (beams.looks + 1) * effect.pulseCycles * beams.wavelength_mm / kFwhmOfSigma;
+  beams.pulseSigma_mm = 0.5 * effect.pulseCycles * beams.wavelength_mm / kFwhmOfSigma;
 
   const double width = kApodisedWidth * beams.wavelength_mm / kFwhmOfSigma;
   const double aperture_mm = effect.apertureShare * probe.aperture_mm;

@@ -108,7 +108,7 @@ double pitchOf(const EchoLayout& layout, double scatterersPerCell) {
 }  // namespace
 
 double EchoLayout::reachBetween_mm(double nearer_mm, double farther_mm) const {
-  const auto at = [this](double depth) { return reach * beams.elevationalSigma_mm(std::clamp(depth, 0.0, depth_mm)); };
+  const auto at = [this](double depth) { return effect.reach * beams.elevationalSigma_mm(std::clamp(depth, 0.0, depth_mm)); };
   return std::max(at(nearer_mm), at(farther_mm));  // narrowest in the focus, wider to both sides
 }
 
@@ -122,7 +122,7 @@ EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoes
   layout.grid = std::move(grid);
   layout.fan = fanShapeOf(probe, knobs);
   layout.depth_mm = layout.grid.depth_mm(layout.grid.samples - 1);
-  layout.reach = effect.reach;
+  layout.effect = effect;
   layRows(layout);
   layout.pitch_mm = pitchOf(layout, effect.scatterersPerCell);
   layLateral(layout);

@@ -19,7 +19,7 @@ struct EchoLayout {
   BeamGrid grid;
   FanShape fan;
   double depth_mm = 0.0;
-  double reach = 2.2;     ///< of the elevational beam, in standard deviations
+  LiveEchoesEffect effect;
   double pitch_mm = 0.8;  ///< of the lattice that has one scatterer in each cell
 
   int rowsPerLine = 2;

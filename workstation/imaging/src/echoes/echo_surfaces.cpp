@@ -100,6 +100,32 @@ std::uint32_t hashOf(const glm::ivec3& at) {
   return x ^ (x >> 15);
 }
 
+constexpr double kFragmentScale_mm = 1.6;  // of the Gamma distribution (shape 2) of their lengths
+constexpr double kFragmentSpread_db = 4.0;
+constexpr double kFragmentFall_deg = 9.0;
+constexpr double kSteepestFragment = 0.15;    // squared sine of the incidence: beyond, less than -13 dB are left
+constexpr std::uint8_t kFaintestTissue = 40;  // no walls in fluids
+
+/// Numbers that follow from a hash.
+struct Hashed {
+  explicit Hashed(std::uint32_t hash) : state(hash) {}
+  std::uint32_t state;
+  /// In [0, 1).
+  double even() {
+    state += 0x9E3779B9U;
+    std::uint32_t x = state;
+    x = (x ^ (x >> 16)) * 0x21f0aaadU;
+    x = (x ^ (x >> 15)) * 0x735a2d97U;
+    return (x ^ (x >> 15)) * 0x1p-32;
+  }
+  /// Nearly normal, of deviation 1.
+  double normal() {
+    double sum = -2.0;
+    for (int n = 0; n < 4; ++n) sum += even();
+    return sum * std::numbers::sqrt3;
+  }
+};
+
 /// Between 0 and 1, smooth, fixed in the tissue.
 double unevenAt(const glm::dvec3& mm) {
   const glm::dvec3 cell = mm / kGrain_mm, whole = glm::floor(cell);
@@ -142,7 +168,7 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
                        std::ptrdiff_t stride) const {
   std::vector<Strength> strengths;
   for (const ReflectingSurface& surface : maps.surfaces) {
-    const double amplitude = std::pow(10.0, 0.05 * (surface.echoLevel - 255.0) * kDecibelPerLevel);
+    const double amplitude = std::pow(10.0, 0.05 * ((surface.echoLevel - 255.0) * kDecibelPerLevel + layout_->effect.gain_db));
     const double fall = std::sin(surface.fall_deg * std::numbers::pi / 180.0);
     strengths.push_back({static_cast<float>(amplitude), static_cast<float>(amplitude * std::pow(10.0, 0.05 * surface.rough_db)),
                          static_cast<float>(0.5 / (fall * fall)), surface.frontOnly});
@@ -202,21 +228,68 @@ void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplit
                            std::ptrdiff_t stride) const {
   const double spacing_mm = layout_->rowSpacing_mm(range_mm);
   for (int n = 0; n < layout_->rowsPerLine; ++n) {
-    const double offset = n - 0.5 * (layout_->rowsPerLine - 1);
-    const double column = layout_->columnPadding + (range_mm + lean * offset * spacing_mm) / layout_->grid.sampleSpacing_mm;
-    if (!(column >= 0.0 && column < layout_->columns - 1)) continue;
-    const int whole = static_cast<int>(column);
-    const double part = column - whole;
-    const auto c = static_cast<std::size_t>(whole);
-    const double mirror = amplitude * static_cast<double>(mirrorScale_[c]);
-    const double scattered = rough * static_cast<double>(roughScale_[c]);
+    const double offset = n - layout_->rowsPerLine / 2;
     hash = hash * 0x9E3779B1U + 0x85EBCA77U;
-    const double re = mirror + (hash & 0x10000U ? scattered : -scattered), im = hash & 0x20000U ? scattered : -scattered;
-    std::int32_t* at = fine + (layout_->rowPadding + line * layout_->rowsPerLine + n - layout_->rowsPerLine / 2) * stride + 2 * whole;
-    at[0] += static_cast<std::int32_t>(std::lround((1.0 - part) * re));
-    at[1] += static_cast<std::int32_t>(std::lround((1.0 - part) * im));
-    at[2] += static_cast<std::int32_t>(std::lround(part * re));
-    at[3] += static_cast<std::int32_t>(std::lround(part * im));
+    add(line * layout_->rowsPerLine + n - layout_->rowsPerLine / 2, range_mm + lean * offset * spacing_mm, amplitude,
+        hash & 0x10000U ? rough : -rough, fine, stride);
+  }
+}
+
+void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const {
+  const double column = layout_->columnPadding + range_mm / layout_->grid.sampleSpacing_mm;
+  const int at = row + layout_->rowPadding;
+  if (!(column >= 0.0 && column < layout_->columns - 1) || at < 0 || at >= layout_->rows) return;
+  const int whole = static_cast<int>(column);
+  const double part = column - whole;
+  const auto c = static_cast<std::size_t>(whole);
+  const double re = amplitude * static_cast<double>(mirrorScale_[c]), im = rough * static_cast<double>(roughScale_[c]);
+  std::int32_t* first = fine + at * stride + 2 * whole;
+  first[0] += static_cast<std::int32_t>(std::lround((1.0 - part) * re));
+  first[1] += static_cast<std::int32_t>(std::lround((1.0 - part) * im));
+  first[2] += static_cast<std::int32_t>(std::lround(part * re));
+  first[3] += static_cast<std::int32_t>(std::lround(part * im));
+}
+
+void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks,
+                                std::int32_t* fine, std::ptrdiff_t stride) const {
+  const double share = layout_->effect.fragmentsPerCm3 * 1e-3 * kFragmentCell_mm * kFragmentCell_mm * kFragmentCell_mm;
+  const FanShape& fan = layout_->fan;
+  const double middleLine = 0.5 * static_cast<double>(layout_->grid.lines.size() - 1);
+  for (const ScatterBlock& block : blocks) {
+    Hashed hashed(hashOf(glm::ivec3(block.cell[0], block.cell[1], block.cell[2])));
+    if (hashed.even() >= share) continue;
+    // Its direction first: most do not lie square to the beam.
+    const double height = 2.0 * hashed.even() - 1.0, turn = 2.0 * std::numbers::pi * hashed.even();
+    const double flat = std::sqrt(1.0 - height * height);
+    glm::dvec3 cell(hashed.even(), hashed.even(), hashed.even());
+    cell = cell * double{kBlockCells} + glm::dvec3(block.cell[0], block.cell[1], block.cell[2]);
+    const glm::dvec3 at_mm(fragments.cellToProbe * glm::dvec4(cell, 1.0));
+    const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
+    const glm::dvec2 way = fan.lineAt(place.across).direction;
+    const glm::dvec3 normal =
+        glm::normalize(glm::dmat3(fragments.cellToProbe) * glm::dvec3(flat * std::cos(turn), flat * std::sin(turn), height));
+    const double cosine = glm::dot(glm::dvec2(normal), way), sine2 = std::max(0.0, 1.0 - cosine * cosine);
+    if (sine2 > kSteepestFragment) continue;
+    const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
+    if (!level.grid.contains(voxel) || !(place.depth_mm > 0.0 && place.depth_mm < layout_->depth_mm)) continue;
+    const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];
+    if (around < kFaintestTissue) continue;
+
+    const double radius_mm = 0.5 * kFragmentScale_mm * -std::log(std::max(hashed.even() * hashed.even(), 1e-6));
+    const double more_db = layout_->effect.fragment_db + kFragmentSpread_db * hashed.normal();
+    const double fall = std::sin(kFragmentFall_deg * std::numbers::pi / 180.0);
+    const double level_db = (around - 255.0) * kDecibelPerLevel + kMeanOfLog_db + layout_->effect.gain_db + more_db;
+    const double amplitude = std::pow(10.0, 0.05 * level_db) * std::exp(-0.5 * sine2 / (fall * fall));
+    // Row by row of the fine grid, as wide in elevation as the disc is there.
+    const double spacing_mm = layout_->rowSpacing_mm(place.depth_mm), elevation_mm = layout_->beams.elevationalSigma_mm(place.depth_mm);
+    const double lean = -(normal.x * way.y - normal.y * way.x) / cosine;
+    const double middle = (middleLine + middleLine * place.across) * layout_->rowsPerLine;
+    for (int row = static_cast<int>(std::ceil(middle - radius_mm / spacing_mm)); row <= middle + radius_mm / spacing_mm; ++row) {
+      const double aside_mm = (row - middle) * spacing_mm, half_mm = std::sqrt(std::max(0.0, radius_mm * radius_mm - aside_mm * aside_mm));
+      const auto below = [&](double z_mm) { return 0.5 * std::erf(z_mm / (std::numbers::sqrt2 * elevation_mm)); };
+      const double seen = below(at_mm.z + half_mm) - below(at_mm.z - half_mm);
+      add(row, place.depth_mm + lean * aside_mm, amplitude * seen, 0.0, fine, stride);
+    }
   }
 }
 

@@ -6,10 +6,13 @@
 #include "echo_layout.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/tissue_maps.h"
+#include "scatterers.h"
 
 namespace ew::detail {
 
 struct SurfaceMap;
+
+inline constexpr double kFragmentCell_mm = 3.0;
 
 /// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
 /// strong as the surface lies square to it:
@@ -25,11 +28,20 @@ class EchoSurfaces {
   void add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, Bands& bands, std::int32_t* fine,
            std::ptrdiff_t stride) const;
 
+  /// Little walls and fissures, at most one in each block: discs of hashed place, direction and size, seen where they lie square to the
+  /// beam, as much above the level around them as LiveEchoesEffect says, give or take 4 dB.
+  /// Aim: 0.4 bright dashes of 3 mm and more in 4 cm2, as in a recorded liver.
+  /// @param fragments lattice of which kBlockCells cells are kFragmentCell_mm
+  void addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks, std::int32_t* fine,
+                    std::ptrdiff_t stride) const;
+
  private:
   void addLine(int line, const SurfaceMap& map, std::int32_t* fine, std::ptrdiff_t stride) const;
   template <class VoxelAt>
   void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const VoxelAt& voxelAt, std::int32_t* fine,
             std::ptrdiff_t stride) const;
+  /// To a row counted from the first line's.
+  void add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
   void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::uint32_t hash, std::int32_t* fine,
                std::ptrdiff_t stride) const;
 

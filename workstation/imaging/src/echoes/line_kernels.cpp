@@ -140,10 +140,12 @@ void addEnvelopeOf(const float* in, const float* pulse, int reach, float share, 
   });
 }
 
-void toLevelsOf(float perDoubling, int count, float* inOut) {
+void toLevelsOf(const float* in, float aside, float perDoubling, int count, float* out) {
   forColumns(count, [&](auto d, int x) HWY_ATTR {
-    const auto amplitude = hn::Max(hn::LoadU(d, inOut + x), hn::Set(d, 1e-9F));
-    hn::StoreU(hn::Add(hn::Set(d, 255.0F), hn::Mul(log2Of(d, amplitude), hn::Set(d, perDoubling))), d, inOut + x);
+    const auto around = hn::Mul(hn::Add(hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x + 1)), hn::Set(d, aside));
+    const auto mean = hn::Add(hn::Mul(hn::LoadU(d, in + x), hn::Set(d, 1.0F - 2.0F * aside)), around);
+    const auto amplitude = hn::Max(mean, hn::Set(d, 1e-9F));
+    hn::StoreU(hn::Add(hn::Set(d, 255.0F), hn::Mul(log2Of(d, amplitude), hn::Set(d, perDoubling))), d, out + x);
   });
 }
 
@@ -193,7 +195,9 @@ void turnComplex(const float* in, const float* turn, int count, float* out) { HW
 void addEnvelope(const float* in, const float* pulse, int reach, float share, int samples, float* out) {
   HWY_DYNAMIC_DISPATCH(addEnvelopeOf)(in, pulse, reach, share, samples, out);
 }
-void toLevels(float perDoubling, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(toLevelsOf)(perDoubling, count, inOut); }
+void toLevels(const float* in, float aside, float perDoubling, int count, float* out) {
+  HWY_DYNAMIC_DISPATCH(toLevelsOf)(in, aside, perDoubling, count, out);
+}
 void marchLosses(const float* loss_log2, float aside, float most, float weight, int lines, float* amplitude, float* scratch, float* gain) {
   HWY_DYNAMIC_DISPATCH(marchLossesOf)(loss_log2, aside, most, weight, lines, amplitude, scratch, gain);
 }

@@ -37,8 +37,9 @@ void turnComplex(const float* in, const float* turn, int count, float* out);
 /// out[s] += share |sum over t of pulse[|t|] in[s + t]|, complex numbers of which `reach` are there on both sides of in[0 .. samples - 1].
 void addEnvelope(const float* in, const float* pulse, int reach, float share, int samples, float* out);
 
-/// inOut = 255 + perDoubling log2(inOut), amplitudes below 1e-9 counting as that.
-void toLevels(float perDoubling, int count, float* inOut);
+/// out = 255 + perDoubling log2(in, of which each neighbour adds `aside`), amplitudes below 1e-9 counting as that.
+/// @param in count values, and one more on each side
+void toLevels(const float* in, float aside, float perDoubling, int count, float* out);
 
 /// One step of a march along all lines at once: amplitude = blur(amplitude) 2^(-loss), not above `most`; gain += weight amplitude^2.
 /// @param amplitude, loss, gain `lines` values; blur weighs each neighbour with `aside` (the outermost lines go on)

@@ -57,7 +57,8 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
   const SliceSource level(VolumeView<const std::uint8_t>{maps.level.data(), placed});
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   noiseKey_.reset();
-  const EchoPlace place = echoPlaceOf(layout_, level.grid, probeToVoxel);
+  const EchoPlace place = echoPlaceOf(layout_.pitch_mm, level.grid, probeToVoxel);
+  const EchoPlace fragments = echoPlaceOf(kFragmentCell_mm / kBlockCells, level.grid, probeToVoxel);
   ScatterTask task = scatterTaskOf(layout_, place, level);
   task.field = fine_.data();
   task.stride = static_cast<std::int32_t>(fineStride_);
@@ -70,6 +71,9 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
       for (int n = first; n < first + count; ++n) {
         findBlocks(layout_, place, level.grid.dims, 2 * n + odd, mine.blocks);
         addScatterers(task, mine.blocks.data(), mine.blocks.size());
+        if (!(layout_.effect.fragmentsPerCm3 > 0.0)) continue;
+        findBlocks(layout_, fragments, level.grid.dims, 2 * n + odd, mine.blocks);
+        surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
       }
     });
   if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, bands, fine_.data(), fineStride_);
@@ -100,9 +104,9 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
   losses_.walk(labels, probeToLabel, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-    mine.gains.resize(static_cast<std::size_t>(layout_.columns));
+    mine.gains.resize(static_cast<std::size_t>(std::max(layout_.columns, static_cast<int>(layout_.grid.lines.size()) + 2)));
     for (int line = first; line < first + count; ++line) {
-      losses_.gainsOf(line, mine.levels, mine.gains);
+      losses_.gainsOf(line, mine.levels, std::span(mine.gains).first(static_cast<std::size_t>(layout_.columns)));
       scaleComplex(mine.gains.data(), layout_.columns, lineAt(line));
     }
   });
@@ -161,12 +165,24 @@ void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> e
           addEnvelope(in + 2 * layout_.columnPadding, layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1, share, samples,
                       levels);
         }
-        toLevels(perDoubling, samples, levels);
       }
       for (int s = 0; s < samples; ++s) {
         float* row = echoes.row(s) + first;
         for (int n = 0; n < count; ++n) row[n] = mine.levels[static_cast<std::size_t>(n * samples + s)];
       }
+    }
+  });
+
+  const auto aside = static_cast<float>(layout_.effect.lineAverage);
+  bands.run(samples, [&](int first, int count, int slot) {
+    std::vector<float>& around = scratch_[static_cast<std::size_t>(slot)].gains;
+    around.resize(static_cast<std::size_t>(std::max(layout_.columns, echoes.width + 2)));
+    for (int s = first; s < first + count; ++s) {
+      float* row = echoes.row(s);
+      std::copy(row, row + echoes.width, around.begin() + 1);
+      around.front() = row[0];
+      around[static_cast<std::size_t>(echoes.width) + 1] = row[echoes.width - 1];
+      toLevels(around.data() + 1, aside, perDoubling, echoes.width, row);
     }
   });
 }

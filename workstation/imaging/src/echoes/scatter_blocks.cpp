@@ -98,9 +98,9 @@ void narrow(double start, double step, double low, double high, int& first, int&
 
 }  // namespace
 
-EchoPlace echoPlaceOf(const EchoLayout& layout, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
+EchoPlace echoPlaceOf(double pitch_mm, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
   EchoPlace place;
-  place.voxelsPerCell = layout.pitch_mm / grid.spacing_mm;
+  place.voxelsPerCell = pitch_mm / grid.spacing_mm;
   glm::dmat4 voxelToCell(1.0);
   for (int axis = 0; axis < 3; ++axis) voxelToCell[axis][axis] = 1.0 / place.voxelsPerCell[axis];
   place.probeToCell = voxelToCell * probeToVoxel.matrix;
@@ -120,7 +120,11 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   const double waist = layout.beams.lensWaist_mm;
   const double scale = std::pow(layout.pitch_mm, 1.5) / std::sqrt(waist * std::sqrt(std::numbers::pi)) / kDepositUnit;
   task.log2PerLevel = static_cast<float>(0.05 * kDecibelPerLevel * std::log2(10.0));
-  task.log2OfZero = static_cast<float>(0.05 * (kMeanOfLog_db - 255.0 * kDecibelPerLevel) * std::log2(10.0) + std::log2(scale));
+  // A strength that scatters by s (normal, in nepers of amplitude) adds exp(2 s^2) to the power, which the mean level does not have.
+  const double texture = layout.effect.texture_db * std::log(10.0) / 20.0;
+  const double zero_db = kMeanOfLog_db - 255.0 * kDecibelPerLevel + layout.effect.gain_db;
+  task.log2OfTexture = static_cast<float>(texture / std::log(2.0));
+  task.log2OfZero = static_cast<float>(0.05 * zero_db * std::log2(10.0) + std::log2(scale) - texture * texture / std::log(2.0));
 
   const FanShape& fan = layout.fan;
   task.kind = fan.kind;
@@ -139,7 +143,7 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   task.nearPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensNearRange_mm) : 0.0F;
   task.farPerMm = layout.beams.isSlice ? static_cast<float>(1.0 / layout.beams.lensFarRange_mm) : 0.0F;
   task.waistPerMm2 = static_cast<float>(0.5 / (waist * waist));
-  task.cut = static_cast<float>(0.5 * layout.reach * layout.reach);
+  task.cut = static_cast<float>(0.5 * layout.effect.reach * layout.effect.reach);
   return task;
 }
 

@@ -253,10 +253,16 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto sounding = hn::And(inside, hn::Gt(level, hn::Zero(d)));
     if (hn::AllFalse(d, sounding)) continue;
 
-    const auto strength = plus(set(task.log2OfZero), times(level, set(task.log2PerLevel)));
+    // Four bytes of another hash, each even: their sum is nearly normal.
+    const auto other = spread(hash);
+    const auto byte = [&](auto shifted) { return hn::And(shifted, hn::Set(du, 255U)); };
+    const auto bytes = hn::Add(hn::Add(byte(other), byte(hn::ShiftRight<8>(other))),
+                               hn::Add(byte(hn::ShiftRight<16>(other)), byte(hn::ShiftRight<24>(other))));
+    const auto normal = times(hn::Sub(hn::ConvertTo(d, hn::BitCast(di, bytes)), set(510.0F)), set(1.0F / 147.8F));
+    const auto strength = plus(plus(set(task.log2OfZero), times(level, set(task.log2PerLevel))), times(normal, set(task.log2OfTexture)));
     const auto fall = times(hn::IfThenElseZero(inside, exponent), set(1.44269504F));
     const auto amplitude = hn::Div(exp2Of(d, hn::Sub(strength, fall)), hn::Sqrt(hn::Sqrt(widening)));
-    const auto sign = hn::BitCast(d, hn::And(spread(hash), hn::Set(du, 0x80000000U)));
+    const auto sign = hn::BitCast(d, hn::And(spread(hn::Add(other, hn::Set(du, 0x9E3779B9U))), hn::Set(du, 0x80000000U)));
     const auto kept = hn::Xor(hn::IfThenElseZero(sounding, amplitude), sign);
     F re, im;
     phaseOf(hn::IfThenElseZero(inside, times(path, set(task.turnsPerMm))), re, im);

@@ -26,8 +26,9 @@ struct ScatterTask {
   const std::uint8_t* level = nullptr;
   const std::uint8_t* levelEnd = nullptr;
   glm::ivec3 dims{0};
-  float log2PerLevel = 0.0F;  ///< of the amplitude
-  float log2OfZero = 0.0F;    ///< where the level is 0, everything that multiplies amplitudes included
+  float log2PerLevel = 0.0F;   ///< of the amplitude
+  float log2OfTexture = 0.0F;  ///< one standard deviation of their strength
+  float log2OfZero = 0.0F;     ///< where the level is 0, everything that multiplies amplitudes included
 
   // Lines, as FanShape.
   FanShape::Kind kind = FanShape::Kind::sector;
@@ -71,7 +72,7 @@ struct EchoPlace {
   glm::dmat4 probeToCell{1.0};
   glm::dvec3 voxelsPerCell{1.0};
 };
-[[nodiscard]] EchoPlace echoPlaceOf(const EchoLayout& layout, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
+[[nodiscard]] EchoPlace echoPlaceOf(double pitch_mm, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
 
 [[nodiscard]] ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, const SliceSource& level);
 
