@@ -8683,12 +8683,16 @@
         <translation>Voxel werden in Blöcken gelesen: ein Schnitt braucht %1 ms, so wie sie liegen %2 ms.</translation>
     </message>
     <message>
+        <source>Voxels are read in bricks or as they lie, whichever is faster in the slice&apos;s direction: a slice takes %1 ms, in bricks alone %2 ms, as they lie alone %3 ms.</source>
+        <translation>Voxel werden in Blöcken gelesen oder so, wie sie liegen, je nachdem, was in der Richtung des Schnitts schneller ist: ein Schnitt braucht %1 ms, nur in Blöcken %2 ms, nur so, wie sie liegen, %3 ms.</translation>
+    </message>
+    <message>
         <source>Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.</source>
         <translation>Voxel werden gelesen, wie sie liegen: ein Schnitt braucht %1 ms, in Blöcken %2 ms.</translation>
     </message>
     <message>
-        <source>Timed on this machine when the first volume of about this size was opened: slices of 200 x 200 pixels in eight directions, one thread</source>
-        <translation>Auf diesem Rechner gemessen, als das erste Volumen etwa dieser Größe geöffnet wurde: Schnitte von 200 x 200 Pixeln in acht Richtungen, ein Thread</translation>
+        <source>Timed on this machine when the first volume of about this size was opened: slices of 200 x 140 pixels of every quality in directions of six kinds, one thread</source>
+        <translation>Auf diesem Rechner gemessen, als das erste Volumen etwa dieser Größe geöffnet wurde: Schnitte von 200 x 140 Pixeln jeder Qualität in Richtungen von sechs Arten, ein Thread</translation>
     </message>
     <message>
         <source>Time each setting on the open volume, around the present pose</source>

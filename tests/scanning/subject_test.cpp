@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,9 +14,45 @@
 
 namespace ew::subject_test {
 
-TEST(ScanVoxels, AreScannedInTheLayoutThatWasTimedToBeFasterOnce) {
-  const std::filesystem::path cache = std::filesystem::temp_directory_path() / ("echoweave_layouts_" + std::to_string(getpid()));
-  ASSERT_EQ(setenv("ECHOWEAVE_CACHE", cache.c_str(), 1), 0);
+nlohmann::json tableOf(const LayoutTimes& times) {
+  nlohmann::json table = {{"format", 2}};
+  for (const LayoutPair& pair : times.ofClass) {
+    table["rows_us"].push_back(pair.rows_us);
+    table["bricks_us"].push_back(pair.bricks_us);
+  }
+  return table;
+}
+
+/// Keeps what volumes are timed for in a folder of its own.
+class LayoutsKept : public ::testing::Test {
+ protected:
+  void SetUp() override { ASSERT_EQ(setenv("ECHOWEAVE_CACHE", cache_.c_str(), 1), 0); }
+  void TearDown() override {
+    ASSERT_EQ(unsetenv("ECHOWEAVE_CACHE"), 0);
+    std::filesystem::remove_all(cache_);
+  }
+  [[nodiscard]] nlohmann::json kept() const { return nlohmann::json::parse(std::ifstream(cache_ / "layouts.json")); }
+  void keep(const nlohmann::json& times) const {
+    nlohmann::json all = kept();
+    for (auto& [key, entry] : all.items()) entry = times;
+    std::ofstream(cache_ / "layouts.json") << all;
+  }
+  /// Whether every entry of the file has these times.
+  [[nodiscard]] bool holds(const LayoutTimes& times) const {
+    const nlohmann::json all = kept(), table = tableOf(times);
+    return !all.empty() && std::all_of(all.begin(), all.end(), [&table](const nlohmann::json& entry) { return entry == table; });
+  }
+  const std::filesystem::path cache_ = std::filesystem::temp_directory_path() / ("echoweave_layouts_" + std::to_string(getpid()));
+};
+
+/// Bricks are faster where `choice` says.
+LayoutTimes timesFor(const LayoutChoice& choice) {
+  LayoutTimes times;
+  for (std::size_t n = 0; n < SliceClass::kCount; ++n) times.ofClass[n] = {100.0, choice.test(n) ? 62.5 : 125.0};
+  return times;
+}
+
+TEST_F(LayoutsKept, AreTimedOnceForVolumesOfAboutASizeUnlessTheyAreSmall) {
   const auto small = ScanVoxels::of(test::waves());
   ASSERT_TRUE(small);
   EXPECT_EQ(small->bricks(), nullptr);
@@ -24,25 +61,54 @@ TEST(ScanVoxels, AreScannedInTheLayoutThatWasTimedToBeFasterOnce) {
   const auto large = ScanVoxels::of(test::waves(130));
   ASSERT_TRUE(large);
   ASSERT_TRUE(large->layoutTimes());
-  EXPECT_EQ(large->bricks() != nullptr, large->layoutTimes()->bricksAreFaster());
+  EXPECT_EQ(large->bricks() != nullptr, large->layoutTimes()->choice().any());
   const auto again = ScanVoxels::of(test::waves(140));  // between the same powers of two
   ASSERT_TRUE(again);
-  EXPECT_EQ(again->layoutTimes()->rows_us, large->layoutTimes()->rows_us);
+  EXPECT_EQ(again->layoutTimes(), large->layoutTimes()) << "the file gives back what was kept";
+  EXPECT_TRUE(holds(*large->layoutTimes()));
+}
 
-  for (const bool bricks : {true, false}) {
-    auto kept = nlohmann::json::parse(std::ifstream(cache / "layouts.json"));
-    for (auto& [key, times] : kept.items()) times = {{"rows_us", 100.0}, {"bricks_us", bricks ? 50.0 : 200.0}};
-    std::ofstream(cache / "layouts.json") << kept;
+TEST_F(LayoutsKept, DecideForEachClassOfSlices) {
+  ASSERT_TRUE(ScanVoxels::of(test::waves(130)));
+  for (const char* bits : {"000000000000000000", "111111111111111111", "101100111000110101"}) {
+    const LayoutChoice choice{std::string(bits)};
+    keep(tableOf(timesFor(choice)));
     const auto chosen = ScanVoxels::of(test::waves(130));
     ASSERT_TRUE(chosen);
-    EXPECT_EQ(chosen->bricks() != nullptr, bricks);
+    EXPECT_EQ(*chosen->layoutTimes(), timesFor(choice));
+    EXPECT_EQ(chosen->bricks() != nullptr, choice.any()) << "bricks that nothing reads are not made";
+    const SliceSource source = chosen->source(chosen->grid(), 0.0);
+    for (std::size_t n = 0; n < SliceClass::kCount; ++n)
+      EXPECT_EQ(source.inLayoutFor(SliceClass::at(n)).layout, choice.test(n) ? VoxelLayout::bricked : VoxelLayout::linear) << bits << n;
+    if (chosen->bricks()) {
+      EXPECT_EQ(chosen->source(chosen->grid(), 1e3).inLayoutFor({}).layout, VoxelLayout::linear) << "zoomed out, a coarser level";
+    }
+  }
+}
+
+TEST_F(LayoutsKept, AreTimedAgainWhenTheFileIsDamagedOrOld) {
+  const nlohmann::json good = tableOf(timesFor(LayoutChoice()));
+  const auto isTimedAgain = [&] {
+    const auto voxels = ScanVoxels::of(test::waves(130));
+    return voxels && voxels->layoutTimes() && *voxels->layoutTimes() != timesFor(LayoutChoice()) && holds(*voxels->layoutTimes());
+  };
+  ASSERT_TRUE(isTimedAgain()) << "no file";
+  keep(good);
+  EXPECT_FALSE(isTimedAgain());
+  keep({{"rows_us", 100.0}, {"bricks_us", 50.0}});
+  EXPECT_TRUE(isTimedAgain()) << "one pair for all slices, as formerly";
+  for (const char* patch :
+       {R"({"format": 1})", R"({"format": null})", R"({"rows_us": 100.0})", R"({"bricks_us": [1.0, 2.0]})",
+        R"({"rows_us": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,-1]})", R"({"bricks_us": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,"1"]})"}) {
+    nlohmann::json damaged = good;
+    damaged.merge_patch(nlohmann::json::parse(patch));
+    keep(damaged);
+    EXPECT_TRUE(isTimedAgain()) << patch;
   }
   for (const char* damaged : {"[", "[]", "{\"x\": 1}"}) {
-    std::ofstream(cache / "layouts.json") << damaged;
+    std::ofstream(cache_ / "layouts.json") << damaged;
     EXPECT_TRUE(ScanVoxels::of(test::waves(130))->layoutTimes()) << damaged;
   }
-  ASSERT_EQ(unsetenv("ECHOWEAVE_CACHE"), 0);
-  std::filesystem::remove_all(cache);
 }
 
 TEST(ScanVoxels, BricksShowTheSamePixelsUnlessTheyZoomOut) {

@@ -14,7 +14,6 @@
 #include "ew/imaging/effects/focus.h"
 #include "ew/imaging/effects/slice_thickness.h"
 #include "ew/imaging/frame.h"
-#include "ew/imaging/layout_times.h"
 #include "ew/imaging/scan_conversion.h"
 #include "ew/library/case.h"
 #include "ew/scanning/scanner.h"
@@ -58,7 +57,7 @@ struct World {
   Probe probe;
   BenchField field;
   Volume volume;      ///< the field; later with a bright ball in it
-  ScanVoxels voxels;  ///< of the volume as it is, in the layout that is faster
+  ScanVoxels voxels;  ///< of the volume as it is, in both layouts, as the program chooses
   Volume labels;      ///< 1 in the ball, 2 in a ball of fluid beside it
   std::vector<Pose> poses;
   std::vector<float> gaps_mm;  ///< of a face of which a sixth lies in air
@@ -73,10 +72,9 @@ constexpr glm::dvec3 kFluid_mm{25.0, 10.0, 8.0};
 /// As ScanVoxels::of lays them out, timed here and now instead of remembered.
 Result<void> layOut(World& world, Progress& progress) {
   const auto shared = std::shared_ptr<const Volume>(std::shared_ptr<const Volume>(), &world.volume);
-  auto bricked = ScanVoxels::inBricks(shared, 1, progress);
-  if (!bricked) return passOn(bricked.error());
-  const bool faster = timeLayouts(world.volume.view(), *bricked->bricks()).bricksAreFaster();
-  world.voxels = faster ? std::move(*bricked) : ScanVoxels::asStored(shared);
+  auto both = ScanVoxels::inBothLayouts(shared, 1, std::nullopt, progress);
+  if (!both) return passOn(both.error());
+  world.voxels = std::move(*both);
   return {};
 }
 

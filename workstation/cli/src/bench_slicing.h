@@ -21,9 +21,10 @@ struct BenchOptions {
 /// Times every slicer on one thread against vtkImageReslice (also on one thread) and measures each against an analytic band-limited
 /// field. Times are processor time of that thread, so that other programs disturb them little. The result is the `quality` and `steps` part
 /// of the report: {"machine", "threads", "slice_side", "poses", "results": [{"name", "method", "peer", "volume_side", "pose_kind",
-/// "layout", "median_us", "psnr_db", "psnr_double_db", "worst_grey"}], "ratios": [{"volume_side", "pose_kind", "quality", "times_faster"}],
-/// "threads_measured": [{"volume_side", "size", "one_us", "two_us", "times_faster"}], "promises": [{"what", "found", "bar", "passed"}],
-/// "steps": [{"name", "count", "median_us", "p99_us", "max_us"}]}.
+/// "layout" ("chosen" for each slice, "rows", "bricks"), "bricks_share", "median_us", "psnr_db", "psnr_double_db", "worst_grey"}],
+/// "ratios": [{"volume_side", "pose_kind", "quality", "times_faster"}], "layouts": [{"volume_side", "pose_kind", "quality", "rows_us",
+/// "bricks_us", "choice_us"}] (medians of each pose, means over poses), "threads_measured": [{"volume_side", "size", "one_us", "two_us",
+/// "times_faster"}], "promises": [{"what", "found", "bar", "passed"}], "steps": [{"name", "count", "median_us", "p99_us", "max_us"}]}.
 /// @error badUsage (an option outside its range), cancelled
 [[nodiscard]] Result<nlohmann::json> benchSlicing(const BenchOptions& options, Progress& progress);
 

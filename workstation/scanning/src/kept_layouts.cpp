@@ -13,6 +13,8 @@ namespace ew {
 namespace {
 
 constexpr const char* kFile = "layouts.json";
+// 1: one pair of times for all slices. Another number whenever the classes of slices or what is timed for them change.
+constexpr int kFormat = 2;
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kFile, 1u << 16);
@@ -32,19 +34,30 @@ std::optional<LayoutTimes> readLayoutTimes(const std::filesystem::path& folder, 
   const nlohmann::json kept = readKept(folder);
   const auto found = kept.find(keyOf(volume_bytes));
   if (found == kept.end() || !found->is_object()) return std::nullopt;
-  const auto time_us = [&](const char* name) {
-    const auto value = found->find(name);
-    return value != found->end() && value->is_number() ? value->get<double>() : 0.0;
+  const auto format = found->find("format");
+  if (format == found->end() || *format != kFormat) return std::nullopt;
+  LayoutTimes times;
+  const auto read = [&](const char* name, double LayoutPair::*time_us) {
+    const auto values = found->find(name);
+    if (values == found->end() || !values->is_array() || values->size() != times.ofClass.size()) return false;
+    for (std::size_t n = 0; n < times.ofClass.size(); ++n) {
+      const nlohmann::json& value = (*values)[n];
+      times.ofClass[n].*time_us = value.is_number() ? value.get<double>() : 0.0;
+      if (!std::isfinite(times.ofClass[n].*time_us) || times.ofClass[n].*time_us <= 0.0) return false;
+    }
+    return true;
   };
-  const LayoutTimes times{time_us("rows_us"), time_us("bricks_us")};
-  if (!std::isfinite(times.rows_us) || !std::isfinite(times.bricks_us) || times.rows_us <= 0.0 || times.bricks_us <= 0.0)
-    return std::nullopt;
+  if (!read("rows_us", &LayoutPair::rows_us) || !read("bricks_us", &LayoutPair::bricks_us)) return std::nullopt;
   return times;
 }
 
 void keepLayoutTimes(const std::filesystem::path& folder, std::uint64_t volume_bytes, const LayoutTimes& times) {
   nlohmann::json kept = readKept(folder);
-  kept[keyOf(volume_bytes)] = {{"rows_us", times.rows_us}, {"bricks_us", times.bricks_us}};
+  nlohmann::json& entry = kept[keyOf(volume_bytes)] = {{"format", kFormat}};
+  for (const LayoutPair& pair : times.ofClass) {
+    entry["rows_us"].push_back(pair.rows_us);
+    entry["bricks_us"].push_back(pair.bricks_us);
+  }
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   static_cast<void>(writeFileSafely(folder / kFile, kept.dump(2) + "\n"));

@@ -8,7 +8,8 @@
 
 namespace ew {
 
-/// What was timed on this processor with the instruction set in use, for volumes of about as many bytes (to a factor of two).
+/// What was timed on this processor with the instruction set in use, for volumes of about as many bytes (to a factor of two); nothing when
+/// it was not, is damaged or of another format.
 [[nodiscard]] std::optional<LayoutTimes> readLayoutTimes(const std::filesystem::path& folder, std::uint64_t volume_bytes);
 
 /// Keeps it for the next time. What cannot be kept is measured again.

@@ -38,25 +38,29 @@ Result<ScanVoxels> ScanVoxels::inBricks(std::shared_ptr<const Volume> volume, in
   return voxels;
 }
 
+Result<ScanVoxels> ScanVoxels::inBothLayouts(std::shared_ptr<const Volume> volume, int levels, const std::optional<LayoutTimes>& times,
+                                             Progress& progress) {
+  auto voxels = inBricks(std::move(volume), levels, progress);
+  if (voxels) voxels->layoutTimes_ = times ? *times : timeLayouts(voxels->volume_->view(), *voxels->bricks_);
+  return voxels;
+}
+
 Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress& progress) {
   EW_EXPECTS(volume != nullptr);
   if (isSmall(*volume) || !bricksFit(*volume)) return asStored(std::move(volume));
-  std::optional<LayoutTimes> times = readLayoutTimes(cacheFolder(), volume->echo.size());
+  const std::optional<LayoutTimes> times = readLayoutTimes(cacheFolder(), volume->echo.size());
   ScanVoxels stored = asStored(volume);
   stored.layoutTimes_ = times;
-  if (times && !times->bricksAreFaster()) return stored;
-  auto bricked = inBricks(volume, kLevels, progress);
-  if (!bricked) {
-    if (bricked.error().code == ErrorCode::cancelled) return bricked;
+  if (times && times->choice().none()) return stored;
+  auto both = inBothLayouts(volume, kLevels, times, progress);
+  if (!both) {
+    if (both.error().code == ErrorCode::cancelled) return both;
     return stored;  // memory ran out after all
   }
-  if (!times) {
-    times = timeLayouts(volume->view(), *bricked->bricks_);
-    keepLayoutTimes(cacheFolder(), volume->echo.size(), *times);
-  }
-  stored.layoutTimes_ = bricked->layoutTimes_ = times;
-  if (!times->bricksAreFaster()) return stored;
-  return bricked;
+  if (!times) keepLayoutTimes(cacheFolder(), volume->echo.size(), *both->layoutTimes_);
+  stored.layoutTimes_ = both->layoutTimes_;
+  if (both->layoutTimes_->choice().none()) return stored;
+  return both;
 }
 
 bool ScanVoxels::isSmall(const Volume& volume) { return volume.echo.size() <= kSmall_bytes; }
@@ -75,8 +79,11 @@ const Grid& ScanVoxels::grid() const {
 
 SliceSource ScanVoxels::source(const Grid& placed, double pixel_mm) const {
   EW_EXPECTS(!empty() && placed.dims == grid().dims);
-  if (bricks_) return bricks_->sourceFor(placed, pixel_mm);
-  return VolumeView<const std::uint8_t>{mapped_ ? mapped_->view().data : volume_->echo.data(), placed};
+  const VolumeView<const std::uint8_t> rows{mapped_ ? mapped_->view().data : volume_->echo.data(), placed};
+  if (!bricks_) return rows;
+  const SliceSource fitting = bricks_->sourceFor(placed, pixel_mm);
+  if (fitting.layout == VoxelLayout::linear) return fitting;  // a coarser level
+  return ew::inBothLayouts(rows, *bricks_, layoutTimes_ ? layoutTimes_->choice() : LayoutChoice().set());
 }
 
 Result<void> ScanVoxels::unchanged() const { return mapped_ ? mapped_->unchanged() : Result<void>(); }

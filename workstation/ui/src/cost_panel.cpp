@@ -43,8 +43,8 @@ CostPanel::CostPanel(Session& session, Jobs& jobs, QWidget* parent) : QDialog(pa
   layout_->setProperty("small", true);
   layout_->setWordWrap(true);
   layout_->setToolTip(
-      tr("Timed on this machine when the first volume of about this size was opened: slices of 200 x 200 pixels in eight "
-         "directions, one thread"));
+      tr("Timed on this machine when the first volume of about this size was opened: slices of 200 x 140 pixels of every quality in "
+         "directions of six kinds, one thread"));
   rows->addWidget(layout_);
 
   addWishes(rows);
@@ -184,10 +184,8 @@ void CostPanel::measure() {
        scene = session_.scene(), pose = session_.pose(), width = picture.width(),
        height = picture.height()](Progress& progress) -> Result<void> {
         CostOptions options;
-        options.bricks = voxels.bricks().get();
         options.threads = 0;  // as the window makes its own frames
-        const SliceSource echo = VolumeView<const std::uint8_t>{voxels.volume()->echo.data(), grid};
-        auto measured = measureCostOfAccuracy(echo, probe, knobs, scene, pose, width, height, options, progress);
+        auto measured = measureCostOfAccuracy(voxels.source(grid, 0.0), probe, knobs, scene, pose, width, height, options, progress);
         if (!measured) return passOn(measured.error());
         *result = std::move(*measured);
         return {};
@@ -242,17 +240,23 @@ void CostPanel::useFastest() {
   answer_->setText(tr("In use: %1.").arg(name));
 }
 
-/// Which layout of the voxels is in use, and what it was chosen by; nothing where nobody asked.
+/// Which layouts of the voxels are in use, and what they were chosen by; nothing where nobody asked.
 void CostPanel::showLayout() {
   const auto& subject = session_.subject();
   const auto times = subject ? subject->voxels.layoutTimes() : std::nullopt;
   layout_->setVisible(times.has_value());
   if (!times) return;
   const auto ms = [](double time_us) { return QLocale().toString(1e-3 * time_us, 'f', 2); };
-  layout_->setText(
-      subject->voxels.bricks()
-          ? tr("Voxels are read in bricks: a slice takes %1 ms, as they lie %2 ms.").arg(ms(times->bricks_us), ms(times->rows_us))
-          : tr("Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.").arg(ms(times->rows_us), ms(times->bricks_us)));
+  const LayoutPair mean = times->mean();
+  const QString rows_ms = ms(mean.rows_us), bricks_ms = ms(mean.bricks_us);
+  if (!subject->voxels.bricks())
+    layout_->setText(tr("Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.").arg(rows_ms, bricks_ms));
+  else if (times->choice().all())
+    layout_->setText(tr("Voxels are read in bricks: a slice takes %1 ms, as they lie %2 ms.").arg(bricks_ms, rows_ms));
+  else
+    layout_->setText(tr("Voxels are read in bricks or as they lie, whichever is faster in the slice's direction: a slice takes %1 ms, in "
+                        "bricks alone %2 ms, as they lie alone %3 ms.")
+                         .arg(ms(times->chosen_us()), bricks_ms, rows_ms));
 }
 
 void CostPanel::showAll() {

@@ -91,7 +91,7 @@ struct Bench {
     std::vector<double> times_ms;
     for (const Pose& pose : poses) {
       FrameInput input;
-      input.echo = options.bricks != nullptr ? options.bricks->source(echo.grid) : echo;
+      input.echo = echo;
       input.pose = pose;
       for (int n = 0; n <= options.repeats; ++n) {
         if (progress.cancelRequested()) return -1.0;

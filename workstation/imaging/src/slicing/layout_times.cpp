@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <vector>
 
 #include "ew/imaging/slicing.h"
 
@@ -15,10 +16,11 @@ namespace {
 
 using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
-constexpr int kSide_px = 200;
-constexpr int kPoses = 8;
-constexpr double kEnough_us = 1e5;
-constexpr std::array kQualities = {Quality::weave, Quality::linear, Quality::cubic};
+constexpr int kWidth_px = 200, kHeight_px = 140;  // a band: two thirds of the time of a square
+constexpr int kDirections = 2;                    ///< of each class
+constexpr int kSlides = 3;                        ///< planes of a direction, as a hand slides: most frames find a part of their voxels near
+constexpr double kSlide_voxel = 1.3;
+constexpr double kEnough_us = 1.2e5;
 
 /// Of the calling thread: what other programs take from it meanwhile does not count.
 double processorTime_us() {
@@ -27,43 +29,99 @@ double processorTime_us() {
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// Planes through the middle: half of them turned any way, half near one another like those of a hand.
-ImageToVoxel planeOf(const glm::ivec3& dims, int pose) {
-  const auto t = static_cast<double>(pose);
-  const bool smooth = pose % 2 == 1;
-  const glm::dvec3 axis =
-      smooth ? glm::dvec3(0.8, 0.3, 0.5) : glm::dvec3(std::sin(2.4 * t + 0.3), std::cos(1.7 * t), std::sin(3.1 * t + 1.0));
-  const glm::dmat3 axes = glm::mat3_cast(glm::angleAxis(smooth ? 0.5 + 0.05 * t : 0.7 + 0.9 * t, glm::normalize(axis)));
+/// The n-th of orientations that are spread over all, in pixels of `pixel_voxel`; centred on the middle of the volume.
+ImageToVoxel planeOf(const glm::ivec3& dims, int n, double pixel_voxel) {
+  const double t = n;
+  const glm::dvec3 axis(std::sin(2.4 * t + 0.3), std::cos(1.7 * t), std::sin(3.1 * t + 1.0));
+  const glm::dmat3 axes = glm::mat3_cast(glm::angleAxis(0.7 + 0.9 * t, glm::normalize(axis)));
   ImageToVoxel plane;
-  for (int a = 0; a < 3; ++a) plane.matrix[a] = glm::dvec4(axes[a], 0.0);
-  plane.matrix[3] = glm::dvec4(0.5 * glm::dvec3(dims - 1) - 0.5 * (kSide_px - 1) * (axes[0] + axes[1]), 1.0);
+  for (int a = 0; a < 3; ++a) plane.matrix[a] = glm::dvec4(pixel_voxel * axes[a], 0.0);
+  const glm::dvec3 halfDiagonal_voxel = 0.5 * pixel_voxel * ((kWidth_px - 1.0) * axes[0] + (kHeight_px - 1.0) * axes[1]);
+  plane.matrix[3] = glm::dvec4(0.5 * glm::dvec3(dims - 1) - halfDiagonal_voxel, 1.0);
   return plane;
+}
+
+/// Slices of one class. Frames of linear and cubic sampling mostly have several pixels a voxel, so where the class allows it every second
+/// direction is one of these.
+std::vector<ImageToVoxel> planesOf(const SliceClass& wanted, const glm::ivec3& dims) {
+  std::vector<ImageToVoxel> planes;
+  const bool hasFine = wanted.quality != Quality::weave && wanted.meets != SliceClass::Meets::many;
+  for (int n = 0, found = 0; found < kDirections; ++n) {
+    const ImageToVoxel first = planeOf(dims, n, hasFine && found % 2 == 1 ? 0.5 : 1.0);
+    if (sliceClassOf(wanted.quality, glm::dvec3(first.matrix[0]), glm::dvec3(first.matrix[1])) != wanted) continue;
+    ++found;
+    for (int slide = 0; slide < kSlides; ++slide) {
+      planes.push_back(first);
+      planes.back().matrix[3] += kSlide_voxel * slide * glm::normalize(first.matrix[2]);
+    }
+  }
+  return planes;
+}
+
+/// The least time of each plane of a class, rounds apart.
+struct TimedClass {
+  std::vector<ImageToVoxel> planes;
+  std::array<std::vector<double>, 2> least_us;  ///< from rows, from bricks
+};
+
+double logMean_us(const std::vector<double>& times_us) {
+  double sum = 0.0;
+  for (const double time_us : times_us) sum += std::log(time_us);
+  return std::exp(sum / static_cast<double>(times_us.size()));
 }
 
 }  // namespace
 
+LayoutChoice LayoutTimes::choice() const {
+  LayoutChoice choice;
+  for (std::size_t n = 0; n < ofClass.size(); ++n) choice.set(n, ofClass[n].bricksAreFaster());
+  return choice;
+}
+
+LayoutPair LayoutTimes::mean() const {
+  LayoutPair sum;
+  for (const LayoutPair& pair : ofClass) {
+    sum.rows_us += std::log(pair.rows_us) / static_cast<double>(ofClass.size());
+    sum.bricks_us += std::log(pair.bricks_us) / static_cast<double>(ofClass.size());
+  }
+  return {std::exp(sum.rows_us), std::exp(sum.bricks_us)};
+}
+
+double LayoutTimes::chosen_us() const {
+  double sum = 0.0;
+  for (const LayoutPair& pair : ofClass) sum += std::log(pair.faster_us()) / static_cast<double>(ofClass.size());
+  return std::exp(sum);
+}
+
 LayoutTimes timeLayouts(const VolumeView<const std::uint8_t>& volume, const BrickedVolume& bricks) {
   const std::array<SliceSource, 2> sources = {SliceSource(volume), bricks.source(volume.grid)};
-  constexpr std::size_t kCases = kQualities.size() * kPoses;
-  std::array<std::array<double, kCases>, 2> least_us;
-  for (auto& row : least_us) row.fill(std::numeric_limits<double>::infinity());
+  std::array<TimedClass, SliceClass::kCount> classes;
+  for (std::size_t n = 0; n < classes.size(); ++n) {
+    classes[n].planes = planesOf(SliceClass::at(n), volume.grid.dims);
+    for (auto& times_us : classes[n].least_us) times_us.assign(classes[n].planes.size(), std::numeric_limits<double>::infinity());
+  }
   SliceScratch scratch;
-  GreyImage image(kSide_px, kSide_px);
+  GreyImage image(kWidth_px, kHeight_px);
   const double begun_us = processorTime_us();
-  // Once round warms up; two more at least, so that a disturbance does not decide.
+  // Three rounds at least, so that a disturbance does not decide. All classes take part in each, so that a round begins with voxels that
+  // are as far away as a hand finds them.
   for (int round = 0; round < 3 || processorTime_us() - begun_us < kEnough_us; ++round)
-    for (std::size_t n = 0; n < kCases; ++n)
-      for (std::size_t layout = 0; layout < sources.size(); ++layout) {
-        const double start_us = processorTime_us();
-        slice(kQualities[n / kPoses], sources[layout], planeOf(volume.grid.dims, static_cast<int>(n % kPoses)), viewOf(image), scratch);
-        if (round > 0) least_us[layout][n] = std::min(least_us[layout][n], std::max(processorTime_us() - start_us, 0.1));
-      }
-  const auto mean_us = [&](std::size_t layout) {
-    double sum = 0.0;
-    for (const double time_us : least_us[layout]) sum += std::log(time_us);
-    return std::exp(sum / kCases);
-  };
-  return {mean_us(0), mean_us(1)};
+    for (std::size_t n = 0; n < classes.size(); ++n) {
+      TimedClass& timed = classes[n];
+      const Quality quality = SliceClass::at(n).quality;
+      for (std::size_t first = 0; first < timed.planes.size(); first += kSlides)
+        for (std::size_t layout = 0; layout < sources.size(); ++layout)
+          for (std::size_t at = first; at < first + kSlides; ++at) {
+            const double start_us = processorTime_us();
+            slice(quality, sources[layout], timed.planes[at], viewOf(image), scratch);
+            double& least_us = timed.least_us[layout][at];
+            least_us = std::min(least_us, std::max(processorTime_us() - start_us, 0.1));
+          }
+    }
+  LayoutTimes times;
+  for (std::size_t n = 0; n < classes.size(); ++n)
+    times.ofClass[n] = {logMean_us(classes[n].least_us[0]), logMean_us(classes[n].least_us[1])};
+  return times;
 }
 
 }  // namespace ew

@@ -38,7 +38,8 @@ bool reachesInRange(const glm::dmat4& imageToVoxel, int height) {
 void slicePlane(Quality quality, const SliceSource& source, const ImageToVoxel& imageToVoxel, const Clipping& clipping, Rows rows,
                 ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
-  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]), out.width, scratch);
+  const SliceSource chosen = source.inLayoutFor(sliceClassOf(quality, glm::dvec3(m[0]), glm::dvec3(m[1])));
+  TemplateLine line = detail::layTemplate(chosen, glm::dvec3(m[0]), out.width, scratch);
   line.empty = line.empty || !reachesInRange(m, out.height);
   RowSampler sampler(quality);
   for (int y = rows.begin; y < rows.end; ++y) {
@@ -69,9 +70,11 @@ void sliceZoomedIn(const SliceSource& source, const ImageToVoxel& imageToVoxel, 
                    ImageView<std::uint8_t> out, SliceScratch& scratch) {
   const glm::dmat4& m = imageToVoxel.matrix;
   const auto scale = [](int pixels, int samples) { return samples > 1 ? static_cast<double>(pixels - 1) / (samples - 1) : 0.0; };
-  TemplateLine line = detail::layTemplate(source, glm::dvec3(m[0]) * scale(out.width, columns), columns, scratch);
-  line.empty = line.empty || !reachesInRange(m, out.height);
+  const glm::dvec3 step_voxel = glm::dvec3(m[0]) * scale(out.width, columns);
   const glm::dvec3 downwards_voxel = glm::dvec3(m[1]) * scale(out.height, rows);
+  const SliceSource chosen = source.inLayoutFor(sliceClassOf(Quality::weave, step_voxel, downwards_voxel));
+  TemplateLine line = detail::layTemplate(chosen, step_voxel, columns, scratch);
+  line.empty = line.empty || !reachesInRange(m, out.height);
 
   const auto width = static_cast<std::size_t>(out.width);
   const auto sampleCount = static_cast<std::size_t>(columns);
@@ -117,6 +120,15 @@ void sliceClipped(Quality quality, const SliceSource& source, const ImageToVoxel
   sliceZoomedIn(source, imageToVoxel, columns, rows, clipping, asked, out, scratch);
 }
 
+/// That of the middle one of rows that lie beside one another. A row alone is too little to matter.
+SliceClass classOf(Quality quality, std::span<const SampleRow> rows) {
+  if (rows.empty()) return {quality};
+  const std::size_t at = rows.size() / 2;
+  const SampleRow &row = rows[at], &before = rows[at > 0 ? at - 1 : 0];
+  const double middle = 0.5 * (row.span.begin + row.span.end);
+  return sliceClassOf(quality, row.step_voxel, row.start_voxel - before.start_voxel + middle * (row.step_voxel - before.step_voxel));
+}
+
 Clipping wholeImage(const ImageView<std::uint8_t>& out) { return {{}, {0, out.width}}; }
 
 }  // namespace
@@ -154,12 +166,13 @@ void sampleRows(Quality quality, const SliceSource& source, std::span<const Samp
                 SliceScratch& scratch) {
   int width = 0;
   for (const SampleRow& row : rows) width = std::max(width, row.span.end);
+  const SliceSource chosen = source.inLayoutFor(classOf(quality, rows));
   RowSampler sampler(quality);
   TemplateLine line;
   for (const SampleRow& row : rows) {
     EW_EXPECTS(row.row >= 0 && row.row < out.height && row.span.begin >= 0 && row.span.end <= out.width);
     // The lines of a linear array share their step, and so their template.
-    if (line.empty || line.step_voxel != row.step_voxel) line = detail::layTemplate(source, row.step_voxel, width, scratch);
+    if (line.empty || line.step_voxel != row.step_voxel) line = detail::layTemplate(chosen, row.step_voxel, width, scratch);
     sampler.sample(line, row.start_voxel, row.span, out.row(row.row));
   }
   sampler.finish();

@@ -36,12 +36,12 @@ struct CostOptions {
   int poses = 5;    ///< around the one given: turned and tipped by up to 12 degrees, the same ones every time
   int repeats = 3;  ///< frames timed for each pose; one more before them warms up
   int threads = 1;
-  const BrickedVolume* bricks = nullptr;  ///< what the frames read where the volume is kept in bricks as well
   bool operator==(const CostOptions&) const = default;
 };
 
 /// Measures on the machine it runs on. Times are wall-clock time of FrameMaker, errors are of the slice alone: gain, effects and display
 /// act behind it and would hide or magnify them.
+/// @param echo  rows, perhaps with bricks beside them, which frames then read as elsewhere
 /// @param knobs, scene what is in use; noise, persistence and M-mode are left out, because with them frames of one pose differ
 /// @param width, height of the picture, >= 1
 /// @error cancelled (within 0.1 s, or the time of one frame), notRigid or badField for a pose that gives no picture, emptyVolume when the

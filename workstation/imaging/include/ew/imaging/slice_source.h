@@ -6,22 +6,23 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/layout_choice.h"
 
 namespace ew {
 
-/// How voxels lie in memory: i, j, k after one another, or in bricks that each fill one line of the cache
-/// (timeLayouts tells which is faster; resources/decisions/0013 and 0030 have the figures).
-enum class VoxelLayout { linear, bricked };
-
-/// Voxels as the slicers read them; someone else owns the memory.
+/// Voxels as the slicers read them, in one layout or in both; someone else owns the memory. Pictures are the same from both.
 struct SliceSource {
   const std::uint8_t* voxels = nullptr;
   Grid grid;
-  VoxelLayout layout = VoxelLayout::linear;
+  VoxelLayout layout = VoxelLayout::linear;  ///< of `voxels`
+  const std::uint8_t* bricks = nullptr;      ///< the same voxels in bricks, for the slices of `choice`; null: every slice reads `voxels`
+  LayoutChoice choice;
 
   SliceSource() = default;
   SliceSource(const VolumeView<const std::uint8_t>& volume) : voxels(volume.data), grid(volume.grid) {}
   [[nodiscard]] bool empty() const { return voxels == nullptr || grid.voxelCount() == 0; }
+  /// In the one layout that `choice` names for such slices.
+  [[nodiscard]] SliceSource inLayoutFor(const SliceClass& slice) const;
 };
 
 /// A copy of a volume in bricks, and of coarser levels for zooming out when asked for: level n halves level n - 1 by means of 2 x 2 x 2
@@ -45,6 +46,10 @@ class BrickedVolume {
 /// @param levels >= 1: the finest in bricks, and levels - 1 coarser ones
 /// @error cancelled (within 0.1 s), tooLarge (no memory)
 [[nodiscard]] Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
+
+/// Rows, and bricks made of them: each slice reads what `choice` says (timeLayouts makes one).
+[[nodiscard]] SliceSource inBothLayouts(const VolumeView<const std::uint8_t>& rows, const BrickedVolume& bricks,
+                                        const LayoutChoice& choice);
 
 /// Bytes that bricksOf holds for a volume of these dims.
 [[nodiscard]] std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels);

@@ -24,13 +24,17 @@ struct Provenance;
 class ScanVoxels {
  public:
   ScanVoxels() = default;
-  /// Bricks are made beside the volume where they make slices faster and at least half of the free memory stays free. Which layout is
-  /// faster is timed at the first volume of about this size, which takes a tenth of a second, and kept in the cache (decision 0030).
+  /// Bricks are made beside the volume where they make some slices faster and at least half of the free memory stays free. Which layout
+  /// is faster for which slices is timed at the first volume of about this size, which takes 0.15 s, and kept in the cache (decision 0030).
   /// @error cancelled
   [[nodiscard]] static Result<ScanVoxels> of(std::shared_ptr<const Volume> volume, Progress& progress = noProgress());
   /// The volume as it lies: for a few slices that are not worth the bricks.
   [[nodiscard]] static ScanVoxels asStored(std::shared_ptr<const Volume> volume);
-  /// Bricks in `levels` resolutions, whatever they cost. @error as bricksOf
+  /// Bricks in `levels` resolutions beside the rows; each slice is read as `times` says, which nothing makes measure here and now.
+  /// @error as bricksOf
+  [[nodiscard]] static Result<ScanVoxels> inBothLayouts(std::shared_ptr<const Volume> volume, int levels,
+                                                        const std::optional<LayoutTimes>& times, Progress& progress = noProgress());
+  /// Bricks in `levels` resolutions for every slice, whatever they cost. @error as bricksOf
   [[nodiscard]] static Result<ScanVoxels> inBricks(std::shared_ptr<const Volume> volume, int levels, Progress& progress = noProgress());
   /// Voxels that stay in their file.
   [[nodiscard]] static ScanVoxels of(std::shared_ptr<const MappedVolume> mapped);
@@ -38,7 +42,7 @@ class ScanVoxels {
   [[nodiscard]] bool empty() const { return volume_ == nullptr && mapped_ == nullptr; }
   /// Too small for a layout to matter: a megabyte at most, which the processor keeps near.
   [[nodiscard]] static bool isSmall(const Volume& volume);
-  /// What a slice costs from either layout; nothing where that was not asked.
+  /// What slices cost from either layout; nothing where that was not asked.
   [[nodiscard]] const std::optional<LayoutTimes>& layoutTimes() const { return layoutTimes_; }
   /// The grid of the voxels' own, before anybody placed them.
   [[nodiscard]] const Grid& grid() const;
@@ -47,7 +51,7 @@ class ScanVoxels {
   [[nodiscard]] SliceSource source(const Grid& placed, double pixel_mm) const;
   /// Null when they stay in their file.
   [[nodiscard]] const std::shared_ptr<const Volume>& volume() const { return volume_; }
-  /// Null when they are sliced as they lie.
+  /// Null when every slice reads them as they lie.
   [[nodiscard]] const std::shared_ptr<const BrickedVolume>& bricks() const { return bricks_; }
   /// @error notReadable when a file they stay in was changed since
   [[nodiscard]] Result<void> unchanged() const;
