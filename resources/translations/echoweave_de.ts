@@ -4,6 +4,78 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>of the carrier</source>
+        <translation>des Trägers</translation>
+    </message>
+    <message>
+        <source>of each neighbouring line</source>
+        <translation>jeder Nachbarlinie</translation>
+    </message>
+    <message>
+        <source>scatter of the scatterers&apos; strength</source>
+        <translation>Streuung der Stärke der Streuer</translation>
+    </message>
+    <message>
+        <source>little walls of all directions</source>
+        <translation>kleine Wände aller Richtungen</translation>
+    </message>
+    <message>
+        <source>above the tissue around them</source>
+        <translation>über dem Gewebe um sie</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 5</source>
+        <translation>eine ganze Zahl von 1 bis 5</translation>
+    </message>
+    <message>
+        <source>a number from 0.5 to 6 (of the carrier)</source>
+        <translation>eine Zahl von 0,5 bis 6 (des Trägers)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 10 (in the smallest resolution cell)</source>
+        <translation>eine Zahl von 1 bis 10 (in der kleinsten Auflösungszelle)</translation>
+    </message>
+    <message>
+        <source>a number from 3 to 10 (along a line)</source>
+        <translation>eine Zahl von 3 bis 10 (entlang einer Linie)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 3 (of the slice, in standard deviations)</source>
+        <translation>eine Zahl von 1 bis 3 (der Schicht, in Standardabweichungen)</translation>
+    </message>
+    <message>
+        <source>a number from 0.2 to 1 (of the probe&apos;s widest aperture)</source>
+        <translation>eine Zahl von 0,2 bis 1 (der größten Apertur des Schallkopfs)</translation>
+    </message>
+    <message>
+        <source>a number from 1 to 3 (1 without a filter across lines)</source>
+        <translation>eine Zahl von 1 bis 3 (1 ohne Filter quer zu den Linien)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 0.3 (of each neighbouring line)</source>
+        <translation>eine Zahl von 0 bis 0,3 (jeder Nachbarlinie)</translation>
+    </message>
+    <message>
+        <source>a number from -30 to 30 (decibels; 0 is neutral)</source>
+        <translation>eine Zahl von -30 bis 30 (Dezibel; 0 ist neutral)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 6 (scatter of the scatterers&apos; strength)</source>
+        <translation>eine Zahl von 0 bis 6 (Streuung der Stärke der Streuer)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 37 (little walls of all directions)</source>
+        <translation>eine Zahl von 0 bis 37 (kleine Wände aller Richtungen)</translation>
+    </message>
+    <message>
+        <source>a number from -20 to 40 (above the tissue around them)</source>
+        <translation>eine Zahl von -20 bis 40 (über dem Gewebe um sie)</translation>
+    </message>
+    <message>
+        <source>a number from -80 to -10 (below the echoes beside a line)</source>
+        <translation>eine Zahl von -80 bis -10 (unter den Echos neben einer Linie)</translation>
+    </message>
+    <message>
         <source>in the smallest resolution cell</source>
         <translation>in der kleinsten Auflösungszelle</translation>
     </message>

@@ -72,7 +72,7 @@ void visitFields(Visitor& field, const LiveEchoesEffect*) {
   field.number("reach", &LiveEchoesEffect::reach, 1.0, 3.0, say<"of the slice, in standard deviations">);
   field.number("aperture_share", &LiveEchoesEffect::apertureShare, 0.2, 1.0, say<"of the probe's widest aperture">);
   field.number("line_filter_width", &LiveEchoesEffect::lineFilterWidth, 1.0, 3.0, say<"1 without a filter across lines">);
-  field.number("line_average", &LiveEchoesEffect::lineAverage, 0.0, 1.0 / 3.0, say<"of each neighbouring line">);
+  field.number("line_average", &LiveEchoesEffect::lineAverage, 0.0, 0.3, say<"of each neighbouring line">);
   field.number("gain_db", &LiveEchoesEffect::gain_db, -30.0, 30.0, say<"decibels; 0 is neutral">);
   field.number("texture_db", &LiveEchoesEffect::texture_db, 0.0, 6.0, say<"scatter of the scatterers' strength">);
   field.number("fragments_per_cm3", &LiveEchoesEffect::fragmentsPerCm3, 0.0, 37.0, say<"little walls of all directions">);

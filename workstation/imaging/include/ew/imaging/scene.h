@@ -66,17 +66,17 @@ struct ContactEffect {
 /// effects/live_echoes.h: echoes formed anew for each frame from what is known of the tissue; acts on subjects with tissue maps alone.
 struct LiveEchoesEffect {
   int looks = 3;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
-  double pulseCycles = 2.2;        ///< length of the whole pulse (full width at half maximum of its amplitude), in periods, 0.5..6
+  double pulseCycles = 2.3;        ///< length of the whole pulse (full width at half maximum of its amplitude), in periods, 0.5..6
   double scatterersPerCell = 3.5;  ///< in the smallest resolution cell, 1..10; below 3 speckle is no longer fully developed
   double samplesPerPulse = 6.0;    ///< along a line, within the pulse's full width at half maximum, 3..10
   double reach = 2.2;             ///< of the elevational beam, in standard deviations, 1..3: what lies farther beside the slice is left out
-  double apertureShare = 0.7;     ///< of the probe's widest aperture that is active, 0.2..1
-  double lineFilterWidth = 1.1;   ///< how much neighbouring lines, added up, widen the beam, 1..3
-  double lineAverage = 0.25;      ///< what each neighbouring line adds to the envelope of a line, 0..1/3
-  double gain_db = 5.0;           ///< between the levels of the maps and those of the picture, -30..30
-  double texture_db = 1.6;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
+  double apertureShare = 0.75;    ///< of the probe's widest aperture that is active, 0.2..1
+  double lineFilterWidth = 1.0;   ///< how much neighbouring lines, added up, widen the beam, 1..3
+  double lineAverage = 0.25;      ///< what each neighbouring line adds to the envelope of a line, 0..0.3
+  double gain_db = 6.5;           ///< between the levels of the maps and those of the picture, -30..30
+  double texture_db = 1.2;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
-  double fragment_db = 11.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
+  double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
   double haze_db = -29.0;         ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
   bool operator==(const LiveEchoesEffect&) const = default;
 };
