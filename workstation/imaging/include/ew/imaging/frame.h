@@ -36,7 +36,7 @@ enum class StepKind {
   black,  ///< recorded black, opened for a gain in decibels
   noise,
   envelope,  ///< of live echoes: pulse, looks, logarithm
-  gain,  ///< gain, TGC and dynamic range in decibels
+  gain,      ///< gain, TGC and dynamic range in decibels
   mMode,
   scanConversion,
   edges,
