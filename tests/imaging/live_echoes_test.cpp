@@ -140,6 +140,7 @@ TEST(LiveEchoes, HaveTheLevelOfTheTissueAtEveryDepthAndWithAnyNumberOfLooks) {
 TEST(LiveEchoes, AreFullyDevelopedSpeckle) {
   const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 150.0; });
   Shot shot;
+  shot.probe.lines = 400;  // what lies between lines is a mean of their levels
   std::vector<double> amplitudes;
   for (const double level : levelsBetween(pictureOf(maps, shot), shot, 30.0, 110.0, 40.0))
     amplitudes.push_back(std::pow(10.0, (level - 255.0) / kGreyPerDb / 20.0));
@@ -290,6 +291,7 @@ TEST(LiveEchoes, CostASceneNothingThatDoesNotAskForThem) {
   const DisplayGeometry geometry = fitDisplay(probe, knobs, 640, 480, {});
   Grid grid;
   grid.dims = glm::ivec3(100);
+  scene.liveEchoes.reset();
   EXPECT_FALSE(formsEchoes(scene));
   EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, true), makePlan(probe, knobs, scene, geometry, grid, true));
   const Plan recorded = makePlan(probe, knobs, scene, geometry, grid, true);

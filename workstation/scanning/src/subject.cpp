@@ -146,7 +146,7 @@ ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
   ScanSubject subject = subjectOf(contents.voxels, titleForTrainees(edited));
   subject.labels = contents.labels;
   subject.tissue = contents.tissue;
-  subject.scene = sceneWithTissues(edited.scene, contents.tissues);
+  subject.scene = subject.known(sceneWithTissues(edited.scene, contents.tissues));
   subject.probes = edited.probes;
   subject.startPose = edited.startPose;
   subject.place(ownToWorldOf(edited, contents));

@@ -36,6 +36,9 @@ void ConsolePanel::addEffect(QVBoxLayout* rows, const EffectInfo& effect) {
   shows_.emplace_back([this, box, &effect] {
     if (effect.isOn(session_.scene())) effect.copy(session_.scene(), remembered_);
     box->setChecked(effect.isOn(session_.scene()));
+    Scene with = remembered_;
+    effect.switchTo(with, true);
+    box->setEnabled(!session_.subject() || effect.isOn(session_.subject()->known(with)));
   });
   if (effect.strength)
     addStrength(rows, effect, *effect.strength);

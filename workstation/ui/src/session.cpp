@@ -125,7 +125,7 @@ void Session::setTitle(const std::string& title) {
 }
 
 void Session::takeScene(const Scene& scene) {
-  live_.scene = scene;
+  live_.scene = subject() ? subject()->known(scene) : scene;
   recent_.clear();
   due();
   Q_EMIT sceneChanged();
@@ -150,8 +150,10 @@ void Session::undoSceneReset() {
   takeScene(before);
 }
 
-void Session::setCaseScene(const Scene& scene) {
-  if (!subject() || subject()->scene == scene) return;
+void Session::setCaseScene(const Scene& asked) {
+  if (!subject()) return;
+  const Scene scene = subject()->known(asked);
+  if (subject()->scene == scene) return;
   scanner_.setScene(scene);
   sceneBeforeReset_.reset();
   takeScene(scene);

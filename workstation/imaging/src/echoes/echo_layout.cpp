@@ -85,12 +85,16 @@ void layLooks(EchoLayout& layout) {
       turn.push_back(static_cast<float>(-std::sin(step * column)));
     }
   }
-  if (looks == 1) return;
   // The mean of the logarithm rises with the number of looks: their averaged amplitude has the mean sqrt(pi) / 2 and the squared
   // coefficient of variation 4 / pi - 1 over the independent looks among them.
   const double independent = looks * looks / (looks + 2.0 * (looks - 1) * std::exp(-2.0));
   const double mean_db = 10.0 * std::log10(0.25 * std::numbers::pi) - 0.5 * 8.685889638 * (4.0 / std::numbers::pi - 1.0) / independent;
-  layout.lookScale = std::pow(10.0, -0.05 * (mean_db + kMeanOfLog_db));
+  if (looks > 1) layout.lookScale = std::pow(10.0, -0.05 * (mean_db + kMeanOfLog_db));
+  for (int look = 0; look < looks; ++look) {
+    // Scatterers that are shared by two columns lose 1 - (1 - cos) / 3 of their power at a carrier that turns so far in a column.
+    const double step = (look - 0.5 * (looks - 1)) * layout.beams.lookStep_radPerMm() * layout.grid.sampleSpacing_mm;
+    layout.lookShare.push_back(static_cast<float>(layout.lookScale / (looks * std::sqrt(1.0 - (1.0 - std::cos(step)) / 3.0))));
+  }
 }
 
 /// As few scatterers as the smallest resolution cell needs.

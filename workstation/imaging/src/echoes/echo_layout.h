@@ -35,6 +35,7 @@ struct EchoLayout {
   std::vector<float> pulse;               ///< by distance in columns
   std::vector<std::vector<float>> turns;  ///< by look: the phase that brings its carrier to the middle, per column, as (cos, sin)
   double lookScale = 1.0;                 ///< keeps the mean level that one look has
+  std::vector<float> lookShare;           ///< by look: of its envelope
 
   [[nodiscard]] double depthOfColumn_mm(double column) const { return (column - columnPadding) * grid.sampleSpacing_mm; }
   [[nodiscard]] double rowSpacing_mm(double atDepth_mm) const { return grid.lineSpacing_mm(atDepth_mm) / rowsPerLine; }

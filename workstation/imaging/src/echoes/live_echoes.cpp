@@ -136,7 +136,6 @@ void LiveEchoes::addHaze(int line, std::span<float> out) {
 
 void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes) {
   const int samples = layout_.grid.samples;
-  const auto share = static_cast<float>(layout_.lookScale / static_cast<double>(layout_.turns.size()));
   const auto perDoubling = static_cast<float>(20.0 * std::log10(2.0) * greyPerDb);
   constexpr int kGroup = 8;  // lines that are written side by side
   bands.run((echoes.width + kGroup - 1) / kGroup, [&](int firstGroup, int groups, int slot) {
@@ -156,14 +155,14 @@ void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> e
         }
         float* levels = mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples;
         std::fill(levels, levels + samples, 0.0F);
-        for (const std::vector<float>& turn : layout_.turns) {
+        for (std::size_t look = 0; look < layout_.turns.size(); ++look) {
           const float* in = mine.line.data();
           if (layout_.turns.size() > 1) {
-            turnComplex(in, turn.data(), layout_.columns, mine.turned.data());
+            turnComplex(in, layout_.turns[look].data(), layout_.columns, mine.turned.data());
             in = mine.turned.data();
           }
-          addEnvelope(in + 2 * layout_.columnPadding, layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1, share, samples,
-                      levels);
+          addEnvelope(in + 2 * layout_.columnPadding, layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1,
+                      layout_.lookShare[look], samples, levels);
         }
       }
       for (int s = 0; s < samples; ++s) {

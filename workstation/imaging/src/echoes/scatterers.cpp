@@ -69,6 +69,9 @@ HWY_INLINE F blendBytes(I word, F t) {
   return plus(low, times(hn::Sub(high, low), t));
 }
 
+/// NearestInt rounds halves differently on different instruction sets.
+HWY_INLINE I roundedOf(F x) { return hn::ConvertTo(DI(), hn::Floor(plus(x, set(0.5F)))); }
+
 HWY_INLINE F nearestWhole(F x) {
   const auto magic = set(12582912.0F);  // 1.5 * 2^23: adding it leaves no room for a fraction
   return hn::Sub(plus(x, magic), magic);
@@ -176,8 +179,8 @@ HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F p
   HWY_ALIGN std::int32_t cells[kLanes], quads[4 * kLanes];
   const auto laterRe = times(re, part), laterIm = times(im, part);
   hn::Store(cell, di, cells);
-  hn::StoreInterleaved4(hn::NearestInt(hn::Sub(re, laterRe)), hn::NearestInt(hn::Sub(im, laterIm)), hn::NearestInt(laterRe),
-                        hn::NearestInt(laterIm), di, quads);
+  hn::StoreInterleaved4(roundedOf(hn::Sub(re, laterRe)), roundedOf(hn::Sub(im, laterIm)), roundedOf(laterRe), roundedOf(laterIm), di,
+                        quads);
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, inside, bits);
   std::uint64_t left = 0;
@@ -266,7 +269,7 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto kept = hn::Xor(hn::IfThenElseZero(sounding, amplitude), sign);
     F re, im;
     phaseOf(hn::IfThenElseZero(inside, times(path, set(task.turnsPerMm))), re, im);
-    const auto wholeRow = hn::NearestInt(hn::IfThenElseZero(inside, row));
+    const auto wholeRow = roundedOf(hn::IfThenElseZero(inside, row));
     const auto insideColumn = hn::IfThenElseZero(inside, column);
     const auto wholeColumn = hn::ConvertTo(di, insideColumn);
     const auto part = hn::Sub(insideColumn, hn::ConvertTo(d, wholeColumn));

@@ -93,7 +93,6 @@ Scene limited(const Scene& scene) {
 Scene sceneWithEverything() {
   Scene scene;
   for (const EffectInfo& effect : sceneEffects()) effect.switchTo(scene, true);
-  scene.liveEchoes.reset();  // of known tissue alone
   return scene;
 }
 

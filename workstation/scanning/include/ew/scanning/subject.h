@@ -78,6 +78,12 @@ struct ScanSubject {
   std::optional<Pose> startPose = {};                      ///< where whoever scans begins
   std::shared_ptr<const Provenance> provenance = nullptr;  ///< which frame each voxel came from; null: nobody knows
 
+  /// A scene without what cannot be shown of this subject: live echoes where no tissue is known.
+  [[nodiscard]] Scene known(Scene asked) const {
+    if (!tissue) asked.liveEchoes.reset();
+    return asked;
+  }
+
   /// Moves voxels, labels and maps of tissue to where `ownToWorld` (rigid, mm) takes the grids of their own.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
 };
