@@ -29,9 +29,12 @@ class ConsoleFixture : public WindowFixture {
   void pressEffect(const char* key) const { press(qPrintable(ConsolePanel::switchOf(key))); }
   void slideEffect(const char* key, int value) const { slide(strengthOf(key).c_str(), value); }
   [[nodiscard]] static std::string strengthOf(const char* key) { return ConsolePanel::strengthOf(key).toStdString(); }
+  /// What can be switched on: the case's volume is a recorded one, whose tissue nobody knows.
+  [[nodiscard]] Scene everything() const { return session().subject()->known(sceneWithEverything()); }
+  [[nodiscard]] bool isOffered(const EffectInfo& effect) const { return effect.isOn(everything()); }
   void everythingOn() const {
     for (const EffectInfo& effect : sceneEffects()) {
-      if (!effect.isOn(scene())) pressEffect(effect.key);
+      if (isOffered(effect) && !effect.isOn(scene())) pressEffect(effect.key);
     }
   }
   [[nodiscard]] const Knobs& knobs() const { return session().knobs(); }

@@ -228,7 +228,7 @@ class ConsoleTest : public ConsoleFixture {
     QVERIFY2(!find<QSlider>("focus")->isEnabled(), "a focus that does nothing must look off");
     QVERIFY(!find<QCheckBox>("effect_mirror")->isEnabled());
     everythingOn();
-    QVERIFY(scene() == sceneWithEverything());
+    QVERIFY(scene() == everything());
     slideEffect("focus", 150);
     slideEffect("slice_thickness", 25);
     slideEffect("attenuation", 20);

@@ -111,11 +111,6 @@ double pitchOf(const EchoLayout& layout, double scatterersPerCell) {
 
 }  // namespace
 
-double EchoLayout::reachBetween_mm(double nearer_mm, double farther_mm) const {
-  const auto at = [this](double depth) { return effect.reach * beams.elevationalSigma_mm(std::clamp(depth, 0.0, depth_mm)); };
-  return std::max(at(nearer_mm), at(farther_mm));  // narrowest in the focus, wider to both sides
-}
-
 double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect) {
   return kFwhmOfSigma * beams.axialSigma_mm / effect.samplesPerPulse;
 }

@@ -39,8 +39,6 @@ struct EchoLayout {
 
   [[nodiscard]] double depthOfColumn_mm(double column) const { return (column - columnPadding) * grid.sampleSpacing_mm; }
   [[nodiscard]] double rowSpacing_mm(double atDepth_mm) const { return grid.lineSpacing_mm(atDepth_mm) / rowsPerLine; }
-  /// Half of the slice that is looked at, at most between two depths.
-  [[nodiscard]] double reachBetween_mm(double nearer_mm, double farther_mm) const;
 };
 
 /// Distance of samples along a line that the pulse of these beams asks for.

@@ -49,10 +49,11 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
   piece.farthest_mm = number + 1 == piecesOf(layout) ? layout.depth_mm + kBeyond_mm : (number + 1) * kPiece_mm;
   const double nearest_mm = std::max(piece.nearest_mm, -size.radius_mm - kBent_mm);
   const double farthest_mm = std::min(piece.farthest_mm, layout.depth_mm + size.radius_mm + kBent_mm);
-  const double shallow_mm = std::clamp(nearest_mm - size.radius_mm, 0.0, layout.depth_mm),
-               deep_mm = std::clamp(farthest_mm + size.radius_mm, 0.0, layout.depth_mm);
-  piece.reach_mm = layout.reachBetween_mm(shallow_mm, deep_mm);
-  piece.beside_mm = kLateralMargin * std::max(layout.beams.lateralSigma_mm(deep_mm), layout.beams.lateralSigma_mm(shallow_mm));
+  // Also of what lies in front of the face and beyond the last sample, whose echoes reach in.
+  const double shallow_mm = nearest_mm - size.radius_mm, deep_mm = farthest_mm + size.radius_mm;
+  const EchoBeams& beams = layout.beams;
+  piece.reach_mm = layout.effect.reach * std::max(beams.elevationalSigma_mm(shallow_mm), beams.elevationalSigma_mm(deep_mm));
+  piece.beside_mm = kLateralMargin * std::max(beams.lateralSigma_mm(deep_mm), beams.lateralSigma_mm(shallow_mm));
   for (int n = 0; n < kAngles; ++n) {
     const FanShape::Line line = layout.fan.lineAt(2.0 * n / (kAngles - 1) - 1.0);
     for (const double range_mm : {nearest_mm, farthest_mm}) {
