@@ -106,7 +106,7 @@ double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
 }
 
 /// Whether maps of tissue are made, from which echoes are formed live: what is known of a patient that no sweep recorded.
-bool wantsMaps(const Case& opened) { return opened.volume.sweeps.empty() && opened.scene.liveEchoes.has_value(); }
+bool wantsMaps(const Case& opened) { return opened.volume.sweeps.empty(); }
 
 /// A trunk of about six litres, in million voxels. Maps take as long again.
 double voxeliseWork(const Case& opened) { return (wantsMaps(opened) ? 12.0 : 6.0) / std::pow(opened.volume.recipeSpacing_mm, 3); }
