@@ -289,7 +289,8 @@ TEST(Resolved, IsThePapersAndLinearForARecordedVolumeAndAMachinesForEchoesFormed
   EXPECT_EQ(usualGreyMap(false), GreyMap::linear);
   EXPECT_EQ(usualGainLaw(true), GainLaw::decibel);
   EXPECT_EQ(usualGreyMap(true), GreyMap::clinical);
-  EXPECT_FALSE(formsEchoes(sceneWithEverything()));
+  EXPECT_FALSE(formsEchoes({}));
+  EXPECT_TRUE(formsEchoes(sceneWithEverything()));
   EXPECT_EQ(resolvedGainLaw({}, {}), GainLaw::paper);
   EXPECT_EQ(resolvedGreyMap({}, {}), GreyMap::linear);
   EXPECT_EQ(resolvedGainLaw({.gainLaw = GainLaw::decibel}, {}), GainLaw::decibel);
