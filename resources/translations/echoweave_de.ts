@@ -72,6 +72,42 @@
         <translation>eine Zahl von -20 bis 40 (über dem Gewebe um sie)</translation>
     </message>
     <message>
+        <source>a number from 0 to 0.8 (0 without a filter of speckle)</source>
+        <translation>eine Zahl von 0 bis 0,8 (0 ohne Speckle-Filter)</translation>
+    </message>
+    <message>
+        <source>a number from -60 to 20 (of live gas, below its front; -60 is none)</source>
+        <translation>eine Zahl von -60 bis 20 (von Gas bei lebenden Echos, unter seiner Vorderseite; -60 ist keines)</translation>
+    </message>
+    <message>
+        <source>a number from 0.05 to 10 (with depth)</source>
+        <translation>eine Zahl von 0,05 bis 10 (mit der Tiefe)</translation>
+    </message>
+    <message>
+        <source>a number from -60 to 0 (of live layers, copied deeper; -60 is none)</source>
+        <translation>eine Zahl von -60 bis 0 (von Schichten bei lebenden Echos, die tiefer noch einmal erscheinen; -60 ist keines)</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 20 (below 0.05 gas, below 0.5 lung)</source>
+        <translation>eine Zahl von 0 bis 20 (unter 0,05 Gas, unter 0,5 Lunge)</translation>
+    </message>
+    <message>
+        <source>0 without a filter of speckle</source>
+        <translation>0 ohne Speckle-Filter</translation>
+    </message>
+    <message>
+        <source>of live gas, below its front; -60 is none</source>
+        <translation>von Gas bei lebenden Echos, unter seiner Vorderseite; -60 ist keines</translation>
+    </message>
+    <message>
+        <source>of live layers, copied deeper; -60 is none</source>
+        <translation>von Schichten bei lebenden Echos, die tiefer noch einmal erscheinen; -60 ist keines</translation>
+    </message>
+    <message>
+        <source>below 0.05 gas, below 0.5 lung</source>
+        <translation>unter 0,05 Gas, unter 0,5 Lunge</translation>
+    </message>
+    <message>
         <source>a number from -80 to -10 (below the echoes beside a line)</source>
         <translation>eine Zahl von -80 bis -10 (unter den Echos neben einer Linie)</translation>
     </message>

@@ -18,8 +18,8 @@ Result<std::vector<TissueAcoustics>> acousticsOf(const CasePlan& plan) {
   if (!tissues) return passOn(tissues.error());
   std::vector<TissueAcoustics> acoustics;
   for (const LabelTissue& each : *tissues)
-    acoustics.push_back(
-        {each.label, each.organ.empty() ? each.tissue.name : each.organ, each.tissue.attenuation_dbPerCmMhz, each.tissue.reflection_db});
+    acoustics.push_back({each.label, each.organ.empty() ? each.tissue.name : each.organ, each.tissue.attenuation_dbPerCmMhz,
+                         each.tissue.reflection_db, each.tissue.impedance_mrayl});
   return acoustics;
 }
 

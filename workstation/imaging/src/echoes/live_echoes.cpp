@@ -32,6 +32,8 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   fine_.resize(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows));
   surfaces_.configure(layout_);
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
+  reverberation_.configure(layout_, scene);
+  reduction_.configure(layout_);
   layHaze(effect.haze_db);
 }
 
@@ -112,6 +114,15 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
   });
 }
 
+void LiveEchoes::reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+  reverberation_.find(labels, probeToLabel, bands);
+  bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
+    std::vector<float>& before = scratch_[static_cast<std::size_t>(slot)].line;
+    for (int line = first; line < first + count; ++line)
+      reverberation_.add(line, {lineAt(line), static_cast<std::size_t>(2 * layout_.columns)}, before);
+  });
+}
+
 void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands&) {
   noise_.resize(static_cast<std::size_t>(layout_.columns));
   for (int column = 0; column < layout_.columns; ++column) {
@@ -184,6 +195,7 @@ void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> e
       toLevels(around.data() + 1, aside, perDoubling, echoes.width, row);
     }
   });
+  reduction_.run(greyPerDb, bands, echoes);
 }
 
 }  // namespace ew::detail

@@ -7,11 +7,13 @@
 
 #include "echo_layout.h"
 #include "echo_losses.h"
+#include "echo_reverberation.h"
 #include "echo_surfaces.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/slice_source.h"
 #include "scatterers.h"
+#include "speckle_reduction.h"
 
 namespace ew::detail {
 
@@ -26,6 +28,7 @@ class LiveEchoes {
   /// @param placed where the maps lie now
   void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
   void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
+  void reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   void addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands& bands);
   /// @param greyPerDb of the levels
   /// @param echoes (lines x samples)
@@ -44,6 +47,8 @@ class LiveEchoes {
   EchoLayout layout_;
   EchoSurfaces surfaces_;
   EchoLosses losses_;
+  EchoReverberation reverberation_;
+  SpeckleReduction reduction_;
   double carrier_hz_ = 3.5e6;
   std::vector<Scratch> scratch_;
   std::vector<float> field_;  ///< lines x columns complex numbers, padded to whole tiles

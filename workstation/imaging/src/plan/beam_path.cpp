@@ -178,7 +178,8 @@ void BeamPath::attenuate(const SliceSource& labels, const Transform<frame::Voxel
   });
 }
 
-void BeamPath::reverberate() {
+void BeamPath::reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+  if (hasField_) return live_.reverberate(labels, probeToLabel, bands);
   const int firstSample = static_cast<int>(std::ceil(probe_.nearField_mm / grid_.sampleSpacing_mm));
   ew::reverberate(*scene_.reverberation, greyPerDb_, firstSample, viewOf(echoes_), reverberation_);
 }

@@ -50,7 +50,8 @@ class BeamPath {
   /// Of live echoes by labels while their field is there, otherwise of levels.
   void attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,
                  std::span<ThreadScratch> scratch);
-  void reverberate();
+  /// @param labels of live echoes, whose tissues are known
+  void reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
   void focusByRows(Bands& bands, std::span<ThreadScratch> scratch);
   void focusByKernels(Bands& bands, std::span<ThreadScratch> scratch);
   void openBlack(Bands& bands);

@@ -226,7 +226,7 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::attenuation:
       return beams_.attenuate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_, scratch_);
     case StepKind::reverberation:
-      return beams_.reverberate();
+      return beams_.reverberate(input.labels, input.labels.grid.worldToVoxel() * input.pose.probeToWorld, bands_);
     case StepKind::focusStretch:
       return beams_.focusByRows(bands_, scratch_);
     case StepKind::focusKernel:

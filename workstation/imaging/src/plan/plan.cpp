@@ -188,11 +188,12 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     const bool tissuesDecide = hasLabels && !scene.tissues.empty();
     add(StepKind::scatterers);
     if (scene.attenuation && tissuesDecide) add(StepKind::attenuation);
+    if (scene.reverberation && tissuesDecide) add(StepKind::reverberation, 5.0);
     if (hasNoise) add(StepKind::noise);
     add(StepKind::envelope);
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
-    if (scene.reverberation) add(StepKind::reverberation);
+    if (scene.reverberation && !tissuesDecide) add(StepKind::reverberation);
     if (!gain.isNeutral()) add(StepKind::gain);
   } else if (addSampling(samplingOf(knobs.quality)); plan.onBeams) {
     if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);

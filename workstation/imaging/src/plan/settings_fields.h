@@ -77,6 +77,7 @@ void visitFields(Visitor& field, const LiveEchoesEffect*) {
   field.number("texture_db", &LiveEchoesEffect::texture_db, 0.0, 6.0, say<"scatter of the scatterers' strength">);
   field.number("fragments_per_cm3", &LiveEchoesEffect::fragmentsPerCm3, 0.0, 37.0, say<"little walls of all directions">);
   field.number("fragment_db", &LiveEchoesEffect::fragment_db, -20.0, 40.0, say<"above the tissue around them">);
+  field.number("speckle_reduction", &LiveEchoesEffect::speckleReduction, 0.0, 0.8, say<"0 without a filter of speckle">);
   field.number("haze_db", &LiveEchoesEffect::haze_db, -80.0, -10.0, say<"below the echoes beside a line">);
 }
 
@@ -106,6 +107,9 @@ void visitFields(Visitor& field, const ReverberationEffect*) {
   field.count("bounces", &ReverberationEffect::bounces, 1, 6);
   field.flag("mirror", &ReverberationEffect::mirror);
   field.number("mirror_loss_db", &ReverberationEffect::mirrorLoss_db, 0.0, 60.0, say<"of mirror images">);
+  field.number("ring_down_db", &ReverberationEffect::ringDown_db, -60.0, 20.0, say<"of live gas, below its front; -60 is none">);
+  field.number("ring_down_fall_db_per_mm", &ReverberationEffect::ringDownFall_dbPerMm, 0.05, 10.0, say<"with depth">);
+  field.number("clutter_db", &ReverberationEffect::clutter_db, -60.0, 0.0, say<"of live layers, copied deeper; -60 is none">);
 }
 
 template <class Visitor>
@@ -127,6 +131,7 @@ void visitFields(Visitor& field, const TissueAcoustics*) {
   field.text("name", &TissueAcoustics::name, 200);
   field.number("attenuation_db_per_cm_mhz", &TissueAcoustics::attenuation_dbPerCmMhz, 0.0, 100.0, say<"one way">);
   field.number("reflection_db", &TissueAcoustics::reflection_db, 0.0, 100.0, say<"lost on entering">);
+  field.number("impedance_mrayl", &TissueAcoustics::impedance_mrayl, 0.0, 20.0, say<"below 0.05 gas, below 0.5 lung">);
 }
 
 template <class Visitor>

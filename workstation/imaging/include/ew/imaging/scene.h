@@ -13,6 +13,7 @@ struct TissueAcoustics {
   double attenuation_dbPerCmMhz = 0.5;  ///< one way
   double reflection_db =
       0.0;  ///< lost once, both ways together, on entering the tissue from another one: 0 soft tissue, 20 and more stone, bone, gas
+  double impedance_mrayl = 1.6;  ///< acoustic impedance: below 0.05 gas, below 0.5 aerated lung, behind which live echoes reverberate
   bool operator==(const TissueAcoustics&) const = default;
 };
 
@@ -38,13 +39,17 @@ struct AttenuationEffect {
   bool operator==(const AttenuationEffect&) const = default;
 };
 
-/// effects/reverberation.h: repeated echoes between the face and strong interfaces, and mirror images beyond them.
+/// effects/reverberation.h: repeated echoes between the face and strong interfaces, and mirror images beyond them. Of live echoes, whose
+/// tissues are known, gas and lung are the interfaces, whatever their level: ring-down, comet tails, A-lines, mirrored liver; and clutter.
 struct ReverberationEffect {
   double interfaceLevel = 200.0;   ///< grey levels from here on are strong interfaces
   double loss_dbPerBounce = 14.0;  ///< of each way there and back
   int bounces = 3;                 ///< 1..6
   bool mirror = true;              ///< mirror images beyond smooth strong interfaces
   double mirrorLoss_db = 12.0;
+  double ringDown_db = -8.0;           ///< live echoes: ring-down of gas where it begins, below the front's echo, -60 (none)..20
+  double ringDownFall_dbPerMm = 0.65;  ///< live echoes: its fall, 0.05..10
+  double clutter_db = -22.0;           ///< live echoes: copies of layers a few mm deeper, -60 (none)..0
   bool operator==(const ReverberationEffect&) const = default;
 };
 
@@ -77,7 +82,8 @@ struct LiveEchoesEffect {
   double texture_db = 1.2;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
   double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
-  double haze_db = -29.0;         ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
+  double speckleReduction = 0.35;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
+  double haze_db = -29.0;          ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
   bool operator==(const LiveEchoesEffect&) const = default;
 };
 

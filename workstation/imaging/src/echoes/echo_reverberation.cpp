@@ -1,0 +1,196 @@
+#include "echo_reverberation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "label_blend.h"
+#include "line_kernels.h"
+
+namespace ew::detail {
+namespace {
+
+constexpr double kGasBelow_mrayl = 0.05;
+constexpr double kLungBelow_mrayl = 0.5;
+constexpr double kStep_mm = 0.6;   // along a line, in search of a front
+constexpr double kPatch_mm = 3.0;  // of the front, that rings as one
+constexpr double kNear_mm = 1.5;   // labels and surfaces agree on a front's place within this
+constexpr double kRough_db = 8.0;  // lost by a bounce at a rough front beyond that at a smooth one
+constexpr double kPatchSpread_db = 5.0;
+constexpr double kNoRingDown_db = -60.0;
+constexpr double kNoClutter_db = -60.0;
+constexpr double kFaintest_db = -46.0;  // below full white: what rings fainter is left out
+constexpr int kPatchesOfATail = 9;      // of a pleura, one has a comet tail
+constexpr double kTailLess_db = 6.0;
+constexpr double kTailFalls = 2.0;  // as fast as the ring-down of gas
+constexpr double kClutterFall_dbPerMm = 1.0;
+// Not multiples of one another, so that copies of copies do not fall together.
+constexpr std::array<double, 5> kClutter_mm{3.1, 4.7, 7.3, 10.1, 13.7};
+
+double amplitudeOf(double level_db) { return std::pow(10.0, 0.05 * level_db); }
+
+std::uint32_t spread(std::uint32_t x) {
+  x = (x ^ (x >> 16)) * 0x21f0aaadU;
+  x = (x ^ (x >> 15)) * 0x735a2d97U;
+  return x ^ (x >> 15);
+}
+
+std::uint32_t hashOf(const glm::ivec3& at) {
+  return spread(static_cast<std::uint32_t>(at.x) * 0x9E3779B1U + static_cast<std::uint32_t>(at.y) * 0x85EBCA77U +
+                static_cast<std::uint32_t>(at.z) * 0xC2B2AE3DU);
+}
+
+/// In [0, 1): the n-th number that follows from a hash.
+double evenOf(std::uint32_t hash, std::uint32_t n) { return spread(hash + n * 0x9E3779B9U) * 0x1p-32; }
+
+/// Nearly normal, of deviation 1.
+float normalOf(std::uint32_t hash) {
+  const std::uint32_t x = spread(hash);
+  const auto sum = static_cast<float>((x & 0xFFU) + ((x >> 8) & 0xFFU) + ((x >> 16) & 0xFFU) + (x >> 24));
+  return (sum - 510.0F) * (1.0F / 147.8F);
+}
+
+}  // namespace
+
+EchoReverberation::Aerated EchoReverberation::aeratedOf(const TissueAcoustics& tissue) {
+  if (tissue.impedance_mrayl < kGasBelow_mrayl) return Aerated::gas;
+  return tissue.impedance_mrayl < kLungBelow_mrayl ? Aerated::lung : Aerated::no;
+}
+
+void EchoReverberation::configure(const EchoLayout& layout, const Scene& scene) {
+  layout_ = &layout;
+  effect_ = scene.reverberation.value_or(ReverberationEffect{});
+  noiseScale_ = static_cast<float>(std::sqrt(0.5 * layout.grid.sampleSpacing_mm));
+  isGas_.fill(0.0F);
+  isLung_.fill(0.0F);
+  for (const TissueAcoustics& tissue : scene.tissues) {
+    if (tissue.label < 0 || tissue.label > 255) continue;
+    const Aerated aerated = aeratedOf(tissue);
+    (aerated == Aerated::lung ? isLung_ : isGas_)[static_cast<std::size_t>(tissue.label)] = aerated == Aerated::no ? 0.0F : 1.0F;
+  }
+  fronts_.resize(layout.grid.lines.size());
+}
+
+void EchoReverberation::find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
+  const LabelBlend blend{labels, isGas_, isLung_};
+  const glm::dmat4& m = probeToLabel.matrix;
+  bands.run(static_cast<int>(fronts_.size()), [&](int first, int count, int) {
+    for (int line = first; line < first + count; ++line) {
+      const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
+      const glm::vec3 start(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), perMm(m * glm::dvec4(way.direction, 0.0, 0.0));
+      Front& front = fronts_[static_cast<std::size_t>(line)] = {};
+      float before = 0.0F;
+      for (int step = 0; step * kStep_mm < layout_->depth_mm; ++step) {
+        const auto range_mm = static_cast<float>(step * kStep_mm);
+        blend.announce(start + (range_mm + 4.0F) * perMm);
+        float gas = 0.0F, lung = 0.0F;
+        blend.at(start + range_mm * perMm, gas, lung);
+        const float here = gas + lung;
+        if (here < 0.5F) {
+          before = here;
+          continue;
+        }
+        const double share = step == 0 ? 0.0 : static_cast<double>((here - 0.5F) / (here - before));
+        front.range_mm = (step - share) * kStep_mm;
+        front.isLung = lung > gas;
+        const glm::dvec3 at_mm = glm::dvec3(start + static_cast<float>(front.range_mm) * perMm) * labels.grid.spacing_mm;
+        front.patch = hashOf(glm::ivec3(glm::floor(at_mm / kPatch_mm)));
+        break;
+      }
+    }
+  });
+}
+
+void EchoReverberation::add(int line, std::span<float> field, std::vector<float>& before) const {
+  before.assign(field.begin(), field.end());
+  if (effect_.clutter_db > kNoClutter_db) clutter(before.data(), field);
+  const Front& front = fronts_[static_cast<std::size_t>(line)];
+  if (front.range_mm < 0.0) return;
+  const Echo echo = frontEcho(front, before.data());
+  if (!(static_cast<double>(echo.amplitude) > amplitudeOf(kFaintest_db))) return;
+  ringDown(front, echo, field);
+  bounce(front, echo, before.data(), field);
+  if (effect_.mirror && front.isLung) mirror(echo, before.data(), field);
+}
+
+/// The brightest place about the front, as the pulse's filter will see it.
+EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const float* before) const {
+  const double perMm = 1.0 / layout_->grid.sampleSpacing_mm;
+  const int reach = static_cast<int>(layout_->pulse.size()) - 1;
+  const int middle = layout_->columnPadding + static_cast<int>(std::lround(front.range_mm * perMm)),
+            aside = static_cast<int>(kNear_mm * perMm);
+  Echo found{middle, 0.0F};
+  for (int column = std::max(middle - aside, reach); column <= std::min(middle + aside, layout_->columns - 1 - reach); ++column) {
+    float re = 0.0F, im = 0.0F;
+    for (int t = -reach; t <= reach; ++t) {
+      const float weight = layout_->pulse[static_cast<std::size_t>(std::abs(t))];
+      re += weight * before[2 * (column + t)];
+      im += weight * before[2 * (column + t) + 1];
+    }
+    const float amplitude = std::sqrt(re * re + im * im);
+    if (amplitude > found.amplitude) found = {column, amplitude};
+  }
+  return found;
+}
+
+void EchoReverberation::ringDown(const Front& front, const Echo& echo, std::span<float> field) const {
+  const bool hasTail = !front.isLung || spread(front.patch) % kPatchesOfATail == 0;
+  if (!hasTail || !(effect_.ringDown_db > kNoRingDown_db)) return;
+  const double fall_dbPerMm = effect_.ringDownFall_dbPerMm * (front.isLung ? kTailFalls : 1.0);
+  const double more_db = kPatchSpread_db * static_cast<double>(normalOf(front.patch + 1)) - (front.isLung ? kTailLess_db : 0.0);
+  const double first_db = 20.0 * std::log10(static_cast<double>(echo.amplitude)) + effect_.ringDown_db + more_db;
+  const double stripe_mm = 1.0 + 2.0 * evenOf(front.patch, 2);
+  const double columnPerMm = 1.0 / layout_->grid.sampleSpacing_mm;
+  const double reach_mm = (first_db - kFaintest_db) / std::max(fall_dbPerMm, 0.05);
+  const int last = std::min(layout_->columns, echo.column + static_cast<int>(std::max(reach_mm, 0.0) * columnPerMm));
+  for (int column = echo.column + 1; column < last; ++column) {
+    const double away_mm = (column - echo.column) / columnPerMm;
+    // It rises over the front's own echo.
+    const double rise = std::min(1.0, away_mm / 0.8);
+    const double stripe = 0.3 + 0.7 * std::max(0.0, std::cos(2.0 * std::numbers::pi * away_mm / stripe_mm));
+    const auto strength = noiseScale_ * static_cast<float>(rise * stripe * amplitudeOf(first_db - fall_dbPerMm * away_mm));
+    const std::uint32_t hash = spread(front.patch + static_cast<std::uint32_t>(column - echo.column) * 0x85EBCA77U);
+    field[static_cast<std::size_t>(2 * column)] += strength * normalOf(hash);
+    field[static_cast<std::size_t>(2 * column + 1)] += strength * normalOf(hash ^ 0x5bd1e995U);
+  }
+}
+
+void EchoReverberation::bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const {
+  const int range = echo.column - layout_->columnPadding, behind = static_cast<int>(kNear_mm / layout_->grid.sampleSpacing_mm);
+  if (range < 1) return;
+  const double front_db = 20.0 * std::log10(static_cast<double>(echo.amplitude)) - layout_->effect.gain_db;
+  const double loss_db = effect_.loss_dbPerBounce + (front.isLung ? 0.0 : kRough_db);
+  for (int n = 1; n <= effect_.bounces; ++n) {
+    const double level_db = std::min(front_db, 0.0) - n * loss_db;
+    if (level_db < kFaintest_db) break;
+    const int begin = layout_->columnPadding + n * range;
+    const int first = n == 1 ? behind : 0, count = std::min(range + behind, layout_->columns - begin) - first;
+    if (count <= 0) break;
+    addTurned(before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4, count,
+              field.data() + 2 * (begin + first));
+  }
+}
+
+void EchoReverberation::mirror(const Echo& echo, const float* before, std::span<float> field) const {
+  const auto weight = static_cast<float>(amplitudeOf(-effect_.mirrorLoss_db));
+  const int first = static_cast<int>(kNear_mm / layout_->grid.sampleSpacing_mm);
+  for (int n = first; echo.column + n < layout_->columns && echo.column - n >= layout_->columnPadding; ++n) {
+    const std::size_t to = 2 * static_cast<std::size_t>(echo.column + n);
+    const int from = 2 * (echo.column - n);
+    field[to] += weight * before[from];
+    field[to + 1] += weight * before[from + 1];
+  }
+}
+
+void EchoReverberation::clutter(const float* before, std::span<float> field) const {
+  int quarter = 1;
+  for (const double delay_mm : kClutter_mm) {
+    const int delay = static_cast<int>(std::lround(delay_mm / layout_->grid.sampleSpacing_mm));
+    const double level_db = effect_.clutter_db - kClutterFall_dbPerMm * delay_mm;
+    if (delay < layout_->columns)
+      addTurned(before, static_cast<float>(amplitudeOf(level_db)), quarter, layout_->columns - delay, field.data() + 2 * delay);
+    quarter = (quarter + 1) % 4;
+  }
+}
+
+}  // namespace ew::detail
