@@ -8,115 +8,12 @@
 #include "ew/imaging/frame.h"
 #include "ew/imaging/resolved.h"
 #include "imaging/every_target.h"
+#include "imaging/live_echoes_support.h"
 
 namespace ew::live_echoes_test {
 namespace {
 
-constexpr double kGreyPerDb = 255.0 / 60.0;
-
-Probe convex() {
-  Probe probe;
-  probe.id = "convex";
-  probe.kind = ProbeKind::convex;
-  probe.radius_mm = 60.0;
-  probe.halfAngle_rad = 0.45;
-  probe.lines = 128;
-  probe.carrier_hz = 3.5e6;
-  probe.carriers_hz = {2.5e6, 3.5e6, 5e6};
-  probe.aperture_mm = 28.0;
-  probe.elevationalThickness_mm = 3.0;
-  probe.elevationalFocus_mm = 70.0;
-  probe.elevationalAperture_mm = 10.0;
-  probe.maxDepth_mm = 200.0;
-  probe.defaultDepth_mm = 120.0;
-  return probe;
-}
-
-/// Tissue of one level, or as a function of the place in mm; the probe stands at the middle of its upper face (y = 0) and looks along +y.
-template <class Level>
-TissueMaps tissueOf(const Level& level, double spacing_mm = 1.0) {
-  TissueMaps maps;
-  maps.grid.dims = glm::ivec3(glm::dvec3(180.0, 150.0, 44.0) / spacing_mm);
-  maps.grid.spacing_mm = glm::dvec3(spacing_mm);
-  maps.grid.origin_mm = {-90.0, -12.0, -22.0};
-  maps.level.resize(maps.grid.voxelCount());
-  for (int k = 0; k < maps.grid.dims.z; ++k)
-    for (int j = 0; j < maps.grid.dims.y; ++j)
-      for (int i = 0; i < maps.grid.dims.x; ++i) {
-        const glm::dvec3 mm = maps.grid.origin_mm + spacing_mm * glm::dvec3(i, j, k);
-        maps.level[maps.grid.indexOf(i, j, k)] = static_cast<std::uint8_t>(std::lround(level(mm)));
-      }
-  return maps;
-}
-
-/// Scatterers alone: nothing that a sonographer would add to them.
-Scene plainScene() {
-  Scene scene;
-  LiveEchoesEffect effect;
-  effect.looks = 1;
-  effect.gain_db = effect.texture_db = effect.fragmentsPerCm3 = effect.lineAverage = 0.0;
-  effect.haze_db = -80.0;
-  scene.liveEchoes = effect;
-  scene.sliceThickness = SliceThicknessEffect{};
-  scene.focus = FocusEffect{};
-  return scene;
-}
-
-struct Shot {
-  Probe probe = convex();
-  Knobs knobs;
-  Scene scene = plainScene();
-  glm::dmat4 probeToWorld{1.0};
-  int threads = 1;
-  const Volume* labels = nullptr;
-};
-
-GreyImage pictureOf(const TissueMaps& maps, const Shot& shot) {
-  FrameMaker maker(shot.threads);
-  Knobs knobs = shot.knobs;
-  knobs.greyMap = GreyMap::linear;
-  maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, shot.labels != nullptr, {}, true);
-  FrameInput input;
-  input.tissue = &maps;
-  input.tissueGrid = maps.grid;
-  input.echo = VolumeView<const std::uint8_t>{maps.level.data(), maps.grid};
-  if (shot.labels != nullptr) input.labels = shot.labels->view();
-  input.pose.probeToWorld.matrix = shot.probeToWorld;
-  const Picture made = maker.make(input);
-  GreyImage copy(made.width(), made.height());
-  for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
-  return copy;
-}
-
-/// Levels of the middle lines between two depths, mm: those of the picture's columns next to the axis.
-std::vector<double> levelsBetween(const GreyImage& picture, const Shot& shot, double from_mm, double to_mm, double half_mm = 14.0) {
-  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
-  std::vector<double> levels;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const glm::dvec2 p = geometry.probePoint_mm(x, y);
-      if (p.y >= from_mm && p.y < to_mm && std::abs(p.x) < half_mm)
-        levels.push_back(picture.pixels[static_cast<std::size_t>(y * picture.width + x)]);
-    }
-  return levels;
-}
-
-double meanOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const double ma = meanOf(a), mb = meanOf(b);
-  double ab = 0.0, aa = 0.0, bb = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    ab += (a[n] - ma) * (b[n] - mb);
-    aa += (a[n] - ma) * (a[n] - ma);
-    bb += (b[n] - mb) * (b[n] - mb);
-  }
-  return ab / std::sqrt(aa * bb);
-}
+using namespace testing::live;
 
 /// Pictures of the same place, moved between them.
 double correlationWhenMoved(const TissueMaps& maps, Shot shot, const glm::dmat4& moved, double from_mm = 55.0, double to_mm = 85.0) {
@@ -196,16 +93,7 @@ TEST(LiveEchoes, HaveFinerGrainAtAHigherFrequency) {
 
 TEST(LiveEchoes, AreTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
   TissueMaps maps = tissueOf([](const glm::dvec3& p) { return p.y > 60.0 ? 160.0 : p.x > 10.0 ? 90.0 : 0.0; });
-  maps.surfaces.push_back({.name = "plane"});
-  maps.surfaceDistance.assign(maps.level.size(), 0);
-  maps.surfaceKind.assign(maps.level.size(), 0);
-  for (std::size_t n = 0; n < maps.level.size(); ++n) {
-    const auto j = static_cast<int>(n / static_cast<std::size_t>(maps.grid.dims.x)) % maps.grid.dims.y;
-    const double distance_mm = 60.3 - (maps.grid.origin_mm.y + j);
-    if (std::abs(distance_mm) > TissueMaps::kSurfaceReach_mm) continue;
-    maps.surfaceDistance[n] = static_cast<std::uint8_t>(std::lround(128.0 + TissueMaps::kDistanceStepsPerMm * distance_mm));
-    maps.surfaceKind[n] = 1;
-  }
+  addPlane(maps, {.name = "plane"}, 60.3);
   Shot shot;
   shot.scene.liveEchoes = LiveEchoesEffect{};
   shot.scene.noise = NoiseEffect{};
@@ -222,20 +110,7 @@ TEST(LiveEchoes, MirrorWhereASurfaceLiesSquareToTheBeam) {
   // A plane at 60 mm, square to the middle beam, or turned away by 20 degrees.
   const auto peakOf = [](double lean_deg) {
     TissueMaps maps = tissueOf([](const glm::dvec3&) { return 0.0; });
-    maps.surfaces.push_back({.name = "plane", .echoLevel = 220.0, .rough_db = -60.0});
-    maps.surfaceDistance.assign(maps.level.size(), 0);
-    maps.surfaceKind.assign(maps.level.size(), 0);
-    const double lean = lean_deg * std::numbers::pi / 180.0;
-    for (int k = 0; k < maps.grid.dims.z; ++k)
-      for (int j = 0; j < maps.grid.dims.y; ++j)
-        for (int i = 0; i < maps.grid.dims.x; ++i) {
-          const glm::dvec3 p = maps.grid.origin_mm + glm::dvec3(i, j, k);
-          const double distance_mm = (60.0 - p.y) * std::cos(lean) + p.x * std::sin(lean);
-          if (std::abs(distance_mm) > TissueMaps::kSurfaceReach_mm) continue;
-          const std::size_t n = maps.grid.indexOf(i, j, k);
-          maps.surfaceDistance[n] = static_cast<std::uint8_t>(std::lround(128.0 + TissueMaps::kDistanceStepsPerMm * distance_mm));
-          maps.surfaceKind[n] = 1;
-        }
+    addPlane(maps, {.name = "plane", .echoLevel = 220.0, .rough_db = -60.0}, 60.0, lean_deg * std::numbers::pi / 180.0);
     Shot shot;
     shot.scene.sliceThickness.reset();
     const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 50.0, 70.0, 4.0);

@@ -21,6 +21,10 @@ constexpr double kNoRingDown_db = -60.0;
 constexpr double kNoClutter_db = -60.0;
 constexpr double kFaintest_db = -46.0;  // below full white: what rings fainter is left out
 constexpr int kPatchesOfATail = 9;      // of a pleura, one has a comet tail
+constexpr int kPatchBlend = 3;          // lines over which neighbouring patches run into one another, on each side
+constexpr double kStripeFloor = 0.55;   // of the ring-down's amplitude between its stripes
+constexpr double kStrayLess_db = 5.0;
+constexpr double kStrayFalls = 0.35;  // as fast as the ring-down
 constexpr double kTailLess_db = 6.0;
 constexpr double kTailFalls = 2.0;  // as fast as the ring-down of gas
 constexpr double kClutterFall_dbPerMm = 1.0;
@@ -108,7 +112,7 @@ void EchoReverberation::add(int line, std::span<float> field, std::vector<float>
   if (front.range_mm < 0.0) return;
   const Echo echo = frontEcho(front, before.data());
   if (!(static_cast<double>(echo.amplitude) > amplitudeOf(kFaintest_db))) return;
-  ringDown(front, echo, field);
+  ringDown(line, echo, field);
   bounce(front, echo, before.data(), field);
   if (effect_.mirror && front.isLung) mirror(echo, before.data(), field);
 }
@@ -133,23 +137,39 @@ EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const f
   return found;
 }
 
-void EchoReverberation::ringDown(const Front& front, const Echo& echo, std::span<float> field) const {
-  const bool hasTail = !front.isLung || spread(front.patch) % kPatchesOfATail == 0;
-  if (!hasTail || !(effect_.ringDown_db > kNoRingDown_db)) return;
-  const double fall_dbPerMm = effect_.ringDownFall_dbPerMm * (front.isLung ? kTailFalls : 1.0);
-  const double more_db = kPatchSpread_db * static_cast<double>(normalOf(front.patch + 1)) - (front.isLung ? kTailLess_db : 0.0);
-  const double first_db = 20.0 * std::log10(static_cast<double>(echo.amplitude)) + effect_.ringDown_db + more_db;
-  const double stripe_mm = 1.0 + 2.0 * evenOf(front.patch, 2);
-  const double columnPerMm = 1.0 / layout_->grid.sampleSpacing_mm;
-  const double reach_mm = (first_db - kFaintest_db) / std::max(fall_dbPerMm, 0.05);
-  const int last = std::min(layout_->columns, echo.column + static_cast<int>(std::max(reach_mm, 0.0) * columnPerMm));
-  for (int column = echo.column + 1; column < last; ++column) {
-    const double away_mm = (column - echo.column) / columnPerMm;
+/// Patches run into one another over a few lines.
+void EchoReverberation::ringDown(int line, const Echo& echo, std::span<float> field) const {
+  if (!(effect_.ringDown_db > kNoRingDown_db)) return;
+  for (int aside = 1 - kPatchBlend; aside < kPatchBlend; ++aside) {
+    const int other = line + aside;
+    if (other < 0 || other >= static_cast<int>(fronts_.size())) continue;
+    const Front& front = fronts_[static_cast<std::size_t>(other)];
+    const bool hasTail = !front.isLung || spread(front.patch) % kPatchesOfATail == 0;
+    if (front.range_mm < 0.0 || !hasTail) continue;
+    const double share = static_cast<double>(kPatchBlend - std::abs(aside)) / (kPatchBlend * kPatchBlend);
+    const double more_db = kPatchSpread_db * static_cast<double>(normalOf(front.patch + 1)) - (front.isLung ? kTailLess_db : 0.0);
+    const double fall = front.isLung ? kTailFalls : 1.0;
+    ring(front.patch, share * amplitudeOf(effect_.ringDown_db + more_db), fall * effect_.ringDownFall_dbPerMm, echo, field);
+  }
+  // What no patch shares: sound that wandered about between bubbles.
+  const std::uint32_t own = spread(fronts_[static_cast<std::size_t>(line)].patch + static_cast<std::uint32_t>(line));
+  if (!fronts_[static_cast<std::size_t>(line)].isLung)
+    ring(own, amplitudeOf(effect_.ringDown_db - kStrayLess_db), kStrayFalls * effect_.ringDownFall_dbPerMm, echo, field);
+}
+
+void EchoReverberation::ring(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, std::span<float> field) const {
+  const double stripe_mm = 1.0 + 2.0 * evenOf(key, 2), phase = evenOf(key, 3), sampleSpacing_mm = layout_->grid.sampleSpacing_mm;
+  const double perColumn = amplitudeOf(-fall_dbPerMm * sampleSpacing_mm);
+  double amplitude = static_cast<double>(noiseScale_ * echo.amplitude) * first;
+  const double faintest = static_cast<double>(noiseScale_) * amplitudeOf(kFaintest_db);
+  for (int column = echo.column + 1; column < layout_->columns && amplitude > faintest; ++column, amplitude *= perColumn) {
+    const double away_mm = (column - echo.column) * sampleSpacing_mm;
     // It rises over the front's own echo.
     const double rise = std::min(1.0, away_mm / 0.8);
-    const double stripe = 0.3 + 0.7 * std::max(0.0, std::cos(2.0 * std::numbers::pi * away_mm / stripe_mm));
-    const auto strength = noiseScale_ * static_cast<float>(rise * stripe * amplitudeOf(first_db - fall_dbPerMm * away_mm));
-    const std::uint32_t hash = spread(front.patch + static_cast<std::uint32_t>(column - echo.column) * 0x85EBCA77U);
+    const double stripe =
+        kStripeFloor + (1.0 - kStripeFloor) * std::max(0.0, std::cos(2.0 * std::numbers::pi * (away_mm / stripe_mm + phase)));
+    const auto strength = static_cast<float>(rise * stripe * amplitude);
+    const std::uint32_t hash = spread(key + static_cast<std::uint32_t>(column - echo.column) * 0x85EBCA77U);
     field[static_cast<std::size_t>(2 * column)] += strength * normalOf(hash);
     field[static_cast<std::size_t>(2 * column + 1)] += strength * normalOf(hash ^ 0x5bd1e995U);
   }

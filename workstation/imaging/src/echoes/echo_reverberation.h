@@ -13,7 +13,8 @@ namespace ew::detail {
 /// Sound that goes to and fro, in the field of live echoes. Behind a place at the range R where a line enters gas or aerated lung, whose
 /// front echoes with the amplitude F there (losses included, 1 full white at neutral gain):
 ///   gas    ring-down, F 10^((ringDown_db - ringDownFall_dbPerMm d) / 20) at d behind the front: noise in stripes of 1 to 3 mm, the same
-///          across a patch of 3 mm of the front, some of which ring louder; so the shadow of gas is dirty
+///          across a patch of 3 mm of the front, some of which ring louder, and under it stray sound that fades more slowly; so the
+///          shadow of gas is dirty
 ///   lung   comet tails at one patch in nine, shorter and fainter; what lies in front, mirrored: field(R - d) at R + d, mirrorLoss_db below
 ///   both   what lies between face and front once more, n times: F field(s) at s + n R, n loss_dbPerBounce below; the front itself comes
 ///          back as lines at 2 R, 3 R (A-lines); 8 dB less behind gas, whose front is rough
@@ -48,7 +49,9 @@ class EchoReverberation {
     float amplitude = 0.0F;
   };
   [[nodiscard]] Echo frontEcho(const Front& front, const float* before) const;
-  void ringDown(const Front& front, const Echo& echo, std::span<float> field) const;
+  void ringDown(int line, const Echo& echo, std::span<float> field) const;
+  /// One patch, from the front on: `first` of its echo, falling.
+  void ring(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, std::span<float> field) const;
   void bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const;
   void mirror(const Echo& echo, const float* before, std::span<float> field) const;
   void clutter(const float* before, std::span<float> field) const;
