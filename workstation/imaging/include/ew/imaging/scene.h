@@ -71,7 +71,7 @@ struct ContactEffect {
 /// effects/live_echoes.h: echoes formed anew for each frame from what is known of the tissue; acts on subjects with tissue maps alone.
 struct LiveEchoesEffect {
   int looks = 3;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
-  double pulseCycles = 2.3;        ///< length of the whole pulse (full width at half maximum of its amplitude), in periods, 0.5..6
+  double pulseCycles = 2.15;       ///< length of the whole pulse (full width at half maximum of its amplitude), in periods, 0.5..6
   double scatterersPerCell = 3.5;  ///< in the smallest resolution cell, 1..10; below 3 speckle is no longer fully developed
   double samplesPerPulse = 6.0;    ///< along a line, within the pulse's full width at half maximum, 3..10
   double reach = 2.2;             ///< of the elevational beam, in standard deviations, 1..3: what lies farther beside the slice is left out
@@ -82,7 +82,7 @@ struct LiveEchoesEffect {
   double texture_db = 1.2;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
   double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
-  double speckleReduction = 0.35;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
+  double speckleReduction = 0.5;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
   double haze_db = -29.0;          ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
   bool operator==(const LiveEchoesEffect&) const = default;
 };
