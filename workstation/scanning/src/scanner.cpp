@@ -38,7 +38,7 @@ void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
   EW_EXPECTS(subject_.has_value());
   maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
-                   subject_->tissue != nullptr);
+                   subject_->tissue != nullptr, subject_->tissue != nullptr && subject_->tissue->isRecorded);
 }
 
 Picture Scanner::make(const ScanState& state, int width_px, int height_px) {

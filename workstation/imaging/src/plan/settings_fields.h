@@ -78,6 +78,7 @@ void visitFields(Visitor& field, const LiveEchoesEffect*) {
   field.number("fragments_per_cm3", &LiveEchoesEffect::fragmentsPerCm3, 0.0, 37.0, say<"little walls of all directions">);
   field.number("fragment_db", &LiveEchoesEffect::fragment_db, -20.0, 40.0, say<"above the tissue around them">);
   field.number("haze_db", &LiveEchoesEffect::haze_db, -80.0, -10.0, say<"below the echoes beside a line">);
+  field.number("own_grain", &LiveEchoesEffect::ownGrain, 0.0, 1.0, say<"of a recorded volume; 0 forms all grain anew">);
 }
 
 template <class Visitor>
