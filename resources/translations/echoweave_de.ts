@@ -7534,8 +7534,8 @@
         <translation>Das zusammengefügte Volumen wird gespeichert</translation>
     </message>
     <message>
-        <source>Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.</source>
-        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha und provenance.json.</translation>
+        <source>Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.</source>
+        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha, level.mha und provenance.json.</translation>
     </message>
     <message>
         <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>

@@ -77,4 +77,17 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
   return contents;
 }
 
+Result<void> formEchoes(Run& run, ScanSubject& subject, const Scene& asked) {
+  if (!asked.liveEchoes || subject.tissue) return {};
+  const StepClock clock(run.report, "level");
+  auto tissue = recordedTissueOf(subject.voxels, asked, 0, run.progress);
+  if (!tissue) return passOn(tissue.error());
+  const double level_mib = static_cast<double>((*tissue)->level.size()) / 1048576.0;
+  subject.know(std::move(*tissue));
+  subject.scene.liveEchoes = asked.liveEchoes;
+  run.say("Made the level of the recorded tissue for live echoes (" + rounded(level_mib, 0) +
+          " MiB); `echoweave level` keeps it in a file.");
+  return {};
+}
+
 }  // namespace ew::cli

@@ -31,6 +31,10 @@ void Scanner::setScene(Scene scene) {
   if (subject_) subject_->scene = std::move(scene);
 }
 
+void Scanner::know(std::shared_ptr<const TissueMaps> ofVoxels) {
+  if (subject_) subject_->know(std::move(ofVoxels));
+}
+
 void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
   if (subject_) subject_->place(ownToWorld);
 }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kNarrow = 0.5;  // of sigma_mm, where an edge runs
 constexpr double kReach = 3.0;   // standard deviations
-/// What speckle alone lets the narrow mean scatter about the wide one, as its variance: a Gaussian of 0.6 mm holds about six resolution
-/// cells, whose decibels scatter by 5.6 each.
+/// What speckle alone lets the narrow mean scatter, as its variance: a Gaussian of 0.6 mm holds about six resolution cells, whose decibels
+/// scatter by 5.6 each.
 constexpr float kSpeckle_db2 = 5.0F;
 constexpr float kLeastShare = 0.5F;  // of data nearby, where nobody knows what was covered
 
@@ -82,23 +82,18 @@ void smoothAlong(std::size_t axis, const std::vector<float>& kernel, const glm::
 struct Scratch {
   Field weight, power, decibels;              ///< of the voxels with data: 1, power, decibels below full white
   Field wideWeight, widePower, wideDecibels;  ///< their Gaussian sums
-  Field narrowWeight, narrowPower, narrowDecibels;
-  Field narrow, square, squareSum, between;
+  Field narrowWeight, narrowDecibels;
+  Field narrow, square, narrowSum, squareSum;  ///< the narrow mean and its square, and their wide sums
+  Field between;
   std::vector<std::uint8_t> level;
 
   static constexpr std::uint64_t kFields = 13;
   void resize(std::size_t voxels) {
-    for (Field* each : {&weight, &power, &decibels, &wideWeight, &widePower, &wideDecibels, &narrowWeight, &narrowPower, &narrowDecibels,
-                        &narrow, &square, &squareSum, &between})
+    for (Field* each : {&weight, &power, &decibels, &wideWeight, &widePower, &wideDecibels, &narrowWeight, &narrowDecibels, &narrow,
+                        &square, &narrowSum, &squareSum, &between})
       each->resize(voxels);
   }
 };
-
-/// The mean of the decibels that speckle of this power has; as far as the mean found tells, where there is less speckle.
-float meanLevel_db(float weight, float power, float decibels) {
-  const float ofPower = 10.0F * std::log10(std::max(power / weight, 1e-30F));
-  return std::max(ofPower - static_cast<float>(detail::kMeanOfLog_db), decibels / weight);
-}
 
 class Leveller {
  public:
@@ -111,7 +106,7 @@ class Leveller {
         halo_(reachOf(wide_) + reachOf(narrow_)) {
     const std::array<float, 256> shown = levelsShownAs(options.shownWith);
     for (std::size_t grey = 0; grey < 256; ++grey) {
-      const double below_db = (shown[grey] - 255.0) / 255.0 * options.recordedDynamicRange_db;
+      const double below_db = (static_cast<double>(shown[grey]) / 255.0 - 1.0) * options.recordedDynamicRange_db;
       decibels_[grey] = static_cast<float>(below_db);
       power_[grey] = static_cast<float>(std::pow(10.0, 0.1 * below_db));
     }
@@ -128,17 +123,13 @@ class Leveller {
     sum(wide_, padded, mine.power, mine.widePower, mine);
     sum(wide_, padded, mine.decibels, mine.wideDecibels, mine);
     sum(narrow_, padded, mine.weight, mine.narrowWeight, mine);
-    sum(narrow_, padded, mine.power, mine.narrowPower, mine);
     sum(narrow_, padded, mine.decibels, mine.narrowDecibels, mine);
     for (std::size_t n = 0; n < mine.weight.size(); ++n) {
-      mine.narrow[n] = mine.square[n] = 0.0F;
-      if (!(mine.narrowWeight[n] > 0.0F)) continue;
-      mine.narrow[n] = meanLevel_db(mine.narrowWeight[n], mine.narrowPower[n], mine.narrowDecibels[n]);
-      mine.wideDecibels[n] = meanLevel_db(mine.wideWeight[n], mine.widePower[n], mine.wideDecibels[n]);
-      const float off = mine.narrow[n] - mine.wideDecibels[n];
-      mine.square[n] = mine.weight[n] * off * off;
+      mine.narrow[n] = mine.weight[n] > 0.0F ? mine.narrowDecibels[n] / mine.narrowWeight[n] : 0.0F;
+      mine.square[n] = mine.narrow[n] * mine.narrow[n];
     }
-    sum(narrow_, padded, mine.square, mine.squareSum, mine);
+    sum(wide_, padded, mine.narrow, mine.narrowSum, mine);
+    sum(wide_, padded, mine.square, mine.squareSum, mine);
     write(corner, size, padded, mine);
   }
 
@@ -179,17 +170,21 @@ class Leveller {
                                     static_cast<std::size_t>(padded.x) +
                                 static_cast<std::size_t>(at.x);
           const glm::ivec3 voxel = corner + glm::ivec3(i, j, k);
-          const bool isThere = coverage_.empty()
-                                   ? mine.narrowWeight[n] >= kLeastShare || (mine.weight[n] > 0.0F && mine.wideWeight[n] >= kLeastShare)
-                                   : coverage_[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
+          const bool isThere = coverage_.empty() ? mine.weight[n] > 0.0F || mine.narrowWeight[n] >= kLeastShare
+                                                 : coverage_[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
           mine.level[to] = isThere ? levelAt(n, mine) : std::uint8_t{0};
         }
   }
 
   [[nodiscard]] std::uint8_t levelAt(std::size_t n, const Scratch& mine) const {
-    const float variance = mine.squareSum[n] / mine.narrowWeight[n];
+    const float wide = mine.wideDecibels[n] / mine.wideWeight[n], narrow = mine.narrowDecibels[n] / mine.narrowWeight[n];
+    // Speckle of this power has its decibels so far lower; where more of it was averaged the mean of the decibels tells.
+    const float ofPower = 10.0F * std::log10(std::max(mine.widePower[n] / mine.wideWeight[n], 1e-30F));
+    const float more = std::max(ofPower - static_cast<float>(detail::kMeanOfLog_db) - wide, 0.0F);
+    const float mean = mine.narrowSum[n] / mine.wideWeight[n], variance = mine.squareSum[n] / mine.wideWeight[n] - mean * mean;
     const float edge = variance > kSpeckle_db2 ? 1.0F - kSpeckle_db2 / variance : 0.0F;
-    const double level_db = mine.wideDecibels[n] + edge * (mine.narrow[n] - mine.wideDecibels[n]) - gain_db_;
+    const float seen_db = wide + edge * (narrow - wide) + (1.0F - edge) * (1.0F - edge) * more;
+    const double level_db = static_cast<double>(seen_db) - gain_db_;
     return static_cast<std::uint8_t>(std::lround(std::clamp(255.0 * (1.0 + level_db / detail::kLevelRange_db), 1.0, 255.0)));
   }
 
@@ -201,14 +196,26 @@ class Leveller {
   std::array<float, 256> decibels_{}, power_{};
 };
 
-int threadsFor(const LevelOptions& options, int blocks) { return std::min(threadCount(options.threads), std::max(blocks, 1)); }
-
 glm::ivec3 blocksOf(const Grid& grid, int edge) { return (grid.dims + edge - 1) / edge; }
+
+int edgeOf(const LevelOptions& options) { return std::clamp(options.block_voxels, 8, 256); }
+
+std::uint64_t threadBytes(const Grid& grid, const LevelOptions& options) {
+  const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm));
+  return count(glm::min(glm::ivec3(edgeOf(options)), grid.dims) + 2 * halo) * sizeof(float) * Scratch::kFields;
+}
+
+/// As many as there are blocks and room for, but one at least.
+int threadsOf(const Grid& grid, const LevelOptions& options) {
+  const std::uint64_t blocks = count(blocksOf(grid, edgeOf(options))), room = options.maxBytes / threadBytes(grid, options);
+  const auto asked = static_cast<std::uint64_t>(threadCount(options.threads));
+  return static_cast<int>(std::max<std::uint64_t>(std::min({asked, blocks, room}), 1));
+}
 
 tl::unexpected<Error> needsMore(std::uint64_t bytes, const LevelOptions& options) {
   const auto mebibytes = [](std::uint64_t each) { return textOf(std::ceil(static_cast<double>(each) / 1048576.0)) + " MiB"; };
   return failure(ErrorCode::tooLarge,
-                 say<"The level of this volume needs %1 of memory, %2 are allowed; use fewer threads or a smaller sigma.">(
+                 say<"The level of this volume needs %1 of memory, %2 are allowed; allow more, or choose a smaller sigma.">(
                      mebibytes(bytes), mebibytes(options.maxBytes)),
                  {{"forecast_bytes", std::to_string(bytes)}});
 }
@@ -239,12 +246,7 @@ std::array<float, 256> levelsShownAs(GreyMap shownWith) {
 }
 
 std::uint64_t levelForecast_bytes(const Grid& grid, const LevelOptions& options) {
-  const int edge = std::clamp(options.block_voxels, 8, 256);
-  const glm::ivec3 blocks = blocksOf(grid, edge);
-  const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm));
-  const std::size_t padded = count(glm::min(glm::ivec3(edge), grid.dims) + 2 * halo);
-  const auto threads = static_cast<std::uint64_t>(threadsFor(options, static_cast<int>(std::min<std::size_t>(count(blocks), 256))));
-  return threads * padded * sizeof(float) * Scratch::kFields;
+  return static_cast<std::uint64_t>(threadsOf(grid, options)) * threadBytes(grid, options);
 }
 
 Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span<const std::uint8_t> coverage, const LevelOptions& options,
@@ -255,12 +257,12 @@ Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span
   if (auto usable = checkLevelOptions(options); !usable) return usable;
   const std::uint64_t bytes = levelForecast_bytes(echo.grid, options);
   if (bytes > options.maxBytes) return needsMore(bytes, options);
-  const int edge = std::clamp(options.block_voxels, 8, 256);
+  const int edge = edgeOf(options);
   const glm::ivec3 blocks = blocksOf(echo.grid, edge);
   const auto total = static_cast<int>(count(blocks));
   try {
     const Leveller leveller(echo, coverage, options);
-    std::vector<Scratch> scratch(static_cast<std::size_t>(threadsFor(options, total)));
+    std::vector<Scratch> scratch(static_cast<std::size_t>(threadsOf(echo.grid, options)));
     std::mutex writing;
     const bool finished = forEachTask(
         total, static_cast<int>(scratch.size()), progress, say<"Finding the tissue's level">(), [&](int task, int worker, auto&&) {

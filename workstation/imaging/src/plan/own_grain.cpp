@@ -18,7 +18,7 @@ OwnGrain ownGrainOf(const LiveEchoesEffect& effect, double recordedDynamicRange_
   const std::array<float, 256> shown = levelsShownAs(usual.shownWith);
   const double perDb = 255.0 / recordedDynamicRange_db;
   for (std::size_t n = 0; n < 256; ++n) {
-    grain.ofGrey[n] = static_cast<float>(shown[n] + perDb * (effect.gain_db - usual.gain_db));
+    grain.ofGrey[n] = static_cast<float>(static_cast<double>(shown[n]) + perDb * (effect.gain_db - usual.gain_db));
     grain.ofLevel[n] = static_cast<float>(255.0 + perDb * ((static_cast<double>(n) / 255.0 - 1.0) * kLevelRange_db + effect.gain_db));
   }
   return grain;

@@ -10,6 +10,7 @@
 #include "chain/overlap.h"
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/stitching/places.h"
 
 namespace ew::stitching {
@@ -70,7 +71,11 @@ std::uint64_t ofJoining(const ChainRun& run, bool resultInMemory) {
   const auto forecast = forecastJoin(run.placedGrids(), unlimited);
   if (!forecast) return 0;  // the step itself says why
   const std::uint64_t voxels = forecast->grid.voxelCount();
-  return forecast->bytes + (resultInMemory && voxels <= run.options.streamAbove_voxels ? 3 * voxels : 0);
+  if (!resultInMemory) return forecast->bytes;
+  // The level comes once all is joined.
+  const std::uint64_t level = levelForecast_bytes(forecast->grid, {.threads = run.options.threads, .maxBytes = run.options.maxBytes});
+  const bool isHeld = voxels <= run.options.streamAbove_voxels;
+  return std::max(forecast->bytes + (isHeld ? 3 * voxels : 0), level + (isHeld ? 4 * voxels : 0));
 }
 
 /// At the peak of a step, the inputs not counted.

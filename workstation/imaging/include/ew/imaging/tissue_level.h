@@ -24,7 +24,7 @@ struct LevelOptions {
   double gain_db = LiveEchoesEffect{}.gain_db;  ///< that live echoes add: taken off, so that they show the recording's brightness
   int threads = 0;                              ///< 0: one per processor; the level does not depend on it
   int block_voxels = 64;                        ///< edge of the blocks, 8..256; the level does not depend on it
-  std::uint64_t maxBytes = 4ull << 30;          ///< that the threads may hold beside volume and level
+  std::uint64_t maxBytes = 4ull << 30;  ///< that the threads may hold beside volume and level: fewer work when that is not enough for all
 };
 
 /// Grey 0..255 of a recording as the level (0..255, on the scale of its recorded dynamic range) that `shownWith` shows as this grey: the
@@ -39,19 +39,20 @@ using LevelSink = std::function<void(const glm::ivec3& corner, const glm::ivec3&
 
 /// The level (TissueMaps::level) of recorded tissue: the mean echo around each voxel, without speckle.
 ///
-/// Grey becomes decibels and power; power is averaged by a Gaussian over the voxels with data, and taken back to the mean that speckle of
-/// this power has in decibels: 2.5 dB below, or as far as the mean of the decibels lies below where averaging has left less speckle
-/// (compounded volumes). That is done twice, with sigma_mm and with half of it; where the two differ by more than speckle explains, an edge
-/// runs, and the narrow one counts (weight 1 - variance of speckle / variance found; J. S. Lee, IEEE Trans. Pattern Anal. Mach. Intell.
-/// 2(2), 1980, with two scales in place of sample and mean). So no edge is smeared by more than half of sigma_mm, while even tissue is
-/// averaged over all of it.
+/// Grey becomes decibels and power, and both are averaged by a Gaussian over the voxels with data. Speckle has its mean decibels 2.5 dB
+/// below the decibels of its mean power; where averaging has left less speckle (compounded volumes), the mean decibels count. Edges show in
+/// a second Gaussian of half the width: where its means vary more within the first than speckle explains, an edge runs, and the mean
+/// decibels of the narrow one count, with the weight 1 - variance of speckle / variance found (J. S. Lee, IEEE Trans. Pattern Anal. Mach.
+/// Intell. 2(2), 1980; ours takes two scales in place of sample and mean). So an edge stays where it is and is smeared by half of sigma_mm,
+/// while even tissue is averaged over all of it.
 ///
 /// A voxel has data where coverage is not absent; where no coverage is known, where its grey is above 0. Voxels without data take no part:
 /// the rim is not darkened. The level is 0 without coverage, or where no coverage is known and most of what is near is 0 too; elsewhere at
 /// least 1.
 /// Equal to the bit for every number of threads, every size of block and every cut of the volume that leaves the neighbourhood whole.
 /// @param coverage voxelCount() values of Coverage, or empty
-/// @error cancelled (within 0.1 s or a block's time), tooLarge (the forecast above maxBytes, or no such memory), badField (sigma_mm)
+/// @error cancelled (within 0.1 s or a block's time), tooLarge (one thread needs more than maxBytes, or there is no such memory), badField
+/// (sigma_mm)
 [[nodiscard]] Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span<const std::uint8_t> coverage,
                                          const LevelOptions& options, const LevelSink& sink, Progress& progress = noProgress());
 
