@@ -15,11 +15,9 @@
 namespace ew {
 namespace {
 
-constexpr double kNarrow = 0.5;  // of sigma_mm, where an edge runs
-constexpr double kReach = 3.0;   // standard deviations
-/// What speckle alone lets the narrow mean scatter, as its variance: a Gaussian of 0.6 mm holds about six resolution cells, whose decibels
-/// scatter by 5.6 each.
-constexpr float kSpeckle_db2 = 5.0F;
+constexpr double kNarrow = 0.5;      // of sigma_mm, where an edge runs
+constexpr double kReach = 3.0;       // standard deviations
+constexpr float kCells = 6.0F;       // of speckle's resolution in a Gaussian of 0.6 mm: its mean varies by so much less
 constexpr float kLeastShare = 0.5F;  // of data nearby, where nobody knows what was covered
 
 /// Half of a Gaussian whose whole has the sum 1: by distance in voxels.
@@ -83,14 +81,15 @@ struct Scratch {
   Field weight, power, decibels;              ///< of the voxels with data: 1, power, decibels below full white
   Field wideWeight, widePower, wideDecibels;  ///< their Gaussian sums
   Field narrowWeight, narrowDecibels;
-  Field narrow, square, narrowSum, squareSum;  ///< the narrow mean and its square, and their wide sums
+  Field narrow, square, rest;           ///< the narrow mean, its square, and what a voxel differs from it, squared
+  Field narrowSum, squareSum, restSum;  ///< their wide sums
   Field between;
   std::vector<std::uint8_t> level;
 
-  static constexpr std::uint64_t kFields = 13;
+  static constexpr std::uint64_t kFields = 15;
   void resize(std::size_t voxels) {
     for (Field* each : {&weight, &power, &decibels, &wideWeight, &widePower, &wideDecibels, &narrowWeight, &narrowDecibels, &narrow,
-                        &square, &narrowSum, &squareSum, &between})
+                        &square, &rest, &narrowSum, &squareSum, &restSum, &between})
       each->resize(voxels);
   }
 };
@@ -127,9 +126,12 @@ class Leveller {
     for (std::size_t n = 0; n < mine.weight.size(); ++n) {
       mine.narrow[n] = mine.weight[n] > 0.0F ? mine.narrowDecibels[n] / mine.narrowWeight[n] : 0.0F;
       mine.square[n] = mine.narrow[n] * mine.narrow[n];
+      const float off = mine.decibels[n] - mine.narrow[n];
+      mine.rest[n] = off * off;
     }
     sum(wide_, padded, mine.narrow, mine.narrowSum, mine);
     sum(wide_, padded, mine.square, mine.squareSum, mine);
+    sum(wide_, padded, mine.rest, mine.restSum, mine);
     write(corner, size, padded, mine);
   }
 
@@ -182,7 +184,8 @@ class Leveller {
     const float ofPower = 10.0F * std::log10(std::max(mine.widePower[n] / mine.wideWeight[n], 1e-30F));
     const float more = std::max(ofPower - static_cast<float>(detail::kMeanOfLog_db) - wide, 0.0F);
     const float mean = mine.narrowSum[n] / mine.wideWeight[n], variance = mine.squareSum[n] / mine.wideWeight[n] - mean * mean;
-    const float edge = variance > kSpeckle_db2 ? 1.0F - kSpeckle_db2 / variance : 0.0F;
+    const float ofSpeckle = mine.restSum[n] / (kCells * mine.wideWeight[n]);
+    const float edge = variance > ofSpeckle ? 1.0F - ofSpeckle / variance : 0.0F;
     const float seen_db = wide + edge * (narrow - wide) + (1.0F - edge) * (1.0F - edge) * more;
     const double level_db = static_cast<double>(seen_db) - gain_db_;
     return static_cast<std::uint8_t>(std::lround(std::clamp(255.0 * (1.0 + level_db / detail::kLevelRange_db), 1.0, 255.0)));

@@ -41,10 +41,10 @@ using LevelSink = std::function<void(const glm::ivec3& corner, const glm::ivec3&
 ///
 /// Grey becomes decibels and power, and both are averaged by a Gaussian over the voxels with data. Speckle has its mean decibels 2.5 dB
 /// below the decibels of its mean power; where averaging has left less speckle (compounded volumes), the mean decibels count. Edges show in
-/// a second Gaussian of half the width: where its means vary more within the first than speckle explains, an edge runs, and the mean
-/// decibels of the narrow one count, with the weight 1 - variance of speckle / variance found (J. S. Lee, IEEE Trans. Pattern Anal. Mach.
-/// Intell. 2(2), 1980; ours takes two scales in place of sample and mean). So an edge stays where it is and is smeared by half of sigma_mm,
-/// while even tissue is averaged over all of it.
+/// a second Gaussian of half the width: where its means vary more within the first than the scatter of voxels about them explains (a sixth:
+/// there are six resolution cells), an edge runs, and the mean decibels of the narrow one count, with the weight 1 - variance of speckle /
+/// variance found (J. S. Lee, IEEE Trans. Pattern Anal. Mach. Intell. 2(2), 1980; ours takes two scales in place of sample and mean). So an
+/// edge stays where it is and is smeared by half of sigma_mm, while even tissue is averaged over all of it.
 ///
 /// A voxel has data where coverage is not absent; where no coverage is known, where its grey is above 0. Voxels without data take no part:
 /// the rim is not darkened. The level is 0 without coverage, or where no coverage is known and most of what is near is 0 too; elsewhere at
