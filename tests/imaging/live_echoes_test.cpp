@@ -370,6 +370,10 @@ TEST(LiveEchoes, BecomeTheSliceAsMoreOfTheVolumesOwnGrainIsKept) {
   EXPECT_LT(ofHalf + 0.1, 0.98);
   shot.threads = 3;
   EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
+  // Recorded tissue has little walls and a texture of its own.
+  shot.scene.liveEchoes->fragmentsPerCm3 = 37.0;
+  shot.scene.liveEchoes->texture_db = 3.0;
+  EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
 }
 
 TEST(LiveEchoes, TakeUpAVolumesOwnGrainOnlyWhereThereIsARecording) {

@@ -1,6 +1,7 @@
 #include "volume_input.h"
 
 #include "arguments.h"
+#include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 
 namespace ew::cli {
