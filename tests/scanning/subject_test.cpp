@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/io/volume_file.h"
+#include "ew/tracking/hand.h"
 #include "scanning/small_scan.h"
 
 namespace ew::subject_test {

@@ -11,6 +11,7 @@
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
 #include "ew/imaging/tissue_level.h"
+#include "ew/io/mapped_volume.h"
 #include "ew/stitching/places.h"
 
 namespace ew::stitching {
@@ -75,7 +76,8 @@ std::uint64_t ofJoining(const ChainRun& run, bool resultInMemory) {
   // The level comes once all is joined.
   const std::uint64_t level = levelForecast_bytes(forecast->grid, {.threads = run.options.threads, .maxBytes = run.options.maxBytes});
   const bool isHeld = voxels <= run.options.streamAbove_voxels;
-  return std::max(forecast->bytes + (isHeld ? 3 * voxels : 0), level + (isHeld ? 4 * voxels : 0));
+  const std::uint64_t mapped = 2 * std::min<std::uint64_t>(voxels, MapOptions{}.residentBudget_bytes);  // volume and coverage, read back
+  return std::max(forecast->bytes + (isHeld ? 3 * voxels : 0), level + (isHeld ? 4 * voxels : mapped));
 }
 
 /// At the peak of a step, the inputs not counted.
