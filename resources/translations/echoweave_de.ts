@@ -132,6 +132,42 @@
         <translation>1 ohne Filter quer zu den Linien</translation>
     </message>
     <message>
+        <source>of a recorded volume; 0 forms all grain anew</source>
+        <translation>eines aufgenommenen Volumens; 0 bildet alle Körnung neu</translation>
+    </message>
+    <message>
+        <source>The level of this volume needs %1 of memory, %2 are allowed; allow more, or choose a smaller sigma.</source>
+        <translation>Der Pegel dieses Volumens braucht %1 Speicher, erlaubt sind %2; erlauben Sie mehr, oder wählen Sie ein kleineres Sigma.</translation>
+    </message>
+    <message>
+        <source>The level is averaged over %1 mm, expected is a number from 0.2 to 5.</source>
+        <translation>Der Pegel wird über %1 mm gemittelt, erwartet wird eine Zahl von 0.2 bis 5.</translation>
+    </message>
+    <message>
+        <source>Finding the tissue&apos;s level</source>
+        <translation>Der Pegel des Gewebes wird bestimmt</translation>
+    </message>
+    <message>
+        <source>Finding the tissue&apos;s level was stopped.</source>
+        <translation>Das Bestimmen des Gewebepegels wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Live echoes need the volume in memory, and this one stays in its file; leave out --map.</source>
+        <translation>Lebendige Echos brauchen das Volumen im Speicher, und dieses bleibt in seiner Datei; lassen Sie --map weg.</translation>
+    </message>
+    <message>
+        <source>&apos;volume.level&apos; in case.json stands beside a recipe, which makes its own level; take one of them out.</source>
+        <translation>&apos;volume.level&apos; in case.json steht neben einem Rezept, das seinen eigenen Pegel macht; nehmen Sie eines davon heraus.</translation>
+    </message>
+    <message>
+        <source>a volume file of the tissue&apos;s mean echo (one 8 bit unsigned number a voxel, as `echoweave level` writes it) inside the case folder, as a relative path; beside a file alone, for a recipe makes its own</source>
+        <translation>eine Volumendatei mit dem mittleren Echo des Gewebes (eine vorzeichenlose 8-Bit-Zahl je Voxel, wie `echoweave level` sie schreibt) im Fallordner, als relativer Pfad; nur neben einer Datei, denn ein Rezept macht seinen eigenen</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1 (of a recorded volume; 0 forms all grain anew)</source>
+        <translation>eine Zahl von 0 bis 1 (eines aufgenommenen Volumens; 0 bildet alle Körnung neu)</translation>
+    </message>
+    <message>
         <source>below the echoes beside a line</source>
         <translation>unter den Echos neben einer Linie</translation>
     </message>
@@ -6162,6 +6198,10 @@
         <translation>lebendige Echos</translation>
     </message>
     <message>
+        <source>own grain</source>
+        <translation>eigene Körnung</translation>
+    </message>
+    <message>
         <source>envelope</source>
         <translation>Hüllkurve</translation>
     </message>
@@ -7570,8 +7610,8 @@
         <translation>Das zusammengefügte Volumen wird gespeichert</translation>
     </message>
     <message>
-        <source>Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.</source>
-        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha und provenance.json.</translation>
+        <source>Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.</source>
+        <translation>Gespeichert in %1: volume.mha, coverage.mha, source.mha, level.mha und provenance.json.</translation>
     </message>
     <message>
         <source>No case is open that could take the volume; open one (Ctrl+O) or save the volume as a file.</source>
@@ -10231,6 +10271,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 </context>
 <context>
     <name>ew::ui::Opener</name>
+    <message>
+        <source>Preparing live echoes</source>
+        <translation>Lebendige Echos werden vorbereitet</translation>
+    </message>
     <message>
         <source>Preparing the mannequin</source>
         <translation>Der Übungskörper wird vorbereitet</translation>

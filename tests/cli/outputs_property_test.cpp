@@ -263,7 +263,7 @@ class Scenario {
     const std::string into = dice_.once(2) ? "." : "out";
     words = {"stitch", project, "-o", at(into), "--threads", "1"};
     if (into == "out" && dice_.once(2)) fs::create_directory(at(into));
-    for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "provenance.json"})
+    for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"})
       named.insert((fs::path(into) / name).lexically_normal().string());
     kept.insert((fs::path(into) / "steps").lexically_normal().string());
   }
@@ -289,7 +289,7 @@ class Scenario {
     for (int n = 0; n < count; ++n) put(anyName(kEndings));
     for (const char* name : {"steps/week1/plan-draft.txt", "steps/photos/2026-01-01.jpg", "steps/.hidden", "steps/volume/notes-1.txt",
                              "out/steps/seam/my-notes.txt", "page/accuracy-and-time.html", "page/notes.html", "kept/mine.txt", "volume.mha",
-                             "coverage.mha", "provenance.json", "project.json"})
+                             "coverage.mha", "level.mha", "provenance.json", "project.json"})
       if (dice_.once(6)) put(name);
   }
 

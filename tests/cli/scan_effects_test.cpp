@@ -2,6 +2,7 @@
 
 #include "cli/cli_world.h"
 #include "ew/imaging/frame.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/io/image_file.h"
 
 namespace ew::test::scan_effects_test {
@@ -50,6 +51,28 @@ TEST_F(ScanEffects, AShadowLiesBehindThePlateAndNowhereElse) {
   EXPECT_LT(viewOf(*image).at(120, 180), 40);
   EXPECT_NEAR(viewOf(*image).at(200, 180), 100, 12);
   EXPECT_NEAR(viewOf(*image).at(120, 40), 100, 12);
+}
+
+TEST_F(ScanEffects, LiveEchoesOfARecordedVolumeAreFormedFromALevelThatIsFoundFirst) {
+  const auto live = scan(R"({"live_echoes": {"own_grain": 0.5}})", {"--plan", "--report", folder / "r.json"});
+  ASSERT_EQ(live.status, 0) << live.err;
+  EXPECT_NE(live.out.find("own grain"), std::string::npos) << live.out;
+  EXPECT_NE(live.out.find("Made the level of the recorded tissue"), std::string::npos) << live.out;
+  const auto mapped = scan(R"({"live_echoes": true})", {"--map", "--plan"});
+  EXPECT_NE(mapped.status, 0);
+}
+
+TEST_F(ScanEffects, TheLevelOfAVolumeIsWrittenBesideIt) {
+  const auto made = run({"level", folder / "v.mha", "-o", folder / "level.mha", "--sigma-mm", "1", "--report", folder / "r.json"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto level = readLabelVolume(folder / "level.mha");
+  const auto volume = readVolume(folder / "v.mha");
+  ASSERT_TRUE(level && volume);
+  EXPECT_EQ(level->volume.grid, volume->volume.grid);
+  EXPECT_EQ(level->volume.echo, *levelOf(volume->volume, {.sigma_mm = 1.0}));
+  EXPECT_NE(made.out.find("100.0 % of the voxels"), std::string::npos) << made.out;
+  EXPECT_NE(run({"level", folder / "v.mha", "-o", folder / "v.mha"}).status, 0) << "never over its input";
+  EXPECT_NE(run({"level", folder / "v.mha", "-o", folder / "l.mha", "--sigma-mm", "9"}).status, 0);
 }
 
 TEST_F(ScanEffects, PlanSaysWhereItSamplesAndTheReportHasBothTimesOfEachStep) {

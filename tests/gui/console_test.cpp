@@ -219,6 +219,19 @@ class ConsoleTest : public ConsoleFixture {
     QVERIFY(session().spans() != steered);
   }
 
+  void liveEchoesOfARecordedVolumeBeginOnceItsLevelIsFound() {
+    QVERIFY(!session().subject()->tissue);
+    pressEffect("live_echoes");
+    QTRY_VERIFY(scene().liveEchoes.has_value());
+    QVERIFY(session().subject()->tissue && session().subject()->tissue->isRecorded);
+    QVERIFY(find<QCheckBox>("effect_live_echoes")->isChecked());
+    session().makePictureNow();
+    const auto& steps = session().plan().steps;
+    QVERIFY(std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.kind == StepKind::scatterers; }));
+    pressEffect("live_echoes");
+    QVERIFY(!scene().liveEchoes);
+  }
+
   void everyEffectIsSwitchedAndItsStrengthReachesTheScene() {
     const Scene none;
     QVERIFY(scene() == none);

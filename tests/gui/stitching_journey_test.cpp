@@ -129,7 +129,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QCOMPARE(QString::fromStdString(manifest["volume"]["file"].get<std::string>()), QStringLiteral("volumes/stitched.mha"));
     QVERIFY(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched.mha")));
     QVERIFY(!window_->document().hasUnsavedChanges());
-    for (const char* ending : {"-coverage.mha", "-source.mha", "-provenance.json"})
+    for (const char* ending : {"-coverage.mha", "-source.mha", "-level.mha", "-provenance.json"})
       QVERIFY2(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched") + QLatin1String(ending)), ending);
     // What is scanned from now on is this volume, as the case's own.
     const auto stitched = readVolume((folder + QStringLiteral("/volumes/stitched.mha")).toStdString());

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "ew/imaging/frame.h"
 #include "ew/imaging/resolved.h"
+#include "ew/imaging/tissue_level.h"
 #include "imaging/every_target.h"
 #include "imaging/live_echoes_support.h"
 
@@ -174,6 +176,100 @@ TEST(LiveEchoes, CostASceneNothingThatDoesNotAskForThem) {
   // Nor one whose tissue nobody knows.
   EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, false), recorded);
   EXPECT_NE(makePlan(probe, knobs, scene, geometry, grid, true, false, true), recorded);
+}
+
+/// A recorded volume beside maps made of it, seen with a curve that shows decibels as they are.
+GreyImage pictureOfRecorded(const Volume& volume, const TissueMaps& maps, double ownGrain, const Shot& shot) {
+  FrameMaker maker(shot.threads);
+  Scene scene = shot.scene;
+  if (scene.liveEchoes) scene.liveEchoes->ownGrain = ownGrain;
+  maker.configure(shot.probe, shot.knobs, scene, volume.grid, 640, 512, false, {}, true, maps.isRecorded);
+  FrameInput input;
+  input.tissue = &maps;
+  input.tissueGrid = maps.grid;
+  input.echo = volume.view();
+  input.pose.probeToWorld.matrix = shot.probeToWorld;
+  const Picture made = maker.make(input);
+  GreyImage copy(made.width(), made.height());
+  for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
+  return copy;
+}
+
+/// Speckle as one machine recorded it, of tissue with a dark and a bright half.
+Volume recordedHalves() {
+  const TissueMaps drawn = tissueOf([](const glm::dvec3& mm) { return mm.y < 50.0 ? 90.0 : 125.0; });
+  Volume volume{drawn.grid, drawn.level, {}};
+  std::mt19937 random(21);
+  std::exponential_distribution<double> power;
+  for (auto& voxel : volume.echo)
+    voxel = static_cast<std::uint8_t>(std::lround(std::clamp(voxel + kGreyPerDb * (10.0 * std::log10(power(random)) + 2.507), 1.0, 255.0)));
+  return volume;
+}
+
+TEST(LiveEchoes, OfARecordedVolumesLevelAreAsBrightAsTheTissueWasDrawn) {
+  const TissueMaps drawn = tissueOf([](const glm::dvec3& mm) { return mm.y < 50.0 ? 90.0 : 125.0; });
+  const Volume volume = recordedHalves();
+  const auto level = levelOf(volume, {.shownWith = GreyMap::linear, .gain_db = 0.0});
+  ASSERT_TRUE(level);
+  const TissueMaps found = recordedMaps(volume.grid, *level);
+  const Shot shot;
+  const GreyImage asDrawn = pictureOf(drawn, shot), asFound = pictureOf(found, shot);
+  for (const auto& [from_mm, to_mm] : {std::pair{20.0, 44.0}, std::pair{56.0, 90.0}})
+    EXPECT_NEAR(meanOf(levelsBetween(asFound, shot, from_mm, to_mm)), meanOf(levelsBetween(asDrawn, shot, from_mm, to_mm)), kGreyPerDb);
+}
+
+TEST(LiveEchoes, BecomeTheSliceAsMoreOfTheVolumesOwnGrainIsKept) {
+  const Volume volume = recordedHalves();
+  const auto level = levelOf(volume);
+  ASSERT_TRUE(level);
+  const TissueMaps maps = recordedMaps(volume.grid, *level);
+  Shot shot;
+  shot.scene.sliceThickness.reset();
+  shot.scene.focus.reset();
+  shot.scene.liveEchoes->gain_db = LiveEchoesEffect{}.gain_db;
+  shot.knobs.gainLaw = GainLaw::decibel;
+  shot.knobs.greyMap = GreyMap::clinical;
+  const auto seen = [&](const GreyImage& picture) { return levelsBetween(picture, shot, 20.0, 100.0); };
+  const std::vector<double> none = seen(pictureOfRecorded(volume, maps, 0.0, shot)),
+                            half = seen(pictureOfRecorded(volume, maps, 0.5, shot)), all = seen(pictureOfRecorded(volume, maps, 1.0, shot));
+  // The slice: on beams as well, and with the curve that the volume's grey already has.
+  Shot sliced = shot;
+  sliced.scene.liveEchoes.reset();
+  sliced.scene.sliceThickness.reset();
+  sliced.knobs.greyMap = GreyMap::linear;
+  const std::vector<double> slice = seen(pictureOfRecorded(volume, maps, 0.0, sliced));
+  EXPECT_GT(correlation(all, slice), 0.98);
+  EXPECT_NEAR(meanOf(all), meanOf(slice), 2.0);
+  const double ofNone = correlation(none, slice), ofHalf = correlation(half, slice);
+  EXPECT_LT(ofNone + 0.1, ofHalf);
+  EXPECT_LT(ofHalf + 0.1, 0.98);
+  shot.threads = 3;
+  EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
+  // Recorded tissue has little walls and a texture of its own.
+  shot.scene.liveEchoes->fragmentsPerCm3 = 37.0;
+  shot.scene.liveEchoes->texture_db = 3.0;
+  EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
+}
+
+TEST(LiveEchoes, TakeUpAVolumesOwnGrainOnlyWhereThereIsARecording) {
+  const Probe probe = convex();
+  const Knobs knobs;
+  Scene scene;
+  scene.liveEchoes = LiveEchoesEffect{};
+  scene.liveEchoes->ownGrain = 0.5;
+  const DisplayGeometry geometry = fitDisplay(probe, knobs, 640, 480, {});
+  Grid grid;
+  grid.dims = glm::ivec3(100);
+  const auto keeps = [&](bool isRecorded) {
+    const Plan plan = makePlan(probe, knobs, scene, geometry, grid, true, false, true, isRecorded);
+    return std::any_of(plan.steps.begin(), plan.steps.end(), [](const Step& step) { return step.kind == StepKind::ownGrain; });
+  };
+  EXPECT_TRUE(keeps(true));
+  EXPECT_FALSE(keeps(false));
+  scene.liveEchoes->ownGrain = 0.0;
+  EXPECT_FALSE(keeps(true));
+  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, true, true),
+            makePlan(probe, knobs, scene, geometry, grid, true, false, true));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "counted_stop.h"
 #include "ew/acquisition/import.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
@@ -106,6 +107,31 @@ TEST_F(CasePipeline, MakesAVolumeThatShowsThePatientWhereHeIs) {
   const auto recording = readSequence(folder / "sweeps/upper.igs.mha");
   ASSERT_TRUE(recording) << recording.error();
   EXPECT_EQ(recording->frames.size(), 10u);
+}
+
+TEST_F(CasePipeline, KeepsTheLevelOfWhatWasRecordedAndFindsItForAVolumeThatWasJoinedBefore) {
+  const Case small = opened(folder / "case");
+  const auto first = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(first) << first.error();
+  ASSERT_TRUE(first->tissue);
+  EXPECT_TRUE(first->tissue->isRecorded);
+  EXPECT_EQ(first->tissue->grid, first->volume.grid);
+  const auto expected = levelOf(first->volume);
+  ASSERT_TRUE(expected);
+  EXPECT_EQ(first->tissue->level, *expected);
+  const auto again = loadCaseVolume(small, noProgress());
+  ASSERT_TRUE(again && again->tissue);
+  EXPECT_EQ(*again->tissue, *first->tissue);
+
+  fs::remove_all(cacheFolder() / "steps" / "maps");
+  EXPECT_TRUE(caseNeedsPreparation(small));
+  EXPECT_LT(estimatePreparation(small)->seconds, 60.0) << "nothing is recorded again";
+  CancelAt watched;
+  const auto found = loadCaseVolume(small, watched);
+  ASSERT_TRUE(found && found->tissue);
+  EXPECT_EQ(*found->tissue, *first->tissue);
+  EXPECT_FALSE(watched.steps.count("Recording the sweep 'upper'"));
+  EXPECT_FALSE(caseNeedsPreparation(small));
 }
 
 TEST_F(CasePipeline, GivesTheSameVolumeWhateverStoppedItAndWhenever) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <numeric>
 
 #include <fstream>
 
@@ -188,6 +189,51 @@ TEST(CaseManifest, TakesALabelFileUnderTheRulesOfAVolumeFile) {
     const auto problems = problemsOf(volume);
     ASSERT_EQ(problems.size(), 1u) << volume;
     EXPECT_NE(problems.front().sentence().find("volume.labels"), std::string::npos) << problems.front();
+  }
+}
+
+TEST(LoadCaseVolume, FormsEchoesOfARecordedVolumeFromTheLevelItsManifestNames) {
+  const TemporaryFolder folder;
+  const Volume echo{{.dims = {3, 4, 5}}, std::vector<std::uint8_t>(60, 7), {}};
+  Volume level = echo;
+  std::iota(level.echo.begin(), level.echo.end(), std::uint8_t{0});
+  ASSERT_TRUE(writeVolume(echo, folder / "a.mha"));
+  ASSERT_TRUE(writeVolume(level, folder / "level.mha"));
+  Case made;
+  made.id = made.title = "x";
+  made.volume.file = "a.mha";
+  made.volume.level = "level.mha";
+  made.volume.fileToWorld = {glm::dmat4({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1})};
+  ASSERT_TRUE(saveCase(made, folder.path()));
+  const auto opened = loadCase(folder.path());
+  ASSERT_TRUE(opened) << opened.error();
+  EXPECT_EQ(opened->volume, made.volume);
+  const auto found = loadCaseVolume(*opened, noProgress());
+  ASSERT_TRUE(found) << found.error();
+  ASSERT_TRUE(found->tissue);
+  EXPECT_TRUE(found->tissue->isRecorded);
+  EXPECT_EQ(found->tissue->level, level.echo);
+  EXPECT_EQ(found->tissue->grid, placed(level.grid, made.volume.fileToWorld));
+  EXPECT_TRUE(found->tissue->surfaces.empty());
+  made.volume.level.clear();
+  made.folder = folder.path();
+  EXPECT_FALSE(loadCaseVolume(made, noProgress())->tissue) << "without a level it is sliced";
+}
+
+TEST(CaseManifest, TakesALevelBesideAFileAlone) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.mha", "l.mha", "patient.json"}) writeText(folder / name, "x");
+  const auto problemsOf = [&](const nlohmann::json& volume) {
+    return checkManifest({{"format", 1}, {"id", "x"}, {"title", "x"}, {"volume", volume}}, folder.path());
+  };
+  EXPECT_TRUE(problemsOf({{"file", "a.mha"}, {"level", "l.mha"}}).empty());
+  const nlohmann::json refused[] = {{{"file", "a.mha"}, {"level", "../l.mha"}},
+                                    {{"file", "a.mha"}, {"level", "none.mha"}},
+                                    {{"recipe", "patient.json"}, {"level", "l.mha"}}};
+  for (const auto& volume : refused) {
+    const auto problems = problemsOf(volume);
+    ASSERT_EQ(problems.size(), 1u) << volume;
+    EXPECT_NE(problems.front().sentence().find("volume.level"), std::string::npos) << problems.front();
   }
 }
 

@@ -10,6 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
+#include "ew/io/volume_file.h"
+#include "ew/tracking/hand.h"
 #include "scanning/small_scan.h"
 
 namespace ew::subject_test {
@@ -154,6 +156,44 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   EXPECT_FALSE(scanner.seesVolume(state.pose));
   state.pose.status = PoseStatus::invalid;
   EXPECT_FALSE(scanner.seesVolume(state.pose));
+}
+
+TEST(ScanSubject, ARecordedVolumeIsSlicedUntilItsLevelIsKnownAndSomebodyAsks) {
+  ScanSubject subject = test::waveSubject();
+  ScanState state = test::movingState(60);
+  state.scene = {};
+  state.scene.liveEchoes.emplace();
+  EXPECT_FALSE(subject.known(state.scene).liveEchoes);
+  EXPECT_TRUE(subject.possible(state.scene).liveEchoes);
+  subject.place({glm::translate(glm::dmat4(1.0), {5.0, 6.0, 7.0})});
+  const auto has = [&](const Scanner& scanner, StepKind kind) {
+    const auto& steps = scanner.plan().steps;
+    return std::any_of(steps.begin(), steps.end(), [kind](const Step& step) { return step.kind == kind; });
+  };
+  Scanner scanner;
+  scanner.show(subject);
+  static_cast<void>(scanner.make(state, 120, 90));
+  EXPECT_FALSE(has(scanner, StepKind::scatterers));
+
+  const auto tissue = recordedTissueOf(subject.voxels, state.scene, 1, noProgress());
+  ASSERT_TRUE(tissue) << tissue.error();
+  scanner.know(*tissue);
+  EXPECT_EQ(scanner.subject()->placedTissue, scanner.subject()->placedGrid);
+  EXPECT_TRUE(scanner.subject()->known(state.scene).liveEchoes);
+  static_cast<void>(scanner.make(state, 120, 90));
+  EXPECT_TRUE(has(scanner, StepKind::scatterers) && has(scanner, StepKind::ownGrain));
+  state.scene.liveEchoes.reset();
+  static_cast<void>(scanner.make(state, 120, 90));
+  EXPECT_FALSE(has(scanner, StepKind::scatterers)) << "the slice stays the default";
+
+  const auto folder = std::filesystem::temp_directory_path() / ("echoweave_level_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  ASSERT_TRUE(writeVolume(*subject.voxels.volume(), folder / "v.mha", noProgress(), {.compress = false}));
+  auto mapped = mapVolume(folder / "v.mha");
+  ASSERT_TRUE(mapped) << mapped.error();
+  const ScanVoxels inFile = ScanVoxels::of(std::make_shared<const MappedVolume>(std::move(*mapped)));
+  EXPECT_EQ(recordedTissueOf(inFile, state.scene, 1, noProgress()).error().code, ErrorCode::unsupported);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ScanSubject, TheFirstStateIsTheCasesProbeAtItsStart) {

@@ -31,13 +31,14 @@ json recipeCase() {
 }
 
 TEST(CaseVolume, LeavesOutWhatOnlyTheRecipesPatientKnewAndCountsIt) {
-  const auto made = caseWithVolume(recipeCase(), "volumes/stitched.mha", check);
+  const auto made = caseWithVolume(recipeCase(), "volumes/stitched.mha", "volumes/stitched-level.mha", check);
   EXPECT_TRUE(made.problems.empty()) << made.problems.front();
   EXPECT_EQ(made.targets, 2u);
   EXPECT_EQ(made.measurements, 2u);
   EXPECT_EQ(made.manifest["targets"], json({{{"name", "point"}, {"at_mm", {1, 2, 3}}}}));
   EXPECT_FALSE(made.manifest.contains("measurements"));
-  EXPECT_EQ(made.manifest["volume"], json({{"file", "volumes/stitched.mha"}, {"file_to_world", {1, 2, 3}}}));
+  EXPECT_EQ(made.manifest["volume"],
+            json({{"file", "volumes/stitched.mha"}, {"level", "volumes/stitched-level.mha"}, {"file_to_world", {1, 2, 3}}}));
   EXPECT_EQ(made.manifest["title"], "aorta");
 }
 
@@ -46,7 +47,7 @@ TEST(CaseVolume, LeavesACaseOfAFileAsItIsButForTheVolume) {
   manifest.erase("measurements");
   manifest["volume"] = {{"file", "old.mha"}};
   manifest["targets"] = json::array({manifest["targets"][1]});
-  const auto made = caseWithVolume(manifest, "new.mha", check);
+  const auto made = caseWithVolume(manifest, "new.mha", "", check);
   EXPECT_TRUE(made.problems.empty());
   EXPECT_EQ(made.targets + made.measurements, 0u);
   manifest["volume"] = {{"file", "new.mha"}};
@@ -56,7 +57,7 @@ TEST(CaseVolume, LeavesACaseOfAFileAsItIsButForTheVolume) {
 TEST(CaseVolume, TellsWhatStaysWrong) {
   json manifest = recipeCase();
   manifest["title"] = "";
-  const auto made = caseWithVolume(manifest, "new.mha", check);
+  const auto made = caseWithVolume(manifest, "new.mha", "", check);
   ASSERT_EQ(made.problems.size(), 1u);
   EXPECT_EQ(made.problems[0].context[0].second, "title");
 }

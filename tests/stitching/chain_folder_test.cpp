@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using test::ChainWorld;
 using test::textOf;
 
-constexpr const char* kResults[] = {"volume.mha", "coverage.mha", "source.mha", "provenance.json"};
+constexpr const char* kResults[] = {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"};
 
 /// Regular files below a folder by name, with what they hold.
 std::map<std::string, std::string> everythingIn(const fs::path& folder) {
@@ -315,7 +315,7 @@ TEST(ChainFolder, CopiesAResultAndAsksBeforeItReplacesWhatSomebodyElseMade) {
   const fs::path into = world.folder / "out", copies = world.folder / "copies";
   const auto state = world.run(into);
   ASSERT_TRUE(state) << state.error();
-  const std::array<fs::path, 4> result = {state->volume, state->coverage, state->source, state->provenance};
+  const ResultPaths result = {state->volume, state->coverage, state->source, state->level, state->provenance};
   const auto copy = [&](bool replaceForeign) { return copyResult(result, world.project, copies, replaceForeign, noProgress()); };
   ASSERT_TRUE(copy(false));
   EXPECT_EQ(ChainWorld::resultIn(copies), ChainWorld::resultIn(into));

@@ -1,4 +1,5 @@
 #include "ew/stitching/chain.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/stitching/places.h"
 
 #include <fcntl.h>
@@ -327,12 +328,27 @@ TEST(Chain, MakesTheSameVoxelsInBlocksAsInMemory) {
   world.project.settings.join.block = 16;
   const auto state = world.run(world.folder / "blocks", noProgress(), options);
   ASSERT_TRUE(state) << state.error();
-  for (const char* name : {"volume.mha", "coverage.mha", "source.mha"}) {
+  for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "level.mha"}) {
     const auto whole = readVolume(world.folder / "whole" / name);
     const auto blocks = readVolume(world.folder / "blocks" / name);
     ASSERT_TRUE(whole && blocks);
     EXPECT_EQ(whole->volume, blocks->volume) << name;
   }
+}
+
+TEST(Chain, WritesTheLevelOfTheTissueBesideItsVolume) {
+  ChainWorld world;
+  const auto state = world.run(world.folder / "out");
+  ASSERT_TRUE(state) << state.error();
+  EXPECT_EQ(state->level, world.folder / "out/level.mha");
+  const auto level = readLabelVolume(state->level);
+  auto whole = readVolume(state->volume);
+  ASSERT_TRUE(level && whole);
+  ASSERT_TRUE(readCoverageInto(whole->volume, state->coverage));
+  EXPECT_EQ(level->volume.grid, whole->volume.grid);
+  const auto expected = levelOf(whole->volume);
+  ASSERT_TRUE(expected);
+  EXPECT_EQ(level->volume.echo, *expected);
 }
 
 TEST(Chain, RefusesAFolderInWhichAnotherRunIsAtWork) {

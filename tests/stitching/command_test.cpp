@@ -47,9 +47,9 @@ class StitchCommand : public testing::Test {
 TEST_F(StitchCommand, WritesVolumeCoverageSourceAndProvenance) {
   const auto outcome = run({(folder / "p.json").string(), "-o", (folder / "out").string(), "--threads", "2"});
   ASSERT_TRUE(outcome) << outcome.error();
-  EXPECT_EQ(outcome->outputs.size(), 4u);
+  EXPECT_EQ(outcome->outputs.size(), 5u);
   for (const auto& file : outcome->outputs) EXPECT_TRUE(std::filesystem::exists(file)) << file;
-  EXPECT_EQ(entriesOf(folder / "out"), 5u) << "and the folder of the steps";
+  EXPECT_EQ(entriesOf(folder / "out"), 6u) << "and the folder of the steps";
   const auto made = readVolume(folder / "out/volume.mha");
   ASSERT_TRUE(made) << made.error();
   EXPECT_EQ(made->volume.grid.dims, glm::ivec3(12, 4, 4));
@@ -71,14 +71,14 @@ TEST_F(StitchCommand, LeavesNoHalfResultWhenWritingFails) {
   std::string key;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "elsewhere/steps/volume"))
     if (entry.path().extension() == ".json") key = entry.path().stem().string();
-  for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "provenance.json"}) {
+  for (const char* name : {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"}) {
     const auto inTheWay = folder / "out/steps/volume" / (key + "-" + name);
     std::filesystem::create_directories(inTheWay / "full");
     const auto outcome = run({(folder / "p.json").string(), "-o", out});
     ASSERT_FALSE(outcome) << name;
     EXPECT_EQ(outcome.error().code, ErrorCode::notWritable) << outcome.error();
     EXPECT_EQ(textOf(folder / "out/provenance.json"), before) << "the result of last week";
-    EXPECT_EQ(entriesOf(folder / "out"), 5u);
+    EXPECT_EQ(entriesOf(folder / "out"), 6u);
     std::filesystem::remove_all(inTheWay);
   }
   ASSERT_TRUE(run({(folder / "p.json").string(), "-o", out}));
@@ -94,7 +94,7 @@ TEST_F(StitchCommand, AResultWaitsUntilItIsPutInPlaceAndIsNotMadeAgain) {
   }
   const auto again = run({(folder / "p.json").string(), "-o", out});
   ASSERT_TRUE(again) << again.error();
-  EXPECT_EQ(entriesOf(out), 5u);
+  EXPECT_EQ(entriesOf(out), 6u);
   EXPECT_EQ(again->quality.front(), (std::pair<std::string, double>{"steps_reused", 7.0}));
 }
 

@@ -26,8 +26,10 @@ int targetOf(const std::string& field) {
 
 }  // namespace
 
-CaseWithVolume caseWithVolume(json manifest, const std::string& file, const std::function<std::vector<Error>(const json&)>& check) {
+CaseWithVolume caseWithVolume(json manifest, const std::string& file, const std::string& level,
+                              const std::function<std::vector<Error>(const json&)>& check) {
   json volume = {{"file", file}};
+  if (!level.empty()) volume["level"] = level;
   if (manifest.contains("volume") && manifest["volume"].is_object() && manifest["volume"].contains("file_to_world"))
     volume["file_to_world"] = manifest["volume"]["file_to_world"];
   manifest["volume"] = std::move(volume);
@@ -39,7 +41,7 @@ CaseWithVolume caseWithVolume(json manifest, const std::string& file, const std:
     bool areMeasurementsLost = false;
     for (Error& problem : check(made.manifest)) {
       const std::string field = fieldOf(problem);
-      if (field == "volume.file") continue;  // it is about to be written
+      if (field == "volume.file" || field == "volume.level") continue;  // they are about to be written
       const int target = targetOf(field);
       if (target >= 0 && made.manifest.contains("targets") && static_cast<std::size_t>(target) < made.manifest["targets"].size())
         lost.insert(static_cast<std::size_t>(target));

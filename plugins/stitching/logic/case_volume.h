@@ -20,8 +20,9 @@ struct CaseWithVolume {
 
 /// @param manifest of a case that is valid
 /// @param file of the volume, relative to the case's folder; it need not be there yet
+/// @param level the same of its level (imaging/tissue_level.h); empty: it has none
 /// @param check everything that is wrong with a manifest, with the "field" in its context (sdk::Cases::check)
-[[nodiscard]] CaseWithVolume caseWithVolume(nlohmann::json manifest, const std::string& file,
+[[nodiscard]] CaseWithVolume caseWithVolume(nlohmann::json manifest, const std::string& file, const std::string& level,
                                             const std::function<std::vector<Error>(const nlohmann::json&)>& check);
 
 }  // namespace ew::stitching

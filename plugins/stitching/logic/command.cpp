@@ -92,7 +92,9 @@ std::vector<Message> notesOf(const StitchProject& project, const ChainState& sta
 }  // namespace
 
 const char* const kStitchHelp =
-    "  -o, --output DIR  Folder for volume.mha, coverage.mha, source.mha and provenance.json; made when it is not there.\n"
+    "  -o, --output DIR  Folder for volume.mha, coverage.mha, source.mha, level.mha (for live echoes) and provenance.json; made when it "
+    "is\n"
+    "                    not there.\n"
     "                    DIR/steps keeps what each step found, so that a second run only does what changed\n"
     "  --until STEP      Stop after reconstruct, rigid, graph, equalise, elastic, seam or volume (volume)\n"
     "  --threads N       Threads; 0: all cores; the voxels do not depend on it (0)\n"
@@ -160,7 +162,7 @@ Result<sdk::Commands::Outcome> runStitchCommand(const std::vector<std::string>& 
   if (!state) return passOn(state.error());
   sdk::Commands::Outcome outcome;
   outcome.putInPlace = std::move(state->putInPlace);
-  for (const auto& file : {state->volume, state->coverage, state->source, state->provenance})
+  for (const auto& file : {state->volume, state->coverage, state->source, state->level, state->provenance})
     if (!file.empty()) outcome.outputs.push_back(file.string());
   tellQuality(*state, outcome);
   outcome.notes = notesOf(*project, *state);

@@ -23,10 +23,11 @@ namespace fs = std::filesystem;
 using sdk::words;
 
 /// How the files of a result end in a case, in the order of ResultFiles::kNames.
-constexpr std::array<const char*, 4> kEndings = {".mha", "-coverage.mha", "-source.mha", "-provenance.json"};
+constexpr std::array<const char*, 5> kEndings = {".mha", "-coverage.mha", "-source.mha", "-level.mha", "-provenance.json"};
+static_assert(kEndings.size() == ResultFiles::kNames.size());
 
 /// Copies the files of a result beside each other into a case, all or none.
-Result<void> putIntoCase(const std::array<fs::path, 4>& result, const fs::path& caseFolder, const std::string& name, Progress& progress) {
+Result<void> putIntoCase(const ResultPaths& result, const fs::path& caseFolder, const std::string& name, Progress& progress) {
   const fs::path volumes = caseFolder / "volumes";
   OutputSet outputs;
   if (auto made = outputs.announceFolder(volumes); !made) return made;
@@ -93,7 +94,8 @@ void StitchSession::saveResult(const fs::path& folder) {
         StitchSession* session = here.data();
         if (session == nullptr) return;
         if (!outcome) return session->say(outcome.error());
-        Q_EMIT session->said(tr("Saved in %1: volume.mha, coverage.mha, source.mha and provenance.json.").arg(words(folder.string())));
+        Q_EMIT session->said(
+            tr("Saved in %1: volume.mha, coverage.mha, source.mha, level.mha and provenance.json.").arg(words(folder.string())));
       });
 }
 
@@ -120,7 +122,8 @@ void StitchSession::handToCase() {
     return name;
   };
   const auto wanted = [&cases](const std::string& name) {
-    return caseWithVolume(*cases.current(), "volumes/" + name + ".mha", [&cases](const nlohmann::json& each) { return cases.check(each); });
+    return caseWithVolume(*cases.current(), "volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3],
+                          [&cases](const nlohmann::json& each) { return cases.check(each); });
   };
   // Everything that somebody has to decide or mend is asked before anything is written.
   const CaseWithVolume next = wanted(nextName());
@@ -156,8 +159,8 @@ void StitchSession::useInCase(const fs::path& caseFolder, const std::string& nam
     Q_EMIT problem(tr("Another case was opened meanwhile; no case was changed."));
     return;
   }
-  const CaseWithVolume next =
-      caseWithVolume(*open.current(), "volumes/" + name + ".mha", [&open](const nlohmann::json& each) { return open.check(each); });
+  const CaseWithVolume next = caseWithVolume(*open.current(), "volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3],
+                                             [&open](const nlohmann::json& each) { return open.check(each); });
   const bool wasSaved = !open.hasUnsavedChanges();
   if (auto edited = open.edit(next.manifest, tr("use the stitched volume").toStdString(), {}); !edited) {
     takeOutOfCase(caseFolder, name);

@@ -168,7 +168,7 @@ void StitchSession::finish(const Result<void>& outcome, ChainMade& made, const S
     if (made.result) {
       const ChainState& state = made.state;
       result_ = made.result;
-      resultFiles_ = {state.volume, state.coverage, state.source, state.provenance};
+      resultFiles_ = {state.volume, state.coverage, state.source, state.level, state.provenance};
       resultAsked_ = asked;
     }
     settle(std::move(made.state), asked);

@@ -181,7 +181,7 @@ bool StitchSession::saveAs(const fs::path& file) {
     fs::rename(before, after, ignored);
     if (!ignored && found_) {
       auto state = std::make_shared<ChainState>(*found_);
-      for (fs::path* path : {&state->volume, &state->coverage, &state->source, &state->provenance})
+      for (fs::path* path : {&state->volume, &state->coverage, &state->source, &state->level, &state->provenance})
         if (!path->empty()) *path = after / path->lexically_relative(before);
       for (fs::path& path : resultFiles_)
         if (!path.empty()) path = after / path.lexically_relative(before);

@@ -13,6 +13,7 @@
 #include "ew/sdk/host.h"
 #include "ew/stitching/chain.h"
 #include "ew/stitching/expected_cost.h"
+#include "ew/stitching/result_files.h"
 #include "logic/recovery.h"
 #include "logic/slices.h"
 #include "logic/stitch_document.h"
@@ -273,7 +274,7 @@ class StitchSession final : public QObject, public sdk::PanelDocument {
   bool running_ = false;
   std::shared_ptr<const ChainState> found_;
   std::shared_ptr<const Volume> result_;
-  std::array<std::filesystem::path, 4> resultFiles_;                  ///< volume, coverage, source, provenance
+  ResultPaths resultFiles_;                                           ///< of the stitched volume
   StitchProject resultAsked_;                                         ///< of which result_ was made
   int projectNumber_ = 0;                                             ///< counts the projects that were opened or begun
   mutable std::map<const PairOutcome*, PairOutcome> turnedOutcomes_;  ///< of found_, seen from the moving volume

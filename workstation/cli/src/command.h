@@ -86,6 +86,7 @@ CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& 
 void addImport(CLI::App& root, Selection& selection);
 void addReconstruct(CLI::App& root, Selection& selection);
 void addRegister(CLI::App& root, Selection& selection);
+void addLevel(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);

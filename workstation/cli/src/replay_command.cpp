@@ -36,6 +36,13 @@ Result<ScanSubject> readSubject(const ReplayArguments& arguments, const std::opt
   return subjectOf(std::move(*voxels), arguments.source);
 }
 
+/// The first scene of a recording that has live echoes, or one without them.
+Scene liveSceneOf(const ScanLog& log) {
+  for (const ScanEvent& event : log.events())
+    if (const auto* changed = std::get_if<SceneChanged>(&event.what); changed && changed->scene.liveEchoes) return changed->scene;
+  return {};
+}
+
 /// Which frame each image of the output shows: every n-th of the recording, or what is seen at even times.
 std::vector<std::size_t> framesOf(const ReplayArguments& arguments, const ScanLog& log) {
   std::vector<std::size_t> frames;
@@ -116,6 +123,8 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
   if (auto begun = images.begin(size_px); !begun) return passOn(begun.error());
   auto subject = readSubject(arguments, opened, run);
   if (!subject) return passOn(subject.error());
+  if (const Scene live = liveSceneOf(log); live.liveEchoes)
+    if (auto formed = formEchoes(run, *subject, live); !formed) return passOn(formed.error());
 
   Replay scan(log, std::move(*subject), arguments.threads);
   for (std::size_t n = 0; n < frames.size(); ++n) {

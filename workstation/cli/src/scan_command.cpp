@@ -87,13 +87,17 @@ Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wa
   if (wanted.opened) {
     auto contents = readCaseContents(run, *wanted.opened);
     if (!contents) return passOn(contents.error());
-    return subjectOf(*wanted.opened, *contents);
+    ScanSubject subject = subjectOf(*wanted.opened, *contents);
+    if (auto formed = formEchoes(run, subject, wanted.opened->scene); !formed) return passOn(formed.error());
+    return subject;
   }
   auto voxels = openInputVoxels(run, arguments.source, arguments.map);
   if (voxels && voxels->volume()) voxels = ScanVoxels::of(voxels->volume(), run.progress);
   if (!voxels) return passOn(voxels.error());
   ScanSubject subject = subjectOf(std::move(*voxels), arguments.source);
-  if (wanted.scene) subject.scene = *wanted.scene;
+  if (!wanted.scene) return subject;
+  subject.scene = *wanted.scene;
+  if (auto formed = formEchoes(run, subject, *wanted.scene); !formed) return passOn(formed.error());
   return subject;
 }
 

@@ -1,6 +1,7 @@
 #include "volume_input.h"
 
 #include "arguments.h"
+#include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 
 namespace ew::cli {
@@ -75,6 +76,19 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
   if (!contents) return passOn(contents.error());
   for (const auto& note : contents->notes) run.remark(note);
   return contents;
+}
+
+Result<void> formEchoes(Run& run, ScanSubject& subject, const Scene& asked) {
+  if (!asked.liveEchoes || subject.tissue) return {};
+  const StepClock clock(run.report, "level");
+  auto tissue = recordedTissueOf(subject.voxels, asked, 0, run.progress);
+  if (!tissue) return passOn(tissue.error());
+  const double level_mib = static_cast<double>((*tissue)->level.size()) / 1048576.0;
+  subject.know(std::move(*tissue));
+  subject.scene.liveEchoes = asked.liveEchoes;
+  run.say("Made the level of the recorded tissue for live echoes (" + rounded(level_mib, 0) +
+          " MiB); `echoweave level` keeps it in a file.");
+  return {};
 }
 
 }  // namespace ew::cli

@@ -37,4 +37,8 @@ inline constexpr std::uint64_t kMapFrom_bytes = 1ull << 30;
 /// What a case's manifest names, made first when it has to be; timed, notes told as remarks.
 [[nodiscard]] Result<CaseContents> readCaseContents(Run& run, const Case& opened);
 
+/// Makes the level of a recorded volume where a scene asks for live echoes and none is known, and gives the subject both; timed and told.
+/// @error as recordedTissueOf
+[[nodiscard]] Result<void> formEchoes(Run& run, ScanSubject& subject, const Scene& asked);
+
 }  // namespace ew::cli

@@ -13,6 +13,7 @@
 #include "ew/acquisition/sweep_volume.h"
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/io/content_key.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
@@ -37,6 +38,8 @@ using PatientPtr = std::shared_ptr<const Patient>;
 constexpr int kPreparationFormat = 4;
 /// The same for the maps of tissue alone.
 constexpr int kMapsFormat = 1;
+/// And for the level of recorded tissue.
+constexpr int kLevelFormat = 1;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;
 
 tl::unexpected<Error> stopped() { return failure(ErrorCode::cancelled, say<"Preparing the case was stopped.">()); }
@@ -105,11 +108,8 @@ double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
   return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
 }
 
-/// Whether maps of tissue are made, from which echoes are formed live: what is known of a patient that no sweep recorded.
-bool wantsMaps(const Case& opened) { return opened.volume.sweeps.empty(); }
-
-/// A trunk of about six litres, in million voxels. Maps take as long again.
-double voxeliseWork(const Case& opened) { return (wantsMaps(opened) ? 12.0 : 6.0) / std::pow(opened.volume.recipeSpacing_mm, 3); }
+/// A trunk of about six litres, in million voxels; maps take as long again.
+double voxeliseWork(const Case& opened) { return 12.0 / std::pow(opened.volume.recipeSpacing_mm, 3); }
 
 /// Keeps the promise that fractions never move backwards where work turns out to have to be done again.
 class MonotonicProgress final : public Progress {
@@ -214,7 +214,7 @@ class Preparation {
     }
     bool hasPatient = false;
     for (const PlannedSweep& sweep : plan.sweeps) {
-      if (store.find(kSweeps, sweep.volume)) continue;
+      if (store.find(kVolumes, plan.volume) || store.find(kSweeps, sweep.volume)) continue;
       if (!store.find(kRecordings, sweep.recording)) {
         if (!hasPatient) add(PreparationStep::patient, 1.0);
         hasPatient = true;
@@ -246,6 +246,9 @@ class Preparation {
     auto labels = labelsOf(made.volume.grid);
     if (!labels) return passOn(labels.error());
     made.labels = std::move(*labels);
+    auto maps = recordedLevel(made.volume);
+    if (!maps) return passOn(maps.error());
+    made.maps = std::move(*maps);
     keepMachineSpeed(cacheFolder(), PreparationStep::stitch, stitchWork(plan_, case_.volume.reconstruct), clock_.sinceBegin_s());
     return made;
   }
@@ -255,12 +258,9 @@ class Preparation {
     if (!patient) return passOn(patient.error());
     begin(PreparationStep::voxelise, say<"Building the virtual patient">());
     PartOfProgress most(clock_, 0.0, 0.9);
-    auto voxels = voxelise(**patient,
-                           {.spacing_mm = case_.volume.recipeSpacing_mm,
-                            .threads = options_.threads,
-                            .maxBytes = options_.maxBytes,
-                            .maps = !plan_.maps.empty()},
-                           most);
+    auto voxels = voxelise(
+        **patient, {.spacing_mm = case_.volume.recipeSpacing_mm, .threads = options_.threads, .maxBytes = options_.maxBytes, .maps = true},
+        most);
     if (!voxels) return passOn(voxels.error());
     keepMachineSpeed(cacheFolder(), PreparationStep::voxelise, voxeliseWork(case_), clock_.sinceBegin_s());
     Prepared made{std::move(voxels->volume), {}};
@@ -419,10 +419,25 @@ class Preparation {
     if (!loaded) return passOn(loaded.error());
     Prepared made{std::move(loaded->volume), {}};
     if (auto read = readCoverageInto(made.volume, state->coverage, silent_); !read) return passOn(read.error());
+    auto level = readLabelVolume(state->level, silent_);
+    if (!level) return passOn(level.error());
     if (auto kept = keepPrepared(store_, kVolumes, plan_.volume, made, saving); !kept) return passOn(kept.error());
+    if (auto kept = keepMaps(store_, kMaps, plan_.maps, recordedMaps(made.volume.grid, std::move(level->volume.echo))); !kept)
+      return passOn(kept.error());
     std::error_code ignored;
     fs::remove_all(folder, ignored);
     return std::move(made.volume);
+  }
+
+  /// What live echoes of the joined volume are formed from: kept by the chain's end, or made of a volume that was joined before.
+  Result<std::shared_ptr<TissueMaps>> recordedLevel(const Volume& volume) {
+    if (auto kept = readKeptMaps(store_, kMaps, plan_.maps, volume.grid)) return kept;
+    PartOfProgress levelling(clock_, 0.9, 1.0);
+    auto level = levelOf(volume, {.threads = options_.threads, .maxBytes = options_.maxBytes}, levelling);
+    if (!level) return passOn(level.error());
+    auto maps = std::make_shared<TissueMaps>(recordedMaps(volume.grid, std::move(*level)));
+    if (auto kept = keepMaps(store_, kMaps, plan_.maps, *maps); !kept) return passOn(kept.error());
+    return maps;
   }
 
   Result<Volume> labelsOf(const Grid& grid) {
@@ -439,7 +454,7 @@ class Preparation {
     coarse.spacing_mm = glm::dvec3(case_.volume.reconstruct.labelsSpacing_mm);
     for (int axis = 0; axis < 3; ++axis)
       coarse.dims[axis] = static_cast<int>(std::ceil((grid.dims[axis] - 1) * grid.spacing_mm[axis] / coarse.spacing_mm[axis])) + 1;
-    PartOfProgress labelling(clock_, 0.65, 0.95), saving(clock_, 0.95, 1.0);
+    PartOfProgress labelling(clock_, 0.65, 0.87), saving(clock_, 0.87, 0.9);
     auto labels = labelsOn(*patient_, coarse, options_.threads, labelling, options_.maxBytes);
     if (!labels) return passOn(labels.error());
     Prepared made{{}, {coarse, std::move(*labels), {}}};
@@ -471,7 +486,6 @@ Result<Prepared> readDone(const CasePlan& plan, const StepStore& store, Progress
       plan.sweeps.empty() ? readKeptLabels(store, kVolumes, plan.volume, second) : readKeptLabels(store, kLabels, plan.labels, second);
   if (!labels) return passOn(labels.error());
   Prepared done{std::move(*volume), std::move(*labels)};
-  if (plan.maps.empty()) return done;
   done.maps = readKeptMaps(store, kMaps, plan.maps, done.volume.grid);
   if (!done.maps) return damagedInCache(store, kMaps, plan.maps);
   return done;
@@ -524,7 +538,8 @@ Result<CasePlan> unguardedPlanOf(const Case& opened) {
   }
   plan.volume = whole.text();
   plan.labels = ContentKey().add("labels").add(plan.volume).add(opened.volume.reconstruct.labelsSpacing_mm).text();
-  if (wantsMaps(opened)) plan.maps = ContentKey().add("maps").add(kMapsFormat).add(plan.volume).text();
+  plan.maps = opened.volume.sweeps.empty() ? ContentKey().add("maps").add(kMapsFormat).add(plan.volume).text()
+                                           : ContentKey().add("level").add(kLevelFormat).add(plan.volume).text();
   plan.truth = ContentKey().add("truth").add(kPreparationFormat).add(*patient).text();
   return plan;
 }
@@ -541,12 +556,12 @@ const std::vector<std::string>& preparationSteps() {
 }
 
 bool CasePlan::isDoneIn(const StepStore& store) const {
-  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && (maps.empty() || store.find(kMaps, maps));
+  return store.find(kVolumes, volume) && (sweeps.empty() || store.find(kLabels, labels)) && store.find(kMaps, maps);
 }
 
 bool CasePlan::isDamagedIn(const StepStore& store) const {
   const auto isDamaged = [&](const char* step, const std::string& key) { return store.claims(step, key) && !store.find(step, key); };
-  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || (!maps.empty() && isDamaged(kMaps, maps));
+  return isDamaged(kVolumes, volume) || (!sweeps.empty() && isDamaged(kLabels, labels)) || isDamaged(kMaps, maps);
 }
 
 bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), preparationSteps())); }

@@ -17,7 +17,7 @@ namespace ew {
 struct Prepared {
   Volume volume;                               ///< with coverage
   Volume labels;                               ///< a label per voxel in its `echo`
-  std::shared_ptr<TissueMaps> maps = nullptr;  ///< on the volume's grid; null where the case asks for none
+  std::shared_ptr<TissueMaps> maps = nullptr;  ///< on the volume's grid: as drawn, or the level of what sweeps recorded
 };
 
 /// The folders of the cache, below steps, in which results of preparations lie: each with what was made in a step, under its key.
@@ -25,7 +25,7 @@ inline constexpr const char* kRecordings = "recordings";  ///< of sweeps, until 
 inline constexpr const char* kSweeps = "sweeps";          ///< reconstructed
 inline constexpr const char* kVolumes = "volumes";        ///< joined, or voxelised with their labels
 inline constexpr const char* kLabels = "labels";          ///< of joined volumes
-inline constexpr const char* kMaps = "maps";              ///< of tissue, beside voxelised volumes
+inline constexpr const char* kMaps = "maps";              ///< of tissue, beside volumes
 inline constexpr const char* kTruths = "truths";
 [[nodiscard]] const std::vector<std::string>& preparationSteps();
 
@@ -46,7 +46,7 @@ struct CasePlan {
   std::vector<PlannedSweep> sweeps;  ///< none: the patient is voxelised
   std::string volume;                ///< key in kVolumes
   std::string labels;                ///< key in kLabels
-  std::string maps;                  ///< key in kMaps; empty: none are made
+  std::string maps;                  ///< key in kMaps
   std::string truth;                 ///< key in kTruths
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "case_pipeline.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/library/preparation.h"
@@ -38,6 +39,36 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   return found;
 }
 
+/// One of the files beside a volume: samples that stand for themselves.
+Result<Volume> readBeside(const Case& opened, const std::string& relative, const std::string& field, Progress& progress,
+                          std::vector<Message>& notes) {
+  auto file = volumeOfCase(opened.folder, relative, field);
+  if (!file) return passOn(file.error());
+  auto read = readLabelVolume(*file, progress);
+  if (!read) return passOn(read.error());
+  notes.insert(notes.end(), read->notes.begin(), read->notes.end());
+  return std::move(read->volume);
+}
+
+Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& progress) {
+  const bool isAlone = opened.volume.labels.empty() && opened.volume.level.empty();
+  PartOfProgress first(progress, 0.0, isAlone ? 1.0 : 0.5), second(progress, 0.5, 0.75), third(progress, 0.75, 1.0);
+  auto loaded = readVolume(file, first);
+  if (!loaded) return passOn(loaded.error());
+  CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .tissues = {}, .notes = std::move(loaded->notes)};
+  if (!opened.volume.labels.empty()) {
+    auto labels = readBeside(opened, opened.volume.labels, "volume.labels", second, read.notes);
+    if (!labels) return passOn(labels.error());
+    read.labels = std::move(*labels);
+  }
+  if (!opened.volume.level.empty()) {
+    auto level = readBeside(opened, opened.volume.level, "volume.level", third, read.notes);
+    if (!level) return passOn(level.error());
+    read.tissue = std::make_shared<TissueMaps>(recordedMaps(level->grid, std::move(level->echo)));
+  }
+  return read;
+}
+
 }  // namespace
 
 Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {
@@ -45,19 +76,7 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
     if (!opened.volume.recipe.empty()) return fromRecipe(opened, options, progress);
     auto file = volumeOfCase(opened.folder, opened.volume.file, "volume.file");
     if (!file) return passOn(file.error());
-    PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
-    auto loaded = readVolume(*file, first);
-    if (!loaded) return passOn(loaded.error());
-    CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .tissues = {}, .notes = std::move(loaded->notes)};
-    if (opened.volume.labels.empty()) return read;
-    auto labelFile = volumeOfCase(opened.folder, opened.volume.labels, "volume.labels");
-    if (!labelFile) return passOn(labelFile.error());
-    PartOfProgress second(progress, 0.5, 1.0);
-    auto labels = readLabelVolume(*labelFile, second);
-    if (!labels) return passOn(labels.error());
-    read.labels = std::move(labels->volume);
-    read.notes.insert(read.notes.end(), labels->notes.begin(), labels->notes.end());
-    return read;
+    return fromFiles(opened, *file, progress);
   }();
   if (!found) return found;
   if (auto rigid = checkRigid(opened.volume.fileToWorld); !rigid) return passOn(rigid.error());

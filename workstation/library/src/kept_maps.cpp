@@ -43,12 +43,13 @@ Result<void> keepMaps(const StepStore& store, const char* step, const std::strin
   if (auto room = store.prepare(step); !room) return room;
   std::vector<std::string> names;
   for (const auto& [name, values] : filesOf(maps)) {
+    if (values->empty()) continue;  // a level alone
     const std::string_view bytes(reinterpret_cast<const char*>(values->data()), values->size());
     if (auto written = writeFileSafely(store.fileOf(step, key, names.emplace_back(name)), bytes); !written) return written;
   }
   nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
   for (const ReflectingSurface& surface : maps.surfaces) surfaces.push_back(jsonOf(surface));
-  return store.keep(step, key, {{"surfaces", std::move(surfaces)}}, names);
+  return store.keep(step, key, {{"surfaces", std::move(surfaces)}, {"recorded", maps.isRecorded}}, names);
 }
 
 std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* step, const std::string& key, const Grid& grid) {
@@ -56,8 +57,11 @@ std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* ste
   if (!data) return nullptr;
   auto maps = std::make_shared<TissueMaps>();
   maps->grid = grid;
-  for (const auto& [name, values] : filesOf(*maps))
+  maps->isRecorded = data->is_object() && data->value("recorded", false);
+  for (const auto& [name, values] : filesOf(*maps)) {
+    if (maps->isRecorded && values != &maps->level) continue;
     if (!store.readValues(step, key, name, grid.voxelCount(), *values)) return nullptr;
+  }
   try {
     for (const json& each : data->at("surfaces")) maps->surfaces.push_back(surfaceOf(each));
   } catch (const json::exception&) {

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 19> kTopFields = {
     "findings",   "diagnosis", "targets", "measurements",       "volume", "mannequin", "probes",  "scene",      "start_pose",
     "expert_pose"};
 constexpr std::array<std::string_view, 3> kPatientFields = {"name", "sex", "age_years"};
-constexpr std::array<std::string_view, 7> kVolumeFields = {"file",   "labels",      "recipe",       "recipe_spacing_mm",
+constexpr std::array<std::string_view, 8> kVolumeFields = {"file",   "labels",      "level",        "recipe", "recipe_spacing_mm",
                                                            "sweeps", "reconstruct", "file_to_world"};
 constexpr std::array<std::string_view, 7> kReconstructFields = {"spacing_mm", "interpolation", "compounding",      "fill_reach_mm",
                                                                 "seam",       "feather_mm",    "labels_spacing_mm"};
@@ -167,6 +167,11 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
     problems.push_back({ErrorCode::badField,
                         say<"'volume.labels' in case.json stands beside a recipe, which makes its own labels; take one of them out.">(),
                         {{"field", "volume.labels"}, {"expected", "no labels beside a recipe"}}});
+  checkVolumeFile(folder, volume, "level", "volume.level", problems);
+  if (volume.contains("level") && volume.contains("recipe"))
+    problems.push_back({ErrorCode::badField,
+                        say<"'volume.level' in case.json stands beside a recipe, which makes its own level; take one of them out.">(),
+                        {{"field", "volume.level"}, {"expected", "no level beside a recipe"}}});
   checkFile(folder, volume, "recipe", "volume.recipe", problems);
   if (volume.contains("sweeps")) {
     if (!volume.contains("recipe"))
@@ -320,6 +325,7 @@ Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path&
   const json& volume = manifest["volume"];
   made.volume.file = volume.value("file", "");
   made.volume.labels = volume.value("labels", "");
+  made.volume.level = volume.value("level", "");
   made.volume.recipe = volume.value("recipe", "");
   made.volume.recipeSpacing_mm = volume.value("recipe_spacing_mm", 1.0);
   if (volume.contains("sweeps")) made.volume.sweeps = volume["sweeps"].get<std::vector<std::string>>();
@@ -365,6 +371,7 @@ ordered_json orderedManifestOf(const Case& edited) {
   ordered_json volume = ordered_json::object();
   if (!edited.volume.file.empty()) volume["file"] = edited.volume.file;
   if (!edited.volume.labels.empty()) volume["labels"] = edited.volume.labels;
+  if (!edited.volume.level.empty()) volume["level"] = edited.volume.level;
   if (!edited.volume.recipe.empty()) volume["recipe"] = edited.volume.recipe;
   if (!edited.volume.recipe.empty() || edited.volume.recipeSpacing_mm != 1.0) volume["recipe_spacing_mm"] = edited.volume.recipeSpacing_mm;
   if (!edited.volume.sweeps.empty()) {

@@ -31,6 +31,10 @@ void Scanner::setScene(Scene scene) {
   if (subject_) subject_->scene = std::move(scene);
 }
 
+void Scanner::know(std::shared_ptr<const TissueMaps> ofVoxels) {
+  if (subject_) subject_->know(std::move(ofVoxels));
+}
+
 void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
   if (subject_) subject_->place(ownToWorld);
 }
@@ -38,7 +42,7 @@ void Scanner::place(const Transform<frame::World, frame::World>& ownToWorld) {
 void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
   EW_EXPECTS(subject_.has_value());
   maker_.configure(state.probe, state.knobs, state.scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
-                   subject_->tissue != nullptr);
+                   subject_->tissue != nullptr, subject_->tissue != nullptr && subject_->tissue->isRecorded);
 }
 
 Picture Scanner::make(const ScanState& state, int width_px, int height_px) {

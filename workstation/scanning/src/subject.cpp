@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ew/core/contract.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/tracking/hand.h"
 #include "kept_layouts.h"
 
@@ -87,6 +88,20 @@ SliceSource ScanVoxels::source(const Grid& placed, double pixel_mm) const {
 }
 
 Result<void> ScanVoxels::unchanged() const { return mapped_ ? mapped_->unchanged() : Result<void>(); }
+
+void ScanSubject::know(std::shared_ptr<const TissueMaps> ofVoxels) {
+  EW_EXPECTS(ofVoxels != nullptr && ofVoxels->grid == voxels.grid());
+  tissue = std::move(ofVoxels);
+  placedTissue = placedGrid;
+}
+
+Result<std::shared_ptr<const TissueMaps>> recordedTissueOf(const ScanVoxels& voxels, const Scene& scene, int threads, Progress& progress) {
+  if (!voxels.volume())
+    return failure(ErrorCode::unsupported,
+                   say<"Live echoes need the volume in memory, and this one stays in its file; leave out --map.">());
+  return recordedMapsOf(*voxels.volume(), progress,
+                        {.recordedDynamicRange_db = limited(scene).recordedDynamicRange_db, .threads = threads});
+}
 
 void ScanSubject::place(const Transform<frame::World, frame::World>& ownToWorld) {
   placedGrid = placed(voxels.grid(), ownToWorld);

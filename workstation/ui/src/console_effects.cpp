@@ -38,7 +38,7 @@ void ConsolePanel::addEffect(QVBoxLayout* rows, const EffectInfo& effect) {
     box->setChecked(effect.isOn(session_.scene()));
     Scene with = remembered_;
     effect.switchTo(with, true);
-    box->setEnabled(!session_.subject() || effect.isOn(session_.subject()->known(with)));
+    box->setEnabled(!session_.subject() || effect.isOn(session_.subject()->possible(with)));
   });
   if (effect.strength)
     addStrength(rows, effect, *effect.strength);

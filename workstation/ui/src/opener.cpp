@@ -100,6 +100,34 @@ Opener::Opener(Session& session, CaseDocument& document, Jobs& jobs, MessageBar&
     }
   });
   connect(&hand_, &HandInput::moved, &session_, &Session::setHold);
+  connect(&session_, &Session::echoesWanted, this, &Opener::findTissue);
+  connect(&session_, &Session::subjectReplaced, this, [this] {
+    if (tissueJob_ != 0) jobs_.cancel(std::exchange(tissueJob_, 0));
+  });
+}
+
+void Opener::findTissue() {
+  if (tissueJob_ != 0) return;
+  auto found = std::make_shared<std::shared_ptr<const TissueMaps>>();
+  auto id = std::make_shared<int>(0);
+  *id = jobs_.start(
+      tr("Preparing live echoes"),
+      [found, voxels = session_.subject()->voxels, scene = session_.scene()](Progress& progress) -> Result<void> {
+        auto made = recordedTissueOf(voxels, scene, 0, progress);
+        if (!made) return passOn(made.error());
+        *found = std::move(*made);
+        return {};
+      },
+      [this, found, id](const Result<void>& outcome) {
+        if (*id != tissueJob_) return;
+        tissueJob_ = 0;
+        if (outcome) {
+          session_.know(*found);
+        } else if (outcome.error().code != ErrorCode::cancelled) {
+          messages_.showError(outcome.error());
+        }
+      });
+  tissueJob_ = *id;
 }
 
 void Opener::loadDefaultMannequin() {
@@ -292,6 +320,11 @@ void Opener::showCaseVolume() {
   showsCase_ = true;
   startTaken_ = false;
   session_.show(subjectOf(*opened, contents_->read));
+  // A case may ask for them without naming the level of its volume.
+  if (Scene scene = session_.scene(); opened->scene.liveEchoes && !scene.liveEchoes) {
+    scene.liveEchoes = opened->scene.liveEchoes;
+    session_.setScene(scene);
+  }
   takeStart();
 }
 

@@ -86,6 +86,8 @@ class Opener final : public QObject {
   void giveUpOpening();
   /// One message of what reading it had to decide.
   void tellOpened(const QString& path, const std::vector<Message>& notes);
+  /// Finds out what live echoes of the voxels that are shown are formed from.
+  void findTissue();
   void showMannequin(std::shared_ptr<const bridge::Mannequin> mannequin);
   void followDocument();
   void takeStart();
@@ -105,6 +107,7 @@ class Opener final : public QObject {
   bool startTaken_ = false;  ///< the probe stands where the opened thing wants it; false until a skin is there
   QString openingPath_;      ///< what is being opened; empty: nothing
   int openingJob_ = 0;
+  int tissueJob_ = 0;
   int busy_ = 0;
 };
 

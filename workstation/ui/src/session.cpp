@@ -87,6 +87,7 @@ void Session::show(ScanSubject shown) {
   adaptive_.reset();
   latency_.clear();
   sceneBeforeReset_.reset();
+  wantedEchoes_.reset();
   takeScene(subject()->scene);
   if (!subject()->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == subject()->probes.front(); });
@@ -134,7 +135,23 @@ void Session::takeScene(const Scene& scene) {
 void Session::setScene(const Scene& scene) {
   if (played_ || scene == live_.scene) return;
   sceneBeforeReset_.reset();
+  wantedEchoes_ = scene.liveEchoes;
   takeScene(scene);
+  askForEchoes(scene);
+}
+
+void Session::askForEchoes(const Scene& scene) {
+  if (scene.liveEchoes && subject() && !subject()->tissue && subject()->canFormEchoes()) Q_EMIT echoesWanted();
+}
+
+void Session::know(std::shared_ptr<const TissueMaps> ofVoxels) {
+  if (!subject()) return;
+  scanner_.know(std::move(ofVoxels));
+  recent_.clear();
+  due();
+  Scene scene = live_.scene;
+  scene.liveEchoes = std::exchange(wantedEchoes_, std::nullopt);
+  if (scene != live_.scene) takeScene(scene);
 }
 
 void Session::resetScene() {
@@ -252,6 +269,7 @@ void Session::play(std::optional<ScanState> state) {
   if (!state || !played_) forgetPictures();
   const ScanState before = console();
   played_ = std::move(state);
+  if (played_) askForEchoes(played_->scene);
   const ScanState& now = console();
   if (now.probe != before.probe) Q_EMIT probeChanged();
   if (now.knobs != before.knobs || !(now.pan == before.pan) || now.probe != before.probe) Q_EMIT knobsChanged();

@@ -49,6 +49,8 @@ class Session final : public QObject {
   void undoSceneReset();
   [[nodiscard]] bool canUndoSceneReset() const { return sceneBeforeReset_.has_value(); }
   [[nodiscard]] bool hasCaseScene() const { return subject() && scene() == subject()->scene; }
+  /// What was found out of the voxels that are shown; live echoes that a scene asked for meanwhile begin.
+  void know(std::shared_ptr<const TissueMaps> ofVoxels);
   /// The case was edited: its scene is shown as it is now.
   void setCaseScene(const Scene& scene);
 
@@ -144,6 +146,7 @@ class Session final : public QObject {
   void subjectChanged();
   void subjectReplaced();  ///< by another one, or by none
   void sceneChanged();
+  void echoesWanted();  ///< a scene asks for live echoes of voxels of which nothing is known yet, but can be (ScanSubject::possible)
   void probeChanged();
   void knobsChanged();
   void adaptiveChanged(bool adaptive);
@@ -153,6 +156,7 @@ class Session final : public QObject {
 
  private:
   void due();
+  void askForEchoes(const Scene& scene);
   void updateUsableProbes();
   void takeProbe(const Probe& probe);
   void takeScene(const Scene& scene);
@@ -173,6 +177,7 @@ class Session final : public QObject {
   std::optional<ScanState> played_;
   ScanState shown_;
   std::optional<Scene> sceneBeforeReset_;
+  std::optional<LiveEchoesEffect> wantedEchoes_;  ///< that begin once tissue is known
   bool due_ = false;
   bool isFreezing_ = false;
   bool isOwnFrame_ = false;  ///< nothing was changed: the frame comes by itself

@@ -48,6 +48,9 @@ struct EchoLayout {
 [[nodiscard]] EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams,
                                       BeamGrid grid);
 
+/// What 0..255 of TissueMaps::level span.
+inline constexpr double kLevelRange_db = 60.0;
+
 /// Of the mean of an exponential variable's logarithm, below the logarithm of its mean.
 inline constexpr double kMeanOfLog_db = 2.507;
 

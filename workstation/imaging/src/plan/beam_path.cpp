@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ew/imaging/effects/contact.h"
 #include "ew/imaging/effects/noise.h"
@@ -59,6 +60,10 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
     const EchoBeams beams = echoBeamsOf(probe, knobs_, scene, geometry.depth_mm);
     if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid))
       live_.configure(probe, knobs_, scene, beams, grid_);
+  }
+  if (has(StepKind::ownGrain)) {
+    ownGrain_ = ownGrainOf(*scene.liveEchoes, scene.recordedDynamicRange_db);
+    if (own_.width != grid_.samples || own_.height != lineCount) own_ = GreyImage(grid_.samples, lineCount);
   }
   gainSetting_ = beamGainOf(knobs, scene);
   if (has(StepKind::gain) && gainFrom_.changesTo(grid_, gainSetting_)) gain_ = makeBeamGain(gainSetting_, grid_);
@@ -165,6 +170,20 @@ void BeamPath::scatter(const TissueMaps& maps, const Grid& placed, const Transfo
 void BeamPath::takeEnvelope(Bands& bands) {
   live_.takeEnvelope(greyPerDb_, bands, viewOf(echoes_));
   hasField_ = false;
+}
+
+void BeamPath::keepOwnGrain(const SliceSource& echo, const TissueMaps& maps, const Grid& placed,
+                            const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands, std::span<ThreadScratch> scratch) {
+  layMiddlePlane(probeToVoxel_);
+  sampleRowsOf(echo, knobs_.quality, bands, scratch);
+  std::swap(own_, linesAsRows_);
+  const SliceSource level(VolumeView<const std::uint8_t>{maps.level.data(), placed});
+  layMiddlePlane(placed.worldToVoxel() * probeToWorld);
+  sampleRowsOf(level, knobs_.quality, bands, scratch);
+  bands.run(echoes_.width, [&](int firstLine, int count, int) {
+    blendOwnGrain(ownGrain_, {viewOf(std::as_const(own_)).row(firstLine), own_.width, count, own_.width},
+                  {viewOf(std::as_const(linesAsRows_)).row(firstLine), own_.width, count, own_.width}, lines(firstLine, count));
+  });
 }
 
 void BeamPath::attenuate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands,

@@ -15,6 +15,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/imaging/scan_conversion.h"
 #include "made_from.h"
+#include "own_grain.h"
 
 namespace ew::detail {
 
@@ -39,6 +40,9 @@ class BeamPath {
   /// Live echoes: their field, and their envelope as the levels that all other steps take.
   void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
   void takeEnvelope(Bands& bands);
+  /// Blends the grain of the recorded volume that the maps are of into live echoes.
+  void keepOwnGrain(const SliceSource& echo, const TissueMaps& maps, const Grid& placed,
+                    const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands, std::span<ThreadScratch> scratch);
   void sample(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
   void addElevationPlanes(const SliceSource& echo, Bands& bands, std::span<ThreadScratch> scratch);
   /// Without labels the effects go by grey level.
@@ -109,6 +113,8 @@ class BeamPath {
   BeamGrid lineGrid_;  ///< one line alone
   GreyImage linesAsRows_;
   GreyImage labels_;  ///< (lines x samples)
+  GreyImage own_;     ///< what the volume recorded, lines as rows
+  OwnGrain ownGrain_;
   BeamImage echoes_;  ///< (lines x samples)
   std::vector<float> contact_;
   ReverberationScratch reverberation_;

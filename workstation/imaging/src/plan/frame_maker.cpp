@@ -27,6 +27,7 @@ struct Asked {
   int height = 0;
   bool hasLabels = false;
   bool hasTissue = false;
+  bool isRecorded = false;
   Pan pan;
   bool operator==(const Asked&) const = default;
 };
@@ -42,7 +43,7 @@ struct FrameMaker::Parts {
   explicit Parts(int threads) : bands_(threads), scratch_(static_cast<std::size_t>(bands_.threads())) {}
 
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels,
-                 const Pan& pan, bool hasTissue);
+                 const Pan& pan, bool hasTissue, bool isRecorded);
   ImageView<const std::uint8_t> make(const FrameInput& input);
 
   Plan plan_;  ///< of the last frame
@@ -88,8 +89,8 @@ FrameMaker::~FrameMaker() = default;
 FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                           bool hasLabels, const Pan& pan, bool hasTissue) {
-  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan, hasTissue);
+                           bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
+  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan, hasTissue, isRecorded);
 }
 Picture FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
 Picture FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
@@ -111,16 +112,17 @@ PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
 const Spans& FrameMaker::spans() const { return parts_->spans_; }
 
 void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                                  bool hasLabels, const Pan& pan, bool hasTissue) {
+                                  bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
   EW_EXPECTS(width >= 1 && height >= 1);
   const auto isAsked = [&](const Asked& last) {
     return last.width == width && last.height == height && last.hasLabels == hasLabels && last.hasTissue == hasTissue &&
-           last.knobs == knobs && last.probe == probe && last.scene == scene && last.grid == grid && last.pan == pan;
+           last.isRecorded == isRecorded && last.knobs == knobs && last.probe == probe && last.scene == scene && last.grid == grid &&
+           last.pan == pan;
   };
   if (asked_ && isAsked(*asked_)) return;
-  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, pan};
+  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, isRecorded, pan};
   knobs_ = limited(knobs);
-  scene_ = detail::knownScene(limited(scene), hasTissue);
+  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);
@@ -211,6 +213,8 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
       return beams_.scatter(*input.tissue, input.tissueGrid, input.pose.probeToWorld, bands_);
     case StepKind::envelope:
       return beams_.takeEnvelope(bands_);
+    case StepKind::ownGrain:
+      return beams_.keepOwnGrain(input.echo, *input.tissue, input.tissueGrid, input.pose.probeToWorld, bands_, scratch_);
     case StepKind::sampleWeave:
     case StepKind::sampleLinear:
     case StepKind::sampleCubic:

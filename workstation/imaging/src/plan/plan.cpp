@@ -42,6 +42,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.3},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
     {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
+    {StepKind::ownGrain, "own grain", EW_TRANSLATE_NOOP("ew::StepKind", "own grain"), 0.0, 9.0},
     {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
     {StepKind::scanConversion, "scan conversion", EW_TRANSLATE_NOOP("ew::StepKind", "scan conversion"), 1.2, 0.0},
@@ -99,9 +100,9 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 }
 
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
-              bool hasGaps, bool hasTissue) {
+              bool hasGaps, bool hasTissue, bool isRecorded) {
   const Knobs usable = limited(knobs);
-  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue);
+  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded);
   const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
                                                       : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
@@ -184,29 +185,38 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
     plan.steps.push_back({kind, 1e-3 * planes * (plan.onBeams ? cost.sample_ns * samples : cost.pixel_ns * size.pixels)});
   };
 
-  if (live) {
-    const bool tissuesDecide = hasLabels && !scene.tissues.empty();
+  const bool tissuesKnown = hasLabels && !scene.tissues.empty();
+  const bool tissuesDecide = scene.attenuation && tissuesKnown;
+  if (live && !keepsOwnGrain(scene)) {
     add(StepKind::scatterers);
-    if (scene.attenuation && tissuesDecide) add(StepKind::attenuation);
-    if (scene.reverberation && tissuesDecide) add(StepKind::reverberation, 5.0);
+    if (tissuesDecide) add(StepKind::attenuation);
+    if (scene.reverberation && tissuesKnown) add(StepKind::reverberation, 5.0);
     if (hasNoise) add(StepKind::noise);
     add(StepKind::envelope);
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
-    if (scene.reverberation && !tissuesDecide) add(StepKind::reverberation);
+    if (scene.reverberation && !tissuesKnown) add(StepKind::reverberation);
     if (!gain.isNeutral()) add(StepKind::gain);
-  } else if (addSampling(samplingOf(knobs.quality)); plan.onBeams) {
-    if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);
-    const bool tissuesDecide = scene.attenuation && hasLabels && !scene.tissues.empty();
+  } else if (plan.onBeams) {
+    if (live) {
+      // From here on levels are what a slice's are: whatever takes from them takes from the volume's own grain too.
+      add(StepKind::scatterers);
+      add(StepKind::envelope);
+      add(StepKind::ownGrain);
+    } else {
+      addSampling(samplingOf(knobs.quality));
+      if (scene.sliceThickness) addSampling(StepKind::elevationPlanes, knobs.elevationPlanes - 1.0);
+    }
     if (tissuesDecide) add(StepKind::labels);
     if (losesContact) add(StepKind::contact);
     if (scene.attenuation) add(StepKind::attenuation);
     if (scene.reverberation) add(StepKind::reverberation);
-    if (focuses) add(knobs.focusMethod == FocusMethod::rowStretch ? StepKind::focusStretch : StepKind::focusKernel);
+    if (focuses && !live) add(knobs.focusMethod == FocusMethod::rowStretch ? StepKind::focusStretch : StepKind::focusKernel);
     if (gain.largestLift_db() > 0.0) add(StepKind::black);
     if (hasNoise) add(StepKind::noise);
     if (!gain.isNeutral()) add(StepKind::gain);
   } else {
+    addSampling(samplingOf(knobs.quality));
     const double largestVoxel_mm = std::max({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
     if (knobs.quality == Quality::weave && geometry.pixel_mm < largestVoxel_mm) {
       const double samplesPerPixel = geometry.pixel_mm / largestVoxel_mm;

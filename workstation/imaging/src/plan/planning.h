@@ -17,11 +17,16 @@ struct FrameSize {
 /// samples to the depth. Finer than that, a volume has nothing to show.
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
-/// The scene without what cannot be done for want of tissue maps.
-[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue) {
+/// The scene without what cannot be done for want of tissue maps, or of a recorded volume's grain; and without the little walls and the
+/// texture of drawn tissue where tissue was recorded, which has its own.
+[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, bool isRecorded) {
   if (!hasTissue) scene.liveEchoes.reset();
+  if (scene.liveEchoes && !isRecorded) scene.liveEchoes->ownGrain = 0.0;
+  if (scene.liveEchoes && isRecorded) scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
   return scene;
 }
+/// Whether live echoes take up the grain of the recorded volume.
+[[nodiscard]] inline bool keepsOwnGrain(const Scene& scene) { return scene.liveEchoes && scene.liveEchoes->ownGrain > 0.0; }
 /// Sample distance of live echoes, mm: as their pulse asks for.
 [[nodiscard]] double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 

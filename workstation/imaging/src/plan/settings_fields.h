@@ -79,6 +79,7 @@ void visitFields(Visitor& field, const LiveEchoesEffect*) {
   field.number("fragment_db", &LiveEchoesEffect::fragment_db, -20.0, 40.0, say<"above the tissue around them">);
   field.number("speckle_reduction", &LiveEchoesEffect::speckleReduction, 0.0, 0.8, say<"0 without a filter of speckle">);
   field.number("haze_db", &LiveEchoesEffect::haze_db, -80.0, -10.0, say<"below the echoes beside a line">);
+  field.number("own_grain", &LiveEchoesEffect::ownGrain, 0.0, 1.0, say<"of a recorded volume; 0 forms all grain anew">);
 }
 
 template <class Visitor>

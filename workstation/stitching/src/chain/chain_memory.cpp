@@ -10,6 +10,8 @@
 #include "chain/overlap.h"
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
+#include "ew/imaging/tissue_level.h"
+#include "ew/io/mapped_volume.h"
 #include "ew/stitching/places.h"
 
 namespace ew::stitching {
@@ -70,7 +72,12 @@ std::uint64_t ofJoining(const ChainRun& run, bool resultInMemory) {
   const auto forecast = forecastJoin(run.placedGrids(), unlimited);
   if (!forecast) return 0;  // the step itself says why
   const std::uint64_t voxels = forecast->grid.voxelCount();
-  return forecast->bytes + (resultInMemory && voxels <= run.options.streamAbove_voxels ? 3 * voxels : 0);
+  if (!resultInMemory) return forecast->bytes;
+  // The level comes once all is joined.
+  const std::uint64_t level = levelForecast_bytes(forecast->grid, {.threads = run.options.threads, .maxBytes = run.options.maxBytes});
+  const bool isHeld = voxels <= run.options.streamAbove_voxels;
+  const std::uint64_t mapped = 2 * std::min<std::uint64_t>(voxels, MapOptions{}.residentBudget_bytes);  // volume and coverage, read back
+  return std::max(forecast->bytes + (isHeld ? 3 * voxels : 0), level + (isHeld ? 4 * voxels : mapped));
 }
 
 /// At the peak of a step, the inputs not counted.

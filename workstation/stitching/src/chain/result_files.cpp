@@ -121,7 +121,7 @@ Result<void> ResultFiles::publish(const Waiting& waiting, const Waiting& aside, 
     if (seen_.at(name).isThere && !seen_.at(name).isOwn && !replaceForeign) return isForeign(folder_ / name);
     if (auto unchanged = checkUnchanged(name); !unchanged) return unchanged;
   }
-  // The provenance goes first and comes last: with it the four belong together, whenever the program is stopped.
+  // The provenance goes first and comes last: with it the others belong together, whenever the program is stopped.
   std::vector<const char*> away, in;
   const auto takeBack = [&] {
     std::error_code ignored;
@@ -230,7 +230,7 @@ std::vector<ResultFile> resultFilesIn(const StepStore& store) {
   return all;
 }
 
-Result<void> copyResult(const std::array<fs::path, 4>& result, const StitchProject& project, const fs::path& folder, bool replaceForeign,
+Result<void> copyResult(const ResultPaths& result, const StitchProject& project, const fs::path& folder, bool replaceForeign,
                         Progress& progress) {
   if (auto free = checkNoInputIsOutput(project, folder); !free) return free;
   std::error_code error;

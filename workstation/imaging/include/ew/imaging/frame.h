@@ -36,6 +36,7 @@ enum class StepKind {
   black,  ///< recorded black, opened for a gain in decibels
   noise,
   envelope,  ///< of live echoes: pulse, looks, logarithm
+  ownGrain,  ///< of a recorded volume, blended into live echoes
   gain,      ///< gain, TGC and dynamic range in decibels
   mMode,
   scanConversion,
@@ -68,8 +69,9 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan);
 /// @param hasLabels whether frames come with a label volume
 /// @param hasGaps   whether parts of the face are off the skin, beyond what gel fills
 /// @param hasTissue whether frames come with tissue maps: then a scene with live echoes forms them, and samples no volume
+/// @param isRecorded whether these are of a recorded volume (TissueMaps::isRecorded), whose own grain may be kept
 [[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                            bool hasLabels = false, bool hasGaps = false, bool hasTissue = false);
+                            bool hasLabels = false, bool hasGaps = false, bool hasTissue = false, bool isRecorded = false);
 
 /// Time of one step of one frame.
 struct StepTime {
@@ -101,7 +103,7 @@ class FrameMaker {
   /// Rebuilds what depends on these values, and only when they changed.
   /// @param pan what a zoomed picture shows; the viewer's, not the machine's: it is no knob
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                 bool hasLabels = false, const Pan& pan = {}, bool hasTissue = false);
+                 bool hasLabels = false, const Pan& pan = {}, bool hasTissue = false, bool isRecorded = false);
 
   /// The picture for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.

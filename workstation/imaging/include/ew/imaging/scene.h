@@ -69,6 +69,7 @@ struct ContactEffect {
 };
 
 /// effects/live_echoes.h: echoes formed anew for each frame from what is known of the tissue; acts on subjects with tissue maps alone.
+/// Of a recorded volume (TissueMaps::isRecorded) texture and fragments are left out: it has its own.
 struct LiveEchoesEffect {
   int looks = 3;  ///< sub-bands of the pulse whose envelopes are averaged, 1..5: less grain, a pulse (looks + 1) / 2 times as long
   double pulseCycles = 2.15;       ///< length of the whole pulse (full width at half maximum of its amplitude), in periods, 0.5..6
@@ -83,7 +84,8 @@ struct LiveEchoesEffect {
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
   double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40
   double speckleReduction = 0.5;  ///< by how much the machine's filter flattens grain about the mean of 2 mm, 0 (no filter)..0.8
-  double haze_db = -29.0;          ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
+  double haze_db = -29.0;         ///< side lobes' echo of everything at the same depth within 8 mm, below its own, -80 (none)..-10
+  double ownGrain = 0.8;          ///< of a recorded volume: how much of its own grain is kept, 0 (all grain is formed anew)..1 (its slice)
   bool operator==(const LiveEchoesEffect&) const = default;
 };
 

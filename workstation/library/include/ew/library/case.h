@@ -46,6 +46,7 @@ struct CaseReconstruction {
 struct CaseVolume {
   std::string file;    ///< relative to the case folder ("volumes/abdomen.mha"), or empty when a recipe makes it
   std::string labels;  ///< of a file: which tissue each voxel is (scene.tissues says what they do), on a grid of its own, or empty
+  std::string level;   ///< of a file: the mean echo of its tissue (imaging/tissue_level.h), on a grid of its own, or empty: no live echoes
   std::string recipe;  ///< virtual patient ("patient.json"), made into a volume on first start, in the cache; empty when there is a file
   double recipeSpacing_mm = 1.0;    ///< of a recipe without sweeps: it is voxelised as it is, without views, shadows or speckle of a probe
   std::vector<std::string> sweeps;  ///< virtual sweeps of the recipe ("sweeps/subcostal.json"), recorded, reconstructed and stitched
@@ -173,7 +174,7 @@ struct CaseList {
 struct CaseEcho {
   Volume volume;                         ///< echo levels
   std::optional<Volume> labels;          ///< its `echo` holds a label per voxel; none when the case names no labels
-  std::shared_ptr<TissueMaps> tissue;    ///< of a recipe without sweeps: what live echoes are formed from; null for everything else
+  std::shared_ptr<TissueMaps> tissue;    ///< what live echoes are formed from; null for a file without a level
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
 };

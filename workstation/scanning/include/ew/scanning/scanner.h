@@ -27,6 +27,7 @@ class Scanner {
   /// The subject as it is edited: title, scene, place. Voxels and labels stay those of show().
   void setTitle(std::string title);
   void setScene(Scene scene);
+  void know(std::shared_ptr<const TissueMaps> ofVoxels);
   void place(const Transform<frame::World, frame::World>& ownToWorld);
 
   /// Tables for a state, made now rather than with the next picture.

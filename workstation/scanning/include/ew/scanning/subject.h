@@ -84,9 +84,26 @@ struct ScanSubject {
     return asked;
   }
 
+  /// The same without what could not be shown of it whatever were found out (recordedTissueOf).
+  [[nodiscard]] Scene possible(Scene asked) const {
+    if (!canFormEchoes()) asked.liveEchoes.reset();
+    return asked;
+  }
+
+  /// Whether tissue is known, or can be known of the voxels (recordedTissueOf).
+  [[nodiscard]] bool canFormEchoes() const { return tissue != nullptr || voxels.volume() != nullptr; }
+  /// From here on live echoes are formed from these maps, which lie on the grid of the voxels' own.
+  void know(std::shared_ptr<const TissueMaps> ofVoxels);
+
   /// Moves voxels, labels and maps of tissue to where `ownToWorld` (rigid, mm) takes the grids of their own.
   void place(const Transform<frame::World, frame::World>& ownToWorld);
 };
+
+/// What live echoes of a recorded volume are formed from: its level (imaging/tissue_level.h), made now, in seconds; as large as the volume.
+/// @param scene whose recorded dynamic range its grey spans
+/// @error as levelOf; unsupported: the voxels stay in their file
+[[nodiscard]] Result<std::shared_ptr<const TissueMaps>> recordedTissueOf(const ScanVoxels& voxels, const Scene& scene, int threads,
+                                                                         Progress& progress);
 
 /// How the scan of a subject begins: its first probe, its start pose, the settings neutral, the effects of its scene, everything touching.
 /// Without a start pose the probe stands across the middle of the front of its voxels.

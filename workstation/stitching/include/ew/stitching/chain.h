@@ -87,7 +87,7 @@ struct ChainState {
   std::vector<Message> notes;           ///< what readers of the inputs had to decide, a sentence each
   std::vector<std::size_t> leftOut;     ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
-  std::filesystem::path volume, coverage, source, provenance;         ///< of the result, when it is there
+  std::filesystem::path volume, coverage, source, level, provenance;  ///< of the result, when it is there
   std::function<Result<void>()> putInPlace;                           ///< with ChainOptions::putInPlaceLater: moves the result to these
   std::uint64_t pruned_bytes = 0;                                     ///< of results of earlier runs, taken away (ChainOptions::keepBytes)
   registration::Verdict verdict = registration::Verdict::cannotTell;  ///< of the whole: the worst of what holds it together
@@ -124,7 +124,7 @@ struct ChainForecast {
 
 /// Runs the steps that are not finished for these inputs and settings. Each step leaves its result in `folder`/steps/NAME, complete or not
 /// at all, under a key of everything it depends on; so a run that was cancelled or killed goes on where it stopped and ends with the same
-/// bytes. A finished volume lies in `folder` under four names (result_files.h); a file there that no earlier run wrote is never touched.
+/// bytes. A finished volume lies in `folder` under five names (result_files.h); a file there that no earlier run wrote is never touched.
 /// @error what a step says, naming the volume or pair; notWritable (also: somebody else's file has a name of the result); badUsage (the
 ///        result would be written over an input); tooLarge (the forecast above maxBytes); cancelled (within 0.5 s)
 [[nodiscard]] Result<ChainState> runChain(const StitchProject& project, const std::filesystem::path& folder, const ChainOptions& options,

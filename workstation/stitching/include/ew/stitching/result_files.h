@@ -24,13 +24,16 @@ struct ResultFile {
   std::int64_t changed_ns = 0;  ///< since the epoch of files; 0: not known
 };
 
+/// The files of a result: volume, coverage, source, level (imaging/tissue_level.h), provenance. One that is not there has no path.
+using ResultPaths = std::array<std::filesystem::path, 5>;
+
 /// The files of a result in a folder that may hold other people's files as well. What lies there under one of their names and was not
 /// written by this program is never touched, and neither is what the project reads.
 class ResultFiles {
  public:
   /// Volumes first; the provenance belongs to them and names them.
-  static constexpr std::array<const char*, 4> kNames = {"volume.mha", "coverage.mha", "source.mha", "provenance.json"};
-  static constexpr const char* kProvenance = kNames[3];
+  static constexpr std::array<const char*, 5> kNames = {"volume.mha", "coverage.mha", "source.mha", "level.mha", "provenance.json"};
+  static constexpr const char* kProvenance = kNames.back();
 
   /// Where a file of a result waits for its place: of the same file system as the folder.
   using Waiting = std::function<std::filesystem::path(const char* name)>;
@@ -102,7 +105,7 @@ struct WaitingResult {
 /// then moved there together.
 /// @param replaceForeign somebody was asked and wants files of these names replaced that this program did not write
 /// @error notWritable, cancelled, badUsage (checkNoInputIsOutput)
-[[nodiscard]] Result<void> copyResult(const std::array<std::filesystem::path, 4>& result, const StitchProject& project,
-                                      const std::filesystem::path& folder, bool replaceForeign, Progress& progress);
+[[nodiscard]] Result<void> copyResult(const ResultPaths& result, const StitchProject& project, const std::filesystem::path& folder,
+                                      bool replaceForeign, Progress& progress);
 
 }  // namespace ew::stitching

@@ -11,6 +11,15 @@
 
 namespace ew::stitching {
 
+/// Puts the values of a block where they belong in a volume.
+inline void copyBlock(const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> values, Volume& volume) {
+  const auto row = static_cast<std::size_t>(size.x);
+  std::size_t from = 0;
+  for (int k = 0; k < size.z; ++k)
+    for (int j = 0; j < size.y; ++j, from += row)
+      std::memcpy(volume.echo.data() + volume.grid.indexOf(corner.x, corner.y + j, corner.z + k), values.data() + from, row);
+}
+
 /// Takes the blocks of a result (echo, coverage, source) and names sources by their numbers in the project.
 class ResultBlocks : public BlockSink {
  public:
@@ -46,12 +55,7 @@ class MemoryBlocks final : public ResultBlocks {
 
  private:
   void place(std::size_t which, const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> values) override {
-    Volume& volume = made[which];
-    const auto row = static_cast<std::size_t>(size.x);
-    std::size_t from = 0;
-    for (int k = 0; k < size.z; ++k)
-      for (int j = 0; j < size.y; ++j, from += row)
-        std::memcpy(volume.echo.data() + volume.grid.indexOf(corner.x, corner.y + j, corner.z + k), values.data() + from, row);
+    copyBlock(corner, size, values, made[which]);
   }
 };
 

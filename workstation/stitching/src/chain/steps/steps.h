@@ -20,7 +20,7 @@ namespace ew::stitching {
 [[nodiscard]] Result<void> seamStep(ChainRun& run, Progress& progress);
 /// The result and its provenance: made under waiting names, then moved to the folder.
 [[nodiscard]] Result<void> volumeStep(ChainRun& run, Progress& progress);
-/// Whether the four files in the folder, or waiting to be moved there, are those of this key.
+/// Whether the files in the folder, or waiting to be moved there, are those of this key.
 [[nodiscard]] bool resultIsThere(const ChainRun& run, const std::string& key);
 
 }  // namespace ew::stitching

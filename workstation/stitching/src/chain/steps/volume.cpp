@@ -5,7 +5,9 @@
 #include "chain/provenance.h"
 #include "chain/steps/result_blocks.h"
 #include "chain/steps/steps.h"
+#include "ew/imaging/tissue_level.h"
 #include "ew/io/content_key.h"
+#include "ew/io/mapped_volume.h"
 #include "ew/io/safe_file.h"
 #include "ew/stitching/result_files.h"
 
@@ -17,6 +19,9 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::array kVolumes = {ResultFiles::kNames[0], ResultFiles::kNames[1], ResultFiles::kNames[2]};
+constexpr const char* kLevel = ResultFiles::kNames[3];
+/// With what the level belongs to.
+constexpr std::array kVoxels = {kVolumes[0], kVolumes[1], kVolumes[2], kLevel};
 constexpr const char* kProvenance = ResultFiles::kProvenance;
 
 fs::path waiting(const ChainRun& run, const std::string& key, const char* name) { return waitingFile(run.store, key, name); }
@@ -34,11 +39,30 @@ void measureWhole(const SeamOptions& seam, const std::array<Volume, 3>& made, Jo
   if (seam.blend_mm > 0.0) report.seam.meanStep_db = step_db;  // that of the views: an edge of tissue is none
 }
 
+LevelOptions levelOptions(const ChainRun& run) { return {.threads = run.options.threads, .maxBytes = run.options.maxBytes}; }
+
+/// The level of a result in files, into a file.
+Result<void> levelInFiles(const ChainRun& run, const std::string& key, Progress& progress) {
+  PartOfProgress making(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
+  const auto echo = mapVolume(waiting(run, key, kVolumes[0]));
+  if (!echo) return passOn(echo.error());
+  const auto coverage = mapVolume(waiting(run, key, kVolumes[1]));
+  if (!coverage) return passOn(coverage.error());
+  auto writer = VolumeStream::create(echo->grid(), waiting(run, key, kLevel));
+  if (!writer) return passOn(writer.error());
+  const LevelSink sink = [&](const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> level) {
+    writer->put(corner, size, level);
+  };
+  const std::span<const std::uint8_t> covered{coverage->view().data, coverage->grid().voxelCount()};
+  if (auto made = levelInBlocks(echo->view(), covered, levelOptions(run), sink, making); !made) return made;
+  return writer->finish(writing);
+}
+
 Result<JoinReport> makeInBlocks(ChainRun& run, std::span<const View> views, const Grid& grid, const std::string& key, Progress& progress) {
-  PartOfProgress joining(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
+  PartOfProgress joining(progress, 0.0, 0.6), writing(progress, 0.6, 0.75), levelling(progress, 0.75, 1.0);
   FileBlocks blocks(run.included);
-  for (std::size_t which = 0; which < kVolumes.size(); ++which) {
-    auto writer = VolumeStream::create(grid, waiting(run, key, kVolumes[which]));
+  for (const char* name : kVolumes) {
+    auto writer = VolumeStream::create(grid, waiting(run, key, name));
     if (!writer) return passOn(writer.error());
     blocks.writers.push_back(std::move(*writer));
   }
@@ -46,21 +70,29 @@ Result<JoinReport> makeInBlocks(ChainRun& run, std::span<const View> views, cons
   if (!report) return report;
   for (auto& writer : blocks.writers)
     if (auto finished = writer.finish(writing); !finished) return passOn(finished.error());
+  if (auto level = levelInFiles(run, key, levelling); !level) return passOn(level.error());
   return report;
 }
 
 Result<JoinReport> makeInMemory(ChainRun& run, std::span<const View> views, const Grid& grid, const std::string& key, Progress& progress) {
-  PartOfProgress joining(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
+  PartOfProgress joining(progress, 0.0, 0.6), levelling(progress, 0.6, 0.8), writing(progress, 0.8, 1.0);
   MemoryBlocks blocks(run.included, grid);
   auto report = join(views, run.seams, grid, run.joinOptions(), blocks, joining);
   if (!report) return report;
   measureWhole(run.settings.join.seam, blocks.made, *report);
-  for (std::size_t which = 0; which < kVolumes.size(); ++which)
-    if (auto w = writeVolume(blocks.made[which], waiting(run, key, kVolumes[which]), writing); !w) return passOn(w.error());
+  auto& [echo, coverage, source] = blocks.made;
+  Volume level{grid, std::vector<std::uint8_t>(grid.voxelCount(), 0), {}};
+  const LevelSink sink = [&](const glm::ivec3& corner, const glm::ivec3& size, std::span<const std::uint8_t> values) {
+    copyBlock(corner, size, values, level);
+  };
+  if (auto made = levelInBlocks(echo.view(), coverage.echo, levelOptions(run), sink, levelling); !made) return passOn(made.error());
+  const std::array<const Volume*, kVoxels.size()> all = {&echo, &coverage, &source, &level};
+  for (std::size_t which = 0; which < all.size(); ++which)
+    if (auto w = writeVolume(*all[which], waiting(run, key, kVoxels[which]), writing); !w) return passOn(w.error());
   return report;
 }
 
-/// The three volumes, under their waiting names.
+/// The volumes, under their waiting names.
 Result<JoinReport> makeResult(ChainRun& run, const std::string& key, Progress& progress) {
   auto views = run.views(progress);
   if (!views) return passOn(views.error());
@@ -84,6 +116,7 @@ void leaveToPutInPlace(ChainRun& run, const std::string& key) {
   run.state.volume = run.folder / kVolumes[0];
   run.state.coverage = run.folder / kVolumes[1];
   run.state.source = run.folder / kVolumes[2];
+  run.state.level = run.folder / kLevel;
   run.state.provenance = run.folder / kProvenance;
 }
 
@@ -122,7 +155,7 @@ Result<void> volumeStep(ChainRun& run, Progress& progress) {
   auto report = makeResult(run, key, progress);
   if (!report) return passOn(report.error());
   run.state.report = std::move(*report);
-  auto volumes = resultFilesAt({kVolumes.begin(), kVolumes.end()}, allWaiting(run, key));
+  auto volumes = resultFilesAt({kVoxels.begin(), kVoxels.end()}, allWaiting(run, key));
   if (!volumes) return passOn(volumes.error());
   if (auto w = writeFileSafely(waiting(run, key, kProvenance), provenanceText(run.project, run.state, key, *volumes)); !w) return w;
   // What belongs to the result is kept beside the list of files, which are moved away.
