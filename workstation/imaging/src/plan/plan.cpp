@@ -27,7 +27,7 @@ struct StepInfo {
 // 0.8 mm (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is
 // worth next to the others, not what it takes on another machine. Planes beside the middle one cost what sampling does, M-mode one beam.
 constexpr StepInfo kSteps[] = {
-    {StepKind::scatterers, "live echoes", EW_TRANSLATE_NOOP("ew::StepKind", "live echoes"), 0.0, 20.0},
+    {StepKind::scatterers, "live echoes", EW_TRANSLATE_NOOP("ew::StepKind", "live echoes"), 0.0, 8.0},
     {StepKind::sampleWeave, "weave", EW_TRANSLATE_NOOP("ew::StepKind", "sample nearest"), 1.5, 3.3},
     {StepKind::sampleLinear, "linear", EW_TRANSLATE_NOOP("ew::StepKind", "sample linear"), 3.0, 5.5},
     {StepKind::sampleCubic, "cubic", EW_TRANSLATE_NOOP("ew::StepKind", "sample cubic"), 9.3, 13.0},
@@ -41,7 +41,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
     {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.3},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
-    {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
+    {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 4.0},
     {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
     {StepKind::scanConversion, "scan conversion", EW_TRANSLATE_NOOP("ew::StepKind", "scan conversion"), 1.2, 0.0},
@@ -49,6 +49,9 @@ constexpr StepInfo kSteps[] = {
     {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
     {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
 };
+
+// Of live echoes beside each sample's share: to place a scatterer, weigh it and add it up; the envelope costs its share for every look.
+constexpr double kScatterer_ns = 15.0;
 
 const StepInfo& infoOf(StepKind kind) {
   const auto found = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const StepInfo& step) { return step.kind == kind; });
@@ -101,7 +104,7 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
               bool hasGaps, bool hasTissue) {
   const Knobs usable = limited(knobs);
-  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue);
+  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, usable.quality);
   const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
                                                       : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
@@ -186,10 +189,12 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
 
   if (live) {
     const bool tissuesDecide = hasLabels && !scene.tissues.empty();
+    const EchoWork work = knownEchoWork(probe, knobs, scene, geometry.depth_mm);
     add(StepKind::scatterers);
+    plan.steps.back().estimated_us += 1e-3 * kScatterer_ns * work.scatterers;
     if (scene.attenuation && tissuesDecide) add(StepKind::attenuation);
     if (hasNoise) add(StepKind::noise);
-    add(StepKind::envelope);
+    add(StepKind::envelope, work.looks);
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
     if (scene.reverberation) add(StepKind::reverberation);

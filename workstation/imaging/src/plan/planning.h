@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ew/imaging/echo_quality.h"
 #include "ew/imaging/effects/beam_gain.h"
 #include "ew/imaging/effects/gain.h"
 #include "ew/imaging/frame.h"
@@ -17,13 +18,17 @@ struct FrameSize {
 /// samples to the depth. Finer than that, a volume has nothing to show.
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
-/// The scene without what cannot be done for want of tissue maps.
-[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue) {
+/// The scene without what cannot be done for want of tissue maps, and with live echoes as good as the knobs ask.
+[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, Quality quality) {
   if (!hasTissue) scene.liveEchoes.reset();
+  if (scene.liveEchoes) scene.liveEchoes = qualityOf(*scene.liveEchoes, quality);
   return scene;
 }
 /// Sample distance of live echoes, mm: as their pulse asks for.
 [[nodiscard]] double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+/// echoWorkOf for what was brought within limits already, with the quality the knobs ask for in the scene.
+[[nodiscard]] EchoWork knownEchoWork(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 
 /// Everything there is to sample for a picture.
 /// @param spacing_mm of samples along beams

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+#include "ew/imaging/scene.h"
+
+namespace ew {
+
+/// Live echoes at the price that the console's quality names. The settings that decide what a machine shows (looks, pulse, aperture, gain)
+/// stay as asked, so that a picture keeps its grain and its level; what falls and rises is the work that forms it:
+///   Quality::weave   fast: fewer samples along a pulse and a slice that ends nearer
+///   Quality::linear  as asked, unchanged
+///   Quality::cubic   fine: more scatterers in a resolution cell, more samples along a pulse, a slice that ends farther out
+/// resources/docs/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
+/// @param asked within its limits (scene.h), which the result keeps
+[[nodiscard]] LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality);
+
+/// How much a frame of live echoes has to do, from the geometry alone; in tissue everywhere.
+struct EchoWork {
+  double scatterers = 0.0;  ///< in the slice under the beams: put on the grid, each once
+  int lines = 0;
+  int samples = 0;  ///< of each line
+  int looks = 0;    ///< pulses that each line is filtered with
+};
+
+/// @param scene with live echoes; brought within limits
+/// @param depth_mm of the picture, > 0
+[[nodiscard]] EchoWork echoWorkOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+}  // namespace ew
