@@ -52,6 +52,10 @@
         <translation>eine Zahl von 1 bis 3 (1 ohne Filter quer zu den Linien)</translation>
     </message>
     <message>
+        <source>a number from 1 to 4 (depth over aperture, near the face)</source>
+        <translation>eine Zahl von 1 bis 4 (Tiefe durch Apertur, nahe der Sondenfläche)</translation>
+    </message>
+    <message>
         <source>a number from 0 to 0.3 (of each neighbouring line)</source>
         <translation>eine Zahl von 0 bis 0,3 (jeder Nachbarlinie)</translation>
     </message>
@@ -94,6 +98,10 @@
     <message>
         <source>1 without a filter across lines</source>
         <translation>1 ohne Filter quer zu den Linien</translation>
+    </message>
+    <message>
+        <source>depth over aperture, near the face</source>
+        <translation>Tiefe durch Apertur, nahe der Sondenfläche</translation>
     </message>
     <message>
         <source>below the echoes beside a line</source>
@@ -3734,6 +3742,10 @@
     <message>
         <source>Timing the qualities</source>
         <translation>Die Zeiten der Qualitäten werden gemessen</translation>
+    </message>
+    <message>
+        <source>Forming the finest echoes</source>
+        <translation>Die feinsten Echos werden gebildet</translation>
     </message>
     <message>
         <source>Timing the slice thickness</source>
@@ -8733,6 +8745,10 @@
     <message>
         <source>Error of the slice against a windowed sinc (Lanczos, 10 x 10 x 10 voxels) in double precision of the same voxels, %1 pixels in %2 poses around the present one. Times are medians of whole frames with the scene&apos;s effects.</source>
         <translation>Fehler des Schnitts gegen einen gefensterten Sinc (Lanczos, 10 x 10 x 10 Voxel) derselben Voxel in doppelter Genauigkeit, %1 Pixel in %2 Lagen um die jetzige. Zeiten sind Mediane ganzer Bilder mit den Effekten der Szene.</translation>
+    </message>
+    <message>
+        <source>Error of whole frames against the same scatterers formed as finely as possible (%1 samples along a pulse, a slice of %2 standard deviations), %3 pixels in %4 poses around the present one.</source>
+        <translation>Fehler ganzer Bilder gegen dieselben Streuer, so fein wie möglich gebildet (%1 Abtastwerte je Puls, eine Schicht von %2 Standardabweichungen), %3 Pixel in %4 Lagen um die jetzige.</translation>
     </message>
     <message>
         <source>Cancel</source>

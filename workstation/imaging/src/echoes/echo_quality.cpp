@@ -11,15 +11,13 @@
 namespace ew {
 namespace {
 
-/// What is multiplied into the settings, and where they end.
+/// What is multiplied into the settings, and where they end. Chosen with `echoweave bench echoes` (resources/docs/measurements.md).
+/// Scatterers a cell are no part of it: they decide the lattice, another one is another grain everywhere.
 struct Price {
-  double scatterersPerCell = 1.0;
   double samplesPerPulse = 1.0;
   double reach = 1.0;
 };
-// Chosen with `echoweave bench echoes` (resources/docs/measurements.md). Fast keeps the lattice, and with it every scatterer: when the
-// probe comes to rest the same grain is drawn better, and no other one.
-constexpr Price kFast{1.0, 0.75, 0.75}, kFine{2.0, 4.0 / 3.0, 1.25};
+constexpr Price kFast{2.0 / 3.0, 0.7}, kFine{4.0 / 3.0, 1.25};
 
 double scaled(double value, double by, double lowest, double highest) { return std::clamp(value * by, lowest, highest); }
 
@@ -29,7 +27,6 @@ LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality) {
   if (quality == Quality::linear) return asked;
   const Price& price = quality == Quality::weave ? kFast : kFine;
   LiveEchoesEffect result = asked;
-  result.scatterersPerCell = scaled(asked.scatterersPerCell, price.scatterersPerCell, 1.0, 10.0);
   result.samplesPerPulse = scaled(asked.samplesPerPulse, price.samplesPerPulse, 3.0, 10.0);
   result.reach = scaled(asked.reach, price.reach, 1.0, 3.0);
   return result;

@@ -6,11 +6,12 @@
 
 namespace ew {
 
-/// Live echoes at the price that the console's quality names. The settings that decide what a machine shows (looks, pulse, aperture, gain)
-/// stay as asked, so that a picture keeps its grain and its level; what falls and rises is the work that forms it:
-///   Quality::weave   fast: fewer samples along a pulse and a slice that ends nearer
+/// Live echoes at the price that the console's quality names. What a machine shows (looks, pulse, aperture, gain) stays as asked, and so
+/// does the lattice of scatterers: every quality forms the same grain, more or less exactly, so that none appears or goes when the quality
+/// falls while the probe moves. What changes is the work:
+///   Quality::weave   fast: two thirds of the samples along a pulse, and a slice that ends at 0.7 of its reach
 ///   Quality::linear  as asked, unchanged
-///   Quality::cubic   fine: more scatterers in a resolution cell, more samples along a pulse, a slice that ends farther out
+///   Quality::cubic   fine: 4/3 of the samples, 5/4 of the reach
 /// resources/docs/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
 /// @param asked within its limits (scene.h), which the result keeps
 [[nodiscard]] LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality);
