@@ -182,7 +182,9 @@ TEST(CostOfEchoes, FallsFromFastToFineAgainstTheSameScatterersFormedFinest) {
   for (std::size_t n = 0; n < 3; ++n) {
     EXPECT_EQ(measured->qualities[n].knobs.quality, kRising[n]);
     EXPECT_GT(measured->qualities[n].frame_ms, 0.0);
-    if (n > 0) EXPECT_GT(measured->qualities[n].psnr_db, measured->qualities[n - 1].psnr_db + 1.0);
+    if (n > 0) {
+      EXPECT_GT(measured->qualities[n].psnr_db, measured->qualities[n - 1].psnr_db + 1.0);
+    }
   }
   EXPECT_LT(measured->qualities[2].psnr_db, CostOfAccuracy::kExact_db);
 }
