@@ -52,6 +52,10 @@
         <translation>eine Zahl von 1 bis 3 (1 ohne Filter quer zu den Linien)</translation>
     </message>
     <message>
+        <source>a number from 1 to 4 (depth over aperture, near the face)</source>
+        <translation>eine Zahl von 1 bis 4 (Tiefe durch Apertur, nahe der Sondenfläche)</translation>
+    </message>
+    <message>
         <source>a number from 0 to 0.3 (of each neighbouring line)</source>
         <translation>eine Zahl von 0 bis 0,3 (jeder Nachbarlinie)</translation>
     </message>
@@ -137,7 +141,7 @@
     </message>
     <message>
         <source>The level of this volume needs %1 of memory, %2 are allowed; allow more, or choose a smaller sigma.</source>
-        <translation>Der Pegel dieses Volumens braucht %1 Speicher, erlaubt sind %2; erlauben Sie mehr, oder wählen Sie ein kleineres Sigma.</translation>
+        <translation>Der Pegel dieses Volumens braucht %1 Speicher, erlaubt sind %2; mehr erlauben oder ein kleineres Sigma wählen.</translation>
     </message>
     <message>
         <source>The level is averaged over %1 mm, expected is a number from 0.2 to 5.</source>
@@ -153,11 +157,11 @@
     </message>
     <message>
         <source>Live echoes need the volume in memory, and this one stays in its file; leave out --map.</source>
-        <translation>Lebendige Echos brauchen das Volumen im Speicher, und dieses bleibt in seiner Datei; lassen Sie --map weg.</translation>
+        <translation>Lebendige Echos brauchen das Volumen im Speicher, und dieses bleibt in seiner Datei; --map weglassen.</translation>
     </message>
     <message>
         <source>&apos;volume.level&apos; in case.json stands beside a recipe, which makes its own level; take one of them out.</source>
-        <translation>&apos;volume.level&apos; in case.json steht neben einem Rezept, das seinen eigenen Pegel macht; nehmen Sie eines davon heraus.</translation>
+        <translation>&apos;volume.level&apos; in case.json steht neben einem Rezept, das seinen eigenen Pegel macht; eines davon herausnehmen.</translation>
     </message>
     <message>
         <source>a volume file of the tissue&apos;s mean echo (one 8 bit unsigned number a voxel, as `echoweave level` writes it) inside the case folder, as a relative path; beside a file alone, for a recipe makes its own</source>
@@ -166,6 +170,10 @@
     <message>
         <source>a number from 0 to 1 (of a recorded volume; 0 forms all grain anew)</source>
         <translation>eine Zahl von 0 bis 1 (eines aufgenommenen Volumens; 0 bildet alle Körnung neu)</translation>
+    </message>
+    <message>
+        <source>depth over aperture, near the face</source>
+        <translation>Tiefe durch Apertur, nahe der Sondenfläche</translation>
     </message>
     <message>
         <source>below the echoes beside a line</source>
@@ -3806,6 +3814,10 @@
     <message>
         <source>Timing the qualities</source>
         <translation>Die Zeiten der Qualitäten werden gemessen</translation>
+    </message>
+    <message>
+        <source>Forming the finest echoes</source>
+        <translation>Die feinsten Echos werden gebildet</translation>
     </message>
     <message>
         <source>Timing the slice thickness</source>
@@ -8809,6 +8821,10 @@
     <message>
         <source>Error of the slice against a windowed sinc (Lanczos, 10 x 10 x 10 voxels) in double precision of the same voxels, %1 pixels in %2 poses around the present one. Times are medians of whole frames with the scene&apos;s effects.</source>
         <translation>Fehler des Schnitts gegen einen gefensterten Sinc (Lanczos, 10 x 10 x 10 Voxel) derselben Voxel in doppelter Genauigkeit, %1 Pixel in %2 Lagen um die jetzige. Zeiten sind Mediane ganzer Bilder mit den Effekten der Szene.</translation>
+    </message>
+    <message>
+        <source>Error of whole frames against the same scatterers formed as finely as possible (%1 samples along a pulse, a slice of %2 standard deviations), %3 pixels in %4 poses around the present one.</source>
+        <translation>Fehler ganzer Bilder gegen dieselben Streuer, so fein wie möglich gebildet (%1 Abtastwerte je Puls, eine Schicht von %2 Standardabweichungen), %3 Pixel in %4 Lagen um die jetzige.</translation>
     </message>
     <message>
         <source>Cancel</source>

@@ -37,6 +37,17 @@ struct Sweep {
 /// How much work a setting is, in the order in which it is lowered.
 int workOf(const Knobs& knobs) { return 10 * static_cast<int>(knobs.quality) + knobs.elevationPlanes; }
 
+TEST(AdaptiveQuality, LowersLiveEchoesAtOnceWithoutPlanesToLeaveOut) {
+  AdaptiveQuality quality;
+  Knobs asked;
+  ASSERT_EQ(asked.quality, Quality::linear);
+  ASSERT_GT(asked.elevationPlanes, 3);
+  Knobs used;
+  for (int n = 0; n < 3; ++n) used = quality.step(asked, poseAt(2.0 * n), 0.02 * n, 15.0, false);
+  EXPECT_EQ(used.quality, Quality::weave) << "the first frame beyond the budget";
+  EXPECT_EQ(used.elevationPlanes, asked.elevationPlanes);
+}
+
 TEST(AdaptiveQuality, KeepsWhatIsAskedWhileTheProbeMovesSlowlyHoweverLongFramesTake) {
   Sweep sweep;
   for (int n = 0; n < 100; ++n) {

@@ -154,6 +154,14 @@ void CostPanel::connectParts() {
   });
   connect(this, &QDialog::finished, this, &CostPanel::cancel);
   connect(&session_, &Session::knobsChanged, this, &CostPanel::showAll);
+  connect(&session_, &Session::sceneChanged, this, [this] {
+    // Slices and live echoes have figures of their own.
+    if (measured_ && measured_->ofEchoes != showsEchoes()) {
+      cancel();
+      measured_.reset();
+    }
+    showAll();
+  });
   connect(&session_, &Session::subjectChanged, this, [this] {
     // Figures of another volume would be read as this one's.
     cancel();
@@ -180,12 +188,17 @@ void CostPanel::measure() {
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),
-      [result, voxels = subject.voxels, grid = subject.placedGrid, probe = session_.probe(), knobs = session_.knobs(),
-       scene = session_.scene(), pose = session_.pose(), width = picture.width(),
-       height = picture.height()](Progress& progress) -> Result<void> {
+      [result, subject, probe = session_.probe(), knobs = session_.knobs(), scene = subject.known(session_.scene()), pose = session_.pose(),
+       width = picture.width(), height = picture.height()](Progress& progress) -> Result<void> {
         CostOptions options;
         options.threads = 0;  // as the window makes its own frames
-        auto measured = measureCostOfAccuracy(voxels.source(grid, 0.0), probe, knobs, scene, pose, width, height, options, progress);
+        FrameInput seen;
+        seen.echo = subject.voxels.source(subject.placedGrid, 0.0);
+        if (subject.labels) seen.labels = VolumeView<const std::uint8_t>{subject.labels->echo.data(), subject.placedLabels};
+        seen.tissue = subject.tissue.get();
+        seen.tissueGrid = subject.placedTissue;
+        auto measured = formsEchoes(scene) ? measureCostOfEchoes(seen, probe, knobs, scene, pose, width, height, options, progress)
+                                           : measureCostOfAccuracy(seen.echo, probe, knobs, scene, pose, width, height, options, progress);
         if (!measured) return passOn(measured.error());
         *result = std::move(*measured);
         return {};
@@ -207,6 +220,8 @@ void CostPanel::take(const Result<void>& outcome, const CostOfAccuracy& result) 
   }
   showAll();
 }
+
+bool CostPanel::showsEchoes() const { return session_.subject() && formsEchoes(session_.subject()->known(session_.scene())); }
 
 bool CostPanel::showsPlanes() const { return measured_ && !measured_->planes.empty() && curve_->checkedId() == 1; }
 
@@ -243,7 +258,7 @@ void CostPanel::useFastest() {
 /// Which layouts of the voxels are in use, and what they were chosen by; nothing where nobody asked.
 void CostPanel::showLayout() {
   const auto& subject = session_.subject();
-  const auto times = subject ? subject->voxels.layoutTimes() : std::nullopt;
+  const auto times = subject && !showsEchoes() ? subject->voxels.layoutTimes() : std::nullopt;
   layout_->setVisible(times.has_value());
   if (!times) return;
   const auto ms = [](double time_us) { return QLocale().toString(1e-3 * time_us, 'f', 2); };
@@ -273,6 +288,14 @@ void CostPanel::showAll() {
   chart_->show(std::move(points), wish_->value(), empty);
   if (!measured_) {
     reference_->clear();
+  } else if (measured_->ofEchoes) {
+    reference_->setText(tr("Error of whole frames against the same scatterers formed as finely as possible (%1 samples along a pulse, a "
+                           "slice of %2 standard "
+                           "deviations), %3 pixels in %4 poses around the present one.")
+                            .arg(kFinestSamplesPerPulse)
+                            .arg(kFinestReach)
+                            .arg(measured_->comparedPixels)
+                            .arg(measured_->poses));
   } else if (showsPlanes()) {
     reference_->setText(
         tr("Error of whole frames against those with 9 planes, %n poses around the present one.", nullptr, measured_->poses));

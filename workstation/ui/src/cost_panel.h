@@ -22,7 +22,8 @@ namespace ew::ui {
 class CostChart;
 
 /// What accuracy costs on this machine: measures the slicing qualities, and the planes of the slice thickness where the scene has one, on
-/// the open volume around the present pose, draws them, marks the setting in use, and sets the fastest that meets an accuracy.
+/// the open volume around the present pose, or the qualities of live echoes where the scan forms them; draws them, marks the setting in
+/// use, and sets the fastest that meets an accuracy.
 class CostPanel final : public QDialog {
   Q_OBJECT
 
@@ -42,6 +43,7 @@ class CostPanel final : public QDialog {
   void connectParts();
   [[nodiscard]] const std::vector<CostPoint>& shownPoints() const;
   [[nodiscard]] bool showsPlanes() const;
+  [[nodiscard]] bool showsEchoes() const;  ///< whether the scan forms its echoes anew
   [[nodiscard]] bool isInUse(const CostPoint& point) const;
   void take(const Result<void>& outcome, const CostOfAccuracy& result);
   void useFastest();

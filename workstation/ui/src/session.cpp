@@ -332,7 +332,7 @@ ScanState Session::nextState() {
   next.number = shown_.number + 1;
   next.pose = source_ ? source_->poseAt(next.time_s) : hand_.poseAt(next.time_s);
   const bool mayLower = isAdaptive_ && !isFreezing_;
-  if (mayLower) next.knobs = adaptive_.step(live_.knobs, next.pose, next.time_s, lastFrame_ms_);
+  if (mayLower) next.knobs = adaptive_.step(live_.knobs, next.pose, next.time_s, lastFrame_ms_, !formsEchoes(next.scene));
   if (next.scene.contact && skin_ && next.pose.status == PoseStatus::ok) next.gaps_mm = gapsToSkin_mm(next.probe, next.pose, *skin_);
   return next;
 }

@@ -11,7 +11,7 @@ namespace ew::detail {
 namespace {
 
 constexpr double kApodisedWidth = 1.4;
-constexpr double kFNumber = 2.0;     // apertures open with depth at least this far
+constexpr double kFNumber = 2.0;     // of transmission, at least
 constexpr double kNoRange_mm = 1e6;  // of a beam that does not widen
 
 double rayleighRange_mm(double oneWaySigma_mm, double wavelength_mm) {
@@ -60,7 +60,7 @@ EchoBeams echoBeamsOf(const Probe& probe, const Knobs& knobs, const Scene& scene
   }
   beams.focuses = scene.focus.has_value() && scene.focus->strength > 0.0;
   beams.receivePerDepth = width / aperture_mm;
-  beams.receiveLeast_mm = width * kFNumber;
+  beams.receiveLeast_mm = width * effect.receiveFNumber;
   beams.lateralScale = effect.lineFilterWidth * (beams.focuses ? scene.focus->strength : 1.0);
 
   const double thickness_mm = probe.elevationalThickness_mm * (scene.sliceThickness ? scene.sliceThickness->scale : 1.0);

@@ -11,7 +11,7 @@ namespace ew::detail {
 /// The two-way point spread function of a probe with its settings: Gaussian in every direction, amplitude exp(-x^2 / 2 sigma^2). With z the
 /// depth, L the wavelength, D the aperture, F a transmit focus and s = 1.4 L / 2.355 (width of an apodised aperture's focus a F-number):
 ///   transmit   t = s N sqrt(1 + ((z - F) / Z)^2), N = max(2, F / D), Z = 2 pi (s N)^2 / L; each depth from the focus that is narrowest
-///   receive    r = s max(2, z / D): focused at every depth
+///   receive    r = s max(N_r, z / D): focused at every depth, N_r the effect's F-number
 ///   lateral    t r / sqrt(t^2 + r^2), times the width of the line filter (machines add up neighbouring lines)
 ///   elevation  w sqrt(1 + ((z - F_e) / Z_e)^2): a lens, opened to the elements' height at the face
 /// Source: Gaussian beams as in Cobbold, Foundations of Biomedical Ultrasound (2007), ch. 3. Ours departs: no side lobes (the haze of

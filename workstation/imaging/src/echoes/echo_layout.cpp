@@ -97,19 +97,18 @@ void layLooks(EchoLayout& layout) {
   }
 }
 
-/// As few scatterers as the smallest resolution cell needs.
-double pitchOf(const EchoLayout& layout, double scatterersPerCell) {
+}  // namespace
+
+double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell) {
   double cell_mm3 = std::numeric_limits<double>::infinity();
   for (int n = 0; n <= 64; ++n) {
-    const double depth_mm = layout.depth_mm * n / 64.0;
-    cell_mm3 = std::min(cell_mm3, layout.beams.lateralSigma_mm(depth_mm) * layout.beams.elevationalSigma_mm(depth_mm));
+    const double at_mm = depth_mm * n / 64.0;
+    cell_mm3 = std::min(cell_mm3, beams.lateralSigma_mm(at_mm) * beams.elevationalSigma_mm(at_mm));
   }
-  cell_mm3 *= layout.beams.axialSigma_mm * kFwhmOfSigma * kFwhmOfSigma * kFwhmOfSigma;
+  cell_mm3 *= beams.axialSigma_mm * kFwhmOfSigma * kFwhmOfSigma * kFwhmOfSigma;
   const double steps = std::floor(2.0 * std::log2(std::cbrt(cell_mm3 / scatterersPerCell) / kCoarsest_mm));
   return kCoarsest_mm * std::exp2(0.5 * std::clamp(steps, -6.0, 4.0));
 }
-
-}  // namespace
 
 double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect) {
   return kFwhmOfSigma * beams.axialSigma_mm / effect.samplesPerPulse;
@@ -123,7 +122,7 @@ EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoes
   layout.depth_mm = layout.grid.depth_mm(layout.grid.samples - 1);
   layout.effect = effect;
   layRows(layout);
-  layout.pitch_mm = pitchOf(layout, effect.scatterersPerCell);
+  layout.pitch_mm = echoPitch_mm(beams, layout.depth_mm, effect.scatterersPerCell);
   layLateral(layout);
   layPulse(layout);
   layLooks(layout);

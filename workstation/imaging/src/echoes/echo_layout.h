@@ -44,6 +44,9 @@ struct EchoLayout {
 /// Distance of samples along a line that the pulse of these beams asks for.
 [[nodiscard]] double echoSpacing_mm(const EchoBeams& beams, const LiveEchoesEffect& effect);
 
+/// Pitch of the lattice of scatterers: as few as the smallest resolution cell needs.
+[[nodiscard]] double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell);
+
 /// @param grid made with echoSpacing_mm
 [[nodiscard]] EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams,
                                       BeamGrid grid);

@@ -9,16 +9,16 @@ namespace {
 constexpr int kFewestPlanes = 3;
 
 /// Steps down from `asked` to the least work.
-int lowestLevel(const Knobs& asked) {
+int lowestLevel(const Knobs& asked, bool hasPlanes) {
   const int quality = asked.quality == Quality::cubic ? 2 : asked.quality == Quality::linear ? 1 : 0;
-  return quality + std::max(0, (asked.elevationPlanes - kFewestPlanes + 1) / 2);
+  return quality + (hasPlanes ? std::max(0, (asked.elevationPlanes - kFewestPlanes + 1) / 2) : 0);
 }
 
-Knobs lowered(Knobs knobs, int level) {
+Knobs lowered(Knobs knobs, int level, bool hasPlanes) {
   for (; level > 0; --level) {
     if (knobs.quality == Quality::cubic)
       knobs.quality = Quality::linear;
-    else if (knobs.elevationPlanes > kFewestPlanes)
+    else if (hasPlanes && knobs.elevationPlanes > kFewestPlanes)
       knobs.elevationPlanes = std::max(kFewestPlanes, knobs.elevationPlanes - 2);
     else
       knobs.quality = Quality::weave;
@@ -59,8 +59,8 @@ AdaptiveQuality::Speed AdaptiveQuality::speedTo(const Pose& pose, double time_s)
   return ofFast > 1.0 ? Speed::fast : ofFast > 0.5 ? Speed::slowing : Speed::resting;
 }
 
-Knobs AdaptiveQuality::step(const Knobs& asked, const Pose& pose, double time_s, double lastFrame_ms) {
-  const int lowest = lowestLevel(asked);
+Knobs AdaptiveQuality::step(const Knobs& asked, const Pose& pose, double time_s, double lastFrame_ms, bool hasPlanes) {
+  const int lowest = lowestLevel(asked, hasPlanes);
   if (std::isfinite(time_s)) {
     const double passed_s = hasLast_ ? std::max(0.0, time_s - lastTime_s_) : 0.0;
     const Speed speed = speedTo(pose, time_s);
@@ -74,7 +74,7 @@ Knobs AdaptiveQuality::step(const Knobs& asked, const Pose& pose, double time_s,
   else if (lastFrame_ms > options_.budget_ms)
     level_ += lastFrame_ms > 2.0 * options_.budget_ms ? 2 : 1;
   level_ = std::min(level_, lowest);
-  return lowered(asked, level_);
+  return lowered(asked, level_, hasPlanes);
 }
 
 }  // namespace ew

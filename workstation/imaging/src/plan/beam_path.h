@@ -69,6 +69,7 @@ class BeamPath {
   void sampleLine(int line, const SliceSource& echo, ThreadScratch& scratch, std::span<std::uint8_t> beam);
 
   [[nodiscard]] const BeamGrid& grid() const { return grid_; }
+  [[nodiscard]] const BeamImage& levels() const { return echoes_; }
 
  private:
   void layMiddlePlane(const Transform<frame::Voxel, frame::Probe>& probeToVoxel);

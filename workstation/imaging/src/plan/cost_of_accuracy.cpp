@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
+#include "cost_parts.h"
 #include "ew/core/contract.h"
-#include "ew/imaging/frame.h"
 
 namespace ew {
 namespace {
 
 constexpr int kLobes = 5;
 constexpr int kTaps = 2 * kLobes;
-constexpr std::size_t kFewest = 256;  // compared pixels that make a figure worth showing
 constexpr int kMostPerPose = 20'000;  // points compared for each pose: 1000 multiplications each
 
 double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(glm::pi<double>() * x) / (glm::pi<double>() * x); }
@@ -32,80 +29,6 @@ std::array<double, kTaps> lanczosWeights(double fraction) {
   for (double& weight : weights) weight /= sum;
   return weights;
 }
-
-/// Sums of squared differences on the way to a point's figures.
-struct Difference {
-  double squares = 0.0;
-  double worst = 0.0;
-  std::size_t count = 0;
-  void add(double by) {
-    squares += by * by;
-    worst = std::max(worst, std::abs(by));
-    ++count;
-  }
-  void putInto(CostPoint& point) const {
-    point.rms_grey = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
-    point.worst_grey = worst;
-    point.psnr_db =
-        point.rms_grey > 0.0 ? std::min(20.0 * std::log10(255.0 / point.rms_grey), CostOfAccuracy::kExact_db) : CostOfAccuracy::kExact_db;
-  }
-};
-
-/// Poses around the given one, spread evenly over turns and tips; the first is the given one.
-std::vector<Pose> posesAround(const Pose& pose, int count) {
-  std::vector<Pose> poses{pose};
-  constexpr double kFarthest_rad = 0.21;
-  for (int n = 1; n < count; ++n) {
-    // Fractions of the golden ratio and of its square fill the square of angles evenly for any count.
-    const double turn = std::fmod(n * 0.6180339887498949, 1.0) * 2.0 - 1.0;
-    const double tip = std::fmod(n * 0.7548776662466927, 1.0) * 2.0 - 1.0;
-    Pose next = pose;
-    next.probeToWorld.matrix = glm::rotate(next.probeToWorld.matrix, turn * kFarthest_rad, glm::dvec3(0.0, 1.0, 0.0));
-    next.probeToWorld.matrix = glm::rotate(next.probeToWorld.matrix, tip * kFarthest_rad, glm::dvec3(1.0, 0.0, 0.0));
-    poses.push_back(next);
-  }
-  return poses;
-}
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// What is measured with: one setting at a time, so that they do not share a warm cache of tables.
-struct Bench {
-  const SliceSource& echo;
-  const Probe& probe;
-  const Scene& scene;
-  const std::vector<Pose>& poses;
-  int width, height;
-  const CostOptions& options;
-
-  /// Median time of a frame, ms; `seen` gets the picture of each pose. @return negative when cancelled or no picture was made
-  template <class Seen>
-  double time_ms(const Knobs& knobs, Progress& progress, const Seen& seen) const {
-    FrameMaker maker(options.threads);
-    maker.configure(probe, knobs, scene, echo.grid, width, height);
-    std::vector<double> times_ms;
-    for (const Pose& pose : poses) {
-      FrameInput input;
-      input.echo = echo;
-      input.pose = pose;
-      for (int n = 0; n <= options.repeats; ++n) {
-        if (progress.cancelRequested()) return -1.0;
-        const auto begin = std::chrono::steady_clock::now();
-        const ImageView<const std::uint8_t> picture = maker.make(input).grey;
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        if (maker.lastStatus() != PoseStatus::ok) return -1.0;
-        if (n > 0) times_ms.push_back(took.count());
-        if (n == 0) seen(pose, picture, maker);
-      }
-    }
-    return median(times_ms);
-  }
-};
 
 /// Where slices are compared, and what the reference says there.
 struct Exact {
@@ -161,10 +84,11 @@ class CostMeasurement {
                   int height, const CostOptions& options, Progress& progress)
       : echo_(echo),
         asked_(asked),
-        neutral_(neutralOf(asked)),
-        quiet_(quietOf(scene)),
-        poses_(posesAround(pose, options.poses)),
-        bench_{echo, probe, quiet_, poses_, width, height, options},
+        neutral_(detail::neutralOf(asked)),
+        quiet_(detail::quietOf(scene)),
+        poses_(detail::posesAround(pose, options.poses)),
+        input_{.echo = echo},
+        bench_{input_, probe, quiet_, poses_, width, height, options},
         geometry_(fitDisplay(probe, neutral_, width, height)),
         fan_(fanSpans(probe, neutral_, geometry_)),
         progress_(progress) {
@@ -178,23 +102,15 @@ class CostMeasurement {
   CostOfAccuracy result;
 
  private:
-  static Knobs neutralOf(Knobs knobs) {
-    knobs.persistence = 0.0;
-    knobs.mode = DisplayMode::bMode;
-    return knobs;
-  }
-  static Scene quietOf(Scene scene) {
-    scene.noise.reset();
-    return scene;
-  }
-  [[nodiscard]] bool compareSlices(Quality quality, Difference& difference);
+  [[nodiscard]] bool compareSlices(Quality quality, detail::Difference& difference);
 
   const SliceSource& echo_;
   const Knobs& asked_;
   Knobs neutral_;
   Scene quiet_;
   std::vector<Pose> poses_;
-  Bench bench_;
+  FrameInput input_;
+  detail::CostBench bench_;
   DisplayGeometry geometry_;
   Spans fan_;
   Progress& progress_;
@@ -234,7 +150,7 @@ bool CostMeasurement::timeQualities() {
     progress_.report(say<"Timing the qualities">(), 0.5 + 0.1 * static_cast<double>(result.qualities.size()));
     point.frame_ms = bench_.time_ms(knobs, progress_, [](const Pose&, const ImageView<const std::uint8_t>&, const FrameMaker&) {});
     if (point.frame_ms < 0.0) return false;
-    Difference difference;
+    detail::Difference difference;
     if (!compareSlices(quality, difference)) return false;
     difference.putInto(point);
     result.qualities.push_back(std::move(point));
@@ -243,7 +159,7 @@ bool CostMeasurement::timeQualities() {
 }
 
 /// Slices of a quality against the exact ones.
-bool CostMeasurement::compareSlices(Quality quality, Difference& difference) {
+bool CostMeasurement::compareSlices(Quality quality, detail::Difference& difference) {
   GreyImage picture(bench_.width, bench_.height);
   SliceScratch scratch;
   for (std::size_t n = 0; n < poses_.size(); ++n) {
@@ -265,7 +181,7 @@ bool CostMeasurement::timePlanes() {
     Knobs knobs = neutral_;
     knobs.elevationPlanes = planes;
     progress_.report(say<"Timing the slice thickness">(), 0.8 + 0.05 * static_cast<double>(result.planes.size()));
-    Difference difference;
+    detail::Difference difference;
     std::size_t n = 0;
     point.frame_ms =
         bench_.time_ms(knobs, progress_, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
@@ -293,14 +209,12 @@ Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Prob
                                              const Pose& pose, int width, int height, const CostOptions& options, Progress& progress) {
   EW_EXPECTS(width >= 1 && height >= 1 && options.poses >= 1 && options.repeats >= 1);
   const auto cancelled = [] { return failure(ErrorCode::cancelled, say<"The measurement was cancelled.">()); };
-  if (pose.status != PoseStatus::ok)
-    return failure(ErrorCode::badField, say<"The probe has no place; hold it on the body and measure again.">());
-  if (auto rigid = checkRigid(pose.probeToWorld.matrix); !rigid) return passOn(rigid.error());
+  if (auto usable = detail::checkUsable(pose); !usable) return passOn(usable.error());
   if (echo.empty()) return failure(ErrorCode::emptyVolume, say<"There is no volume to measure with; open one first.">());
 
   CostMeasurement measurement(echo, probe, asked, scene, pose, width, height, options, progress);
   if (!measurement.computeExact()) return cancelled();
-  if (measurement.result.comparedPixels < kFewest) {
+  if (measurement.result.comparedPixels < detail::kFewestCompared) {
     return failure(ErrorCode::emptyVolume,
                    say<"The probe sees too little of the volume to compare; slide it over the volume and measure again.">());
   }

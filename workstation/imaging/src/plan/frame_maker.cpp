@@ -45,6 +45,8 @@ struct FrameMaker::Parts {
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels,
                  const Pan& pan, bool hasTissue, bool isRecorded);
   ImageView<const std::uint8_t> make(const FrameInput& input);
+  [[nodiscard]] const BeamGrid& beamGrid() const { return beams_.grid(); }
+  [[nodiscard]] const BeamImage& beamLevels() const { return beams_.levels(); }
 
   Plan plan_;  ///< of the last frame
   DisplayGeometry geometry_;
@@ -110,6 +112,14 @@ const DisplayGeometry& FrameMaker::geometry() const { return parts_->geometry_; 
 const std::vector<StepTime>& FrameMaker::lastTimes() const { return parts_->times_; }
 PoseStatus FrameMaker::lastStatus() const { return parts_->status_; }
 const Spans& FrameMaker::spans() const { return parts_->spans_; }
+const BeamGrid& FrameMaker::beamGrid() const {
+  static const BeamGrid none;
+  return parts_->plan_.onBeams ? parts_->beamGrid() : none;
+}
+const BeamImage& FrameMaker::beamLevels() const {
+  static const BeamImage none;
+  return parts_->plan_.onBeams ? parts_->beamLevels() : none;
+}
 
 void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
                                   bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
@@ -122,7 +132,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   if (asked_ && isAsked(*asked_)) return;
   asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, isRecorded, pan};
   knobs_ = limited(knobs);
-  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded);
+  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded, knobs_.quality);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);

@@ -27,7 +27,7 @@ struct StepInfo {
 // 0.8 mm (2026-11-20, AMD EPYC of 2023; the tenth percentile of 150 frames, because the machine was not idle). They say what a step is
 // worth next to the others, not what it takes on another machine. Planes beside the middle one cost what sampling does, M-mode one beam.
 constexpr StepInfo kSteps[] = {
-    {StepKind::scatterers, "live echoes", EW_TRANSLATE_NOOP("ew::StepKind", "live echoes"), 0.0, 20.0},
+    {StepKind::scatterers, "live echoes", EW_TRANSLATE_NOOP("ew::StepKind", "live echoes"), 0.0, 8.0},
     {StepKind::sampleWeave, "weave", EW_TRANSLATE_NOOP("ew::StepKind", "sample nearest"), 1.5, 3.3},
     {StepKind::sampleLinear, "linear", EW_TRANSLATE_NOOP("ew::StepKind", "sample linear"), 3.0, 5.5},
     {StepKind::sampleCubic, "cubic", EW_TRANSLATE_NOOP("ew::StepKind", "sample cubic"), 9.3, 13.0},
@@ -41,7 +41,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::focusKernel, "focus", EW_TRANSLATE_NOOP("ew::StepKind", "focus"), 0.0, 0.4},
     {StepKind::black, "black", EW_TRANSLATE_NOOP("ew::StepKind", "black"), 0.0, 0.3},
     {StepKind::noise, "noise", EW_TRANSLATE_NOOP("ew::StepKind", "noise"), 0.0, 1.7},
-    {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 12.0},
+    {StepKind::envelope, "envelope", EW_TRANSLATE_NOOP("ew::StepKind", "envelope"), 0.0, 4.0},
     {StepKind::ownGrain, "own grain", EW_TRANSLATE_NOOP("ew::StepKind", "own grain"), 0.0, 9.0},
     {StepKind::gain, "gain", EW_TRANSLATE_NOOP("ew::StepKind", "gain"), 0.0, 0.1},
     {StepKind::mMode, "M-mode", EW_TRANSLATE_NOOP("ew::StepKind", "M-mode"), 0.0, 0.0},
@@ -50,6 +50,9 @@ constexpr StepInfo kSteps[] = {
     {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
     {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
 };
+
+// Of live echoes beside each sample's share: to place a scatterer, weigh it and add it up; the envelope costs its share for every look.
+constexpr double kScatterer_ns = 15.0;
 
 const StepInfo& infoOf(StepKind kind) {
   const auto found = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const StepInfo& step) { return step.kind == kind; });
@@ -102,7 +105,7 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
 Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
               bool hasGaps, bool hasTissue, bool isRecorded) {
   const Knobs usable = limited(knobs);
-  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded);
+  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded, usable.quality);
   const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
                                                       : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
@@ -187,12 +190,17 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
 
   const bool tissuesKnown = hasLabels && !scene.tissues.empty();
   const bool tissuesDecide = scene.attenuation && tissuesKnown;
-  if (live && !keepsOwnGrain(scene)) {
+  const EchoWork work = live ? knownEchoWork(probe, knobs, scene, geometry.depth_mm) : EchoWork{};
+  const auto addScatterers = [&] {
     add(StepKind::scatterers);
+    plan.steps.back().estimated_us += 1e-3 * kScatterer_ns * work.scatterers;
+  };
+  if (live && !keepsOwnGrain(scene)) {
+    addScatterers();
     if (tissuesDecide) add(StepKind::attenuation);
     if (scene.reverberation && tissuesKnown) add(StepKind::reverberation, 5.0);
     if (hasNoise) add(StepKind::noise);
-    add(StepKind::envelope);
+    add(StepKind::envelope, work.looks);
     if (scene.attenuation && !tissuesDecide) add(StepKind::attenuation);
     if (losesContact) add(StepKind::contact);
     if (scene.reverberation && !tissuesKnown) add(StepKind::reverberation);
@@ -200,8 +208,8 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
   } else if (plan.onBeams) {
     if (live) {
       // From here on levels are what a slice's are: whatever takes from them takes from the volume's own grain too.
-      add(StepKind::scatterers);
-      add(StepKind::envelope);
+      addScatterers();
+      add(StepKind::envelope, work.looks);
       add(StepKind::ownGrain);
     } else {
       addSampling(samplingOf(knobs.quality));

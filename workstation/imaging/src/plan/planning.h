@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ew/imaging/echo_quality.h"
 #include "ew/imaging/effects/beam_gain.h"
 #include "ew/imaging/effects/gain.h"
 #include "ew/imaging/frame.h"
@@ -18,17 +19,22 @@ struct FrameSize {
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
 /// The scene without what cannot be done for want of tissue maps, or of a recorded volume's grain; and without the little walls and the
-/// texture of drawn tissue where tissue was recorded, which has its own.
-[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, bool isRecorded) {
+/// texture of drawn tissue where tissue was recorded, which has its own. Live echoes are as good as the knobs ask.
+[[nodiscard]] inline Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, Quality quality) {
   if (!hasTissue) scene.liveEchoes.reset();
-  if (scene.liveEchoes && !isRecorded) scene.liveEchoes->ownGrain = 0.0;
-  if (scene.liveEchoes && isRecorded) scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
+  if (!scene.liveEchoes) return scene;
+  scene.liveEchoes = qualityOf(*scene.liveEchoes, quality);
+  if (!isRecorded) scene.liveEchoes->ownGrain = 0.0;
+  if (isRecorded) scene.liveEchoes->fragmentsPerCm3 = scene.liveEchoes->texture_db = 0.0;
   return scene;
 }
 /// Whether live echoes take up the grain of the recorded volume.
 [[nodiscard]] inline bool keepsOwnGrain(const Scene& scene) { return scene.liveEchoes && scene.liveEchoes->ownGrain > 0.0; }
 /// Sample distance of live echoes, mm: as their pulse asks for.
 [[nodiscard]] double liveSpacing_mm(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+/// echoWorkOf for what was brought within limits already, with the quality the knobs ask for in the scene.
+[[nodiscard]] EchoWork knownEchoWork(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 
 /// Everything there is to sample for a picture.
 /// @param spacing_mm of samples along beams

@@ -71,6 +71,7 @@ void visitFields(Visitor& field, const LiveEchoesEffect*) {
   field.number("samples_per_pulse", &LiveEchoesEffect::samplesPerPulse, 3.0, 10.0, say<"along a line">);
   field.number("reach", &LiveEchoesEffect::reach, 1.0, 3.0, say<"of the slice, in standard deviations">);
   field.number("aperture_share", &LiveEchoesEffect::apertureShare, 0.2, 1.0, say<"of the probe's widest aperture">);
+  field.number("receive_f_number", &LiveEchoesEffect::receiveFNumber, 1.0, 4.0, say<"depth over aperture, near the face">);
   field.number("line_filter_width", &LiveEchoesEffect::lineFilterWidth, 1.0, 3.0, say<"1 without a filter across lines">);
   field.number("line_average", &LiveEchoesEffect::lineAverage, 0.0, 0.3, say<"of each neighbouring line">);
   field.number("gain_db", &LiveEchoesEffect::gain_db, -30.0, 30.0, say<"decibels; 0 is neutral">);

@@ -9,6 +9,7 @@ namespace ew {
 /// While the probe moves fast, each frame that takes longer than the budget lowers the quality by a step, one that takes more than twice
 /// the budget by two: cubic to linear, then two elevation planes fewer at a time down to 3, then linear to weave. It never rises while the
 /// probe moves, so it cannot flicker; at rest it returns at once to what the console asks for, however long frames take then.
+/// Live echoes have no planes: their quality (echo_quality.h) falls from step to step.
 class AdaptiveQuality {
  public:
   struct Options {
@@ -23,8 +24,9 @@ class AdaptiveQuality {
   /// @param pose    of the frame to be made; one that is not PoseStatus::ok or not finite counts as rest
   /// @param time_s  of the frame to be made; one that stands still, runs backwards or is not finite counts as rest that lasts no time
   /// @param lastFrame_ms what the last frame took, 0 when there was none; not a number counts as 0
+  /// @param hasPlanes whether fewer elevation planes are less work: not for live echoes
   /// @return `asked`, or the same with lower quality
-  [[nodiscard]] Knobs step(const Knobs& asked, const Pose& pose, double time_s, double lastFrame_ms);
+  [[nodiscard]] Knobs step(const Knobs& asked, const Pose& pose, double time_s, double lastFrame_ms, bool hasPlanes = true);
   /// Whether the last step lowered the quality: then one more frame is due at rest.
   [[nodiscard]] bool isLowered() const { return level_ > 0; }
   void reset() { *this = AdaptiveQuality(options_); }

@@ -6,6 +6,7 @@
 #include "ew/core/pose.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/imaging/frame.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
@@ -24,7 +25,9 @@ struct CostPoint {
 
 struct CostOfAccuracy {
   static constexpr double kExact_db = 99.0;
-  /// Quality::weave, linear, cubic; against slicedExactly at the same points.
+  /// Whether these are qualities of live echoes (measureCostOfEchoes) or of slices.
+  bool ofEchoes = false;
+  /// Quality::weave, linear, cubic; against sampledExactly at the same points, of live echoes against the finest frames.
   std::vector<CostPoint> qualities;
   /// Planes of the slice thickness, 3..9; whole frames against the frames with 9 planes. Empty when the scene has no slice thickness.
   std::vector<CostPoint> planes;
@@ -49,6 +52,20 @@ struct CostOptions {
 [[nodiscard]] Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& knobs,
                                                            const Scene& scene, const Pose& pose, int width, int height,
                                                            const CostOptions& options, Progress& progress);
+
+/// What the reference of live echoes is formed with: the ends of the ranges of LiveEchoesEffect.
+inline constexpr double kFinestSamplesPerPulse = 10.0;
+inline constexpr double kFinestReach = 3.0;
+
+/// The same for live echoes (echo_quality.h): whole frames against frames of the same scatterers, formed as finely as the settings go
+/// (kFinestSamplesPerPulse, kFinestReach). How far those are from the forward model says `echoweave bench echoes`, where the whole patient
+/// is known; here tissue maps are enough.
+/// @param subject what frames are formed from: maps of tissue (expected), labels, volume; its pose is not used
+/// @param scene   with live echoes (expected)
+/// @error as measureCostOfAccuracy; emptyVolume when hardly a pixel is lit
+[[nodiscard]] Result<CostOfAccuracy> measureCostOfEchoes(const FrameInput& subject, const Probe& probe, const Knobs& knobs,
+                                                         const Scene& scene, const Pose& pose, int width, int height,
+                                                         const CostOptions& options, Progress& progress);
 
 /// The reference: a band-limited interpolation of the voxels with double precision, Lanczos-windowed sinc with five lobes either side
 /// and weights that add up to 1, so that constants are kept exactly.

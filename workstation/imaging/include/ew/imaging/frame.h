@@ -9,6 +9,7 @@
 #include "ew/core/image.h"
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/beam_grid.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/picture.h"
@@ -125,6 +126,10 @@ class FrameMaker {
   /// The status of the last pose, PoseStatus::invalid when its matrix was refused, PoseStatus::missing before the first frame.
   [[nodiscard]] PoseStatus lastStatus() const;
   [[nodiscard]] const Spans& spans() const;
+  /// Where the lines and samples of the last frame lie; no line when its plan needs no beams.
+  [[nodiscard]] const BeamGrid& beamGrid() const;
+  /// Its levels as the last step on beams left them, on beamGrid(): not rounded, before grey map and scan conversion. To measure with.
+  [[nodiscard]] const BeamImage& beamLevels() const;
 
  private:
   struct Parts;

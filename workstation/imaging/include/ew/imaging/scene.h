@@ -77,6 +77,7 @@ struct LiveEchoesEffect {
   double samplesPerPulse = 6.0;    ///< along a line, within the pulse's full width at half maximum, 3..10
   double reach = 2.2;             ///< of the elevational beam, in standard deviations, 1..3: what lies farther beside the slice is left out
   double apertureShare = 0.75;    ///< of the probe's widest aperture that is active, 0.2..1
+  double receiveFNumber = 2.0;    ///< depth over aperture on reception, at least: near the face the aperture opens with depth, 1..4
   double lineFilterWidth = 1.0;   ///< how much neighbouring lines, added up, widen the beam, 1..3
   double lineAverage = 0.25;      ///< what each neighbouring line adds to the envelope of a line, 0..0.3
   double gain_db = 6.5;           ///< between the levels of the maps and those of the picture, -30..30

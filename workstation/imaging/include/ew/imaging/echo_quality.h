@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ew/imaging/knobs.h"
+#include "ew/imaging/probe.h"
+#include "ew/imaging/scene.h"
+
+namespace ew {
+
+/// Live echoes at the price that the console's quality names. What a machine shows (looks, pulse, aperture, gain) stays as asked, and so
+/// does the lattice of scatterers: every quality forms the same grain, more or less exactly, so that none appears or goes when the quality
+/// falls while the probe moves. What changes is the work:
+///   Quality::weave   fast: two thirds of the samples along a pulse, and a slice that ends at 0.7 of its reach
+///   Quality::linear  as asked, unchanged
+///   Quality::cubic   fine: 4/3 of the samples, 5/4 of the reach
+/// resources/docs/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
+/// @param asked within its limits (scene.h), which the result keeps
+[[nodiscard]] LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality);
+
+/// How much a frame of live echoes has to do, from the geometry alone; in tissue everywhere.
+struct EchoWork {
+  double scatterers = 0.0;  ///< in the slice under the beams: put on the grid, each once
+  int lines = 0;
+  int samples = 0;  ///< of each line
+  int looks = 0;    ///< pulses that each line is filtered with
+};
+
+/// @param scene with live echoes; brought within limits
+/// @param depth_mm of the picture, > 0
+[[nodiscard]] EchoWork echoWorkOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
+
+}  // namespace ew
