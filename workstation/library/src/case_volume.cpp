@@ -34,6 +34,7 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   found.volume = std::move(made->volume);
   found.labels = std::move(made->labels);
   found.tissue = std::move(made->maps);
+  found.motion = std::move(made->motion);
   found.tissues = std::move(*tissues);
   return found;
 }
@@ -48,7 +49,7 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
     PartOfProgress first(progress, 0.0, opened.volume.labels.empty() ? 1.0 : 0.5);
     auto loaded = readVolume(*file, first);
     if (!loaded) return passOn(loaded.error());
-    CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .tissues = {}, .notes = std::move(loaded->notes)};
+    CaseEcho read{.volume = std::move(loaded->volume), .labels = {}, .tissue = {}, .motion = {}, .tissues = {}, .notes = std::move(loaded->notes)};
     if (opened.volume.labels.empty()) return read;
     auto labelFile = volumeOfCase(opened.folder, opened.volume.labels, "volume.labels");
     if (!labelFile) return passOn(labelFile.error());
@@ -64,6 +65,8 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
   found->volume.grid = placed(found->volume.grid, opened.volume.fileToWorld);
   if (found->labels) found->labels->grid = placed(found->labels->grid, opened.volume.fileToWorld);
   if (found->tissue) found->tissue->grid = placed(found->tissue->grid, opened.volume.fileToWorld);
+  if (found->motion)
+    for (TissueMotion::Mode& mode : found->motion->modes) mode.grid = placed(mode.grid, opened.volume.fileToWorld);
   return found;
 }
 
